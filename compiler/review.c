@@ -40,6 +40,8 @@ void review_run_script(Session *s, const Report *r, const Program *p, const Sour
     trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
     diags_clear(&s->diags);
     if ((run->script = script ? script : session_script(s, src, p)) != NULL) {
+        if (o->requirements && !script)
+            session_check_requirements_of_script(s, o->requirements, run->script);
         memcpy(all, engine, engines * sizeof *all);
         all[0] = trace_wrap_engine(&run->trace, engine[0]);
         run->result = script_run(&s->arena, &s->diags, run->script, all, engines, o);

@@ -303,6 +303,33 @@ uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map 
     return good ? delta_t : 0;
 }
 
+// ---- requirements ----
+
+Requirements *session_requirements(Session *s, const Source *const *rq, size_t n, const Program *p)
+{
+    const size_t errors = s->diags.errors_seen;
+    CheckContext c = make_check_context(s);
+    const AstFile **file = ARENA_ARRAY(&s->tree, const AstFile *, n);
+    Requirements *out;
+
+    for (size_t i = 0; i < n; i++)
+        file[i] = parse(s, rq[i], FILE_RQ);
+    out = check_requirements(&c, file, n, p);
+    if (s->diags.errors_seen == errors)
+        check_requirement_marks(&c, out);
+    arena_free(&s->tree);
+    return s->diags.errors_seen > errors ? NULL : out;
+}
+
+void session_check_requirements_of_script(Session *s, const Requirements *r, const Script *script)
+{
+    CheckContext c = make_check_context(s);
+
+    check_requirements_of_script(&c, r, script);
+}
+
+// ---- analyses ----
+
 // Reports warnings for a machine without errors.  Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p)
 {

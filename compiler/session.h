@@ -80,6 +80,10 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files);
 uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written);
 // Checks a script for the machine p.
 Script *session_script(Session *s, const Source *ss, const Program *p);
+// Checks the requirements of n files for the machine p, and the marks @req in p.
+Requirements *session_requirements(Session *s, const Source *const *rq, size_t n, const Program *p);
+// Checks the marks @req in a script of the same machine.
+void session_check_requirements_of_script(Session *s, const Requirements *r, const Script *script);
 // Reports warnings for a machine without errors. Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p);
 // Returns the optimised IR, by passes over s->built if that is of p.

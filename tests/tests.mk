@@ -199,6 +199,15 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/hostile $(SEED) $(N)
 .PHONY: swap-campaign
 
+# tests/requirements: random requirements over the runs of random machines.  `make requirements-campaign N=100000 SEED=1`.
+$(B)/requirements/random: $(B)/obj/tests/requirements/random.o $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+requirements-campaign: $(B)/requirements/random
+	$(B)/requirements/random $(SEED) $(N)
+.PHONY: requirements-campaign
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -780,8 +789,8 @@ $(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
 $(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def compiler/syntax/hints.def compiler/sema/foreign_names.def -)
-$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md tests/check/clauses.txt -)
-$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md -)
+$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md tests/check/clauses.txt -)
+$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
 $(call test, check-last-return,    quick,, sh tests/check/files.sh code | awk -f tests/check/last_return.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
@@ -839,6 +848,7 @@ $(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap
 $(call test, swap-killed,          thorough, $(B)/swap/killed, $(B)/swap/killed)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
+$(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)

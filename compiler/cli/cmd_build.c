@@ -238,6 +238,8 @@ static int check_arguments(Cli *c, CompileEmit emit)
         return cli_usage_error(c, TEXT_io_needs_image, c->value[OPT_IO]);
     if (first == FILE_SS)
         return cli_usage_error(c, TEXT_script_not_built, c->file[0]);
+    if (first == FILE_RQ)
+        return cli_usage_error(c, TEXT_requirements_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage_error(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
     if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] &&

@@ -110,6 +110,8 @@ static int write_results(TestRun *t, bool summary)
         test_write_tap(t, &out);
     else if (summary && !test_stdout_is_for_program(t->c))
         test_write_summary(t, &out);
+    if (!tap && !test_stdout_is_for_program(t->c))
+        test_requirements_write(t, &out);
     if (!cli_print(t->c, tap ? 1 : test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
     if (!t->c->given[OPT_JUNIT])
@@ -124,7 +126,7 @@ static int write_results(TestRun *t, bool summary)
 // Returns the most serious result: a bug of smc, then a fault of the environment, then a problem in the user's input.
 static int exit_code(const TestRun *t)
 {
-    int code = EXIT_OK;
+    int code = t->code;
 
     for (size_t i = 0; i < t->result.n; i++)
         if (code < t->result.at[i].code)
@@ -145,11 +147,13 @@ bool test_is_script(const Cli *c, const char *path)
     return has_machine;
 }
 
-typedef struct Files { size_t machines, scripts, cases, standard_inputs; const char *machine; } Files;
+bool test_is_requirements(const char *path) { return has_suffix(path, ".rq"); }
+
+typedef struct Files { size_t machines, scripts, cases, requirements, standard_inputs; const char *machine; } Files;
 
 static Files classify_files(const Cli *c)
 {
-    Files f = {0, 0, 0, 0, NULL};
+    Files f = {0, 0, 0, 0, 0, NULL};
 
     for (size_t i = 0; i < c->files; i++) {
         const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]);
@@ -157,13 +161,14 @@ static Files classify_files(const Cli *c)
         f.standard_inputs += standard;
         f.machines += machine;
         f.scripts += script;
-        f.cases += !machine && !script;
+        f.requirements += test_is_requirements(c->file[i]);
+        f.cases += !machine && !script && !test_is_requirements(c->file[i]);
         f.machine = machine ? c->file[i] : f.machine;
     }
     return f;
 }
 
-static const char accepted[] = "a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases";
+static const char accepted[] = "a machine (.sm), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases";
 
 static int check_kinds(Cli *c)
 {
@@ -171,8 +176,8 @@ static int check_kinds(Cli *c)
         const char *path = c->file[i];
         if (has_suffix(path, ".sv"))
             return cli_usage_error(c, TEXT_vector_with_sv, path);
-        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
-            !os_is_folder(path))
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && !test_is_requirements(path) &&
+            strcmp(path, "-") != 0 && !os_is_folder(path))
             return cli_usage_error(c, TEXT_test_kind, path, accepted);
     }
     return EXIT_OK;
@@ -199,6 +204,8 @@ static int check_arguments(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_test_no_machine);
     if (c->given[OPT_SET] && !f->machines)
         return cli_usage_error(c, TEXT_set_of_case);
+    if (f->requirements && !f->machines)
+        return cli_usage_error(c, TEXT_test_requirements_alone);
     for (size_t i = 0; i < sizeof other / sizeof *other && c->given[OPT_TAP]; i++)
         if (cli_is_standard_output(c, other[i].id))
             return cli_usage_error(c, TEXT_both_to_stdout, "--tap", other[i].spelling);
@@ -273,7 +280,7 @@ int cmd_test(Cli *c)
     if (f.machine && (ran = test_run_machine(&t, f.machine)) == EXIT_USAGE)
         return ran;
     for (size_t i = 0; i < c->files; i++)
-        if (!test_is_script(c, c->file[i]) && c->file[i] != f.machine)
+        if (!test_is_script(c, c->file[i]) && !test_is_requirements(c->file[i]) && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
     test_run_cases(&t, t.path.at, t.path.n);
     report_absent(&t);

@@ -11,6 +11,8 @@ typedef struct MachineTest {
     double begin;             // start time of the current script
     const Program *p;         // the machine, compiled for scripts
     EngineSet engines;
+    const Requirements *requirements;         // NULL: none
+    RequirementTable *table;
     VEC(ScriptSetting) setting;   // the values of --set
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
@@ -68,8 +70,9 @@ static int exit_code_of(ScriptOutcome o)
     return EXIT_INTERNAL;
 }
 
-// Returns the requirements that the script has tested, each once, in order: "R7 R8"; "" if there is none.
-static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r)
+// Returns the requirements that the script has tested, each once: "R7 R8"; "" if there is none. First those of its asserts, then those of `what`,
+// which can be NULL.
+static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r, const Requirements *what)
 {
     Map seen = {arena, NULL, NULL, 0, 0};
     Buf out;
@@ -87,6 +90,9 @@ static const char *list_requirements(Arena *arena, const Script *s, const Script
                 buf_printf(&out, "%s%s", out.n ? " " : "", name->text);
             }
         }
+    for (size_t i = 0; what && i < what->at.n; i++)
+        if (r->requirement[i].judged && !map_find(&seen, what->at.at[i].id))
+            buf_printf(&out, "%s%s", out.n ? " " : "", what->at.at[i].id->text);
     return buf_text(&out);
 }
 
@@ -94,7 +100,8 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
     ScriptOptions o = {.max_steps = t->max_steps, .seed = t->c->given[OPT_SEED] ? &t->seed : NULL,
-                       .after_step = m->trace ? test_trace_step : NULL, .context = m->trace, .setting = m->setting.at, .settings = m->setting.n};
+                       .after_step = m->trace ? test_trace_step : NULL, .context = m->trace,
+                       .setting = m->setting.at, .settings = m->setting.n, .requirements = m->requirements};
     ScriptResult r;
     int code, reported;
     const char *message;
@@ -103,6 +110,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
         test_trace_script(m->trace, path);
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
+    test_requirements_add(m->table, path, s, &r);
     buf_str(&m->report, r.printed);
     m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
@@ -112,7 +120,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
     m->t->result.at[m->t->result.n - 1].printed = r.printed;
     m->t->result.at[m->t->result.n - 1].seed = r.is_random ? format_in(t->arena, "%llu", (unsigned long long)r.seed) : "";
-    m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r);
+    m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r, m->requirements);
 }
 
 static void test_script(MachineTest *m, size_t argument)
@@ -130,6 +138,8 @@ static void test_script(MachineTest *m, size_t argument)
         return;
     }
     if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
+        if (m->requirements)
+            session_check_requirements_of_script(&m->t->c->session, m->requirements, s);
         run_script(m, path, s);
         return;
     }
@@ -175,7 +185,11 @@ static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
     if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
     for (size_t i = 0; i < c->files; i++)
-        if (test_is_script(c, c->file[i])) {
+        if (test_is_requirements(c->file[i])) {
+            in->at[in->n] = (CompileSource){.text = cli_read_source(c, c->file[i]), .kind = FILE_RQ};
+            if (!in->at[in->n++].text)
+                return EXIT_ENVIRONMENT;
+        } else if (test_is_script(c, c->file[i])) {
             if ((m->ss[i] = cli_read_source(c, c->file[i])) != NULL)
                 in->at[in->n++] = (CompileSource){.text = m->ss[i], .kind = FILE_SS};
             else
@@ -201,6 +215,7 @@ static int compile_machine(MachineTest *m, const char *path)
         for (size_t k = 0; k < in.n; k++)
             m->is_part[i] |= made.of[k].is_included && in.at[k].text == m->ss[i];
     m->p = made.of[0].scripted;
+    m->requirements = made.of[0].requirements;
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
 
@@ -221,7 +236,15 @@ static bool open_engines(MachineTest *m)
     return false;
 }
 
-static bool is_lone_script(const Cli *c) { return c->files == 2; }
+// Whether the call names one script, and no case.
+static bool is_lone_script(const Cli *c)
+{
+    size_t others = 0;
+
+    for (size_t i = 0; i < c->files; i++)
+        others += !test_is_requirements(c->file[i]);
+    return others == 2;
+}
 
 static int print_report(MachineTest *m, const char *path)
 {
@@ -240,10 +263,24 @@ static int print_report(MachineTest *m, const char *path)
     return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
+// Ends the table of requirements, and prints the diagnostics about them.
+static int end_requirements(MachineTest *m, int code)
+{
+    const char *unused;
+    bool complete = code == EXIT_OK;
+
+    for (size_t i = 0; i < m->t->result.n; i++)
+        complete &= m->t->result.at[i].status == TEST_PASSED;
+    test_requirements_end(m->table, complete);
+    return report_diagnostics(m->t, &unused);
+}
+
 static int test_scripts(MachineTest *m)
 {
     Cli *c = m->t->c;
     int code = test_trace_open(m->t, m->p, &m->trace), closed;
+
+    m->table = test_requirements_begin(m->t, m->requirements);
 
     if (code == EXIT_ENVIRONMENT)
         add_errors(m, c->last_error, code);
@@ -253,7 +290,10 @@ static int test_scripts(MachineTest *m)
             code = print_report(m, result_name(c->file[i]));
         }
     closed = test_trace_close(m->trace);
-    return code == EXIT_OK ? closed : code;
+    code = code == EXIT_OK ? closed : code;
+    if (m->requirements && (closed = end_requirements(m, code)) != EXIT_OK && code == EXIT_OK)
+        code = m->t->code = closed;
+    return code;
 }
 
 int test_run_machine(TestRun *t, const char *path)

@@ -7,7 +7,7 @@
 // chapters[n - 1] is the title for the codes whose first two digits are n.
 static const char *const chapters[] = {
     "Characters and numbers", "Names and declarations", "Grammar", "Expressions and constants", "States and transitions", "State vector",
-    "Scripts", "Files and images", "Flight", "Applications", "Pins", "Network"};
+    "Scripts", "Files and images", "Flight", "Applications", "Pins", "Network", "Requirements"};
 
 static size_t chapter_of(const DiagInfo *row) { return (size_t)(row->id[1] - '0') * 10 + (size_t)(row->id[2] - '0'); }
 

@@ -120,7 +120,7 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
 
 // ---- sources to inputs ----
 
-typedef struct KindCount { uint32_t of[SMC_KIND_NET + 1], all; } KindCount;
+typedef struct KindCount { uint32_t of[SMC_KIND_RQ + 1], all; } KindCount;
 
 static KindCount count_kinds(const SmcSession *s)
 {
@@ -155,7 +155,7 @@ static const char *find_misfit(const SmcSession *s)
 
 static FileKind kind_of(int32_t source)
 {
-    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET};      // by SMC_KIND_…
+    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_RQ};      // by SMC_KIND_…
 
     return kind[source];
 }
@@ -329,7 +329,7 @@ int32_t smc_app_file_kind(const SmcSession *s, uint32_t file)
 {
     const AppFile *f = app_file(s, file);
 
-    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_NET; kind++)
+    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_RQ; kind++)
         if (kind_of(kind) == f->kind)
             return kind;
     return -1;

@@ -29,6 +29,7 @@ static void begin_review(SmcSession *s, uint32_t machine, Report *r)
 {
     s->compiler.diags = s->below.diags;
     review_begin(&s->compiler, library_compiled(s, machine)->program, r);
+    r->requirements = library_compiled(s, machine)->requirements;
     r->run = ARENA_ARRAY(&s->compiler.arena, ReportRun, s->of.sources);
     for (uint32_t i = 0; i < s->of.sources; i++)
         if (s->of.run[i].is_done && s->of.machine[i] == machine)
@@ -101,7 +102,7 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     const Source *src = s->of.text[q->script];
     Tracing t = {s, m->scripted, NULL, src->name, NULL};
     const ScriptOptions o = {.max_steps = q->max_steps, .after_step = trace_step, .is_cancelled = is_cancelled, .context = &t,
-                             .is_compared = q->is_displayed};
+                             .is_compared = q->is_displayed, .requirements = m->requirements};
     Engine *engine[ENGINE_COUNT];
     size_t n;
     LibraryRun run = {.engines = q->engines, .max_steps = q->max_steps, .is_traced = s->option[SMC_OPTION_TRACE] != 0};

@@ -113,7 +113,8 @@ enum SmcKind {    // a kind of source; later versions can have more
     SMC_KIND_SS = 2,              // a state script, .ss
     SMC_KIND_IO = 3,              // pins, .io
     SMC_KIND_APP = 4,             // an application, .app; it comes with the files that it names
-    SMC_KIND_NET = 5              // messages, .net
+    SMC_KIND_NET = 5,             // messages, .net
+    SMC_KIND_RQ = 6               // requirements, .rq
 };
 
 // Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show
@@ -180,7 +181,8 @@ const char *smc_explain(const char *code);
 // Compiles all sources, in the order of their numbers: checks them, and searches for what the selected warnings find.  An application is
 // compiled with the files that it names.
 // Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine
-// or of the machine that smc_script_assign named.  Other scripts are only parsed.
+// or of the machine that smc_script_assign named.  Other scripts are only parsed.  Requirements are those of the one machine: smc_run judges
+// them after each step of its scripts, and a violation ends the script as failed.  With several machines they are only parsed.
 // SMC_E_SOURCE: there are errors, or warnings that are selected as errors.  What has none of its own is compiled nevertheless.
 // SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
 SmcResult smc_compile(SmcSession *s);

@@ -33,6 +33,7 @@ typedef struct Report {
     size_t runs;
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
+    const Requirements *requirements;     // those that the runs have judged; or NULL
 } Report;
 
 Doc *report_build(Report *r);
@@ -48,6 +49,7 @@ void report_add_messages(Report *r, Doc *d);           // nothing if r->net is N
 void report_add_findings(Report *r, Doc *d);
 void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);
+void report_add_requirements(Report *r, Doc *d);       // nothing if r->requirements is NULL
 void report_add_scripts(Report *r, Doc *d);
 
 // Number of findings that count, and of findings that an @allow covers.

@@ -22,7 +22,7 @@ static const char *outcome_text(const ReportRun *run)
         return "does not compile";
     switch (run->result.outcome) {
     case SCRIPT_PASSED: return "passed";
-    case SCRIPT_FAILED: return "failed: an assert was false";
+    case SCRIPT_FAILED: return run->result.failed ? "failed: an assert was false" : "failed: a requirement was violated";
     case SCRIPT_ENDLESS: return "failed: did not stop";
     case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";

@@ -37,6 +37,12 @@
     "Every window takes a sample at the start of every step, in every state. Until it is full, its statistic covers the samples " \
     "taken so far."
 
+// ---- requirements ----
+
+#define TEXT_REQUIREMENTS \
+    "Each requirement is judged after every step of every script in which it could be violated. `Times` is the number of these steps. One " \
+    "that was never judged has not been tested, and one that is undecided has not been met."
+
 // ---- messages ----
 
 #define TEXT_MESSAGES \

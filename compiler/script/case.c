@@ -95,6 +95,8 @@ static const char *find_wrong_parts(const TestFile *f)
         return "a case has at most one .sm, one .sv, one .io and one .net";
     if (nets && !vectors)
         return "messages need a state vector, as -- app.sv --";
+    if (case_has_part_of_kind(f, ".rq") && !machines)
+        return "requirements need a machine, as -- app.sm --";
     if (pins && !vectors)
         return "pins need a state vector, as -- app.sv --";
     if (machines + vectors == 0)
@@ -158,7 +160,7 @@ void case_compile(SmtCase *c, int opt_level)
     c->script = ARENA_ARRAY(&c->s->arena, const Script *, f->part.n);
     for (size_t i = 0; i < f->part.n; i++)
         if (testfile_has_suffix(&f->part.at[i], ".sm"))
-            c->p = made.of[c->sources.input[i]].scripted;
+            c->p = made.of[c->sources.input[i]].scripted, c->requirements = made.of[c->sources.input[i]].requirements;
         else if (testfile_has_suffix(&f->part.at[i], ".ss"))
             c->script[i] = made.of[c->sources.input[i]].script;
     c->has_runs = f->outcome != TEST_ERROR && c->s->diags.errors == 0 && case_has_part_of_kind(f, ".ss");
@@ -199,11 +201,12 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
     const bool must_pass = f->outcome == TEST_PASS;
     Arena *arena = &c->s->arena;
     CaseTrace trace = {report_order(arena, c->p), c->p->var.n, {0}};
-    bool is_first = true, works = true;
+    RequirementTotal *total = c->requirements ? ARENA_ARRAY(arena, RequirementTotal, c->requirements->at.n) : NULL;
+    bool is_first = true, works = true, passed = true;
 
     for (size_t i = 0; i < f->part.n; i++) {
         ScriptOptions o = {.max_steps = f->steps ? f->steps : max_steps, .after_step = trace_part && is_first ? add_to_trace : NULL, .context = &trace,
-                           .is_compared = report_part || trace_part};
+                           .requirements = c->requirements, .is_compared = report_part || trace_part};
         ScriptResult r;
         Buf report;
 
@@ -216,6 +219,9 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
                       : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW)
             buf_printf(&c->why, "%s should %s, but %s\n", f->part.at[i].name, must_pass ? "pass" : "fail", outcome_text(r.outcome));
         works &= r.outcome != SCRIPT_BROKEN;
+        passed &= r.outcome == SCRIPT_PASSED;
+        if (total)
+            requirement_add_run(total, c->requirements, &r);
         script_report(&r, c->p, &report);
         if (report_part && is_first)
             case_compare_report(report_part, &report, &c->why);
@@ -223,6 +229,8 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
             case_compare_trace(trace_part, &trace.text, &c->why);
         is_first = false;
     }
+    if (total && passed)
+        requirement_report_unjudged(&c->s->diags, c->requirements, total);
     return works;
 }
 

@@ -66,7 +66,7 @@ static void record_after_step(void *context, const ScriptStep *step)
         for (size_t i = 0; i < h->columns; i++) {
             Buf text;
             buf_init(&text, r->arena);
-            run_append_value(r, h->column[i], &text);
+            run_append_value(r, h->column[i], h->failed->violated ? &r->monitor->windows : &r->windows, &text);
             s->value[i] = buf_text(&text);
         }
     }
@@ -86,6 +86,8 @@ static bool is_replay_too_slow(const ScriptRun *r)
         work += r->p->window.at[i].size;
     for (size_t i = 0; i < r->s->window.n; i++)
         work += r->s->window.at[i].size;
+    for (size_t i = 0; r->o->requirements && i < r->o->requirements->window.n; i++)
+        work += r->o->requirements->window.at[i].size;
     return r->result.steps > WORK_MOST / work;
 }
 
@@ -94,7 +96,8 @@ static bool replay_run(History *h)
 {
     const ScriptRun *failed = h->failed;
     const ScriptOptions o = {.max_steps = failed->result.steps, .seed = &failed->result.seed, .after_step = record_after_step, .context = h,
-                             .is_compared = true, .setting = failed->o->setting, .settings = failed->o->settings};
+                             .is_compared = true, .setting = failed->o->setting, .settings = failed->o->settings,
+                             .requirements = failed->o->requirements};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;
 
@@ -228,7 +231,7 @@ void history_add(ScriptRun *failed, Diag *d)
     h->failed = failed;
     if (failed->failed)
         add_columns(h, failed->failed);
-    if (failed->failed && h->columns == 0)
+    if (failed->failed_item && h->columns == 0)
         add_columns(h, failed->failed_item->guard);       // for @assert false: the operands of its guard
     if (stop)
         add_columns(h, stop->guard);

@@ -76,6 +76,10 @@ typedef struct RefWindows {
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
+// The same without memory for the samples, which ref_window_place provides: ref_window_samples of 8 bytes.  Empties no window.
+void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list);
+uint32_t ref_window_samples(const Window *what);
+void ref_window_place(RefWindow *w, void *samples);
 void ref_windows_clear(RefWindows *w);                            // empties all windows, as init does
 void ref_windows_sample(RefWindows *w, const uint64_t *cell);     // stores a sample in every window, in index order
 double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat);

@@ -6,11 +6,12 @@
 #include "compiler/base/buf.h"
 #include "compiler/diag/diag.h"
 #include "compiler/script/engine.h"
+#include "compiler/script/monitor.h"
 #include "compiler/sema/program.h"
 
 typedef enum ScriptOutcome {
     SCRIPT_PASSED,
-    SCRIPT_FAILED,            // an assert was false
+    SCRIPT_FAILED,            // an assert was false, or a requirement was violated
     SCRIPT_ENDLESS,           // no @stop was reached within max_steps
     SCRIPT_TIME_OVERFLOW,         // G cannot advance any further
     SCRIPT_CANCELLED,         // ScriptOptions.is_cancelled returned true
@@ -23,6 +24,7 @@ typedef struct ScriptStep {
     uint64_t g;               // G in this step
     const State *state;       // the state that the step ran
     const uint64_t *cell;     // the value of every variable after the step, by index
+    const uint8_t *results;   // by requirement: what the step decided, a MonitorResult; NULL: the run has no requirements
 } ScriptStep;
 
 typedef struct ScriptOptions {
@@ -33,8 +35,17 @@ typedef struct ScriptOptions {
     bool (*is_cancelled)(void *context);      // called after each step that does not end the run; or NULL
     const ScriptSetting *setting;     // parameters that have another value in this run; `settings` of them
     size_t settings;
+    const Requirements *requirements;         // judged after each step; NULL: none
     bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
+
+// What a run has decided about a requirement.
+typedef struct RequirementRun {
+    uint64_t judged;          // in how many steps it could have been violated
+    bool violated;            // in the last step
+    bool undecided;           // when the run ended
+    uint64_t since;           // UNDECIDED: G at which its time began
+} RequirementRun;
 
 typedef struct ScriptResult {
     ScriptOutcome outcome;
@@ -46,9 +57,24 @@ typedef struct ScriptResult {
     const char *printed;      // what @print has shown: lines; "" if nothing
     const uint8_t *evaluated; // by number of the assert, in the order of the script: it was evaluated at least once
     const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
-    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met
+    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: a requirement was violated
+    const RequirementRun *requirement;        // by requirement; NULL: the run had none
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
+
+// What all runs of a call have decided about a requirement.
+typedef struct RequirementTotal {
+    uint64_t judged;          // in how many steps of all runs
+    uint32_t scripts;         // in how many runs it was judged
+    uint32_t violated, undecided;     // in how many runs
+} RequirementTotal;
+
+// Adds the results of a run to those of the runs before it, by requirement.
+void requirement_add_run(RequirementTotal *total, const Requirements *what, const ScriptResult *r);
+// Returns the result as a word: "violated", "undecided", "never judged" or "met".
+const char *requirement_verdict(const RequirementTotal *t);
+// Warns of requirements that no run has judged.
+void requirement_report_unjudged(Diags *diags, const Requirements *what, const RequirementTotal *total);
 
 // Runs the engines in lock step on one script.  The values of the first engine decide guards and asserts.  A failed assert, an
 // assert that was never evaluated and other failures are reported to `diags`.

@@ -2,7 +2,7 @@
 // Runs a state script (language.md 8).  For each step:
 // 1. The sections for the current state write their inputs and note their asserts.
 // 2. Every engine runs the step.
-// 3. The noted asserts are evaluated.
+// 3. The requirements are judged, and the noted asserts are evaluated.
 // The script sees the values of the first engine.  The others must produce the same values, bit for bit.
 #include "compiler/script/script_run.h"
 
@@ -152,7 +152,7 @@ static void step_engines(ScriptRun *r)
 
 static void call_after_step(ScriptRun *r)
 {
-    const ScriptStep step = {r->result.steps, r->g, r->state, r->cell};
+    const ScriptStep step = {r->result.steps, r->g, r->state, r->cell, r->monitor ? r->monitor->result : NULL};
 
     if (r->o->after_step)
         r->o->after_step(r->o->context, &step);
@@ -169,6 +169,8 @@ static void advance_time(ScriptRun *r)
 
 static void run_step(ScriptRun *r)
 {
+    bool violated;
+
     r->write.n = 0;
     r->noted.n = 0;
     r->random.step = r->result.steps + 1;
@@ -180,8 +182,12 @@ static void run_step(ScriptRun *r)
     step_engines(r);
     if (r->ended)
         return;
+    violated = r->monitor && requirement_check_step(r);
     call_after_step(r);
-    assert_check_step(r);
+    if (violated)
+        requirement_fail(r);
+    else
+        assert_check_step(r);
     if (!r->ended && r->o->is_cancelled && r->o->is_cancelled(r->o->context))
         run_finish(r, SCRIPT_CANCELLED);
     if (!r->ended)
@@ -259,6 +265,8 @@ void run_to_the_end(ScriptRun *r)
     r->result.cell = r->cell;
     r->result.evaluated = r->evaluated;
     r->result.undecided = r->is_pending;
+    if (r->o->requirements)
+        requirement_begin_run(r);
     init_engines(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
     while (!r->ended && r->result.steps < r->o->max_steps)
@@ -266,6 +274,8 @@ void run_to_the_end(ScriptRun *r)
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
     r->result.printed = assert_finish_printing(r);
+    if (r->monitor)
+        requirement_end_run(r);
 }
 
 // Runs the engines in lock step on one script.
@@ -275,12 +285,18 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
 
     run_to_the_end(&r);
     switch (r.result.outcome) {
-    case SCRIPT_FAILED: assert_report_failure(&r); break;
+    case SCRIPT_FAILED:
+        if (r.violated)
+            requirement_report_violations(&r);
+        else
+            assert_report_failure(&r);
+        break;
     case SCRIPT_ENDLESS: report_endless(&r); break;
     case SCRIPT_TIME_OVERFLOW: report_time_overflow(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
     case SCRIPT_CANCELLED: return r.result;
     }
     assert_report_unevaluated(&r);
+    requirement_report_undecided(&r);
     return r.result;
 }

@@ -45,9 +45,13 @@ typedef struct ScriptRun {
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
     uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
-    const Expr *failed;       // the condition that failed, or the guard of an @fail; or NULL
-    const ScriptItem *failed_item;
+    const Expr *failed;       // the condition that failed, or the guard of an @fail, or the condition of a violated requirement; or NULL
+    const ScriptItem *failed_item;    // NULL: a requirement was violated
     uint64_t failed_since;    // of an @expect: G of the step in which it began
+    Monitor *monitor;         // of the requirements; NULL: none
+    void *situation;          // that of the monitor
+    RequirementRun *requirement;      // by requirement
+    const Requirement *violated;      // the first that the last step has violated; or NULL
     ScriptResult result;
     bool ended;               // then result.outcome is the reason
 } ScriptRun;
@@ -71,11 +75,25 @@ const char *assert_finish_printing(ScriptRun *r);
 void assert_report_failure(ScriptRun *r);
 // Warns about asserts that no step evaluated, and about a script without asserts.
 void assert_report_unevaluated(const ScriptRun *r);
-// Appends the value of e in the format of diagnostics.
-void run_append_value(ScriptRun *r, const Expr *e, Buf *out);
+// Appends the value of e in the format of diagnostics. w: the windows that e belongs to.
+void run_append_value(ScriptRun *r, const Expr *e, const RefWindows *w, Buf *out);
+// Adds a label with the values of the operands of e, which decided a failure.
+void run_label_operands(ScriptRun *r, Diag *d, const Expr *e, const RefWindows *w);
 // Whether a message that shows the n expressions of `shown` with their values can show e too: its source is on one line of at most `most`
 // bytes, and differs from theirs.
 bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most);
+
+// ---- run_requirements.c ----
+
+void requirement_begin_run(ScriptRun *r);
+// Judges the requirements after a step. Returns whether one is violated.
+bool requirement_check_step(ScriptRun *r);
+// Ends a run in which a requirement was violated.
+void requirement_fail(ScriptRun *r);
+// Sets the results of a run that has ended.
+void requirement_end_run(ScriptRun *r);
+void requirement_report_violations(ScriptRun *r);
+void requirement_report_undecided(const ScriptRun *r);
 
 // ---- history.c ----
 

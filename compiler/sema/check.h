@@ -8,6 +8,7 @@
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/network.h"
 #include "compiler/sema/program.h"
+#include "compiler/sema/requirements.h"
 #include "compiler/syntax/ast.h"
 
 typedef struct CheckContext {
@@ -35,6 +36,11 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const As
 bool report_parameter_refused(const CheckContext *c, const Program *p, Str name, Span span, SmF64 x, uint64_t *cell);
 // Sets parameter `name` of machine p to x, or reports at `span` why not.  Call it before the IR of p is built.
 bool program_set_parameter(const CheckContext *c, Program *p, Str name, Span span, SmF64 x);
+// Checks the requirements of n files of a machine (check_rq.c).
+Requirements *check_requirements(CheckContext *c, const AstFile *const *file, size_t n, const Program *p);
+// Warn of marks @req, in the machine and in a script, with ids that no requirement has.
+void check_requirement_marks(CheckContext *c, const Requirements *r);
+void check_requirements_of_script(CheckContext *c, const Requirements *r, const Script *script);
 
 // Binds pins to elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);

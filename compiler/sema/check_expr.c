@@ -541,6 +541,21 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     return NULL;
 }
 
+// Builds `a implies b`: not a, or b.
+static Expr *check_implication(Sema *s, const AstExpr *e)
+{
+    Expr *out = expr_new(s, EX_BINARY, e->span, 2), *not = expr_new(s, EX_UNARY, e->a->span, 1);
+
+    sema_record_operator(s, SM_OP_NOT);
+    sema_record_operator(s, SM_OP_OR);
+    not->op = SM_OP_NOT;
+    not->arg[0] = check_expr(s, e->a);
+    out->op = SM_OP_OR;
+    out->arg[0] = not;
+    out->arg[1] = check_expr(s, e->b);
+    return not->arg[0] && out->arg[1] ? out : NULL;
+}
+
 static Expr *check_kind(Sema *s, const AstExpr *e)
 {
     switch (e->kind) {
@@ -555,6 +570,7 @@ static Expr *check_kind(Sema *s, const AstExpr *e)
     case AST_STEPS:
         diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
         return NULL;
+    case AST_IMPLIES: return check_implication(s, e);
     case AST_CALL:   return check_call(s, e);
     case AST_STATE_NAME: return check_state_value(s, e);
     case AST_WHEN:   return check_when(s, e);

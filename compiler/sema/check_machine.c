@@ -48,6 +48,8 @@ static void check_states(Sema *s, Program *p, const AstFile *sm)
             continue;
         state = p->state.at[n++];
         add_all_states(s, p, state);
+        add_section_marks(s, section, state);
+        s->state = state;
         for (int label = 0; label < AST_LABEL_COUNT; label++) {
             s->block = block_of[label];
             if (section->block[label].present)

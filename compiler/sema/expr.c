@@ -33,7 +33,7 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
     case EX_CALL: return a->fn == b->fn;
     case EX_EVERY: return sm_eq(a->number, b->number);
     case EX_RANDOM: return a->window == b->window;
-    case EX_ROLL: return a->stat == b->stat && window_of[a->window] == window_of[b->window];
+    case EX_ROLL: return a->stat == b->stat && (window_of ? window_of[a->window] == window_of[b->window] : a->window == b->window);
     }
     return false;
 }

@@ -223,6 +223,14 @@ typedef struct AllStates {
     uint32_t copies;          // for how many states its statements have been checked
 } AllStates;
 
+// @req on a state or a statement: it implements a requirement (requirements.md 13.19).  Only reports read it.
+typedef struct RequirementMark {
+    Str requirement;          // its id
+    const State *state;       // the state that has the mark, or its statement; NULL: a section [all_states]
+    bool is_statement;        // the mark follows a statement, or a transition
+    Span span;                // the annotation
+} RequirementMark;
+
 typedef struct Program {
     Str name;                 // the file's stem: "tank" of dir/tank.sm
     const Source *src;
@@ -240,6 +248,7 @@ typedef struct Program {
     Windows window;
     Defines define;
     VEC(AllStates *) all_states;      // in file order
+    VEC(RequirementMark) mark;        // in the order of the check
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
@@ -328,7 +337,7 @@ SmRefusal parameter_judge(const Var *parameter, SmF64 x, uint64_t *cell);
 
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the
 // same value if no assignment is executed between their evaluations. window_of maps a Window number to an id that is equal for
-// windows with equal contents (IrMachine.window_of).
+// windows with equal contents (IrMachine.window_of); NULL: every window differs from the others.
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of);
 
 // Calls f(x, context) for e and all its subexpressions, operands before the expression that owns them.

@@ -67,6 +67,7 @@ typedef struct Sema {
     VEC(DependentLocal) dependent;    // the locals whose initial values read a parameter; propose_definitions reads it
     VEC(SizeUse) size_use;    // the locals that window sizes depend on so far; check_size_uses reads it
     BlockKind block;          // the block that contains the current statement
+    const State *state;       // the state of the current statement; NULL in [all_states]
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
     bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
@@ -225,6 +226,11 @@ void add_state_allows(Sema *s, const AstSection *section, uint32_t end);
 void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt);
 // Registers the annotations of an element in the .sv for the position where a machine lists the element.
 void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed);
+
+// ---- check_rq.c: marks @req of a machine ----
+
+void add_section_marks(Sema *s, const AstSection *section, const State *state);      // of a state; NULL: of [all_states]
+void add_stmt_marks(Sema *s, const AstStmt *stmt);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 

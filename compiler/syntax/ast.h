@@ -24,6 +24,7 @@ typedef enum AstExprKind {
     AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
     AST_PAREN,        // ( a )
     AST_STEPS,        // a steps, as an argument: a count of steps
+    AST_IMPLIES,      // a implies b, in requirements
     AST_CALL,         // name ( args )
     AST_STATE_NAME,   // state name, in a script: whether the machine is in that state
     AST_WHEN          // at a, from a to b, after a, every a: the whole guard of a conditional of a script
@@ -40,12 +41,12 @@ struct AstExpr {
     uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
-    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY), the name (CALL, STATE_NAME) or the word (WHEN)
+    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY, IMPLIES), the name (CALL, STATE_NAME) or the word (WHEN)
     AstWhen when;             // WHEN: its word
     TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
     SmF64 number;             // NUMBER: its value, without the unit
     Str name;                 // NAME, CALL: the name; STATE_NAME: that of the state
-    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY: both operands; WHEN: the numbers, b only after `to`
+    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY, IMPLIES: both operands; WHEN: the numbers, b only after `to`
     AstArgs *args;            // CALL: the arguments
 };
 
@@ -85,7 +86,7 @@ typedef struct AstAnnotation {
     AstAnnotationKind kind;
     Span span;                // including its @ and its arguments
     AstNames *names;          // EXCEPT: the names of states
-    Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W
+    Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W; REQ: the requirement
     Span name_span;
     Str reason;               // ALLOW: the reason
     AstNumber lo, hi;         // RANGE: both; annotations with one number or a value: lo
@@ -135,6 +136,7 @@ struct AstStmt {
     AstExpr *value;           // ASSIGN, ASSERT, EXPECT: the expression; IF: the guard
     const AstRemark *remark;  // ASSERT: or NULL if nothing follows; FAIL, EXPECT, PRINT
     AstArms *arms;            // IF: its branches
+    AstNames *marks;          // the requirements that @req after the statement of a machine names; NULL: none
 };
 
 // ---- declarations and sections ----
@@ -213,7 +215,7 @@ typedef struct AstSection {
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
-typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_KINDS } FileKind;     // docs/config.md defines .io, .app and .net
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_RQ, FILE_KINDS } FileKind;     // docs/config.md defines .io, .app and .net, docs/requirements.md .rq
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
@@ -228,6 +230,7 @@ typedef struct AstFile {
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
     struct AstNet *net;               // the tree of a .net, which has no AstSection (ast_net.h); else NULL
+    struct AstRequirements *requirements;     // the tree of a .rq, which has no AstSection (ast_rq.h); else NULL
 } AstFile;
 
 const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"

@@ -5,6 +5,7 @@
 
 #include "compiler/syntax/ast_app.h"
 #include "compiler/syntax/ast_net.h"
+#include "compiler/syntax/ast_rq.h"
 
 static void print_stmts(Buf *out, const AstStmts *s, unsigned depth);
 
@@ -61,6 +62,13 @@ static void print_expr(Buf *out, const AstExpr *e)
         buf_str(out, e->b ? " to " : "");
         if (e->b)
             print_expr(out, e->b);
+        break;
+    case AST_IMPLIES:
+        buf_char(out, '(');
+        print_expr(out, e->a);
+        buf_str(out, " implies ");
+        print_expr(out, e->b);
+        buf_char(out, ')');
         break;
     case AST_STEPS:
         print_expr(out, e->a);
@@ -120,6 +128,14 @@ static void print_annotations(Buf *out, const AstAnnotations *all)
 
 // ---- statements ----
 
+// Prints the marks of a statement, and ends its line.
+static void end_stmt(Buf *out, const AstStmt *s)
+{
+    for (size_t i = 0; s->marks && i < s->marks->at.n; i++)
+        buf_printf(out, " @req %s", s->marks->at.at[i]->text);
+    buf_char(out, '\n');
+}
+
 // Prints the text and the requirement of an item of a script; r can be NULL.
 static void print_remark(Buf *out, const AstRemark *r)
 {
@@ -157,12 +173,12 @@ static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
         print_name(out, s->name);
         buf_str(out, " = ");
         print_expr(out, s->value);
-        buf_char(out, '\n');
+        end_stmt(out, s);
         break;
     case AST_TRANSITION:
         buf_str(out, "-> ");
         print_name(out, s->name);
-        buf_char(out, '\n');
+        end_stmt(out, s);
         break;
     case AST_ALLOWED:
         print_annotation(out, s->allow);
@@ -171,7 +187,8 @@ static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
     case AST_IF:
         buf_str(out, "if ");
         print_expr(out, s->value);
-        buf_str(out, s->arms->braces ? " {}\n" : " :\n");
+        buf_str(out, s->arms->braces ? " {}" : " :");
+        end_stmt(out, s);
         print_stmts(out, &s->arms->then, depth + 1);
         if (!s->arms->has_else)
             break;
@@ -274,6 +291,27 @@ static void print_section(Buf *out, const AstSection *s)
     print_stmts(out, &s->items, 1);
 }
 
+// Prints a word and an operand after it, if there is one.
+static void print_operand(Buf *out, const char *word, const AstExpr *e)
+{
+    if (!e)
+        return;
+    buf_str(out, word);
+    print_expr(out, e);
+}
+
+static void print_requirement(Buf *out, const AstRequirement *r)
+{
+    const bool after = r->kind == AST_NEVER_AFTER;
+
+    buf_printf(out, "%s \"%s\" %s ", r->id->text, r->text->text, r->kind == AST_ALWAYS || r->kind == AST_LEADS_TO ? "always" : "never");
+    print_expr(out, r->a);
+    print_operand(out, after ? " after " : r->kind == AST_LEADS_TO ? " leads to " : " before ", r->b);
+    print_operand(out, " without ", r->c);
+    print_operand(out, " within ", r->within);
+    buf_char(out, '\n');
+}
+
 void ast_print(const AstFile *f, Buf *out)
 {
     for (size_t i = 0; i < f->includes.n; i++) {
@@ -287,4 +325,6 @@ void ast_print(const AstFile *f, Buf *out)
         ast_print_app(f->app, out);
     if (f->net)
         ast_print_net(f->net, out);
+    for (size_t i = 0; f->requirements && i < f->requirements->at.n; i++)
+        print_requirement(out, &f->requirements->at.at[i]);
 }

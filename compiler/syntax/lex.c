@@ -423,6 +423,8 @@ void lex_next(Lexer *l, Token *t)
     l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
     if (l->script)
         l->texts = (l->texts && (!t->first || is_enclosed)) || precedes_text(t);
+    if (l->requirements)
+        l->texts = t->first ? t->kind == TOK_NAME && !is_enclosed : l->texts && t->kind != TOK_TEXT;
     l->first = false;
     l->last = t->kind;
     l->allow = next_allow_state(l, t);

@@ -69,7 +69,8 @@ typedef struct Lexer {
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
     bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
-    bool texts;               // in a script: quoted text can follow in this statement
+    bool requirements;        // a .rq: one quoted text can follow the name that begins a line
+    bool texts;               // in a script or a .rq: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )
 

@@ -111,7 +111,7 @@ static bool check_not_repeated(Parser *p, const Annotated *o, const AstAnnotatio
     Diag *d;
 
     for (size_t i = 0; rows[a->kind].takes != TAKES_FINDING && i < o->all->n; i++)
-        if (o->all->at[i].kind == a->kind) {
+        if (o->all->at[i].kind == a->kind && (a->kind != AST_REQ || o->all->at[i].name == a->name)) {
             d = parser_report(p, DIAG_annotation_repeated, a->span, rows[a->kind].spelling, o->name->text);
             diag_note(p->diags, d, o->all->at[i].span, DIAG_note_first_here);
             return false;

@@ -236,6 +236,25 @@ static void parse_requirement(Parser *p, AstRemark *r)
     parser_advance(p);
 }
 
+// Parses `@req R7` after a statement of a machine, any number of times (requirements.md 13.19).
+static void parse_marks(Parser *p, const AstStmts *list)
+{
+    AstStmt *s = list->n ? list->at[list->n - 1] : NULL;
+
+    while (s && !p->failed && !p->tok.first && at_requirement(p)) {
+        parser_advance(p);
+        if (p->tok.first || p->tok.kind != TOK_NAME) {
+            parser_fail(p, DIAG_requirement_name, parser_missing_span(p), parser_describe_found(p));
+            return;
+        }
+        if (!s->marks)
+            s->marks = ARENA_NEW(p->arena, AstNames);
+        vec_push(p->arena, &s->marks->at, p->tok.text);
+        vec_push(p->arena, &s->marks->span, parser_token_span(p));
+        parser_advance(p);
+    }
+}
+
 // Reports a comma between an item and its text, as in other languages.
 static void skip_comma_before_text(Parser *p)
 {
@@ -530,7 +549,8 @@ static bool is_assignment_operator(TokenKind k)
     return k == TOK_ASSIGN || k == TOK_OP_ADD || k == TOK_OP_SUB || k == TOK_OP_MUL || k == TOK_OP_DIV;
 }
 
-static void parse_statement(Parser *p, AstStmts *into)
+// Parses a statement without the marks after it.
+static void parse_unmarked(Parser *p, AstStmts *into)
 {
     if (!in_script(p) && parser_is_allow(&p->tok)) {
         parse_allows(p, into);
@@ -559,4 +579,13 @@ static void parse_statement(Parser *p, AstStmts *into)
         parse_if(p, into, NULL);
     else
         parser_fail(p, DIAG_expected_statement, parser_token_span(p), parser_describe(p, &p->tok));
+}
+
+static void parse_statement(Parser *p, AstStmts *into)
+{
+    const size_t before = into->n;
+
+    parse_unmarked(p, into);
+    if (!in_script(p) && into->n > before)
+        parse_marks(p, into);
 }

@@ -98,6 +98,9 @@ void parser_report_annotation_before_decl(Parser *p);                 // reports
 void parser_report_annotation_in_block(Parser *p);                    // reports an annotation where a statement should begin
 void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
 void parse_net(Parser *p, struct AstNet *net);          // the whole file
+void parse_requirements(Parser *p, struct AstRequirements *into);     // the whole file
+AstExpr *parse_condition_of(Parser *p);                 // parses `e` or `a implies b`, which must begin on this line
+bool parser_is_word(const Parser *p, const char *word); // whether the current token is this name, on the line of the last token
 void parser_skip_section(Parser *p);                           // skips to the next line that begins with a header, without reading tokens
 void parser_skip_line(Parser *p);                              // skips to the next line, header or the end of the file
 

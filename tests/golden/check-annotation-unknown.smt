@@ -42,7 +42,7 @@ a.sm:6:11: error: unknown annotation '@const' [E0360]
       |           ^~~~~~ allowed here: @read_only, @range, @parameter and @allow
 a.sm:7:8: error: unknown annotation '@initial' [E0360]
     7 | [Idle] @initial
-      |        ^~~~~~~~ allowed here: @allow, @abort, @safe and @swap
+      |        ^~~~~~~~ allowed here: @allow, @abort, @safe, @swap and @req
 a.sm:8:9: error: unknown annotation '@abrot' [E0360]
     8 | [Other] @abrot
       |         ^~~~~~ did you mean '@abort'?

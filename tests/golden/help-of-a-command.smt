@@ -2,8 +2,8 @@
 args test --help
 
 -- stdout --
-Usage: smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
-  run state scripts, .smt cases and folders of them
+Usage: smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+  run state scripts and judge requirements; run .smt cases and folders of them
 
 Options:
   --help                   print help and exit

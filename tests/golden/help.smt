@@ -9,9 +9,9 @@ Usage:
       compile machines to bytecode, or to C with --emit=c; an application (.app) to C in a folder
   smc check FILE...|X.app
       report everything that can be found without running
-  smc test M.sm SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
-      run state scripts, .smt cases and folders of them
-  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [--net X.net] [-o FILE.html]
+  smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+      run state scripts and judge requirements; run .smt cases and folders of them
+  smc report M.sm [SCRIPT.ss...] [R.rq...] [--sv V.sv] [--net X.net] [-o FILE.html]
       write one page about a machine for a design review
   smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid

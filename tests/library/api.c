@@ -356,6 +356,25 @@ static void test_running_scripts(void)
     smc_close(s);
 }
 
+// Requirements are checked with the one machine, judged in the runs of its scripts, and a row of the report.
+static void test_requirements(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank), good = add(s, SMC_KIND_SS, "good.ss", script);
+    const uint32_t rq = add(s, SMC_KIND_RQ, "tank.rq", "R1 \"opens\" always p > 700 implies valve\n");
+    const char *text;
+    uint64_t size;
+
+    CHECK(smc_source_kind(s, rq) == SMC_KIND_RQ && smc_option_set(s, SMC_OPTION_REVIEW, 1) == SMC_OK && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_OK && smc_report(s, sm, SMC_REPORT_TEXT, &text, &size) == SMC_OK);
+    CHECK(strstr(text, "opens") != NULL && strstr(text, "tank.rq:1") != NULL);
+    CHECK(add(s, SMC_KIND_RQ, "more.rq", "R2 \"stays shut\" never valve\n") != rq && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_FAILED && smc_run_outcome(s, good) == SMC_OUTCOME_FAILED);
+    CHECK(smc_diag_count(s) > 0 && strstr(smc_diag_message(s, 0), "R2 violated") != NULL);
+    CHECK(add(s, SMC_KIND_RQ, "wrong.rq", "R2 \"twice\" never nosuch\n") > rq && smc_compile(s) == SMC_E_SOURCE);
+    smc_close(s);
+}
+
 // Two machines, each with a script of its own, and a script without a machine.
 static void test_running_scripts_of_several_machines(void)
 {
@@ -673,7 +692,7 @@ static void test_null_is_refused(void)
 
     CHECK(smc_open(NULL, 0, NULL) == SMC_E_ARGUMENT && smc_close(NULL) == SMC_E_HANDLE && smc_compile(NULL) == SMC_E_HANDLE);
     CHECK(smc_source_add(s, SMC_KIND_SM, NULL, "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", NULL, 1, &n) == SMC_E_ARGUMENT);
-    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 6, "a", "", 0, &n) == SMC_E_ARGUMENT);
+    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 7, "a", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, -1, "a", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, SMC_KIND_SM, "a\nb", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", "", UINT64_C(1) << 40, &n) == SMC_E_SIZE);
     CHECK(smc_source_replace(s, 0, "", 0) == SMC_E_INDEX && smc_source_kind(s, 0) == -1 && is_text(smc_source_name(s, 0), ""));
@@ -759,6 +778,7 @@ int main(void)
     test_errors_are_utf8();
     test_allowed_warnings_are_kept();
     test_running_scripts();
+    test_requirements();
     test_including_scripts();
     test_running_scripts_of_several_machines();
     test_cancelling();
