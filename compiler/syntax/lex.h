@@ -71,6 +71,7 @@ typedef struct Lexer {
     bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
     bool texts;               // in a script: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
+    bool unit;                // the last token was @unit
     LexAllow allow;           // the current position relative to an @allow( )
 
     // Only the hints read these.
