@@ -249,8 +249,11 @@ static Quantity quantity_of_variable(UnitCheck *k, const Var *v)
 {
     Quantity q;
 
-    if (v == k->p->g || v == k->p->t)
-        return quantity_of_time(k->p);
+    if (v == k->p->g || v == k->p->t) {
+        q = quantity_of_time(k->p);
+        q.scaled = k->script != NULL;                     // an input can be a ramp: `pressure = T` is 1 bar per ms
+        return q;
+    }
     if (!v->unit)
         return quantity_of_kind(v->type == SM_BOOL ? QUANTITY_PLAIN : QUANTITY_UNKNOWN);
     q = quantity_of_unit(v->unit);

@@ -23,6 +23,8 @@ F64 wrong = plant @unit m               #! W0448
 
 [define]
 high = 300 @unit ft
+late = G + 5 @unit ms
+limit = 2 @unit s
 low  = a @unit ft                       #! W0448
 
 [all_states]
@@ -33,4 +35,7 @@ a > high: b = low                       #! W0448
 G == 10: @assert a < b                  #! W0448
 G == 10: @assert a < 300
 G == 20: @print a + b "sum"             #! W0448
+G > 0: x = T > limit                    #! W0448 1 s is 1000 ms
+G > 20: a = T - 20
+G > 20: b = late                        #! W0448
 G == 20: @stop
