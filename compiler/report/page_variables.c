@@ -77,6 +77,7 @@ static VarUse *find_variable_uses(const Report *r)
 
 static const DocColumn element_columns[] = {{"name", "Element"},
                                             {"type", "Type"},
+                                            {"unit", "Unit"},
                                             {"role", "Role"},
                                             {"range", "Healthy range"},
                                             {"comment", "Comment"},
@@ -92,8 +93,10 @@ static const char *role_text(const Program *p, const Var *v)
         return "state number";
     if (v->written)
         return v->read ? "output, read back" : "output";
-    return v->read ? "input" : "unused";
+    return v->command ? "command" : v->read ? "input" : "unused";
 }
+
+static const char *unit_of(const Measure *unit) { return unit ? unit->text : ""; }
 
 static const char *range_text(Arena *arena, const Var *v)
 {
@@ -114,6 +117,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
             continue;
         doc_add_code_cell(t, v->alias ? format_in(r->arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, role_text(p, v));
         doc_add_plain_cell(t, range_text(r->arena, v));
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
@@ -134,13 +138,14 @@ static const char *readers_text(const Report *r, const Var *v, VarUse *use)
 static const DocColumn parameter_columns[] = {{"name", "Parameter"},
                                               {"type", "Type"},
                                               {"value", "Value"},
+                                              {"unit", "Unit"},
                                               {"formula", "Formula"},
                                               {"comment", "Comment"},
                                               {"read", "Read in"},
                                               {"line", "Line"}};
 
 static const DocColumn local_columns[] = {
-    {"name", "Local"}, {"type", "Type"}, {"value", "Initial value"}, {"comment", "Comment"}, {"read", "Read in"},
+    {"name", "Local"}, {"type", "Type"}, {"value", "Initial value"}, {"unit", "Unit"}, {"comment", "Comment"}, {"read", "Read in"},
     {"written", "Written in"}, {"line", "Line"}};
 
 static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written; }
@@ -172,6 +177,7 @@ static void add_parameters(const Report *r, Doc *d, VarUse *use)
         doc_add_code_cell(t, v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_code_cell(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
         doc_add_plain_cell(t, readers_text(r, v, &use[i]));
@@ -196,6 +202,7 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
         doc_add_code_cell(t, v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
         doc_add_plain_cell(t, readers_text(r, v, &use[i]));
         doc_add_plain_cell(t, buf_text(&use[i].writers));
@@ -206,7 +213,7 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
 // ---- definitions ----
 
 static const DocColumn define_columns[] = {
-    {"name", "Definition"}, {"meaning", "Expression"}, {"comment", "Comment"}, {"used", "Used in"}, {"line", "Line"}};
+    {"name", "Definition"}, {"meaning", "Expression"}, {"unit", "Unit"}, {"comment", "Comment"}, {"used", "Used in"}, {"line", "Line"}};
 
 // Returns the state whose own part of the source contains the position; NULL: it is elsewhere.  States have the order of the file.
 static const State *state_at(const Program *p, Span at)
@@ -266,6 +273,7 @@ static void add_definitions(const Report *r, Doc *d)
         const Define *def = all->at[i];
         doc_add_code_cell(t, def->name->text);
         doc_add_code_cell(t, source_text(r->arena, def->value_span));
+        doc_add_plain_cell(t, unit_of(def->unit));
         doc_add_plain_cell(t, comment_around(r->arena, (Span){def->span.src, def->span.at, def->value_span.at + def->value_span.len - def->span.at}));
         doc_add_plain_cell(t, uses_text(r, def));
         doc_add_line_cell(t, report_line_of(def->span));

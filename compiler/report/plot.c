@@ -144,6 +144,8 @@ static void draw_title(Plot *p, const Var *v, long top)
     write_length(p->out, "x", PLOT_LEFT + 40);
     write_length(p->out, "y", top + PLOT_TITLE - 50);
     buf_printf(p->out, "><tspan font-weight=\"600\">%s</tspan>", v->name->text);
+    if (v->unit)
+        buf_printf(p->out, " (%s)", v->unit->text);
     if (comment) {
         buf_str(p->out, " <tspan class=\"dim\">");
         xml_write_str(p->out, comment);

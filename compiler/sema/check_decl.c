@@ -64,6 +64,7 @@ bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind)
 // Returns a new variable for a declaration, without index, element and initial value.
 Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl)
 {
+    const CheckContext c = {.arena = s->arena, .strings = s->strings, .diags = s->diags};
     Var *v = ARENA_NEW(s->arena, Var);
 
     v->kind = kind;
@@ -73,6 +74,8 @@ Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl)
     if (!is_known_type(decl->type))
         map_put(&s->doubtful, decl->name, (void *)decl->name);
     v->read_only = has_annotation(&decl->annotations, AST_READ_ONLY);
+    v->unit = check_unit(&c, &decl->annotations, v->name, v->type == SM_BOOL);
+    s->has_units |= v->unit != NULL;
     return v;
 }
 
@@ -202,6 +205,7 @@ static void declare_element(Declarations *k, const AstDecl *decl)
     v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
     declare_name(k, v, v->name, v->span);
     set_range(k, v, decl);
+    set_listed_unit(k->s, v, decl, k->sv->from_machine);
     v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
     add_decl_allows(k->s, decl);
     if (v->element && !k->sv->from_machine)

@@ -100,6 +100,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     check_states(&s, p, sm);
     warn_of_skipped_all_states(&s, p);
     check_unused_definitions(&s, &p->define);
+    p->has_units = s.has_units;
     check_size_uses(&s);
     propose_definitions(&s, sm);
     p->stmts = s.stmts;

@@ -12,7 +12,6 @@
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
-    Defines define;
     Str delta_t, init_state, seed, set;   // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
@@ -302,7 +301,7 @@ static void check_section(void *context, const AstSection *in)
     if (in->kind == AST_DEFINE && map_find(&k->s.p->state_by_name, in->name))
         diag_report(k->s.diags, DIAG_script_unguarded, in->definitions.n ? in->definitions.at[0].name_span : in->header);
     else if (in->kind == AST_DEFINE)
-        declare_definitions(&k->s, in, &k->define);
+        declare_definitions(&k->s, in, &k->script->define);
     for (size_t o = 0; in->kind == AST_OPTIONS && o < in->options.n; o++)
         check_option(k, &in->options.at[o]);
 }
@@ -388,7 +387,8 @@ static Script *end_check(ScriptCheck *k)
     Diags *diags = k->s.diags;
     const Span start = {k->script->src, 0, 0};
 
-    check_unused_definitions(&k->s, &k->define);
+    check_unused_definitions(&k->s, &k->script->define);
+    k->script->has_units = k->s.has_units;
     if (!k->has_delta_t && !k->s.lost->any)
         diag_report(diags, DIAG_no_delta_t, start);
     if (!k->has_stop && !k->s.lost->any)

@@ -12,6 +12,7 @@
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
+#include "compiler/sema/measure.h"
 #include "compiler/syntax/time_unit.h"
 #include "stdlib/parameter.h"
 #include "stdlib/types.h"
@@ -40,6 +41,7 @@ typedef struct Element {
     bool untyped;             // the declaration has no valid type, which is already reported
     const Range *range;       // its @range, or NULL
     bool command;             // @command: operated by a person
+    const Measure *unit;         // its @unit, or NULL
     uint32_t first_allow, allows;     // its @allow annotations are the `allows` entries of StateVec.allow from index first_allow on
     uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
@@ -96,6 +98,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
     bool command;             // ELEMENT: marked @command, here or in the .sv
     const Parameter *parameter;       // LOCAL: set if it is a parameter, which is also read-only and never constant; else NULL
+    const Measure *unit;      // its @unit, of an ELEMENT from the machine or else from the .sv; or NULL
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: the expression that init was computed from
     bool outside;             // LOCAL: code outside the machine (a state script) writes it between steps
@@ -126,6 +129,8 @@ struct Define {
     Span value_span;          // the expression
     uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
+    const Measure *unit;         // its @unit, or NULL
+    uint32_t names;           // 1 + the number of the definition with a unit that is its whole expression; 0: none
     bool used;                // another part of its file uses it
     bool expanded;            // its expression has been checked, so the uses in it are listed
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
@@ -161,6 +166,7 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     Var *var;
     Expr **arg;               // n pointers stored directly after this struct; for a CHAIN its n - 1 operators follow
     uint32_t window;          // ROLL: index into the owner's window list
+    uint32_t define;          // 1 + the number of the definition with a unit whose use this is; 0: none
 };
 
 static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
@@ -243,6 +249,7 @@ typedef struct Program {
     uint64_t step;            // how much G advances in a step; 0: not declared
     Span step_span;           // position of the value of step in [options]
     uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
+    bool has_units;           // a variable or definition has an @unit
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
@@ -322,6 +329,8 @@ typedef struct Script {
     State *init_state;
     VEC(ScriptSetting) setting;       // the parameters that the script sets
     VEC(Var *) local;         // the variables of [local], in file order
+    Defines define;           // in file order; their numbers follow those of the machine
+    bool has_units;           // a variable or definition of the script has an @unit
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
     ScriptRandoms random;     // by number of the call, from 0

@@ -68,6 +68,7 @@ typedef struct Sema {
     VEC(SizeUse) size_use;    // the locals that window sizes depend on so far; check_size_uses reads it
     BlockKind block;          // the block that contains the current statement
     const State *state;       // the state of the current statement; NULL in [all_states]
+    bool has_units;           // a variable or definition has an @unit
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
     bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
@@ -133,6 +134,13 @@ void check_size_uses(Sema *s);
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
+// ---- check_measure.c: units of measurement ----
+
+// Returns the @unit among the annotations; NULL if there is none, or it is no unit, which is reported. `is_bool`: what has it is a bool.
+const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool);
+// Sets the unit of v, which a machine lists, to that of the .sv if the machine gives none. Warns if they differ.
+void set_listed_unit(Sema *s, Var *v, const AstDecl *decl, bool from_machine);
 
 // Returns the position of a typed node: in the copy of the source for a state, while statements of [all_states] are checked.
 static inline Span sema_span(const Sema *s, Span written)

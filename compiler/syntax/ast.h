@@ -86,7 +86,7 @@ typedef struct AstAnnotation {
     AstAnnotationKind kind;
     Span span;                // including its @ and its arguments
     AstNames *names;          // EXCEPT: the names of states
-    Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W; REQ: the requirement
+    Str name;                 // ALIAS: the other name; UNIT: its text; ALLOW: the name of the warning, as after -W; REQ: the requirement
     Span name_span;
     Str reason;               // ALLOW: the reason
     AstNumber lo, hi;         // RANGE: both; annotations with one number or a value: lo

@@ -72,6 +72,7 @@ typedef struct Lexer {
     bool requirements;        // a .rq: one quoted text can follow the name that begins a line
     bool texts;               // in a script or a .rq: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
+    bool unit;                // the last token was @unit
     LexAllow allow;           // the current position relative to an @allow( )
 
     // Only the hints read these.

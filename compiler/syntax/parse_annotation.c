@@ -3,7 +3,7 @@
 // and what it takes. The checker handles their effects.
 #include "compiler/syntax/parser.h"
 
-typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
+typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_UNIT, TAKES_FINDING } Arguments;
 
 #define ON(target) (1u << AST_ON_##target)
 // The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
@@ -56,10 +56,7 @@ static void report_unknown_annotation(Parser *p, AstAnnotationTarget target)
     for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
         if (may_follow_target(i, target))
             here[n++] = rows[i].spelling;
-    if (strncmp(p->tok.text->text, "unit", 4) == 0)
-        diag_label(p->diags, d, DIAG_label_unit_annotation);
-    else
-        parser_label_annotations(p, d, here, n);
+    parser_label_annotations(p, d, here, n);
     do
         parser_advance(p);
     while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_LABEL);
@@ -134,6 +131,20 @@ static void parse_annotation_name(Parser *p, AstAnnotation *a)
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
+}
+
+// Parses the text of a unit, as in @unit m/s^2. The checker reads it.
+static void parse_unit(Parser *p, AstAnnotation *a)
+{
+    if (p->tok.kind == TOK_UNIT) {
+        a->name = p->tok.text;
+        a->name_span = parser_token_span(p);
+        parser_advance(p);
+        return;
+    }
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_unit_missing, parser_missing_span(p), parser_describe_found(p));
 }
 
 // Parses the names after an annotation, on its line.
@@ -299,6 +310,7 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
             parse_bound(p, &a->hi, "highest");
         break;
     case TAKES_VALUE:   parse_annotation_value(p, a, true); break;
+    case TAKES_UNIT:    parse_unit(p, a); break;
     case TAKES_FINDING: parse_finding(p, a); break;
     }
 }

@@ -130,6 +130,8 @@ typedef struct Gen {
     GUnit unit;                       // of G
     bool writes_unit;                 // also where it is the default
     uint32_t step;                    // in units of G; 0: none
+    bool units;                       // printed with an @unit at many declarations
+    uint64_t units_printed;           // how many so far
     bool by_hand;                     // printed without additions, with the same meaning
     GExpr *last_roll;                 // for others that are nearly the same
     GExpr *last_guard;                // a variable, a relation and a number, likewise

@@ -278,6 +278,7 @@ void gen_add(Gen *g)
 {
     g->rng.state = rng_mix(g->seed, 12);
     g->additions = true;
+    g->units = g->layout % 2 == 0;
     g->unit = (GUnit)rng_below(&g->rng, UNIT_COUNT);
     g->writes_unit = rng_percent(&g->rng, 50);
     g->step = rng_percent(&g->rng, 70) ? 1 + rng_below(&g->rng, rng_percent(&g->rng, 60) ? 25 : 60) : 0;
