@@ -20,6 +20,11 @@ Options:
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
+  --coverage               measure which transitions, statements, guards, conditions, windows and states the scripts test
+  --coverage-data=FILE     write the counts to FILE, as .cov; later calls accept such files as arguments and add them
+  --coverage-json=FILE     write each place with its count as JSON
+  --coverage-lcov=FILE     write lines and branches for genhtml and CI servers, as lcov does
+  --min-coverage=LIST      fail below a percentage, as in transitions:100,conditions:90, and list what is missing
   --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
   --message-file=FILE      write the messages to FILE in that form, else as its name ends (.json, .sarif); standard error then has text
   --color=WHEN             auto (default), always or never
