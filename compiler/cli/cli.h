@@ -103,6 +103,10 @@ int cli_print_diagnostics(Cli *c);
 int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
+// Reads the value of an option such as --max-steps.  Returns false if it is not a whole number from 1 on that 64 bits can hold.
+bool cli_read_count(const char *text, uint64_t *count);
+// Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
+const char *cli_read_percent(const char *at, double *percent);
 bool cli_is_standard_output(const Cli *c, OptionId id);         // whether an option names "-"
 
 // A format that a command can write; the first one is the default.

@@ -227,25 +227,13 @@ static int check_trace(Cli *c, const Files *f)
     return EXIT_OK;
 }
 
-// Reads the value of --max-steps. Returns false if it is not a whole number from 1 on that 64 bits can hold.
-static bool read_steps(const char *text, uint64_t *steps)
-{
-    *steps = 0;
-    for (; *text >= '0' && *text <= '9'; text++) {
-        if (*steps > (UINT64_MAX - 9) / 10)
-            return false;
-        *steps = *steps * 10 + (uint64_t)(*text - '0');
-    }
-    return *text == '\0' && *steps > 0;
-}
-
 static int read_options(TestRun *t)
 {
     Cli *c = t->c;
     CompileOptions unused;
 
     t->max_steps = 1000000;
-    if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
+    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &t->max_steps))
         return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
         return cli_usage_error(c, TEXT_engine_values, c->value[OPT_ENGINE]);

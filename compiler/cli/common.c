@@ -337,3 +337,32 @@ const char *path_stem(Cli *c, const char *path)
         return "stdin";
     return format_in(&c->session.arena, "%.*s", (int)(dot && dot != start ? (size_t)(dot - start) : strlen(start)), start);
 }
+
+// Reads the value of an option such as --max-steps. Returns false if it is not a whole number from 1 on that 64 bits can hold.
+bool cli_read_count(const char *text, uint64_t *count)
+{
+    *count = 0;
+    for (; *text >= '0' && *text <= '9'; text++) {
+        if (*count > (UINT64_MAX - 9) / 10)
+            return false;
+        *count = *count * 10 + (uint64_t)(*text - '0');
+    }
+    return *text == '\0' && *count > 0;
+}
+
+// Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
+const char *cli_read_percent(const char *at, double *percent)
+{
+    const char *begin = at;
+    double scale = 1;
+    int digits = 0;
+
+    for (*percent = 0; *at >= '0' && *at <= '9' && digits < 3; at++, digits++)
+        *percent = *percent * 10 + (*at - '0');
+    if (at == begin)
+        return NULL;
+    if (*at == '.')
+        for (at++, digits = 0; *at >= '0' && *at <= '9' && digits < 6; at++, digits++)
+            *percent += (*at - '0') * (scale /= 10);
+    return *percent <= 100 ? at : NULL;
+}

@@ -375,6 +375,8 @@ static const struct {
     {NULL, is_message_text},
     {"smc-coverage 1\n", NULL},                                          // test --coverage-data
     {"{\"smc-coverage\":", NULL},                                        // test --coverage-json
+    {"mutations of ", NULL},                                              // mutate
+    {"{\"smc-mutations\":", NULL},
     {"TN:smc\nSF:", NULL},                                               // test --coverage-lcov
     {NULL, is_junit},                                                     // test --junit
     {NULL, is_trace},                                                     // test --trace

@@ -21,23 +21,6 @@ bool test_is_coverage_data(const char *path) { return has_suffix(path, ".cov"); 
 
 // ---- --min-coverage ----
 
-// Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
-static const char *read_percent(const char *at, double *percent)
-{
-    const char *begin = at;
-    double scale = 1;
-    int digits = 0;
-
-    for (*percent = 0; *at >= '0' && *at <= '9' && digits < 3; at++, digits++)
-        *percent = *percent * 10 + (*at - '0');
-    if (at == begin)
-        return NULL;
-    if (*at == '.')
-        for (at++, digits = 0; *at >= '0' && *at <= '9' && digits < 6; at++, digits++)
-            *percent += (*at - '0') * (scale /= 10);
-    return *percent <= 100 ? at : NULL;
-}
-
 // Reads `kind:percent,kind:percent` into demand, by CoverKind.  Returns false if it has another form.
 static bool read_demands(const char *text, Demand *demand)
 {
@@ -46,7 +29,7 @@ static bool read_demands(const char *text, Demand *demand)
         int kind = 0;
         while (kind < COVER_KIND_COUNT && (strlen(cover_kind_name[kind]) != n || strncmp(cover_kind_name[kind], text, n) != 0))
             kind++;
-        if (kind == COVER_KIND_COUNT || text[n] != ':' || (text = read_percent(text + n + 1, &demand[kind].percent)) == NULL)
+        if (kind == COVER_KIND_COUNT || text[n] != ':' || (text = cli_read_percent(text + n + 1, &demand[kind].percent)) == NULL)
             return false;
         demand[kind].is_set = true;
         if (*text != ',')

@@ -30,6 +30,7 @@ typedef struct ScriptOptions {
     void (*after_step)(void *context, const ScriptStep *step);      // called after each step, before its asserts are evaluated; or NULL
     void *context;            // passed to both functions
     bool (*is_cancelled)(void *context);      // called after each step that does not end the run; or NULL
+    bool is_silent;           // nothing is reported: only the result counts
     bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
 

@@ -244,6 +244,8 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     ScriptRun r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
 
     run_to_the_end(&r);
+    if (o->is_silent)
+        return r.result;
     switch (r.result.outcome) {
     case SCRIPT_FAILED: assert_report_failure(&r); break;
     case SCRIPT_ENDLESS: report_endless(&r); break;

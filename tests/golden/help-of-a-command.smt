@@ -16,7 +16,7 @@ Options:
   --trace=FILE             write the values after every step as CSV: script, step, G, state, elements; - is standard output, and the result goes to standard error
   --trace-elements=NAMES   the columns of the trace after the state, as a,b,c (default: all that can change)
   --trace-format=FORMAT    csv (default), or exact: lines 'step element value' with every bit of every element
-  -v                       print the final state vector of failed scripts too, and of each of several
+  -v                       test: print the final state vector of failed scripts too, and of each of several; mutate: list every change
   --max-steps=N            give up on a script after N steps (default 1000000)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
