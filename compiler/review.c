@@ -50,3 +50,25 @@ void review_run_script(Session *s, const Report *r, const Program *p, const Sour
     run->diags = s->diags;
     s->diags = of_machine;
 }
+
+// Measures what the runs of r cover: runs their scripts again, as far as they ran.
+void review_measure_coverage(Session *s, const Program *p, Report *r)
+{
+    Cover *cover;
+    Engine *engine;
+    Diags unused;
+
+    if (r->runs == 0)
+        return;
+    cover = cover_new(&s->arena, p);
+    engine = cover_open_engine(cover);
+    diags_init(&unused, &s->arena);
+    unused.muted = true;
+    for (size_t i = 0; i < r->runs; i++) {
+        const ScriptOptions o = {.max_steps = r->run[i].result.steps, .is_compared = true};
+        if (r->run[i].script)
+            script_run(&s->arena, &unused, r->run[i].script, &engine, 1, &o);
+    }
+    cover_settle(cover);
+    r->cover = cover;
+}

@@ -72,7 +72,8 @@ bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || cli_
 
 int test_result_fd(const Cli *c)
 {
-    return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
+    return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_COVERAGE_DATA) || cli_is_standard_output(c, OPT_COVERAGE_JSON) ||
+           cli_is_standard_output(c, OPT_COVERAGE_LCOV) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
 }
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
@@ -149,20 +150,21 @@ bool test_is_script(const Cli *c, const char *path)
 
 bool test_is_requirements(const char *path) { return has_suffix(path, ".rq"); }
 
-typedef struct Files { size_t machines, scripts, cases, requirements, standard_inputs; const char *machine; } Files;
+typedef struct Files { size_t machines, scripts, cases, requirements, data, standard_inputs; const char *machine; } Files;
 
 static Files classify_files(const Cli *c)
 {
-    Files f = {0, 0, 0, 0, 0, NULL};
+    Files f = {0};
 
     for (size_t i = 0; i < c->files; i++) {
-        const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]);
-        const bool machine = !script && (standard || has_suffix(c->file[i], ".sm"));
+        const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]), data = test_is_coverage_data(c->file[i]);
+        const bool machine = !script && !data && (standard || has_suffix(c->file[i], ".sm"));
         f.standard_inputs += standard;
         f.machines += machine;
         f.scripts += script;
         f.requirements += test_is_requirements(c->file[i]);
-        f.cases += !machine && !script && !test_is_requirements(c->file[i]);
+        f.data += data;
+        f.cases += !machine && !script && !data && !test_is_requirements(c->file[i]);
         f.machine = machine ? c->file[i] : f.machine;
     }
     return f;
@@ -177,7 +179,7 @@ static int check_kinds(Cli *c)
         if (has_suffix(path, ".sv"))
             return cli_usage_error(c, TEXT_vector_with_sv, path);
         if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && !test_is_requirements(path) &&
-            strcmp(path, "-") != 0 && !os_is_folder(path))
+            !test_is_coverage_data(path) && strcmp(path, "-") != 0 && !os_is_folder(path))
             return cli_usage_error(c, TEXT_test_kind, path, accepted);
     }
     return EXIT_OK;
@@ -186,7 +188,8 @@ static int check_kinds(Cli *c)
 static int check_arguments(Cli *c, const Files *f)
 {
     static const struct { OptionId id; const char *spelling; } other[] = {
-        {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}};
+        {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}, {OPT_COVERAGE_DATA, "--coverage-data"},
+        {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"}};
 
     if (c->files == 0)
         return cli_usage_error(c, TEXT_test_what);
@@ -196,9 +199,13 @@ static int check_arguments(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_test_one_input);
     if (f->machines > 1)
         return cli_usage_error(c, TEXT_test_one_machine);
+    if (f->data && (!f->machines || !test_coverage_is_wanted(c)))
+        return cli_usage_error(c, TEXT_coverage_for_data);
+    if (test_coverage_is_wanted(c) && !f->machines)
+        return cli_usage_error(c, TEXT_coverage_of_case);
     if (f->machines && !f->scripts && f->cases)
         return cli_usage_error(c, TEXT_test_folder_of_scripts, f->machine);
-    if (f->machines && !f->scripts)
+    if (f->machines && !f->scripts && !f->data)
         return cli_usage_error(c, TEXT_test_no_script, f->machine, f->machine);
     if (f->scripts && !f->machines)
         return cli_usage_error(c, TEXT_test_no_machine);
@@ -229,28 +236,15 @@ static int check_trace(Cli *c, const Files *f)
     return EXIT_OK;
 }
 
-// Reads a whole number. Returns false if the text is anything else, or 64 bits cannot hold it.
-static bool read_whole(const char *text, uint64_t *n)
-{
-    const char *digit = text;
-
-    for (*n = 0; *digit >= '0' && *digit <= '9'; digit++) {
-        if (*n > (UINT64_MAX - 9) / 10)
-            return false;
-        *n = *n * 10 + (uint64_t)(*digit - '0');
-    }
-    return *digit == '\0' && digit > text;
-}
-
 static int read_options(TestRun *t)
 {
     Cli *c = t->c;
     CompileOptions unused;
 
     t->max_steps = 1000000;
-    if (c->given[OPT_MAX_STEPS] && (!read_whole(c->value[OPT_MAX_STEPS], &t->max_steps) || t->max_steps == 0))
+    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &t->max_steps))
         return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
-    if (c->given[OPT_SEED] && (!read_whole(c->value[OPT_SEED], &t->seed) || t->seed > SCRIPT_SEED_MAX))
+    if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &t->seed) || t->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
         return cli_usage_error(c, TEXT_engine_values, c->value[OPT_ENGINE]);
@@ -273,14 +267,14 @@ int cmd_test(Cli *c)
 
     name_standard_input(c);
     f = classify_files(c);
-    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = test_coverage_check_options(c)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_print_note(c, TEXT_cases_not_traced, f.machine);
     if (f.machine && (ran = test_run_machine(&t, f.machine)) == EXIT_USAGE)
         return ran;
     for (size_t i = 0; i < c->files; i++)
-        if (!test_is_script(c, c->file[i]) && !test_is_requirements(c->file[i]) && c->file[i] != f.machine)
+        if (!test_is_script(c, c->file[i]) && !test_is_requirements(c->file[i]) && !test_is_coverage_data(c->file[i]) && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
     test_run_cases(&t, t.path.at, t.path.n);
     report_absent(&t);

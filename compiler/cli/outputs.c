@@ -373,6 +373,11 @@ static const struct {
     {"{\"severity\":\"*\",\"code\":*,\"message\":\"*", NULL},               // --message-file, as JSON, SARIF and text
     {"{\"$schema\":\"*\",\"version\":\"2.1.0\",\"runs\":[{\n\"tool\":{\"driver\":{\"name\":\"smc\",", NULL},
     {NULL, is_message_text},
+    {"smc-coverage 1\n", NULL},                                          // test --coverage-data
+    {"{\"smc-coverage\":", NULL},                                        // test --coverage-json
+    {"mutations of ", NULL},                                              // mutate
+    {"{\"smc-mutations\":", NULL},
+    {"TN:smc\nSF:", NULL},                                               // test --coverage-lcov
     {NULL, is_junit},                                                     // test --junit
     {NULL, is_trace},                                                     // test --trace
     {NULL, is_exact_trace},
@@ -509,6 +514,7 @@ int outputs_check_options(Cli *c)
 {
     static const struct { OptionId id; const char *spelling; } option[] = {
         {OPT_OUTPUT, "-o"}, {OPT_DEPS_FILE, "-MF"}, {OPT_TRACE, "--trace"}, {OPT_JUNIT, "--junit"},
+        {OPT_COVERAGE_DATA, "--coverage-data"}, {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"},
         {OPT_MESSAGE_FILE, "--message-file"}};
     const bool is_build = c->command->run == cmd_build;
     int code = EXIT_OK;

@@ -38,12 +38,13 @@ const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *
 
 // ---- on the VM ----
 
-// Runs the scripts of `in` into r->run, on an image with names of the machine compiled for scripts.
+// Runs the scripts of `in` into r->run and measures their coverage, on an image with names of the machine compiled for scripts.
 int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made)
 {
     const Program *p = runs_find_machine(in, made)->scripted;
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .requirements = runs_find_machine(in, made)->requirements};
     EngineSet engines = {{NULL}, 0, NULL};
+    Cover *cover;
 
     r->requirements = o.requirements;
     if (in->n < 2)
@@ -52,10 +53,14 @@ int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made
         cli_print_error(c, TEXT_sentence, engines.error);
         return EXIT_PROBLEM;
     }
+    cover = cover_new(&c->session.arena, p);
+    engines.at[engines.n++] = cover_open_engine(cover);
     r->run = ARENA_ARRAY(&c->session.arena, ReportRun, in->n);
     for (size_t i = 0; i < in->n; i++)
         if (in->at[i].kind == FILE_SS && !made->of[i].is_included)
             review_run_script(&c->session, r, p, in->at[i].text, NULL, engines.at, engines.n, &o, &r->run[r->runs++]);
     engines_close(&engines);
+    cover_settle(cover);
+    r->cover = cover;
     return EXIT_OK;
 }

@@ -106,6 +106,21 @@ void test_trace_left_out(TestTrace *t, const char *path);          // reports a 
 void test_trace_step(void *trace, const ScriptStep *step);         // writes a step; for ScriptOptions.after_step
 int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a script ran
 
+// ---- test_coverage.c: --coverage ----
+
+typedef struct TestCoverage TestCoverage;
+
+bool test_coverage_is_wanted(const Cli *c);                         // whether an option requires coverage to be measured
+bool test_is_coverage_data(const char *path);                      // whether an argument is a file of counts (.cov)
+int test_coverage_check_options(Cli *c);                            // EXIT_OK, or EXIT_USAGE after a message
+// Begins to measure p and adds an engine to the set.  Reads the files of counts that the call names.  *coverage is NULL if nothing is measured.
+// EXIT_OK, or the exit code after a message.
+int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage);
+// After the scripts: writes the files that options name, prints the report, and adds a result for --min-coverage.  `coverage` may be NULL.
+int test_coverage_finish(TestRun *t, TestCoverage *coverage, const char *machine);
+// Prints the session's diagnostics and stores them for a result's message (test_machine.c).
+int test_report_diagnostics(TestRun *t, const char **text);
+
 // ---- test_output.c ----
 
 void test_write_summary(const TestRun *t, Buf *out);

@@ -20,6 +20,7 @@ typedef struct MachineTest {
     Buf report;               // report of the last script: what it printed, and then the final values
     size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
+    TestCoverage *coverage;   // what --coverage measures; or NULL
 } MachineTest;
 
 // Returns a script's name in results: standard input has the name that diagnostics use.
@@ -47,7 +48,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
 // ---- one script ----
 
 // Prints the session's diagnostics and stores them for the result's message.
-static int report_diagnostics(TestRun *t, const char **text)
+int test_report_diagnostics(TestRun *t, const char **text)
 {
     DiagStyle plain = {false, 20};
     Buf b;
@@ -114,7 +115,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     buf_str(&m->report, r.printed);
     m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
-    reported = report_diagnostics(t, &message);
+    reported = test_report_diagnostics(t, &message);
     if (code == EXIT_OK)
         code = reported;
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
@@ -143,7 +144,7 @@ static void test_script(MachineTest *m, size_t argument)
         run_script(m, path, s);
         return;
     }
-    report_diagnostics(m->t, &message);
+    test_report_diagnostics(m->t, &message);
     test_trace_left_out(m->trace, path);
     add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
 }
@@ -231,7 +232,7 @@ static bool open_engines(MachineTest *m)
     if (engines_open(&m->engines, &t->c->session, m->p, which, options_opt_level(t->c)))
         return true;
     cli_print_error(t->c, TEXT_sentence, m->engines.error);
-    code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
+    code = test_report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
     add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
     return false;
 }
@@ -244,6 +245,16 @@ static bool is_lone_script(const Cli *c)
     for (size_t i = 0; i < c->files; i++)
         others += !test_is_requirements(c->file[i]);
     return others == 2;
+}
+
+// Begins to measure coverage if an option asks for it.  If this fails, no script runs and the result of each is an error.
+static bool open_coverage(MachineTest *m)
+{
+    const int code = test_coverage_open(m->t, m->p, &m->engines, &m->coverage);
+
+    if (code != EXIT_OK)
+        add_errors(m, m->t->c->last_error, code);
+    return code == EXIT_OK;
 }
 
 static int print_report(MachineTest *m, const char *path)
@@ -272,7 +283,7 @@ static int end_requirements(MachineTest *m, int code)
     for (size_t i = 0; i < m->t->result.n; i++)
         complete &= m->t->result.at[i].status == TEST_PASSED;
     test_requirements_end(m->table, complete);
-    return report_diagnostics(m->t, &unused);
+    return test_report_diagnostics(m->t, &unused);
 }
 
 static int test_scripts(MachineTest *m)
@@ -293,7 +304,7 @@ static int test_scripts(MachineTest *m)
     code = code == EXIT_OK ? closed : code;
     if (m->requirements && (closed = end_requirements(m, code)) != EXIT_OK && code == EXIT_OK)
         code = m->t->code = closed;
-    return code;
+    return code == EXIT_OK ? test_coverage_finish(m->t, m->coverage, m->path) : code;
 }
 
 int test_run_machine(TestRun *t, const char *path)
@@ -305,13 +316,13 @@ int test_run_machine(TestRun *t, const char *path)
     buf_init(&m.report, t->arena);
     m.is_part = ARENA_ARRAY(t->arena, bool, t->c->files);
     compiled = compile_machine(&m, path);
-    reported = report_diagnostics(t, &message);
+    reported = test_report_diagnostics(t, &message);
     code = compiled == EXIT_OK ? reported : compiled;
     if (code != EXIT_OK)
         add_errors(&m, compiled == EXIT_ENVIRONMENT ? t->c->last_error : message, code);
     else if ((code = read_settings(&m)) != EXIT_OK)
         add_errors(&m, t->c->last_error, code);
-    else if (open_engines(&m))
+    else if (open_engines(&m) && open_coverage(&m))
         code = test_scripts(&m);
     engines_close(&m.engines);
     return code == EXIT_PROBLEM ? EXIT_OK : code;

@@ -15,6 +15,8 @@ typedef struct Builder {
     uint32_t stmt;        // Stmt.number of the statement being built
     IrFn *f;              // the function being built: a buffer reused for all functions, which build_end_function copies
     IrBlkRef b;           // the current block: the last one of f, to which instructions are appended
+    IrNotes *notes;       // the notes of ir_build_noting; or NULL
+    size_t noted;         // how many of them are about earlier functions
 } Builder;
 
 // Appends the evaluation of an expression to the current block.  The value is an F64 (build_as_f64) or a bool (build_as_bool).

@@ -36,6 +36,16 @@ static IrRef build_conversion(Builder *b, IrRef value, SmType to, Span span)
 
 static IrRef build_value(Builder *b, const Expr *e);
 
+// Notes that a temporary has the value of a condition.
+static IrRef note_condition(Builder *b, const Expr *e, uint32_t link, IrRef ref)
+{
+    const IrNote note = {e, link, NULL, ref};
+
+    if (b->notes)
+        vec_push(b->arena, b->notes, note);
+    return ref;
+}
+
 IrRef build_as_f64(Builder *b, const Expr *e)
 {
     return build_conversion(b, build_value(b, e), SM_F64, e->span);
@@ -43,7 +53,7 @@ IrRef build_as_f64(Builder *b, const Expr *e)
 
 IrRef build_as_bool(Builder *b, const Expr *e)
 {
-    return build_conversion(b, build_value(b, e), SM_BOOL, e->span);
+    return note_condition(b, e, 0, build_conversion(b, build_value(b, e), SM_BOOL, e->span));
 }
 
 // Appends the evaluation of an expression, and the conversion to `type` that a store to a variable of this type requires.
@@ -88,7 +98,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
     for (uint32_t k = 1; k < e->n; k++) {
         IrRef right = build_as_f64(b, e->arg[k]);
-        IrRef is_true = emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
+        IrRef is_true = note_condition(b, e, k, emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span));
         all = all == IR_NONE ? is_true : emit_op(b, IR_and, SM_BOOL, all, is_true, e->span);
         left = right;
     }
@@ -129,7 +139,7 @@ static IrRef build_call(Builder *b, const Expr *e)
     return v[n - 1];
 }
 
-static IrRef build_value(Builder *b, const Expr *e)
+static IrRef build_any(Builder *b, const Expr *e)
 {
     IrIns stat = {.op = IR_stat, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .span = e->span};
     IrRef value;
@@ -152,4 +162,11 @@ static IrRef build_value(Builder *b, const Expr *e)
     case EX_EVERY: case EX_RANDOM: break;                       // only scripts have them
     }
     return IR_NONE;
+}
+
+static IrRef build_value(Builder *b, const Expr *e)
+{
+    IrRef value = build_any(b, e);
+
+    return b->f->ins.at[value].type == SM_BOOL ? note_condition(b, e, 0, value) : value;
 }

@@ -236,6 +236,7 @@ static SmcResult draw_diagram(SmcSession *s, void *argument)
 
     library_begin_layer(s);
     begin_review(s, q->machine, &r);
+    review_measure_coverage(&s->compiler, library_compiled(s, q->machine)->scripted, &r);
     counts = report_sum_counts(&r);
     o.counts = r.runs > 0 ? &counts : NULL;
     buf_init(&q->out, &s->compiler.arena);
@@ -287,6 +288,7 @@ static SmcResult write_report(SmcSession *s, void *argument)
         return SMC_E_SOURCE;
     }
     begin_review(s, q->machine, &r);
+    review_measure_coverage(&s->compiler, library_compiled(s, q->machine)->scripted, &r);
     review_add_costs(&s->compiler, &made.of[of->input[q->machine] - 1], made.artefact.at[0].bytes, o.step != 0, &r);
     buf_init(&q->out, &s->compiler.arena);
     writer[q->form](report_build(&r), &q->out);

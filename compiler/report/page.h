@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/budget/cost.h"
+#include "compiler/cover/cover.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
@@ -31,6 +32,7 @@ typedef struct Report {
     size_t image_size;
     ReportRun *run;
     size_t runs;
+    const Cover *cover;           // what the scripts have covered, settled; NULL: it was not measured
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // those that the runs have judged; or NULL
@@ -60,7 +62,7 @@ FindingCount report_count_findings(const Report *r);
 typedef struct Coverage {
     size_t states_covered, states;
     size_t edges_unused;          // edges that no script has taken
-    bool shared;                  // for some edge it is unknown which of its transitions were taken, or whether it was taken at all
+    bool shared;                  // without Report.cover: for some edge it is unknown which of its transitions were taken, or whether it was taken at all
     size_t transitions_least, transitions_most, transitions;      // of `transitions`, at least and at most so many were taken
 } Coverage;
 Coverage report_measure_coverage(const Report *r);

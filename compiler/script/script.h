@@ -36,6 +36,7 @@ typedef struct ScriptOptions {
     const ScriptSetting *setting;     // parameters that have another value in this run; `settings` of them
     size_t settings;
     const Requirements *requirements;         // judged after each step; NULL: none
+    bool is_silent;           // nothing is reported: only the result counts
     bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
 

@@ -284,6 +284,8 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     ScriptRun r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
 
     run_to_the_end(&r);
+    if (o->is_silent)
+        return r.result;
     switch (r.result.outcome) {
     case SCRIPT_FAILED:
         if (r.violated)

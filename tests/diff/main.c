@@ -50,7 +50,7 @@ typedef struct Tally {
     uint64_t next;                    // the block it works on, counted from 0
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
-    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, impossible, finding, no_room;
+    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, covered, impossible, finding, no_room;
     uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, units, by_hand;       // programs that use each; compared
 } Tally;
 
@@ -128,6 +128,7 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
     count(t, &r.met);
     t->steps += g->steps;
     t->change += how.change;
+    t->covered += how.cover;
     t->by_hand += how.change && how.what == CHANGE_BY_HAND;
     count_additions(t, g);
     t->different += r.verdict == VERDICT_DIFFERENT;
@@ -326,6 +327,7 @@ static void add_up(Tally *sum, const Tally *t)
     sum->refused += t->refused;
     sum->store += t->store;
     sum->change += t->change;
+    sum->covered += t->covered;
     sum->impossible += t->impossible;
     sum->finding += t->finding;
     sum->no_room += t->no_room;
@@ -363,6 +365,7 @@ static bool report_shares(const Options *o, const Tally *t)
     good &= share(o, t, "fill a window of 2 or more", t->full_window, 75);
     good &= share(o, t, "have a step refused", t->refusal, 95);
     good &= share(o, t, "were compared with a changed one", t->change, 20);
+    good &= share(o, t, "had their coverage compared", t->covered, 20);
     good &= share(o, t, "use additions to the language", t->additions, 40);
     good &= share(o, t, "have definitions", t->definition, 30);
     good &= share(o, t, "have rules for all states", t->rule, 15);
