@@ -4,6 +4,7 @@
 
 #include "compiler/base/path.h"
 #include "compiler/cli/cli.h"
+#include "compiler/data/data_file.h"
 #include "compiler/syntax/parse.h"
 
 // ---- sources ----
@@ -39,6 +40,41 @@ static const Source *find_included(void *context, const Source *from, const char
     return src;
 }
 
+static bool read_data(DataStream *s, char *into, size_t n, size_t *got, const char **why) { return os_reader_get(s->self, into, n, got, why); }
+
+static void close_data(DataStream *s)
+{
+    os_reader_close(s->self);
+    os_alloc(NULL, s->self, 0);
+}
+
+static bool open_data(const DataFile *file, DataStream *stream, const char **why)
+{
+    OsReader *r = os_alloc(NULL, NULL, sizeof *r);
+
+    if (!r) {
+        *why = "out of memory";
+        return false;
+    }
+    *stream = (DataStream){r, 0, read_data, close_data};
+    if (os_reader_open(r, file->name, why))
+        return true;
+    os_alloc(NULL, r, 0);
+    return false;
+}
+
+// Returns the file with recorded data that a script names.
+static const DataFile *find_data(void *context, const Source *from, const char *name, const char **why)
+{
+    Cli *c = context;
+    DataFile *file = ARENA_NEW(&c->session.arena, DataFile);
+
+    (void)why;
+    *file = (DataFile){path_beside(&c->session.arena, from->name, name), NULL, open_data};
+    vec_push(&c->session.arena, &c->data, file->name);
+    return file;
+}
+
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).
 Source *cli_read_source(Cli *c, const char *path)
 {
@@ -49,7 +85,7 @@ Source *cli_read_source(Cli *c, const char *path)
         cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
     else if (has_suffix(path, ".ss"))
         vec_push(&c->session.arena, &c->scripts, src);
-    c->session.finder = (SourceFinder){find_included, c};
+    c->session.finder = (SourceFinder){find_included, find_data, c};
     return src;
 }
 

@@ -23,6 +23,7 @@ static const char *outcome_text(const ReportRun *run)
     switch (run->result.outcome) {
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed: an assert was false";
+    case SCRIPT_NO_DATA: return "failed: the recorded data cannot be used";
     case SCRIPT_ENDLESS: return "failed: did not stop";
     case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";

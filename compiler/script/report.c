@@ -173,6 +173,9 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out)
 
     append_count(out, "state script ran for ", r->steps, "step", "");
     append_count(out, "", r->asserts_passed, "assert", " passed");
+    if (r->data_file)
+        buf_printf(out, "%s: %" PRIu64 " rows read, %" PRIu64 " of them skipped, %" PRIu64 " between two steps\n", r->data_file, r->data_rows,
+                   r->data_bad_rows, r->data_between);
     buf_str(out, "final state vector:\n");
     for (size_t i = 0; i < p->var.n; i++) {
         buf_printf(out, "  %s = ", order[i]->report_name->text);

@@ -69,6 +69,7 @@ typedef struct Lexer {
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
     bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
+    bool data;                // in a section [data] of a script: texts in quotes can follow anywhere
     bool texts;               // in a script: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
     LexAllow allow;           // the current position relative to an @allow( )

@@ -673,7 +673,7 @@ static void test_null_is_refused(void)
 
     CHECK(smc_open(NULL, 0, NULL) == SMC_E_ARGUMENT && smc_close(NULL) == SMC_E_HANDLE && smc_compile(NULL) == SMC_E_HANDLE);
     CHECK(smc_source_add(s, SMC_KIND_SM, NULL, "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", NULL, 1, &n) == SMC_E_ARGUMENT);
-    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 6, "a", "", 0, &n) == SMC_E_ARGUMENT);
+    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 7, "a", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, -1, "a", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, SMC_KIND_SM, "a\nb", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", "", UINT64_C(1) << 40, &n) == SMC_E_SIZE);
     CHECK(smc_source_replace(s, 0, "", 0) == SMC_E_INDEX && smc_source_kind(s, 0) == -1 && is_text(smc_source_name(s, 0), ""));
