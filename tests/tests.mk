@@ -848,6 +848,7 @@ $(call test, fuzz-script,          thorough, $(B)/fuzz/script, $(B)/fuzz/script 
 $(call test, fuzz-frontend,        thorough, $(B)/fuzz/frontend, $(B)/fuzz/frontend -n 5000 tests/fuzz/seeds/frontend/*)
 $(call test, fuzz-ir,              thorough, $(B)/fuzz/ir, $(B)/fuzz/ir -n 2000 tests/ir/samples/*.ir)
 $(call test, fuzz-log,             thorough, $(B)/fuzz/log $(B)/corpus/log/flight.log, $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log)
+$(call test, fuzz-recording,       thorough, $(B)/fuzz/recording, $(B)/fuzz/recording -n 20000 tests/fuzz/seeds/recording/*)
 $(call test, fuzz-image,           thorough, $(B)/fuzz/image $(B)/corpus/image, $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb)
 $(call test, fuzz-swap,            thorough, $(B)/fuzz/swap, $(B)/fuzz/swap -n 5000 tests/fuzz/seeds/swap/*)
 $(call test, fuzz-link,            thorough, $(B)/fuzz/link $(LINK_SEEDS), $(B)/fuzz/link -n 20000 $(LINK_SEEDS))

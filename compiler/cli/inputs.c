@@ -66,11 +66,19 @@ static bool open_data(const DataFile *file, DataStream *stream, const char **why
 // Returns the file with recorded data that a script names.
 static const DataFile *find_data(void *context, const Source *from, const char *name, const char **why)
 {
+    static const OptionId outputs[] = {OPT_OUTPUT, OPT_TRACE, OPT_JUNIT, OPT_MESSAGE_FILE, OPT_DEPS_FILE};
     Cli *c = context;
     DataFile *file = ARENA_NEW(&c->session.arena, DataFile);
 
-    (void)why;
     *file = (DataFile){path_beside(&c->session.arena, from->name, name), NULL, open_data};
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
+        if (c->given[outputs[i]] && os_same_file(c->value[outputs[i]], file->name)) {
+            *why = "it is also an output of this command";
+            return NULL;
+        }
+    for (size_t i = 0; i < c->data.n; i++)
+        if (strcmp(c->data.at[i], file->name) == 0)
+            return file;
     vec_push(&c->session.arena, &c->data, file->name);
     return file;
 }

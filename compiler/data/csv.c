@@ -17,23 +17,24 @@ static bool fail(Csv *c, uint64_t line, const char *error)
 
 static bool fail_nul(Csv *c) { return fail(c, c->next_line, "a NUL byte: the file is not text"); }
 
-// Reads more bytes if all have been read.  Returns false at the end of the file, and after an error.
-static bool fill(Csv *c)
+// Fills the buffer.  Returns false at the end of the file, and after an error.
+static bool read_buffer(Csv *c)
 {
     const char *why = "";
 
-    if (c->at < c->end)
-        return true;
-    if (c->at_eof || c->error)
-        return false;
     c->at = c->end = 0;
-    if (!c->stream.read(&c->stream, c->buffer, CSV_BUFFER, &c->end, &why)) {
-        c->end = 0;
-        fail(c, c->next_line, format_in(c->arena, "cannot read any further: %s", why));
+    while (!c->at_eof && c->end < CSV_BUFFER) {
+        size_t got = 0;
+        if (!c->stream.read(&c->stream, c->buffer + c->end, CSV_BUFFER - c->end, &got, &why))
+            return fail(c, c->next_line, format_in(c->arena, "cannot read any further: %s", why));
+        c->at_eof = got == 0;
+        c->end += got;
     }
-    c->at_eof = c->end == 0;
     return c->end > 0;
 }
+
+// Whether there is a next byte.  False at the end of the file, and after an error.
+static bool fill(Csv *c) { return c->at < c->end || (!c->error && read_buffer(c)); }
 
 static bool starts_with(const Csv *c, const char *bytes, size_t n) { return c->end >= n && memcmp(c->buffer, bytes, n) == 0; }
 

@@ -300,6 +300,52 @@ static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
         }
 }
 
+static const DocColumn compare_columns[] = {{"line", "Line"}, {"element", "Element"}, {"column", "Column"}, {"steps", "Steps"}, {"differs", "Differs in"},
+                                            {"first", "First at G"}, {"largest", "Largest difference"}, {"times", "Times"}};
+
+// Adds a table of what @compare has found.
+static void add_compares(const Report *r, Doc *d, const ReportRun *run)
+{
+    const ScriptData *data = run->script->data;
+    DocTable *t;
+
+    if (!data || !run->result.compare || data->compare.n == 0)
+        return;
+    t = DOC_ADD_TABLE(d, format_in(r->arena, "compares.%s", run->name), compare_columns);
+    for (size_t i = 0; i < data->compare.n; i++) {
+        const ScriptColumn *column = &data->compare.at[i].column;
+        const CompareResult *c = &run->result.compare[i];
+        Buf times, largest;
+        buf_init(&times, r->arena);
+        buf_init(&largest, r->arena);
+        compare_write_spans(c, &times);
+        if (c->failed) {
+            format_number_shortest(&largest, c->worst.difference);
+            buf_printf(&largest, " at G = %llu", (unsigned long long)c->worst.g);
+        }
+        doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(column->span.src->name),
+                                        (unsigned long)source_position(column->span.src, column->span.at).line));
+        doc_add_plain_cell(t, column->var->name->text);
+        doc_add_plain_cell(t, column->name->text);
+        doc_add_number_cell(t, c->steps);
+        doc_add_number_cell(t, c->failed);
+        doc_add_plain_cell(t, c->failed ? format_in(r->arena, "%llu, line %llu of the data", (unsigned long long)c->first.g, (unsigned long long)c->first.line) : "");
+        doc_add_plain_cell(t, buf_text(&largest));
+        doc_add_plain_cell(t, buf_text(&times));
+    }
+}
+
+// Adds a sentence about the rows of the recorded data.
+static void add_rows(const Report *r, Doc *d, const ReportRun *run)
+{
+    const ScriptResult *of = &run->result;
+
+    if (of->data_file)
+        doc_add_paragraph(d, format_in(r->arena, "Recorded data: `%s`, %llu rows read, %llu of them skipped, %llu between two steps.",
+                                       path_portable_name(of->data_file), (unsigned long long)of->data_rows, (unsigned long long)of->data_bad_rows,
+                                       (unsigned long long)of->data_between));
+}
+
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
     enum { SHOWN = 20 };
@@ -369,6 +415,8 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     if (!run->script || run->trace.steps == 0)
         return;
     add_named_asserts(r, d, run);
+    add_rows(r, d, run);
+    add_compares(r, d, run);
     if (*run->result.printed)
         doc_add_lines(d, run->result.printed);
     add_plot(r, d, run);
