@@ -338,12 +338,13 @@ static void add_compares(const Report *r, Doc *d, const ReportRun *run)
 // Adds a sentence about the rows of the recorded data.
 static void add_rows(const Report *r, Doc *d, const ReportRun *run)
 {
-    const ScriptResult *of = &run->result;
+    Buf rows;
 
-    if (of->data_file)
-        doc_add_paragraph(d, format_in(r->arena, "Recorded data: `%s`, %llu rows read, %llu of them skipped, %llu between two steps.",
-                                       path_portable_name(of->data_file), (unsigned long long)of->data_rows, (unsigned long long)of->data_bad_rows,
-                                       (unsigned long long)of->data_between));
+    if (!run->result.data_file)
+        return;
+    buf_init(&rows, r->arena);
+    script_write_rows(&run->result, &rows);
+    doc_add_paragraph(d, format_in(r->arena, "Recorded data: %s.", buf_text(&rows)));
 }
 
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)

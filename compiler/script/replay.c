@@ -308,6 +308,7 @@ void replay_set_result(const Replay *r, ScriptResult *result)
     result->data_file = r->d->source->name;
     result->data_rows = c->file.rows;
     result->data_bad_rows = c->file.bad_rows;
+    result->data_first_bad_line = c->file.first_bad_line;
     result->data_between = c->between;
 }
 
@@ -368,7 +369,7 @@ void replay_report(const Replay *r, bool judged)
 {
     const Recording *file = &r->cursor[0]->file;
 
-    if (file->bad_rows && !file->error.text)
+    if (file->bad_rows && !file->error.text && !r->d->skips_bad_times)
         diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows), count(r, file->rows), name_line(r, file->first_bad_line));
     for (size_t i = 0; judged && i < r->d->compare.n; i++) {
         const ReplayCompare *k = &r->compare[i];

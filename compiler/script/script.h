@@ -68,6 +68,7 @@ typedef struct ScriptResult {
     const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: only a @compare was not met
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
     const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
+    uint64_t data_first_bad_line;     // the line of the first row that was skipped
     uint64_t data_rows, data_bad_rows, data_between;  // rows of the data that were read; those of them that were skipped; that no step has seen
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
@@ -78,6 +79,8 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
 
 // Appends the report of a run: the number of steps and of passed asserts, the rows of recorded data, then the final value of each variable.
 void script_report(const ScriptResult *r, const Program *p, Buf *out);
+// Appends a sentence about the rows of the recorded data, without a full stop.  r->data_file is not NULL.
+void script_write_rows(const ScriptResult *r, Buf *out);
 // Append a cell (the bits of a value in its type): rounded, as in the report; and with floats in hexadecimal, as in an exact trace.
 void format_cell_rounded(Buf *out, SmType type, uint64_t cell);
 void format_cell_exact(Buf *out, SmType type, uint64_t cell);

@@ -100,6 +100,7 @@ void check_data(Sema *s, Script *script, const AstSection *in)
     d->unit = set[AST_DATA_TIME].value ? time_unit_find(set[AST_DATA_TIME].value->text) : TIME_MS;
     d->is_linear = set[AST_DATA_BETWEEN].word && strcmp(set[AST_DATA_BETWEEN].word->text, "linear") == 0;
     d->stops_at_bad_time = has_value(&set[AST_DATA_BAD_TIME], "error");
+    d->skips_bad_times = has_value(&set[AST_DATA_BAD_TIME], "skip");
     d->missing_is_nan = has_value(&set[AST_DATA_MISSING], "nan");
     script->data = d;
     for (size_t i = 0; i < in->data->line.n; i++)

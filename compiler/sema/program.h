@@ -295,7 +295,8 @@ typedef struct ScriptData {
     Span file_span, time_span;
     TimeUnit unit;            // of the times
     bool is_linear;           // values between two rows are interpolated; otherwise they are those of the earlier one
-    bool stops_at_bad_time, missing_is_nan;
+    bool stops_at_bad_time, skips_bad_times;      // `on_bad_time error`; `on_bad_time skip` is written
+    bool missing_is_nan;
     VEC(ScriptColumn) column; // written to variables
     VEC(ScriptCompare) compare;
     const struct DataFile *source;    // the file; set after checking

@@ -29,7 +29,7 @@ t,P
 -- report --
 state script ran for 3 steps
 0 asserts passed
-d.csv: 9 rows read, 1 of them skipped, 4 between two steps
+d.csv: 9 rows read, 1 of them skipped (the first is line 7), 4 between two steps
 final state vector:
   G = 20
   S = 1
