@@ -749,6 +749,7 @@ $(foreach u,$(filter-out $(UNIT_SLOW:%=$(B)/unit/%),$(UNIT)) $(B)/unit/stdlib_co
 $(call test, ir,                   quick, $(B)/ir/run, $(B)/ir/run tests/ir/*.smt tests/ir/samples/*.ir conformance/*/*.smt)
 $(call test, ir-verify,            quick, $(B)/ir/verify, $(B)/ir/verify)
 $(call test, ir-read,              quick, $(B)/ir/read, $(B)/ir/read)
+$(call test, data,                 quick,, sh tests/data/run.sh $(B)/smc)
 $(call test, script,               quick,, $(B)/smc test tests/script)
 $(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout tests/graph/machines/*.sm)
 $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)

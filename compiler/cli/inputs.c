@@ -63,6 +63,14 @@ static bool open_data(const DataFile *file, DataStream *stream, const char **why
     return false;
 }
 
+static void add_data_name(Cli *c, const char *name)
+{
+    for (size_t i = 0; i < c->data.n; i++)
+        if (strcmp(c->data.at[i], name) == 0)
+            return;
+    vec_push(&c->session.arena, &c->data, name);
+}
+
 // Returns the file with recorded data that a script names.
 static const DataFile *find_data(void *context, const Source *from, const char *name, const char **why)
 {
@@ -71,15 +79,12 @@ static const DataFile *find_data(void *context, const Source *from, const char *
     DataFile *file = ARENA_NEW(&c->session.arena, DataFile);
 
     *file = (DataFile){path_beside(&c->session.arena, from->name, name), NULL, open_data};
+    add_data_name(c, file->name);
     for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
         if (c->given[outputs[i]] && os_same_file(c->value[outputs[i]], file->name)) {
             *why = "it is also an output of this command";
             return NULL;
         }
-    for (size_t i = 0; i < c->data.n; i++)
-        if (strcmp(c->data.at[i], file->name) == 0)
-            return file;
-    vec_push(&c->session.arena, &c->data, file->name);
     return file;
 }
 

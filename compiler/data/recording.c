@@ -8,7 +8,11 @@
 #include "compiler/base/utf8.h"
 #include "compiler/syntax/number.h"
 
-enum { NEAR_MOST = 3, NAMES_MOST = 12, SHOWN_MOST = 40 };    // columns that a message proposes; columns that it lists; bytes of a cell that it shows
+enum {
+    NEAR_MOST = 3, NAMES_MOST = 12,       // columns that a message proposes; columns that it lists
+    COMPARED_MOST = 4096,                 // columns that are compared with a name to find these
+    SHOWN_MOST = 40                       // bytes of a cell that a message shows
+};
 
 static bool fail(Recording *r, int column, uint64_t line, const char *text)
 {
@@ -140,16 +144,29 @@ static bool fail_cell(Recording *r, int column, size_t i, CellKind kind)
 
 // ---- the header ----
 
+static bool is_equal_without_case(const char *a, const char *b)
+{
+    while (*a && (*a == *b || ((*a | 0x20) == (*b | 0x20) && (*a | 0x20) >= 'a' && (*a | 0x20) <= 'z')))
+        a++, b++;
+    return *a == *b;
+}
+
+// Returns by how many characters a name of the header differs from `name`; any number above `most` if by more.
+static size_t distance_of(const char *name, const char *cell, size_t most)
+{
+    return *cell && is_equal_without_case(name, cell) ? 0 : *cell ? str_distance(name, cell, most + 1) : most + 1;
+}
+
 // Returns the names in the header that are most similar to `name`: "'P1' or 'P2'"; NULL if there is none.
 static const char *find_near_names(Recording *r, const char *name)
 {
-    const size_t most = strlen(name) / 3 + 2;
+    const size_t most = strlen(name) / 3;
     const char *list = NULL;
     size_t n = 0;
 
-    for (size_t distance = 0; distance < most; distance++)
-        for (size_t i = 0; i < r->header_cells && n < NEAR_MOST; i++)
-            if (str_distance(name, csv_cell(&r->csv, i), most) == distance && csv_cell_length(&r->csv, i) > 0) {
+    for (size_t distance = 0; distance <= most; distance++)
+        for (size_t i = 0; i < r->header_cells && i < COMPARED_MOST && n < NEAR_MOST; i++)
+            if (distance_of(name, csv_cell(&r->csv, i), most) == distance) {
                 const char *near = show_cell(r->arena, csv_cell(&r->csv, i), csv_cell_length(&r->csv, i));
                 list = list ? format_in(r->arena, "%s or '%s'", list, near) : format_in(r->arena, "'%s'", near);
                 n++;
