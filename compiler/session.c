@@ -9,6 +9,7 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/emit/c/app.h"
 #include "compiler/passes/pass.h"
+#include "compiler/script/replay.h"
 #include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
 
@@ -220,10 +221,9 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
 
 // ---- scripts: their items are parsed, checked and freed one after the other ----
 
-static void ignore_section(void *context, const AstSection *section)
+static void add_written_columns(void *context, const AstSection *section)
 {
-    (void)context;
-    (void)section;
+    script_add_names_of_section(section, context);
 }
 
 static void add_written_names(void *context, const AstStmt *item)
@@ -235,7 +235,7 @@ static void add_written_names(void *context, const AstStmt *item)
 // its tree without items, in s->tree.
 static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
 {
-    const ScriptVisitor v = {ignore_section, add_written_names, written, &s->work};
+    const ScriptVisitor v = {add_written_columns, add_written_names, written, &s->work};
     const bool muted = s->diags.muted;
     const size_t before = s->diags.errors_seen;
     const AstFile *f;
@@ -254,6 +254,21 @@ static void parse_whole(Session *s, const ScriptFiles *files, const AstFile **tr
 {
     for (size_t i = 0; i < files->n; i++)
         tree[i] = parse(s, files->at[i], FILE_SS);
+}
+
+// Finds the file with recorded data of a checked script, and reads its header.  Returns false after a report.
+static bool find_data(Session *s, Script *script)
+{
+    const char *problem = "no file can be read here";
+    const ScriptData *d = script->data;
+
+    if (!d)
+        return true;
+    if (s->finder.find_data && strlen(d->file->text) == d->file->len)
+        script->data->source = s->finder.find_data(s->finder.context, d->file_span.src, d->file->text, &problem);
+    if (!d->source)
+        diag_report(&s->diags, DIAG_data_wrong, d->file_span, d->file->text, problem);
+    return d->source && replay_check(&s->arena, &s->diags, script);
 }
 
 // A script without syntax errors is checked item by item, which needs little memory.  For a script with syntax errors, builds the whole tree
@@ -280,7 +295,9 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     if (out && s->warnings)
         analyse_units_of_script(&s->tree, &s->diags, out);
     arena_free(&s->tree);
-    return s->diags.errors_seen > errors ? NULL : out;
+    if (s->diags.errors_seen > errors || !out)
+        return NULL;
+    return find_data(s, out) ? out : NULL;
 }
 
 // Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in

@@ -45,6 +45,7 @@ struct Cli {
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     VEC(const Source *) scripts;          // the scripts that have been read, and those that they include
+    VEC(const char *) data;               // the paths of the files with recorded data that scripts name
     VEC(const Source *) included;         // those of them that no argument names
     VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;

@@ -152,12 +152,14 @@ static int write_outputs(Cli *c, const Outputs *o, bool to_folder)
 static DepInputs list_inputs(Cli *c, const CompileInput *in)
 {
     const size_t named = in->app ? in->app->files.n : 0;
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + named + 2), 0};
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + named + c->data.n + 2), 0};
 
     for (size_t i = 0; i < c->files; i++)
         all.at[all.n++] = c->file[i];
     for (size_t i = 0; i < named; i++)
         all.at[all.n++] = in->app->files.at[i].src->name;
+    for (size_t i = 0; i < c->data.n; i++)
+        all.at[all.n++] = c->data.at[i];
     if (c->given[OPT_SV])
         all.at[all.n++] = c->value[OPT_SV];
     if (c->given[OPT_IO])

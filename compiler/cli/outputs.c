@@ -421,6 +421,9 @@ static bool is_input_of_command(const Cli *c, const char *path)
     for (size_t i = 0; i < files; i++)
         if (os_same_file(strcmp(c->file[i], "-") == 0 ? "/dev/stdin" : c->file[i], path))
             return true;
+    for (size_t i = 0; i < c->data.n; i++)
+        if (os_same_file(c->data.at[i], path))
+            return true;
     return is_value_of_option(c, OPT_SV, path) || is_value_of_option(c, OPT_IO, path) || is_value_of_option(c, OPT_NET, path) || is_value_of_option(c, OPT_KEY, path);
 }
 

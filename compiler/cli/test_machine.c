@@ -65,7 +65,7 @@ static int exit_code_of(ScriptOutcome o)
 {
     switch (o) {
     case SCRIPT_PASSED: return EXIT_OK;
-    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVERFLOW: return EXIT_PROBLEM;
+    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVERFLOW: case SCRIPT_NO_DATA: return EXIT_PROBLEM;
     case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: case SCRIPT_CANCELLED: return EXIT_INTERNAL;      // this command cancels no run
     }
     return EXIT_INTERNAL;

@@ -179,7 +179,7 @@ int32_t smc_run_outcome(const SmcSession *s, uint32_t script)
         return SMC_OUTCOME_NONE;
     switch (run->run.result.outcome) {
     case SCRIPT_PASSED: return SMC_OUTCOME_PASSED;
-    case SCRIPT_FAILED: return SMC_OUTCOME_FAILED;
+    case SCRIPT_FAILED: case SCRIPT_NO_DATA: return SMC_OUTCOME_FAILED;
     case SCRIPT_ENDLESS: return SMC_OUTCOME_ENDLESS;
     case SCRIPT_TIME_OVERFLOW: return SMC_OUTCOME_TIME_OVER;
     case SCRIPT_BROKEN: return SMC_OUTCOME_BROKEN;

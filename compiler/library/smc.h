@@ -114,14 +114,15 @@ enum SmcKind {    // a kind of source; later versions can have more
     SMC_KIND_IO = 3,              // pins, .io
     SMC_KIND_APP = 4,             // an application, .app; it comes with the files that it names
     SMC_KIND_NET = 5,             // messages, .net
-    SMC_KIND_RQ = 6               // requirements, .rq
+    SMC_KIND_RQ = 6,              // requirements, .rq
+    SMC_KIND_DATA = 7             // recorded data that scripts read: CSV, of any name.  The library opens no file
 };
 
 // Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show
 // `name`, which can be a path.
 // The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
 // the application.  A script finds the scripts that it includes by their names, which are paths relative to the folder in its own name.  A
-// script that another one includes does not run by itself.  `text` can be NULL if `size` is 0.
+// script that another one includes does not run by itself.  A script finds its recorded data in the same way, as a source of SMC_KIND_DATA.  `text` can be NULL if `size` is 0.
 // SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
 SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source);
 // Replaces the text of a source, which keeps its number, its name and its place in the order of machines.  What was compiled stays as it is until

@@ -16,13 +16,21 @@ static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state"
 static const DocColumn state_columns[] = {
     {"state", "State"}, {"entered", "Times entered"}, {"steps", "Steps"}, {"scripts", "Scripts"}};
 
+static const char *failure_text(const ScriptResult *r)
+{
+    if (r->failed)
+        return "failed: an assert was false";
+    return r->is_violated ? "failed: a requirement was violated" : "failed: recorded values differ";
+}
+
 static const char *outcome_text(const ReportRun *run)
 {
     if (!run->script)
         return "does not compile";
     switch (run->result.outcome) {
     case SCRIPT_PASSED: return "passed";
-    case SCRIPT_FAILED: return run->result.failed ? "failed: an assert was false" : "failed: a requirement was violated";
+    case SCRIPT_FAILED: return failure_text(&run->result);
+    case SCRIPT_NO_DATA: return "failed: the recorded data cannot be used";
     case SCRIPT_ENDLESS: return "failed: did not stop";
     case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";
@@ -345,6 +353,53 @@ static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
         }
 }
 
+static const DocColumn compare_columns[] = {{"line", "Line"}, {"element", "Element"}, {"column", "Column"}, {"steps", "Steps"}, {"differs", "Differs in"},
+                                            {"first", "First at G"}, {"largest", "Largest difference"}, {"times", "Times"}};
+
+// Adds a table of what @compare has found.
+static void add_compares(const Report *r, Doc *d, const ReportRun *run)
+{
+    const ScriptData *data = run->script->data;
+    DocTable *t;
+
+    if (!data || !run->result.compare || data->compare.n == 0)
+        return;
+    t = DOC_ADD_TABLE(d, format_in(r->arena, "compares.%s", run->name), compare_columns);
+    for (size_t i = 0; i < data->compare.n; i++) {
+        const ScriptColumn *column = &data->compare.at[i].column;
+        const CompareResult *c = &run->result.compare[i];
+        Buf times, largest;
+        buf_init(&times, r->arena);
+        buf_init(&largest, r->arena);
+        compare_write_spans(c, &times);
+        if (c->failed) {
+            format_number_shortest(&largest, c->worst.difference);
+            buf_printf(&largest, " at G = %llu", (unsigned long long)c->worst.g);
+        }
+        doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(column->span.src->name),
+                                        (unsigned long)source_position(column->span.src, column->span.at).line));
+        doc_add_plain_cell(t, column->var->name->text);
+        doc_add_plain_cell(t, column->name->text);
+        doc_add_number_cell(t, c->steps);
+        doc_add_number_cell(t, c->failed);
+        doc_add_plain_cell(t, c->failed ? format_in(r->arena, "%llu, line %llu of the data", (unsigned long long)c->first.g, (unsigned long long)c->first.line) : "");
+        doc_add_plain_cell(t, buf_text(&largest));
+        doc_add_plain_cell(t, buf_text(&times));
+    }
+}
+
+// Adds a sentence about the rows of the recorded data.
+static void add_rows(const Report *r, Doc *d, const ReportRun *run)
+{
+    Buf rows;
+
+    if (!run->result.data_file)
+        return;
+    buf_init(&rows, r->arena);
+    script_write_rows(&run->result, &rows);
+    doc_add_paragraph(d, format_in(r->arena, "Recorded data: %s.", buf_text(&rows)));
+}
+
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
     enum { SHOWN = 20 };
@@ -416,6 +471,8 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     if (run->result.is_random)
         doc_add_paragraph(d, format_in(r->arena, TEXT_SEED, (unsigned long long)run->result.seed));
     add_named_asserts(r, d, run);
+    add_rows(r, d, run);
+    add_compares(r, d, run);
     if (*run->result.printed)
         doc_add_lines(d, run->result.printed);
     add_plot(r, d, run);

@@ -168,8 +168,9 @@ static void fail_pending(ScriptRun *r, const PendingExpect *e)
 static bool is_expired(const ScriptRun *r, const PendingExpect *e)
 {
     const uint64_t passed = r->g - e->since, within = e->item->asserts.at[e->assert].remark->within;
+    const uint64_t next = run_time_to_next_step(r);
 
-    return passed >= within || within - passed < r->s->delta_t;
+    return passed >= within || next == 0 || within - passed < next;
 }
 
 // Evaluates a pending @expect.  Returns whether it stays pending.
@@ -312,6 +313,8 @@ static bool item_tests(const ScriptItem *item)
 // Whether anything in the script can fail.
 static bool has_assert(const Script *s)
 {
+    if (s->data && s->data->compare.n)
+        return true;
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++)
             if (item_tests(s->section.at[i].item.at[j]))

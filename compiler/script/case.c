@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/base/path.h"
+#include "compiler/data/data_file.h"
 
 // ---- the parts as sources ----
 
@@ -44,6 +45,22 @@ static const Source *find_included(void *context, const Source *from, const char
     return NULL;
 }
 
+// Finds the part of a case that is a file with recorded data.
+static const DataFile *find_data(void *context, const Source *from, const char *name, const char **problem)
+{
+    const CaseSources *c = context;
+    const char *path = path_simplify(c->arena, path_beside(c->arena, from->name, name));
+
+    *problem = "the case has no such part";
+    for (size_t i = 0; i < c->parts; i++)
+        if (strcmp(path_simplify(c->arena, c->file->part.at[i].name), path) == 0) {
+            DataMemory *m = ARENA_NEW(c->arena, DataMemory);
+            data_memory_init(m, c->file->part.at[i].name, c->file->part.at[i].text, c->file->part.at[i].n);
+            return &m->file;
+        }
+    return NULL;
+}
+
 void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
 {
     const bool has_app = case_has_part_of_kind(f, ".app");
@@ -51,8 +68,9 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
                                   case_has_part_of_kind(f, ".net");
 
     memset(out, 0, sizeof *out);
-    s->finder = (SourceFinder){find_included, out};
+    s->finder = (SourceFinder){find_included, find_data, out};
     out->arena = &s->arena;
+    out->file = f;
     out->parts = f->part.n;
     out->src = ARENA_ARRAY(&s->arena, Source *, f->part.n);
     out->input = ARENA_ARRAY(&s->arena, size_t, f->part.n);
@@ -175,6 +193,7 @@ static const char *outcome_text(ScriptOutcome o)
     switch (o) {
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed";
+    case SCRIPT_NO_DATA: return "could not use its recorded data";
     case SCRIPT_ENDLESS: return "did not reach @stop";
     case SCRIPT_TIME_OVERFLOW: return "ran out of time";
     case SCRIPT_BROKEN: return "could not be run";
@@ -216,7 +235,8 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
         buf_init(&trace.text, arena);
         r = script_run(arena, &c->s->diags, c->script[i], engine, engines, &o);
         if (must_pass ? r.outcome != SCRIPT_PASSED
-                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW)
+                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW &&
+                        r.outcome != SCRIPT_NO_DATA)
             buf_printf(&c->why, "%s should %s, but %s\n", f->part.at[i].name, must_pass ? "pass" : "fail", outcome_text(r.outcome));
         works &= r.outcome != SCRIPT_BROKEN;
         passed &= r.outcome == SCRIPT_PASSED;

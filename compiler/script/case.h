@@ -11,6 +11,7 @@
 
 typedef struct CaseSources {
     Arena *arena;
+    const TestFile *file;
     size_t parts;
     Source **src;             // by part; NULL: the part is not a source
     size_t *input;            // by part that is a source of the call: its index in in.at

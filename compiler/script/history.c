@@ -188,12 +188,13 @@ static void add_transition_notes(History *h, Diag *d)
 // Adds a note with the current state of the machine and the step in which it was entered, for a run that did not stop.
 static void add_state_note(const ScriptRun *r, Diag *d)
 {
-    const uint64_t step = r->answer[0].next_is_first ? r->result.steps + 1 : r->start / r->s->delta_t + 1;
+    const bool is_new = r->answer[0].next_is_first;
+    const uint64_t step = is_new ? r->result.steps + 1 : r->start_step;
     const State *state = r->p->state.at[r->answer[0].next_state - 1];
 
-    if (step > 1 && step - 1 <= UINT64_MAX / r->s->delta_t)
+    if (step > 1 && !(is_new && r->result.outcome != SCRIPT_ENDLESS))         // otherwise G has no value for the next step
         diag_note(r->diags, d, (Span){0}, DIAG_note_state_since, state->name->text, count_text(r->arena, step),
-                  count_text(r->arena, (step - 1) * r->s->delta_t));
+                  count_text(r->arena, is_new ? r->g : r->start));
     else if (step == 1)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
@@ -217,7 +218,7 @@ static void add_stop_notes(const ScriptRun *r, Diag *d)
                 diag_note(r->diags, d, stop, DIAG_note_stop_never_run, section->state->name->text);
             else
                 diag_note(r->diags, d, stop, DIAG_note_stop_last_run, section->state->name->text, count_text(r->arena, last),
-                          count_text(r->arena, (last - 1) * r->s->delta_t));
+                          count_text(r->arena, r->ran_at[section->state->number - 1]));
         }
     }
 }

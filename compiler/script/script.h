@@ -14,6 +14,7 @@ typedef enum ScriptOutcome {
     SCRIPT_FAILED,            // an assert was false, or a requirement was violated
     SCRIPT_ENDLESS,           // no @stop was reached within max_steps
     SCRIPT_TIME_OVERFLOW,         // G cannot advance any further
+    SCRIPT_NO_DATA,           // the recorded data cannot be read, or ended before a @stop
     SCRIPT_CANCELLED,         // ScriptOptions.is_cancelled returned true
     SCRIPT_BROKEN,            // an engine failed
     SCRIPT_DIFFERENT          // two engines disagree
@@ -25,7 +26,30 @@ typedef struct ScriptStep {
     const State *state;       // the state that the step ran
     const uint64_t *cell;     // the value of every variable after the step, by index
     const uint8_t *results;   // by requirement: what the step decided, a MonitorResult; NULL: the run has no requirements
+    const double *recorded;   // by @compare: the recorded value; NaN: there is none.  NULL: the script has no data
 } ScriptStep;
+
+// ---- what @compare has found ----
+
+enum { COMPARE_SPANS_MAX = 8 };
+
+typedef struct ComparePoint {
+    uint64_t g, row, line;    // the step; the row of the file, and the line in which it begins
+    double element, recorded, difference;         // difference: not negative
+} ComparePoint;
+
+typedef struct CompareSpan { uint64_t from, to; } CompareSpan;       // G of the first and the last of successive steps
+
+typedef struct CompareResult {
+    uint64_t steps, failed;   // in how many steps it was evaluated; in how many of them it was not met
+    bool differs;             // in the last of these steps it was not met
+    ComparePoint first, worst;        // if failed > 0
+    uint64_t spans;           // number of times at which it was not met
+    CompareSpan span[COMPARE_SPANS_MAX];          // the first of them
+} CompareResult;
+
+// Appends the times at which a @compare was not met: "G = 40 to 80, G = 200".
+void compare_write_spans(const CompareResult *c, Buf *out);
 
 typedef struct ScriptOptions {
     uint64_t max_steps;
@@ -58,8 +82,13 @@ typedef struct ScriptResult {
     const char *printed;      // what @print has shown: lines; "" if nothing
     const uint8_t *evaluated; // by number of the assert, in the order of the script: it was evaluated at least once
     const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
-    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: a requirement was violated
+    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: a requirement was violated, or only a @compare was not met
+    bool is_violated;         // SCRIPT_FAILED: a requirement was violated
     const RequirementRun *requirement;        // by requirement; NULL: the run had none
+    const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
+    const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
+    uint64_t data_first_bad_line;     // the line of the first row that was skipped
+    uint64_t data_rows, data_bad_rows, data_between;  // rows of the data that were read; those of them that were skipped; that no step has seen
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 
@@ -81,8 +110,10 @@ void requirement_report_unjudged(Diags *diags, const Requirements *what, const R
 // assert that was never evaluated and other failures are reported to `diags`.
 ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o);
 
-// Appends the report of a run: the number of steps and of passed asserts, then the final value of each variable.
+// Appends the report of a run: the number of steps and of passed asserts, the rows of recorded data, then the final value of each variable.
 void script_report(const ScriptResult *r, const Program *p, Buf *out);
+// Appends a sentence about the rows of the recorded data, without a full stop.  r->data_file is not NULL.
+void script_write_rows(const ScriptResult *r, Buf *out);
 // Append a cell (the bits of a value in its type): rounded, as in the report; and with floats in hexadecimal, as in an exact trace.
 void format_cell_rounded(Buf *out, SmType type, uint64_t cell);
 void format_cell_exact(Buf *out, SmType type, uint64_t cell);

@@ -34,7 +34,7 @@ static void update_time_and_state(ScriptRun *r)
 
     r->state = r->p->state.at[last->next_state - 1];
     if (last->next_is_first)
-        r->start = r->g;
+        r->start = r->g, r->start_step = r->result.steps + 1;
     write_input(r, r->p->g, r->g);
     r->cell[r->p->t->index] = r->g - r->start;
     r->cell[r->p->s->index] = last->next_state;
@@ -47,6 +47,15 @@ static void write_settings(ScriptRun *r)
         write_input(r, r->s->setting.at[i].parameter, r->s->setting.at[i].cell);
     for (size_t i = 0; i < r->o->settings; i++)
         write_input(r, r->o->setting[i].parameter, r->o->setting[i].cell);
+}
+
+static void write_recorded(void *context, const Var *v, double value) { write_input(context, v, ref_convert(v->type, value)); }
+
+// Writes the recorded data of this step.
+static void write_data(ScriptRun *r)
+{
+    if (r->replay && !replay_advance(r->replay, r->g, write_recorded, r))
+        run_finish(r, SCRIPT_NO_DATA);
 }
 
 static void write_inputs_of_item(ScriptRun *r, const ScriptItem *item)
@@ -86,6 +95,7 @@ static bool is_reached(const ScriptRun *r, const ScriptItem *item)
 static void run_sections(ScriptRun *r)
 {
     r->ran[r->state->number - 1] = r->result.steps + 1;
+    r->ran_at[r->state->number - 1] = r->g;
     schedule_find_due(r->schedule, r->state, r->cell, &r->due);
     for (size_t i = 0; i < r->due.n; i++) {
         const ScriptItem *item = r->due.at[i];
@@ -152,19 +162,35 @@ static void step_engines(ScriptRun *r)
 
 static void call_after_step(ScriptRun *r)
 {
-    const ScriptStep step = {r->result.steps, r->g, r->state, r->cell, r->monitor ? r->monitor->result : NULL};
+    const ScriptStep step = {r->result.steps, r->g, r->state, r->cell, r->monitor ? r->monitor->result : NULL, r->replay ? replay_recorded(r->replay) : NULL};
 
     if (r->o->after_step)
         r->o->after_step(r->o->context, &step);
 }
 
+static void compare_with_data(ScriptRun *r)
+{
+    if (r->replay && !replay_compare(r->replay, r->g, r->cell))
+        run_finish(r, SCRIPT_NO_DATA);
+}
+
+uint64_t run_time_to_next_step(const ScriptRun *r)
+{
+    uint64_t next = 0;
+
+    if (r->s->by_rows)
+        return replay_find_next_time(r->replay, &next) ? next - r->g : 0;
+    return r->g < UINT64_MAX - r->s->delta_t ? r->s->delta_t : 0;         // G cannot overflow, or reach 2^64-1
+}
+
 static void advance_time(ScriptRun *r)
 {
-    if (r->g >= UINT64_MAX - r->s->delta_t) {         // G would overflow, or reach 2^64-1
-        run_finish(r, SCRIPT_TIME_OVERFLOW);
-        return;
-    }
-    r->g += r->s->delta_t;
+    const uint64_t by = run_time_to_next_step(r);
+
+    r->data_ended = by == 0 && r->s->by_rows;
+    if (by == 0)
+        run_finish(r, r->data_ended ? SCRIPT_NO_DATA : SCRIPT_TIME_OVERFLOW);
+    r->g += by;
 }
 
 static void run_step(ScriptRun *r)
@@ -177,12 +203,18 @@ static void run_step(ScriptRun *r)
     update_time_and_state(r);
     if (r->result.steps == 0)
         write_settings(r);
+    write_data(r);
+    if (r->ended)
+        return;
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
     step_engines(r);
     if (r->ended)
         return;
     violated = r->monitor && requirement_check_step(r);
+    compare_with_data(r);
+    if (r->ended)
+        return;
     call_after_step(r);
     if (violated)
         requirement_fail(r);
@@ -227,6 +259,7 @@ static void allocate_run(ScriptRun *r)
     buf_init(&r->printed, r->arena);
     r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
+    r->ran_at = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
 }
 
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section)
@@ -256,6 +289,24 @@ static void report_time_overflow(ScriptRun *r)
     history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
 }
 
+// Opens the recorded data.  If it cannot be read, no step runs.
+static void open_data(ScriptRun *r)
+{
+    if (r->s->data && !r->ended && (r->replay = replay_open(r->arena, r->diags, r->s)) == NULL)
+        run_finish(r, SCRIPT_NO_DATA);
+}
+
+// Closes the recorded data.  A @compare that was not met makes the run fail.
+static void close_data(ScriptRun *r)
+{
+    if (!r->replay)
+        return;
+    replay_close(r->replay);
+    replay_set_result(r->replay, &r->result);
+    if (r->result.outcome == SCRIPT_PASSED && replay_differs(r->replay))
+        r->result.outcome = SCRIPT_FAILED;
+}
+
 // Runs the script from its first step until it ends.
 void run_to_the_end(ScriptRun *r)
 {
@@ -268,14 +319,24 @@ void run_to_the_end(ScriptRun *r)
     if (r->o->requirements)
         requirement_begin_run(r);
     init_engines(r);
+    open_data(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
     while (!r->ended && r->result.steps < r->o->max_steps)
         run_step(r);
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
+    close_data(r);
     r->result.printed = assert_finish_printing(r);
+    r->result.is_violated = r->violated != NULL;
     if (r->monitor)
         requirement_end_run(r);
+}
+
+// Reports that the data ended before a @stop.  If it cannot be read instead, that has been reported.
+static void report_data_ended(ScriptRun *r)
+{
+    if (r->data_ended)
+        history_add(r, diag_report(r->diags, DIAG_data_ended, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->g)));
 }
 
 // Runs the engines in lock step on one script.
@@ -290,9 +351,10 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     case SCRIPT_FAILED:
         if (r.violated)
             requirement_report_violations(&r);
-        else
+        else if (r.result.failed)
             assert_report_failure(&r);
         break;
+    case SCRIPT_NO_DATA: report_data_ended(&r); break;
     case SCRIPT_ENDLESS: report_endless(&r); break;
     case SCRIPT_TIME_OVERFLOW: report_time_overflow(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
@@ -300,5 +362,7 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     }
     assert_report_unevaluated(&r);
     requirement_report_undecided(&r);
+    if (r.replay)
+        replay_report(r.replay, r.result.outcome != SCRIPT_BROKEN && r.result.outcome != SCRIPT_DIFFERENT && r.result.outcome != SCRIPT_NO_DATA);
     return r.result;
 }

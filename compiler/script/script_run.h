@@ -4,6 +4,7 @@
 #define SMC_RUN_H
 
 #include "compiler/script/ref.h"
+#include "compiler/script/replay.h"
 #include "compiler/script/schedule.h"
 #include "compiler/script/script.h"
 
@@ -32,7 +33,10 @@ typedef struct ScriptRun {
     uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
     RefRandom random;         // the random numbers of the script
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
+    Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
+    bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     uint64_t g, start;        // G of this step; G of the first step of its state
+    uint64_t start_step;      // number of the first step of its state
     const State *state;       // the state that this step runs
     Schedule *schedule;
     DueItems due;             // the items of this step whose guards can be true
@@ -45,6 +49,7 @@ typedef struct ScriptRun {
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
     uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
+    uint64_t *ran_at;         // by State.number - 1: G in that step
     const Expr *failed;       // the condition that failed, or the guard of an @fail, or the condition of a violated requirement; or NULL
     const ScriptItem *failed_item;    // NULL: a requirement was violated
     uint64_t failed_since;    // of an @expect: G of the step in which it began
@@ -62,6 +67,8 @@ void run_finish(ScriptRun *r, ScriptOutcome outcome);
 const ScriptItem *script_first_stop(const Script *s);
 // Returns the last step in which a section ran, 0: none; of [all_states], which runs in each step: 1.
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
+// Returns how much G advances after this step; 0: it cannot.
+uint64_t run_time_to_next_step(const ScriptRun *r);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
 

@@ -55,6 +55,7 @@ App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const Io
 
 // Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names);
+void script_add_names_of_section(const AstSection *section, Map *names);      // those of the columns of [data]
 void script_add_names_of_item(const AstStmt *item, Map *names);
 // Returns how much G advances per step in the script, where the machine counts time in `unit`; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss, TimeUnit unit);

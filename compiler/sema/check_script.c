@@ -82,7 +82,11 @@ static void check_option(ScriptCheck *k, const AstOption *o)
     if (o->name == k->delta_t) {
         k->has_delta_t = true;
         k->script->delta_t_span = o->value_span;
+        k->script->by_rows = o->word != NULL;
         k->script->delta_t = option_step(o, k->s.p->time_unit);
+        if (o->word && k->s.p->step > 0)
+            diag_note(k->s.diags, diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the machine declares a step"), k->s.p->step_span,
+                      DIAG_note_declared_here, "step");
         if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
             diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
         check_declared_step(k, o);
@@ -302,6 +306,8 @@ static void check_section(void *context, const AstSection *in)
         diag_report(k->s.diags, DIAG_script_unguarded, in->definitions.n ? in->definitions.at[0].name_span : in->header);
     else if (in->kind == AST_DEFINE)
         declare_definitions(&k->s, in, &k->script->define);
+    if (in->kind == AST_DATA)
+        check_data(&k->s, k->script, in);
     for (size_t o = 0; in->kind == AST_OPTIONS && o < in->options.n; o++)
         check_option(k, &in->options.at[o]);
 }
@@ -393,6 +399,8 @@ static Script *end_check(ScriptCheck *k)
         diag_report(diags, DIAG_no_delta_t, start);
     if (!k->has_stop && !k->s.lost->any)
         diag_report(diags, DIAG_no_stop, start);
+    if (k->script->by_rows && !k->script->data && !k->s.lost->any)
+        diag_report(diags, DIAG_delta_t_file, k->script->delta_t_span, "the script has no [data]");
     if (k->s.unknown && !k->s.knows_a_name && k->s.unknown_name.n + k->s.unknown_state.n > 1)
         diag_note(diags, k->s.unknown, (Span){0}, DIAG_note_other_machine, k->script->program->src->name);
     if (diags->errors_seen == k->errors && !k->s.lost->any)
@@ -437,6 +445,13 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const As
     return end_check(&k);
 }
 
+void script_add_names_of_section(const AstSection *section, Map *names)
+{
+    for (size_t i = 0; section->data && i < section->data->line.n; i++)
+        if (!section->data->line.at[i].is_compare)
+            map_put(names, section->data->line.at[i].element, (void *)section->data->line.at[i].element);
+}
+
 void script_add_names_of_item(const AstStmt *item, Map *names)
 {
     if (item->kind == AST_ASSIGN)
@@ -452,7 +467,9 @@ void script_add_names_of_item(const AstStmt *item, Map *names)
 // Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names)
 {
-    for (size_t i = 0; i < ss->sections.n; i++)
+    for (size_t i = 0; i < ss->sections.n; i++) {
+        script_add_names_of_section(ss->sections.at[i], names);
         for (size_t j = 0; j < ss->sections.at[i]->items.n; j++)
             script_add_names_of_item(ss->sections.at[i]->items.at[j], names);
+    }
 }

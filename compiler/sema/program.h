@@ -321,10 +321,42 @@ typedef VEC(ScriptRandom) ScriptRandoms;
 // A parameter that a script sets, or another caller for the run of a script.
 typedef struct ScriptSetting { const Var *parameter; uint64_t cell; Span span; } ScriptSetting;
 
+// A column of recorded data: its value is cell * scale + offset.
+typedef struct ScriptColumn {
+    Var *var;                 // receives the value, or is compared with it
+    Str name;                 // of the column
+    Span span;                // of the name
+    bool is_scaled;           // otherwise the value is the cell itself
+    SmF64 scale, offset;
+} ScriptColumn;
+
+// A @compare: after the step at G, |var - column at G - delay| is at most `tolerance`.
+typedef struct ScriptCompare {
+    ScriptColumn column;
+    SmF64 tolerance;
+    uint64_t delay;           // in units of G
+} ScriptCompare;
+
+// The section [data] of a script.
+typedef struct ScriptData {
+    Span span;                // of its header
+    Str file, time;           // the names of the file, and of the column with the times
+    Span file_span, time_span;
+    TimeUnit unit;            // of the times
+    bool is_linear;           // values between two rows are interpolated; otherwise they are those of the earlier one
+    bool stops_at_bad_time, skips_bad_times;      // `on_bad_time error`; `on_bad_time skip` is written
+    bool missing_is_nan;
+    VEC(ScriptColumn) column; // written to variables
+    VEC(ScriptCompare) compare;
+    const struct DataFile *source;    // the file; set after checking
+} ScriptData;
+
 typedef struct Script {
     const Source *src;
     const Program *program;
-    uint64_t delta_t;
+    uint64_t delta_t;         // 0 if by_rows
+    bool by_rows;             // `delta_t file`: one step for each row of the data
+    ScriptData *data;         // NULL: the script has no [data]
     Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
     VEC(ScriptSetting) setting;       // the parameters that the script sets

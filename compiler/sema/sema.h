@@ -124,6 +124,8 @@ Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn);
 void sema_record_operator(Sema *s, SmOperator op);     // records that the value being checked, and the machine, contain an operator
 Stmt *check_assignment(Sema *s, const AstStmt *in);
+Var *check_target(Sema *s, Str name, Span span);       // returns the variable that a statement assigns; NULL after a report
+void check_data(Sema *s, Script *script, const AstSection *in);       // [data] of a script (check_data.c)
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 // Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);
@@ -187,6 +189,8 @@ void check_unused_definitions(Sema *s, const Defines *all);
 void check_time_options(Sema *s, Program *p, const AstFile *sm);
 // Returns the value of an option such as `delta_t 20 ms`, a whole number from 1 to 2^63, in the unit `unit`; 0 for anything else.
 uint64_t option_step(const AstOption *o, TimeUnit unit);
+// Computes the value of a literal that is a whole number of units from 0 to 2^63. Returns false for anything else.
+bool literal_units(const AstExpr *e, TimeUnit unit, uint64_t *units);
 // Returns the value of a literal that has a unit, in the unit of the machine.
 SmF64 check_time_literal(Sema *s, const AstExpr *e);
 // Computes how many samples a window of the last `time` units of G has: time / step + 1. `size`: the argument of the function `name`. Returns

@@ -73,6 +73,7 @@ typedef enum AstAnnotationTarget {
     AST_ON_STATE,             // the header of a state
     AST_ON_ALL_STATES,        // the header [all_states] of a machine
     AST_ON_DEFINITION,        // a line of [define]
+    AST_ON_DATA,              // a line of [data] with a column
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
     AST_ANNOTATION_TARGETS
 } AstAnnotationTarget;
@@ -164,10 +165,42 @@ typedef struct AstOption {
     Span name_span;
     AstExpr *number;          // delta_t, step, seed, set: the literal of its value
     bool negative;            // set: the value has a minus
-    Str word;                 // init_state: the name of the state; time_unit: the unit; set: the name of the parameter
+    Str word;                 // init_state: the name of the state; time_unit: the unit; set: the name of the parameter; `delta_t file`: the word
     Span word_span;           // set: the name
     Span value_span;
 } AstOption;
+
+// ---- [data] of a script ----
+
+typedef enum AstDataSlot { AST_DATA_FILE, AST_DATA_TIME, AST_DATA_BETWEEN, AST_DATA_BAD_TIME, AST_DATA_MISSING, AST_DATA_SLOTS } AstDataSlot;
+
+// A setting, as in data_words.def: `time "t_ms" ms`.
+typedef struct AstDataSetting {
+    Str word;                 // "time"; NULL: there is no such setting
+    Span span;                // of the word
+    Str text;                 // FILE and TIME
+    Span text_span;
+    Str value;                // the unit, or the word that follows
+    Span value_span;
+} AstDataSetting;
+
+// A line `P1 = "PT-101" @scale 0.1` or `@compare valveOpen "VALVE" tolerance 0 delay 20 ms`.
+typedef struct AstDataLine {
+    bool is_compare;
+    Str element;
+    Span element_span;
+    Str column;
+    Span column_span;
+    AstNumber tolerance;      // its span has no source if it is absent
+    AstExpr *delay;           // a literal; or NULL
+    AstAnnotations annotations;
+} AstDataLine;
+
+typedef struct AstData {
+    AstDataSetting setting[AST_DATA_SLOTS];
+    VEC(AstDataLine) line;
+    bool is_lost;             // a line has an error
+} AstData;
 
 // A line of a .io: `i 0 tankPressure @scale 250`.
 typedef struct AstPin {
@@ -194,6 +227,7 @@ typedef enum AstSectionKind {
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
     AST_ALL_STATES,           // [all_states] of a machine: the block .step
+    AST_DATA,                 // [data] of a script: data
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
     AST_PINS,                 // [analog] and [digital] of a .io: pins
     AST_IGNORED               // a section that this kind of file cannot have; already reported
@@ -209,6 +243,7 @@ typedef struct AstSection {
     VEC(AstDefinition) definitions;
     VEC(AstOption) options;
     VEC(AstPin) pins;
+    AstData *data;            // DATA; else NULL
     bool digital;             // PINS: the section is [digital]
     AstBlock block[AST_LABEL_COUNT];
     AstStmts items;           // SCRIPT_STATE: conditionals (AST_IF)

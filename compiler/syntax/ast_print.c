@@ -264,11 +264,53 @@ static void print_definition(Buf *out, const AstDefinition *d)
     buf_char(out, '\n');
 }
 
+static void print_data_setting(Buf *out, const AstDataSetting *s)
+{
+    buf_str(out, "  ");
+    print_name(out, s->word);
+    if (s->text) {
+        buf_char(out, ' ');
+        print_source(out, s->text_span);
+    }
+    if (s->value) {
+        buf_char(out, ' ');
+        print_name(out, s->value);
+    }
+    buf_char(out, '\n');
+}
+
+static void print_data_line(Buf *out, const AstDataLine *line)
+{
+    buf_str(out, line->is_compare ? "  @compare " : "  ");
+    print_name(out, line->element);
+    buf_str(out, line->is_compare ? " " : " = ");
+    print_source(out, line->column_span);
+    if (line->tolerance.span.src) {
+        buf_str(out, " tolerance ");
+        print_source(out, line->tolerance.span);
+    }
+    if (line->delay) {
+        buf_str(out, " delay ");
+        print_source(out, line->delay->span);
+    }
+    print_annotations(out, &line->annotations);
+    buf_char(out, '\n');
+}
+
+static void print_data(Buf *out, const AstData *d)
+{
+    for (int i = 0; i < AST_DATA_SLOTS; i++)
+        if (d->setting[i].word)
+            print_data_setting(out, &d->setting[i]);
+    for (size_t i = 0; i < d->line.n; i++)
+        print_data_line(out, &d->line.at[i]);
+}
+
 static void print_section(Buf *out, const AstSection *s)
 {
     static const char *const kind[] = {
         [AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_DEFINE] = "define", [AST_OPTIONS] = "options", [AST_REGION] = "region",
-        [AST_STATE] = "state", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
+        [AST_STATE] = "state", [AST_DATA] = "data", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
     static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
 
     buf_printf(out, "%s ", kind[s->kind]);
@@ -281,6 +323,8 @@ static void print_section(Buf *out, const AstSection *s)
         print_definition(out, &s->definitions.at[i]);
     for (size_t i = 0; i < s->options.n; i++)
         print_option(out, &s->options.at[i]);
+    if (s->data)
+        print_data(out, s->data);
     for (size_t i = 0; i < s->pins.n; i++)
         print_pin(out, &s->pins.at[i]);
     for (int i = 0; i < AST_LABEL_COUNT; i++)

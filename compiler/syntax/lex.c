@@ -288,7 +288,7 @@ static bool lex_text(Lexer *l, Token *t)
     const uint32_t from = l->at + 1;
     uint32_t end = from;
 
-    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !may_be_remark(l)))
+    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !l->data && !may_be_remark(l)))
         return false;
     while (end < l->src->len && s[end] != '"' && s[end] != '\n')
         end++;
@@ -439,6 +439,8 @@ void lex_next(Lexer *l, Token *t)
         t->first = true;
     l->stores = (l->stores && !t->first) || t->kind == TOK_ASSIGN;
     l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
+    if (l->script && t->kind == TOK_HEADER)
+        l->data = strcmp(t->text->text, "data") == 0;
     if (l->script)
         l->texts = (l->texts && (!t->first || is_enclosed)) || precedes_text(t);
     if (l->requirements)

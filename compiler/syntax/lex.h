@@ -70,6 +70,7 @@ typedef struct Lexer {
     bool addresses;           // a .net: four numbers with dots are an address
     bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
     bool requirements;        // a .rq: one quoted text can follow the name that begins a line
+    bool data;                // in a section [data] of a script: texts in quotes can follow anywhere
     bool texts;               // in a script or a .rq: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
     bool unit;                // the last token was @unit

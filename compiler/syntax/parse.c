@@ -366,6 +366,13 @@ static void find_define_kind(Parser *p, AstSection *s)
         s->kind = AST_DEFINE;
 }
 
+// Decides whether [data] of a script contains recorded data (language.md 8.60). Otherwise it belongs to a state of that name.
+static void find_data_kind(Parser *p, AstSection *s)
+{
+    if (s->kind == AST_SCRIPT_STATE && is_section_named(s, "data") && parser_at_data(p))
+        s->kind = AST_DATA;
+}
+
 // Whether the line at the next token declares a variable with an initial value.
 static bool at_local(const Parser *p)
 {
@@ -436,6 +443,7 @@ static void parse_section(Parser *p, AstFile *f)
     vec_push(p->arena, &f->sections, s);
     parser_advance(p);
     find_define_kind(p, s);
+    find_data_kind(p, s);
     correct_section_kind(p, s);
     switch (s->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
@@ -446,6 +454,9 @@ static void parse_section(Parser *p, AstFile *f)
         break;
     case AST_OPTIONS:
         parse_options(p, s);
+        break;
+    case AST_DATA:
+        parse_data(p, s);
         break;
     case AST_STATE:
         check_state_name(p, s);

@@ -8,6 +8,7 @@ typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, T
 #define ON(target) (1u << AST_ON_##target)
 // The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
 #define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE) | ON(ALL_STATES) | ON(DEFINITION))
+#define ON_DATA ON(DATA)
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
 static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
@@ -32,7 +33,7 @@ static bool may_follow_target(int row, AstAnnotationTarget target) { return rows
 // there is none.
 static int find_annotation_row(Str word, AstAnnotationTarget target)
 {
-    const unsigned in_file = ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
+    const unsigned in_file = target == AST_ON_DATA ? ON_DATA : ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
     int found = AST_ANNOTATION_COUNT;
 
     for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
@@ -361,7 +362,7 @@ void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span ow
 {
     Annotated o = {target, owner, owner_span, into};
 
-    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
+    while (!p->failed && p->tok.kind == TOK_ANNOTATION && !(target == AST_ON_DATA && p->tok.first))
         parse_annotation(p, &o);
 }
 

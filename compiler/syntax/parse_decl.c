@@ -260,6 +260,12 @@ static bool parse_setting(Parser *p, AstOption *o)
     return parse_setting_value(p, o);
 }
 
+// Whether the next token is `file` of `delta_t file`.
+static bool is_step_of_rows(const Parser *p, const AstOption *o)
+{
+    return p->kind == FILE_SS && strcmp(o->name->text, "delta_t") == 0 && !p->tok.first && strcmp(p->tok.text->text, "file") == 0;
+}
+
 // Parses what follows the word of an option. Returns false, and reports nothing, if the option does not take it.
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
@@ -271,7 +277,8 @@ static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
         o->value_span = o->number->span;
         return true;
     }
-    if (p->tok.kind != TOK_NAME || takes == TAKES_TIME || takes == TAKES_COUNT || (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
+    if (p->tok.kind != TOK_NAME || (takes == TAKES_TIME && !is_step_of_rows(p, o)) || takes == TAKES_COUNT ||
+        (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
         return false;
     o->word = p->tok.text;
     parser_advance(p);

@@ -85,6 +85,8 @@ void parser_visit_items(Parser *p);                     // passes the parsed ite
 void parse_decls(Parser *p, AstSection *s);
 void parse_definitions(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
+bool parser_at_data(const Parser *p);                   // whether the next line is one of [data]
+void parse_data(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);
 bool parse_signed_number(Parser *p, AstNumber *into);   // parses a number with or without a sign; false: there is none

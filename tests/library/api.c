@@ -762,8 +762,30 @@ static void test_including_scripts(void)
     CHECK(smc_source_kind(s, sm) == SMC_KIND_SM && smc_close(s) == SMC_OK);
 }
 
+// A script finds its recorded data among the sources, and the library opens no file.
+static void test_recorded_data(void)
+{
+    static const char flight[] = "[options]\ndelta_t 10\n[data]\nfile \"../logs/flight.txt\"\ntime \"t\" ms\np = \"P\"\n"
+                                 "@compare valve \"V\" delay 10 ms\n[all_states]\nG == 40: @assert p == 790\nG == 40: @stop\n";
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "dir/tank.sm", tank), ss = add(s, SMC_KIND_SS, "dir/flight.ss", flight);
+    const uint32_t data = add(s, SMC_KIND_DATA, "logs/flight.txt", "t,P,V\n0,700,0\n20,790,1\n");
+    const char *report;
+    uint64_t size;
+    uint32_t added;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0) == SMC_E_FAILED && smc_run_outcome(s, ss) == SMC_OUTCOME_FAILED);
+    CHECK(smc_source_replace(s, data, "t,P,V\n0,700,0\n20,790,1\n", 0) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_source_remove(s, data) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_source_add(s, SMC_KIND_DATA, "dir/../logs/flight.txt", "t,P,V\n0,790,1\n", 14, &added) == SMC_OK && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF | SMC_ENGINE_VM_SOFT, 0) == SMC_OK && smc_run_asserts(s, ss) == 2);
+    CHECK(smc_report(s, sm, SMC_REPORT_TEXT, &report, &size) == SMC_E_STATE || strstr(report, "flight.txt: 1 rows read") != NULL);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
 int main(void)
 {
+    test_recorded_data();
     test_compiling();
     test_compiling_together();
     test_compiling_an_application();
