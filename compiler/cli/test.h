@@ -100,7 +100,7 @@ void test_run_cases(TestRun *t, const char *const *path, size_t n);    // many .
 typedef struct TestTrace TestTrace;
 
 // Opens the file that --trace names; *trace is NULL without --trace. EXIT_OK, or the exit code after a message.
-int test_trace_open(TestRun *run, const Program *p, TestTrace **trace);
+int test_trace_open(TestRun *run, const Program *p, const Requirements *rq, TestTrace **trace);
 void test_trace_script(TestTrace *t, const char *path);            // names the script whose steps follow
 void test_trace_left_out(TestTrace *t, const char *path);          // reports a script without a trace; t may be NULL
 void test_trace_step(void *trace, const ScriptStep *step);         // writes a step; for ScriptOptions.after_step

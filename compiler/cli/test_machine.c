@@ -289,7 +289,7 @@ static int end_requirements(MachineTest *m, int code)
 static int test_scripts(MachineTest *m)
 {
     Cli *c = m->t->c;
-    int code = test_trace_open(m->t, m->p, &m->trace), closed;
+    int code = test_trace_open(m->t, m->p, m->requirements, &m->trace), closed;
 
     m->table = test_requirements_begin(m->t, m->requirements);
 

@@ -50,6 +50,7 @@ typedef struct Tracing {
     const Var **column;
     const char *script;
     Buf *out;                     // NULL: no trace
+    const Requirements *requirements;     // NULL: none
 } Tracing;
 
 static void trace_step(void *context, const ScriptStep *step)
@@ -57,7 +58,7 @@ static void trace_step(void *context, const ScriptStep *step)
     Tracing *t = context;
 
     if (t->out)
-        script_trace_row(t->out, t->script, step, t->column, t->p->var.n);
+        script_trace_row(t->out, t->script, step, t->column, t->p->var.n, t->requirements);
 }
 
 static bool is_cancelled(void *context) { return library_is_cancelled(((Tracing *)context)->s); }
@@ -100,7 +101,7 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     const CompiledSource *m = library_compiled(s, machine), *ss = library_compiled(s, q->script);
     const Report *review = review_of_runs(s, machine);
     const Source *src = s->of.text[q->script];
-    Tracing t = {s, m->scripted, NULL, src->name, NULL};
+    Tracing t = {s, m->scripted, NULL, src->name, NULL, m->requirements};
     const ScriptOptions o = {.max_steps = q->max_steps, .after_step = trace_step, .is_cancelled = is_cancelled, .context = &t,
                              .is_compared = q->is_displayed, .requirements = m->requirements};
     Engine *engine[ENGINE_COUNT];
@@ -115,7 +116,7 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     if (run.is_traced) {
         t.out = &run.trace;
         t.column = report_order(&s->compiler.arena, m->scripted);
-        script_trace_header(t.out, m->scripted, t.column, m->scripted->var.n);
+        script_trace_header(t.out, m->scripted, t.column, m->scripted->var.n, m->requirements);
     }
     review_run_script(&s->compiler, review, m->scripted, src, ss->script, engine, n, &o, &run.run);
     if (run.run.result.outcome == SCRIPT_CANCELLED) {

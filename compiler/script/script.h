@@ -128,8 +128,9 @@ const Var **report_order(Arena *arena, const Program *p);
 
 // CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns.  A bool is written as 1
 // or 0, which every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.
-void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n);
-void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n);
+// With the requirements `rq` of the run, a last column `violated` has the ids of those that the step has violated.  NULL: none.
+void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n, const Requirements *rq);
+void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n, const Requirements *rq);
 // Appends a line `STEP NAME VALUE` for each variable of `order`.  Floats are printed as C99 %a, which is exact.
 void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *order, size_t n);
 

@@ -5,26 +5,27 @@
 
 #include "compiler/script/script.h"
 
-// Whether a variable has the name of a column that every trace has.
-static bool is_fixed_column_name(const Var *v)
+// Whether a variable has the name of a column that the trace has beside the variables.
+static bool is_fixed_column_name(const Var *v, bool has_requirements)
 {
     const char *name = v->report_name->text;
 
-    return strcmp(name, "script") == 0 || strcmp(name, "step") == 0 || strcmp(name, "state") == 0;
+    return strcmp(name, "script") == 0 || strcmp(name, "step") == 0 || strcmp(name, "state") == 0 ||
+           (has_requirements && strcmp(name, "violated") == 0);
 }
 
-void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n)
+void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n, const Requirements *rq)
 {
     buf_str(out, "script,step,G,state");
     for (size_t i = 0; i < n; i++) {
         buf_char(out, ',');
-        if (is_fixed_column_name(column[i])) {
+        if (is_fixed_column_name(column[i], rq != NULL)) {
             buf_str(out, p->name->text);
             buf_char(out, '.');
         }
         buf_str(out, column[i]->report_name->text);
     }
-    buf_char(out, '\n');
+    buf_str(out, rq ? ",violated\n" : "\n");
 }
 
 // Appends a CSV field, quoted if necessary.
@@ -43,7 +44,21 @@ static void append_csv_field(Buf *out, const char *text)
     buf_char(out, '"');
 }
 
-void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n)
+// Appends the ids of the requirements that the step has violated, with spaces between them.
+static void append_violated(Buf *out, const Requirements *rq, const uint8_t *results)
+{
+    const char *between = ",";
+
+    for (size_t i = 0; i < rq->at.n; i++)
+        if (results[i] == MONITOR_VIOLATED) {
+            buf_printf(out, "%s%s", between, rq->at.at[i].id->text);
+            between = " ";
+        }
+    if (between[0] == ',')
+        buf_char(out, ',');
+}
+
+void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n, const Requirements *rq)
 {
     append_csv_field(out, script);
     buf_printf(out, ",%" PRIu64 ",%" PRIu64 ",%s", step->number, step->g, step->state->name->text);
@@ -59,6 +74,8 @@ void script_trace_row(Buf *out, const char *script, const ScriptStep *step, cons
         if (out->n == start + 2 && memcmp(out->at + start, "-0", 2) == 0)      // a reader of integers would convert it to 0
             buf_str(out, ".0");
     }
+    if (rq)
+        append_violated(out, rq, step->results);
     buf_char(out, '\n');
 }
 
