@@ -5,6 +5,7 @@ args test --seed 7 --tap app.sm a.ss plain.ss
 args test --seed=5 app.sm wrong.ss
 args report app.sm a.ss --format=text -o - | grep seed
 args test --junit=r.xml app.sm a.ss >r.txt; grep seed r.xml
+args test --junit=r.xml app.sm a.ss >r.txt && echo again
 args test --seed=1.5 app.sm a.ss
 args test --seed=9007199254740993 app.sm a.ss
 args test --seed= app.sm a.ss
@@ -67,6 +68,7 @@ ok 1 - a.ss
 ok 2 - plain.ss
 The random numbers have the seed 42.
         <property name="seed" value="42"/>
+again
 -- stderr --
 wrong.ss:5:19: error: assert failed after step 4 (G = 30, state Hold) [E0750]
     5 | at 30 ms: @assert noise(1) > 100 and x == p
@@ -87,4 +89,4 @@ Try 'smc test --help'.
 smc: option '--seed' has an empty N
 Try 'smc test --help'.
 -- exit --
-0 0 0 1 0 0 2 2 2
+0 0 0 1 0 0 0 2 2 2
