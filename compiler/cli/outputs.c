@@ -209,9 +209,12 @@ static const XmlElementRule junit_rules[] = {
     {"failure", "testcase", " message type ", true},
     {"error", "testcase", " message type ", true},
     {"skipped", "testcase", " message ", true},
+    {"properties", "testcase", " ", false},
+    {"property", "properties", " name value ", false},
+    {"system-out", "testcase", " ", true},
 };
 
-enum { JUNIT_DEPTH = 4 };
+enum { JUNIT_DEPTH = 5 };
 
 typedef struct XmlOpen { const XmlElementRule *rule[JUNIT_DEPTH]; size_t depth; } XmlOpen;
 

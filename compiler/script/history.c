@@ -232,8 +232,9 @@ void history_add(ScriptRun *failed, Diag *d)
     h->failed = failed;
     if (failed->failed)
         add_columns(h, failed->failed);
-    if (failed->failed_item && h->columns == 0)
-        add_columns(h, failed->failed_item->guard);       // for @assert false: the operands of its guard
+    // For @assert false: the operands of its guard, or of those around it.
+    for (const ScriptItem *item = failed->failed_item; failed->failed && h->columns == 0 && item; item = item->parent)
+        add_columns(h, item->guard);
     if (stop)
         add_columns(h, stop->guard);
     if (!failed->failed) {

@@ -32,7 +32,7 @@ static Expr *new_range(Sema *s, Expr *a, Expr *b, const AstExpr *in)
     Expr *e = expr_new(s, EX_CHAIN, in->span, 3);
 
     e->arg[0] = a;
-    e->arg[1] = new_variable(s, s->p->g, ast_op_span(in));
+    e->arg[1] = new_variable(s, s->p->g, (Span){in->span.src, in->span.at, 0});
     e->arg[2] = b;
     expr_ops(e)[0] = SM_OP_LE;
     expr_ops(e)[1] = SM_OP_LT;
@@ -52,13 +52,13 @@ static Expr *new_every(Sema *s, const Expr *period, const AstExpr *in)
 Expr *check_when(Sema *s, const AstExpr *e)
 {
     Expr *a = check_expr(s, e->a), *b = e->b ? check_expr(s, e->b) : NULL;
-    const Span word = ast_op_span(e);
+    const Span at = {e->span.src, e->span.at, 0};        // of G, which is not written
 
     if (!a || (e->b && !b))
         return NULL;
     switch ((int)e->when) {
-    case AST_AT:    return new_comparison(s, SM_OP_EQ, new_variable(s, s->p->g, word), a, e->span);
-    case AST_AFTER: return new_comparison(s, SM_OP_GE, new_variable(s, s->p->g, word), a, e->span);
+    case AST_AT:    return new_comparison(s, SM_OP_EQ, new_variable(s, s->p->g, at), a, e->span);
+    case AST_AFTER: return new_comparison(s, SM_OP_GE, new_variable(s, s->p->g, at), a, e->span);
     case AST_FROM:  return new_range(s, a, b, e);
     default:        return new_every(s, a, e);
     }

@@ -33,6 +33,22 @@ HintResult hint_report_joined_when(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Reports a second time after `at 5 s` or `after 5 s`, as in `after 5 s to 6 s:`.
+HintResult hint_report_second_time(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
+    Diag *d;
+
+    if (e->when != AST_AT && e->when != AST_AFTER)
+        return HINT_NONE;
+    d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "from %s to %s", parser_text(p, e->a->span), parser_text(p, parser_span(p, &p->ahead))));
+    diag_edit(p->diags, d, ast_op_span(e), "from");
+    e->kind = AST_ERROR;
+    return HINT_SKIPPED;
+}
+
 // Reports `from 5 s` without `to` and a number.
 HintResult hint_report_no_to(HintCase *c)
 {

@@ -27,4 +27,6 @@ not after 20: p = 1               #! E0759 write G >= 20
 p == 0 and from 20 to 30: p = 1   #! E0759 write 20 <= G < 30
 p == 0 or every 20: p = 1         #! E0759 put the other condition inside
 at 20 + 10: p = 1                 #! E0759 write G == 20
+at 5 to 6: p = 1                  #! E0759 write from 5 to 6
+after 5 s to 6 s: p = 1           #! E0759 write from 5 s to 6
 at 100: @stop
