@@ -201,7 +201,7 @@ static void build_vars(Builder *b)
 IrMachine *ir_build(Arena *arena, const Program *p)
 {
     IrMachine *m = ARENA_NEW(arena, IrMachine);
-    Builder b = {arena, p, m, NULL, NULL, 0, NULL, 0};
+    Builder b = {.arena = arena, .p = p, .m = m};
 
     m->name = p->name;
     m->sv_name = p->sv->name;
@@ -220,7 +220,7 @@ IrMachine *ir_build(Arena *arena, const Program *p)
 // Builds a function that evaluates a condition.  Control reaches block 1 if the condition is true, else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard)
 {
-    Builder b = {arena, m->program, NULL, (uint32_t *)m->var_of, (uint32_t *)m->window_of, 0, NULL, 0};
+    Builder b = {.arena = arena, .p = m->program, .var = (uint32_t *)m->var_of, .window = (uint32_t *)m->window_of};
     IrJump *j;
 
     build_begin_function(&b);
