@@ -107,10 +107,36 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
+// Appends one step of a function of a list; v has the values that it uses.
+static IrRef build_list_step(Builder *b, const ListStep *s, const IrRef *v, Span span)
+{
+    static const IrOp op_of[] = {[LIST_MIN] = IR_min, [LIST_MAX] = IR_max, [LIST_ADD] = IR_add, [LIST_SUB] = IR_sub, [LIST_DIV] = IR_div};
+
+    switch (s->op) {
+    case LIST_NUMBER: return emit_const(b, SM_F64, sm_bits(s->number), span);
+    case LIST_NEG: return emit_op(b, IR_neg, SM_F64, v[s->a], IR_NONE, span);
+    case LIST_LT: return build_conversion(b, emit_op(b, IR_lt, SM_BOOL, v[s->a], v[s->b], span), SM_F64, span);
+    default: return emit_op(b, op_of[s->op], SM_F64, v[s->a], v[s->b], span);
+    }
+}
+
+// Builds a call of min, max, median or average, whose arguments have been built.
+static IrRef build_list(Builder *b, const Expr *e, const IrRef *argument)
+{
+    IrRef *const v = b->list_value;
+    const uint32_t steps = list_steps(e->fn, e->n, b->list_step);
+
+    for (uint32_t i = 0; i < e->n; i++)
+        v[i] = argument[i];
+    for (uint32_t i = 0; i < steps; i++)
+        v[e->n + i] = build_list_step(b, &b->list_step[i], v, e->span);
+    return v[e->n + steps - 1];
+}
+
 // Builds a call of a builtin: one operation, or several for a composed one (SM_COMPOSED in builtins.def).
 static IrRef build_call(Builder *b, const Expr *e)
 {
-    enum { MOST_VALUES = 16 };                        // v[] has the arguments, then the result of each operation
+    enum { MOST_VALUES = SM_LIST_MAX };               // v[] has the arguments, then the result of each operation of a composed one
     IrRef v[MOST_VALUES];
     uint32_t n = 0;
 
@@ -125,6 +151,7 @@ static IrRef build_call(Builder *b, const Expr *e)
     case SM_FN_##name: v[n++] = emit_op(b, IR_##name, SM_F64, v[0], arguments > 1 ? v[1] : IR_NONE, e->span); break;
 #define SM_COMPOSED(name, arguments, steps, sentence) \
     case SM_FN_##name: steps break;
+#define SM_LIST(name, sentence) case SM_FN_##name: return build_list(b, e, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
@@ -132,6 +159,7 @@ static IrRef build_call(Builder *b, const Expr *e)
 #undef STEP2
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
     case SM_FN_COUNT: break;                          // not reached; a roll call is an EX_ROLL

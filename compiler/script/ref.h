@@ -16,7 +16,8 @@ double ref_read(SmType type, uint64_t cell);          // the value of a cell as 
 uint64_t ref_convert(SmType type, double x);          // the cell of a variable of `type` after x is stored in it
 bool ref_true(double x);                              // whether a condition with this value is true: not zero and not NaN
 bool ref_negative(double x);                          // whether x is below zero or -0; false for NaN
-double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone
+double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone, but for:
+double ref_list(SmBuiltin fn, double *x, uint32_t n); // that of min, max, median or average of n numbers; overwrites x
 
 // The elementary functions (ref_elementary.c).
 double ref_exp(double x);
@@ -81,6 +82,9 @@ void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list)
 uint32_t ref_window_samples(const Window *what);
 void ref_window_place(RefWindow *w, void *samples);
 void ref_windows_clear(RefWindows *w);                            // empties all windows, as init does
+// The average, added in pairs, and the median of n numbers without NaN, also outside windows.  Both overwrite x.
+double ref_average(double *x, uint32_t n);
+double ref_median(double *x, uint32_t n);
 void ref_windows_sample(RefWindows *w, const uint64_t *cell);     // stores a sample in every window, in index order
 double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat);
 

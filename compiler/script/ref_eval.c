@@ -44,11 +44,11 @@ static double eval_chain(const Expr *e, const uint64_t *cell, const RefWindows *
 
 static double eval_call(const Expr *e, const uint64_t *cell, const RefWindows *w)
 {
-    double arg[3] = {0, 0, 0};                        // builtins.def: no function has more parameters
+    double arg[SM_LIST_MAX] = {0};                    // builtins.def: no function has more parameters
 
-    for (uint32_t i = 0; i < e->n && i < 3; i++)
+    for (uint32_t i = 0; i < e->n && i < SM_LIST_MAX; i++)
         arg[i] = ref_eval(e->arg[i], cell, w);
-    return ref_pure(e->fn, arg);
+    return sm_builtin_info[e->fn].most == SM_LIST_MAX ? ref_list(e->fn, arg, e->n) : ref_pure(e->fn, arg);
 }
 
 // Evaluates e with cell[i] as the cell of variable i.  w: the rolling windows of the machine or script that e belongs to.

@@ -102,7 +102,7 @@ static void sort_samples(double *x, size_t n)                 // shellsort: inse
 
 // Returns the average by pairwise summation: replaces the samples by the sums of their pairs, repeatedly, until one is left.  An odd
 // last one is copied.
-static double pairwise_average(double *x, uint32_t n)
+double ref_average(double *x, uint32_t n)
 {
     uint32_t left = n;
 
@@ -115,7 +115,7 @@ static double pairwise_average(double *x, uint32_t n)
     return x[0] / (double)n;
 }
 
-static double median_of(double *x, uint32_t n)
+double ref_median(double *x, uint32_t n)
 {
     double a, b, distance;
 
@@ -161,8 +161,8 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
     if (r->slot)
         memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
-    case SM_STAT_AVG: return pairwise_average(x, r->filled);
-    case SM_STAT_MEDIAN: return median_of(x, r->filled);
+    case SM_STAT_AVG: return ref_average(x, r->filled);
+    case SM_STAT_MEDIAN: return ref_median(x, r->filled);
     case SM_STAT_MIN: return find_extreme(x, r->filled, false);
     case SM_STAT_MAX: return find_extreme(x, r->filled, true);
     case SM_STAT_RANGE: return range_of(x, r->filled);

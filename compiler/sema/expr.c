@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations on typed expressions: visit, compare, evaluate.  AST_DEPTH_MAX bounds the recursion depth.
+#include "compiler/sema/list.h"
 #include "compiler/sema/program.h"
 
 #include <stdio.h>
@@ -95,19 +96,20 @@ static SmF64 eval_chain(const Expr *e, const SmF64 *value)
 
 static SmF64 eval_call(const Expr *e, const SmF64 *value)
 {
-    enum { MOST_ARGUMENTS = 3 };
-    SmF64 v[MOST_ARGUMENTS];
+    SmF64 v[SM_LIST_MAX];
 
-    for (uint32_t i = 0; i < MOST_ARGUMENTS; i++)
+    for (uint32_t i = 0; i < SM_LIST_MAX; i++)
         v[i] = i < e->n ? expr_eval(e->arg[i], value) : sm_from_i32(0);
     switch (e->fn) {
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_LIST(name, sentence) case SM_FN_##name: return list_value(e->fn, e->n, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
     case SM_FN_COUNT: break;
@@ -157,11 +159,13 @@ static const char *const operator_spelling[SM_OP_COUNT] = {
 static const char *const builtin_name[SM_FN_COUNT] = {
 #define SM_PURE(name, arguments, sentence) [SM_FN_##name] = #name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_LIST(name, sentence) SM_PURE(name, 2, sentence)
 #define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
 #define SM_SAMPLED(name, arguments, sentence) SM_PURE(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
 };
@@ -175,11 +179,13 @@ static const char *const statistic_name[SM_STAT_COUNT] = {
     [SM_STAT_RUN_TIME] = "run_time",
 #define SM_PURE(name, arguments, sentence)
 #define SM_COMPOSED(name, arguments, steps, sentence)
+#define SM_LIST(name, sentence)
 #define SM_ROLL(name, stat, sentence) [SM_STAT_##stat] = #name,
 #define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
 };

@@ -122,6 +122,8 @@ Expr *check_expr(Sema *s, const AstExpr *e);
 // Calls that sample their first argument (check_sampled.c); NULL after an error, too.
 Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn);
+// Calls of min, max, median and average (check_list.c); NULL after an error, too.
+Expr *check_list_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 void sema_record_operator(Sema *s, SmOperator op);     // records that the value being checked, and the machine, contain an operator
 Stmt *check_assignment(Sema *s, const AstStmt *in);
 Var *check_target(Sema *s, Str name, Span span);       // returns the variable that a statement assigns; NULL after a report

@@ -128,6 +128,8 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
 
     if (fn == &sm_builtin_info[SM_FN_held])
         return "(c, 30 ms)";
+    if (fn->most > fn->arguments)
+        return "(a, b, ...)";
     return fn->is_roll || fn == &sm_builtin_info[SM_FN_rate] ? "(x, n)" : usage[fn->arguments];
 }
 

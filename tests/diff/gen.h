@@ -64,7 +64,7 @@ struct GExpr {
     struct GState *state;     // STATE
     uint32_t samples;         // SPAN that is the size of a window: how many those are
     uint32_t n;
-    GExpr *arg[5];
+    GExpr *arg[SM_LIST_MAX];
 };
 
 typedef struct GStmt GStmt;
@@ -167,6 +167,7 @@ void gen_print_inits(Gen *g, Buf *out);
 
 // ---- shapes that the optimiser searches (gen_shapes.c) ----
 
+bool gen_can_vary(const GExpr *e);                     // whether its value can change: it is then no constant for median and average
 GExpr *gen_expr_new(Gen *g, GExprKind kind, uint32_t n);
 GExpr *gen_shape(Gen *g);             // an expression that may stand anywhere in a machine's code
 GExpr *gen_plain_guard(Gen *g);
