@@ -64,8 +64,11 @@ static void report_difference(UnitCheck *k, QuantityFit fit, const Quantity *a, 
 {
     const DiagCode code = fit == QUANTITY_DIFFERS ? DIAG_units_differ : DIAG_units_may_differ;
     const Measure missing = measure_product(&a->unit, &b->unit, -1);
-    Diag *d = diag_report(k->diags, code, span, name, text_of(k, a), quote(k, span), text_of(k, b));
+    Diag *d;
 
+    if (fit == QUANTITY_MAY_DIFFER && k->script)              // the inputs of a script are a model with numbers of all units
+        return;
+    d = diag_report(k->diags, code, span, name, text_of(k, a), quote(k, span), text_of(k, b));
     if (fit == QUANTITY_DIFFERS)
         label_conversion(k, d, &b->unit, &a->unit);
     else if (b->scaled && !a->scaled)

@@ -314,12 +314,14 @@ static long draw_rows(Plot *p, bool strips, bool draw, long y)
 
 static const char *describe_axis(const Plot *p)
 {
+    const Var *g = p->t->p->g;
     const char *comment;
 
     if (p->t->axis)
         return p->t->axis;
-    comment = comment_of_variable(p->out->arena, p->t->p->g);
-    return format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "", comment ? comment : "");
+    comment = comment_of_variable(p->out->arena, g);
+    return format_in(p->out->arena, "Time, G%s%s%s%s%s", g->unit ? " (" : "", g->unit ? g->unit->text : "", g->unit ? ")" : "", comment ? ": " : "",
+                     comment ? comment : "");
 }
 
 static void draw_time_axis(Plot *p)

@@ -1,13 +1,13 @@
 # The state vector of the rocket: everything that its parts tell each other. Each machine lists what it needs of it.
 
 [Time]
-U64  time  @unit ms  # since power-on
+U64  time               # ms since power-on
 
 [Sensors]
-bool umbilical                  # the cable to the ground is still plugged in
-F32  acceleration  @unit m/s^2  # along the rocket, without gravity: 0 in free fall, 9.8 on the pad
-F32  velocity      @unit m/s    # upwards, from the navigation filter
-F32  altitude      @unit m      # above the pad, from the same filter
+bool umbilical          # the cable to the ground is still plugged in
+F32  acceleration       # m/s2 along the rocket, without gravity: 0 in free fall, 9.8 on the pad
+F32  velocity           # m/s upwards, from the navigation filter
+F32  altitude           # m above the pad, from the same filter
 
 [Mission]
 U32  missionState
