@@ -21,6 +21,7 @@ g0 = 9.80665 @unit m/s^2
     f = f * p                #! W0448
     f = f * p / 100
     g = a / g0
+    n = g
     r = acos(g)
     g = a                    #! W0448
     r = acos(a)              #! W0449
