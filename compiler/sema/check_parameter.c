@@ -186,6 +186,14 @@ const char *parameter_refusal_text(SmRefusal refusal)
     return text[refusal];
 }
 
+bool program_has_parameters(const Program *p)
+{
+    for (size_t i = 0; i < p->var.n; i++)
+        if (p->var.at[i]->parameter)
+            return true;
+    return false;
+}
+
 const Var *program_parameter(const Program *p, Str name)
 {
     const Var *v = map_find(&p->by_name, name);
