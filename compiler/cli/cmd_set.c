@@ -28,7 +28,7 @@ static void write_value(Cli *c, Buf *out, const SmvmParameter *p, SmF64 x)
         buf_str(out, sm_eq(x, sm_from_i32(0)) ? "false" : "true");
         return;
     }
-    for (int n = 1; n <= 9 && p->type == SM_F32; n++) {
+    for (int n = 6; n <= 9 && p->type == SM_F32; n++) {
         snprintf(digits, sizeof digits, "%.*g", n, x);
         if ((float)strtod(digits, NULL) == (float)x) {
             buf_str(out, digits);
