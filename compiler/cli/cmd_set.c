@@ -8,9 +8,6 @@
 #include "bytecode-vm/image.h"
 #include "compiler/cli/key.h"
 #include "compiler/cli/setting.h"
-#include "compiler/script/script.h"
-#include "stdlib/convert.h"
-#include "stdlib/parameter.h"
 
 // ---- the list ----
 
@@ -23,18 +20,22 @@ static const char *machine_name(Cli *c, const SmvmMachine *m, uint32_t index)
 }
 
 // Writes a value with the fewest digits from which its type reads it back.
-static void write_value(Buf *out, const SmvmParameter *p, SmF64 x)
+static void write_value(Cli *c, Buf *out, const SmvmParameter *p, SmF64 x)
 {
     char digits[32];
 
-    for (int n = 1; n <= 9 && p->type == SM_F32; n++) {
+    if (p->type == SM_BOOL) {
+        buf_str(out, sm_eq(x, sm_from_i32(0)) ? "false" : "true");
+        return;
+    }
+    for (int n = 6; n <= 9 && p->type == SM_F32; n++) {
         snprintf(digits, sizeof digits, "%.*g", n, x);
         if ((float)strtod(digits, NULL) == (float)x) {
             buf_str(out, digits);
             return;
         }
     }
-    format_cell_shortest(out, (SmType)p->type, sm_cell_from_f64((SmType)p->type, x));
+    buf_str(out, const_text(&c->session.arena, x));
 }
 
 // Writes a text of the image, which can contain any bytes.
@@ -45,22 +46,22 @@ static void write_text(Buf *out, const SmvmMachine *m, SmvmAt at, SmvmAt n)
 }
 
 // Writes a line such as `MAIN_ALT = 450 m (F64, 150 to 1000, default 300)`.
-static void list_parameter(const SmvmMachine *m, const SmvmParameter *p, Buf *out)
+static void list_parameter(Cli *c, const SmvmMachine *m, const SmvmParameter *p, Buf *out)
 {
     write_text(out, m, p->name_at, p->name_size);
     buf_str(out, " = ");
-    write_value(out, p, p->value);
+    write_value(c, out, p, p->value);
     buf_str(out, p->unit_size > 0 ? " " : "");
     write_text(out, m, p->unit_at, p->unit_size);
     buf_printf(out, " (%s, ", sm_type_info[p->type].spelling);
     if (p->type != SM_BOOL) {
-        write_value(out, p, p->lowest);
+        write_value(c, out, p, p->lowest);
         buf_str(out, " to ");
-        write_value(out, p, p->highest);
+        write_value(c, out, p, p->highest);
         buf_str(out, ", ");
     }
     buf_str(out, "default ");
-    write_value(out, p, p->standard);
+    write_value(c, out, p, p->standard);
     buf_str(out, ")\n");
 }
 
@@ -76,7 +77,7 @@ static void list_parameters(Cli *c, const Source *image, Buf *out)
         for (uint32_t n = 0; smvm_parameter(&m, n, &p); n++) {
             if (smvm_machine(bytes, 1, &second))
                 buf_printf(out, "%s.", machine_name(c, &m, i));
-            list_parameter(&m, &p, out);
+            list_parameter(c, &m, &p, out);
         }
 }
 

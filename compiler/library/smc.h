@@ -390,6 +390,8 @@ uint32_t smc_machine_variable_offset(const SmcSession *s, SmcMachine m, uint32_t
 int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t variable);
 
 // The value as a machine reads and stores it (language.md 2): a stored NaN reads as 0; a number beyond an integer type becomes its limit.
+// A parameter (language.md 5.77) is a local.  It can be set before the first step, within its range: SMC_E_ARGUMENT otherwise, with the reason in
+// smc_error_text, and nothing has changed.  smc_machine_start returns it to the value in the image.
 SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, double *value);
 SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double value);
 // The value in its own type, such as an int16_t for I16; a bool is one byte.  SMC_E_SIZE: `size` is not that of the type.
@@ -406,7 +408,7 @@ SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, cons
 // A column has room for `rows` values.  A column of outputs can be the same array as one of inputs.  *done is set to the number of steps that have
 // run; the rows from there on are not written.  A machine that has run is in the same state as one that has been stepped, and continues from there.
 // SMC_E_REFUSED: g[*done] is not above G of the last step.  SMC_E_CANCELLED: smc_cancel ended the run.  In both cases, the steps before are complete.
-// SMC_E_ARGUMENT: a needed pointer or a column is NULL, or G is an input.  SMC_E_INDEX: there is no variable of one of the numbers.
+// SMC_E_ARGUMENT: a needed pointer or a column is NULL, or G or a parameter is an input.  SMC_E_INDEX: there is no variable of one of the numbers.
 // SMC_E_SIZE: no array can have so many rows.  SMC_E_MEMORY: a run needs 16 bytes for each column.  With these four, *done is 0 and no step has run.
 SmcResult smc_machine_run(SmcSession *s, SmcMachine m, uint64_t rows, const uint64_t *g, uint32_t inputs, const uint32_t *input,
                           const double *const *from, uint32_t outputs, const uint32_t *output, double *const *to, uint32_t *states, uint64_t *done);

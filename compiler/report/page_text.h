@@ -31,6 +31,7 @@
 // ---- inputs, outputs and parameters ----
 
 #define TEXT_DEFINITIONS "Names for expressions. A use of the name means the expression, computed where it is used."
+#define TEXT_SETTINGS "Values that are set before the machine starts, without compiling it again. The findings are true of every value in the range."
 #define TEXT_PARAMETERS "Named values that the machine never changes."
 #define TEXT_LOCALS "Variables of the machine. They keep their values from step to step and from state to state."
 #define TEXT_WINDOWS \

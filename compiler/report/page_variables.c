@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine reads, writes and stores: elements, parameters, other locals, definitions, windows; with the comments of its author.
+// What the machine reads, writes and stores: elements, parameters that can be set, constants, other locals, definitions, windows; with the comments of its author.
 #include <string.h>
 
 #include "compiler/report/comment.h"
@@ -98,13 +98,13 @@ static const char *role_text(const Program *p, const Var *v)
 
 static const char *unit_of(const Measure *unit) { return unit ? unit->text : ""; }
 
-static const char *range_text(Arena *arena, const Var *v)
+static const char *numbers_text(Arena *arena, SmF64 lo, SmF64 hi)
 {
-    if (!v->range)
-        return "";
-    return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->lo))),
-                     report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->hi))));
+    return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(lo))),
+                     report_format_number(arena, trace_cell_value(SM_F64, sm_bits(hi))));
 }
+
+static const char *range_text(Arena *arena, const Var *v) { return v->range ? numbers_text(arena, v->range->lo, v->range->hi) : ""; }
 
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
@@ -148,7 +148,8 @@ static const DocColumn local_columns[] = {
     {"name", "Local"}, {"type", "Type"}, {"value", "Initial value"}, {"unit", "Unit"}, {"comment", "Comment"}, {"read", "Read in"},
     {"written", "Written in"}, {"line", "Line"}};
 
-static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written; }
+static bool is_settable(const Var *v) { return v->kind == VAR_LOCAL && v->parameter; }
+static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written && !v->parameter; }
 static bool is_changing_local(const Var *v) { return v->kind == VAR_LOCAL && v->written; }
 
 static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
@@ -158,6 +159,35 @@ static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
     for (size_t i = 0; i < p->var.n; i++)
         n += wanted(p->var.at[i]);
     return n;
+}
+
+static const DocColumn setting_columns[] = {{"name", "Parameter"}, {"type", "Type"},       {"range", "Range"},  {"default", "Default"},
+                                            {"value", "Value"},    {"comment", "Comment"}, {"read", "Read in"}, {"line", "Line"}};
+
+// Lists what is marked @parameter.
+static void add_settings(const Report *r, Doc *d, VarUse *use)
+{
+    const Program *p = r->analysis.p;
+    DocTable *t;
+
+    if (count_variables(p, is_settable) == 0)
+        return;
+    doc_add_heading(d, "settings", "Parameters that can be set");
+    doc_add_paragraph(d, TEXT_SETTINGS);
+    t = DOC_ADD_TABLE(d, "settings", setting_columns);
+    for (size_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        if (!is_settable(v))
+            continue;
+        doc_add_code_cell(t, v->name->text);
+        doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, v->type == SM_BOOL ? "" : numbers_text(r->arena, v->parameter->lo, v->parameter->hi));
+        doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->parameter->standard));
+        doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, comment_of_variable(r->arena, v));
+        doc_add_plain_cell(t, readers_text(r, v, &use[i]));
+        doc_add_line_cell(t, report_line_of(v->span));
+    }
 }
 
 static void add_parameters(const Report *r, Doc *d, VarUse *use)
@@ -313,6 +343,7 @@ void report_add_variables(Report *r, Doc *d)
 
     doc_add_section(d, "variables", "Inputs, outputs and parameters");
     add_elements(r, d, use);
+    add_settings(r, d, use);
     add_parameters(r, d, use);
     add_locals(r, d, use);
     add_definitions(r, d);

@@ -186,6 +186,14 @@ const char *parameter_refusal_text(SmRefusal refusal)
     return text[refusal];
 }
 
+bool program_has_parameters(const Program *p)
+{
+    for (size_t i = 0; i < p->var.n; i++)
+        if (p->var.at[i]->parameter)
+            return true;
+    return false;
+}
+
 const Var *program_parameter(const Program *p, Str name)
 {
     const Var *v = map_find(&p->by_name, name);
@@ -219,11 +227,32 @@ bool report_parameter_refused(const CheckContext *c, const Program *p, Str name,
     return false;
 }
 
-bool program_set_parameter(const CheckContext *c, Program *p, Str name, Span span, SmF64 x)
+// Sets *x to the value of a number or a time, with or without signs, or of true or false.  Anything else is NaN, which every parameter refuses.
+static void read_value(Sema *s, const AstExpr *e, SmF64 *x)
+{
+    bool negative = false;
+
+    for (; e->kind == AST_UNARY && (e->op == SM_OP_NEG || e->op == SM_OP_PLUS); e = e->a)
+        negative ^= e->op == SM_OP_NEG;
+    *x = e->kind != AST_NUMBER ? sm_from_bits(UINT64_C(0x7ff8000000000000)) : e->unit ? check_time_literal(s, e) : e->number;
+    if (negative)
+        *x = sm_neg(*x);
+}
+
+bool check_parameter_value(Sema *s, const Program *p, Str name, Span name_span, const AstExpr *value, uint64_t *cell)
+{
+    const CheckContext c = {s->arena, s->strings, s->diags};
+    SmF64 x;
+
+    read_value(s, value, &x);
+    return report_parameter_refused(&c, p, name, program_parameter(p, name) ? value->span : name_span, x, cell);
+}
+
+bool set_parameter_of_machine(Sema *s, Program *p, Str name, Span name_span, const AstExpr *value)
 {
     uint64_t cell;
 
-    if (!report_parameter_refused(c, p, name, span, x, &cell))
+    if (!check_parameter_value(s, p, name, name_span, value, &cell))
         return false;
     ((Var *)map_find(&p->by_name, name))->init = cell;
     return true;

@@ -57,19 +57,14 @@ static ScriptSetting *find_setting(const Script *s, const Var *v)
 // Checks `set NAME VALUE`.
 static void check_setting(ScriptCheck *k, const AstOption *o)
 {
-    const CheckContext c = {.arena = k->s.arena, .strings = k->s.strings, .diags = k->s.diags};
-    ScriptSetting setting = {NULL, 0, o->word_span};
+    ScriptSetting setting = {program_parameter(k->s.p, o->word), 0, o->word_span};
     const ScriptSetting *earlier;
-    SmF64 x;
 
-    if (!o->word || !o->number)
+    if (!o->number)
         return;
-    x = o->number->unit ? check_time_literal(&k->s, o->number) : o->number->number;
-    k->s.knows_a_name |= program_parameter(k->s.p, o->word) != NULL;
-    if (!report_parameter_refused(&c, k->s.p, o->word, program_parameter(k->s.p, o->word) ? o->value_span : o->word_span,
-                                  o->negative ? sm_neg(x) : x, &setting.cell))
+    k->s.knows_a_name |= setting.parameter != NULL;
+    if (!check_parameter_value(&k->s, k->s.p, o->word, o->word_span, o->number, &setting.cell))
         return;
-    setting.parameter = program_parameter(k->s.p, o->word);
     earlier = find_setting(k->script, setting.parameter);
     if (earlier)
         diag_note(k->s.diags, diag_report(k->s.diags, DIAG_parameter_set_twice, o->word_span, o->word->text), earlier->span, DIAG_note_first_here);

@@ -372,6 +372,7 @@ typedef struct Script {
 // ---- parameters ----
 
 const char *parameter_refusal_text(SmRefusal refusal);       // the words of stdlib/parameters.def
+bool program_has_parameters(const Program *p);
 const Var *program_parameter(const Program *p, Str name);    // returns the parameter of this name; NULL: none
 // Returns why a parameter cannot have the value x.  If it can, sets *cell to the value as a bit cell of its type.
 SmRefusal parameter_judge(const Var *parameter, SmF64 x, uint64_t *cell);

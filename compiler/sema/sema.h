@@ -162,6 +162,11 @@ const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl);
 void check_default(Sema *s, Var *v, SmF64 x);
 // Reports an assignment to parameter v, in a machine or a script.
 void report_parameter_assigned(Sema *s, const Var *v, Str name, Span span);
+// Whether parameter `name` of p can have `value`: a number or a time, with or without a sign, true or false; *cell is then the value.  If not,
+// reports why.
+bool check_parameter_value(Sema *s, const Program *p, Str name, Span name_span, const AstExpr *value, uint64_t *cell);
+// Sets parameter `name` of the machine p, which is being checked, to `value`, or reports why not.  Call it after compute_initial_values.
+bool set_parameter_of_machine(Sema *s, Program *p, Str name, Span name_span, const AstExpr *value);
 // Reports a parameter in the initial value of local s->local, or in the size of a window.
 void report_parameter_in_initial(Sema *s, const Var *v, const AstExpr *e);
 void report_parameter_in_size(Sema *s, const Var *v, const AstExpr *e);

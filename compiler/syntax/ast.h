@@ -164,7 +164,6 @@ typedef struct AstOption {
     Str name;
     Span name_span;
     AstExpr *number;          // delta_t, step, seed, set: the literal of its value
-    bool negative;            // set: the value has a minus
     Str word;                 // init_state: the name of the state; time_unit: the unit; set: the name of the parameter; `delta_t file`: the word
     Span word_span;           // set: the name
     Span value_span;

@@ -239,9 +239,14 @@ static bool parse_setting_value(Parser *p, AstOption *o)
         parser_advance(p);
     if (p->tok.kind != TOK_NUMBER && (p->tok.at != at || (p->tok.kind != TOK_TRUE && p->tok.kind != TOK_FALSE)))
         return false;
-    o->negative = minus;
     o->number = parse_number(p);
-    o->value_span = parser_span_since(p, at);
+    if (minus) {
+        AstExpr *negative = ARENA_NEW(p->arena, AstExpr);
+        *negative = (AstExpr){.kind = AST_UNARY, .op = SM_OP_NEG, .depth = 2, .a = o->number};
+        o->number = negative;
+    }
+    o->number->span = parser_span_since(p, at);
+    o->value_span = o->number->span;
     return true;
 }
 

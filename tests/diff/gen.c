@@ -487,6 +487,14 @@ static GVar *new_var(Gen *g, SmType type, const char *name)
     return v;
 }
 
+GVar *gen_new_local(Gen *g, SmType type)
+{
+    GVar *v = new_var(g, type, gen_new_name(g));
+    v->is_local = true;
+    vec_push(g->arena, &g->order, v);
+    return v;
+}
+
 // G or S: by name, or by alias of another name.
 static void declare_role(Gen *g, const char *role, SmType type)
 {

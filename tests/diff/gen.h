@@ -39,6 +39,9 @@ typedef struct GVar {
     bool removed;             // by the reducer
     uint32_t roll_size;       // local: its value, if it can be part of the size of a window; else 0
     struct GExpr *init;       // local
+    bool parameter;           // local: with these values
+    double lo, hi, standard, set;
+    bool is_set;              // an input sets it before the first step
 } GVar;
 
 typedef enum GExprKind {
@@ -147,6 +150,11 @@ typedef struct Gen {
 } Gen;
 
 Gen *gen_program(Arena *arena, uint64_t seed, uint32_t steps);
+GVar *gen_new_local(Gen *g, SmType type);     // the last one, without an initial value
+void gen_add_parameters(Gen *g);
+void gen_random_range(Gen *g, GVar *v);       // of a parameter, around its default
+bool gen_sets_parameter(const Gen *g);        // whether an input sets one to another value than its default
+uint64_t gen_parameter_cell(const GVar *v);   // the value to which an input sets it
 const char *gen_new_name(Gen *g);     // not used yet
 void gen_random_state(Gen *g, GState *s);     // fills its blocks
 void gen_random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave);

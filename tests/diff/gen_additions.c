@@ -273,12 +273,13 @@ static void add_rules(Gen *g)
 static void rewrite_inits(Gen *g)
 {
     for (size_t i = 0; i < g->var.n; i++)
-        if (g->var.at[i]->init != NULL && g->var.at[i]->roll_size == 0)
+        if (g->var.at[i]->init != NULL && g->var.at[i]->roll_size == 0 && !g->var.at[i]->parameter)
             rewrite_copy(g, &g->var.at[i]->init, true);
 }
 
 void gen_add(Gen *g)
 {
+    gen_add_parameters(g);
     g->rng.state = rng_mix(g->seed, 12);
     g->additions = true;
     g->units = g->layout % 2 == 0;

@@ -463,7 +463,11 @@ static void print_local(Printer *p, const GVar *v)
     margin(p);
     buf_printf(p->out, "%s %s = ", sm_type_info[v->type].spelling, v->name);
     print_expr(p, v->init, 1);
-    if (v->read_only)
+    if (v->parameter && v->type != SM_BOOL)
+        buf_printf(p->out, " @parameter @range %.17g %.17g", v->lo, v->hi);
+    else if (v->parameter)
+        put(p, " @parameter");
+    else if (v->read_only)
         put(p, " @read_only");
     print_unit(p, v->type);
     line_end(p);

@@ -51,7 +51,7 @@ typedef struct Tally {
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
     uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, covered, impossible, finding, no_room;
-    uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, units, by_hand;       // programs that use each; compared
+    uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, units, parameter, by_hand;      // programs that use each; compared
 } Tally;
 
 // ---- one program ----
@@ -82,6 +82,7 @@ static void count_additions(Tally *t, const Gen *g)
     t->span += used[G_SPAN];
     t->steps_window += used[G_STEPS];
     t->units += g->units_printed > 0;
+    t->parameter += gen_sets_parameter(g);
     t->window_in_time += in_time;
 }
 
@@ -339,6 +340,7 @@ static void add_up(Tally *sum, const Tally *t)
     sum->window_in_time += t->window_in_time;
     sum->steps_window += t->steps_window;
     sum->units += t->units;
+    sum->parameter += t->parameter;
     sum->by_hand += t->by_hand;
 }
 
@@ -374,6 +376,7 @@ static bool report_shares(const Options *o, const Tally *t)
     good &= share(o, t, "have windows in time", t->window_in_time, 12);
     good &= share(o, t, "have windows in steps", t->steps_window, 10);
     good &= share(o, t, "have units", t->units, 18);
+    good &= share(o, t, "read parameters that are set", t->parameter, 8);
     good &= share(o, t, "were compared with themselves by hand", t->by_hand, 8);
     return good;
 }

@@ -45,7 +45,7 @@ static void add_lane(Lanes *l, Subject *s, Engine *e, Form form)
 
 bool run_is_unknown(const Var *v, Form form)
 {
-    return form == FORM_HIDDEN && v->kind == VAR_LOCAL && !v->outside && !v->is_constant;
+    return form == FORM_HIDDEN && v->kind == VAR_LOCAL && !v->outside && !v->is_constant && !v->parameter;
 }
 
 IrMachine *run_machine(Subject *s, const Program *p, Form form)

@@ -2,6 +2,7 @@
 // libsmc by its public header alone: what each function does, and what it returns for bad arguments.
 #include <locale.h>
 #include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "compiler/library/smc.h"
@@ -692,7 +693,7 @@ static void test_null_is_refused(void)
 
     CHECK(smc_open(NULL, 0, NULL) == SMC_E_ARGUMENT && smc_close(NULL) == SMC_E_HANDLE && smc_compile(NULL) == SMC_E_HANDLE);
     CHECK(smc_source_add(s, SMC_KIND_SM, NULL, "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", NULL, 1, &n) == SMC_E_ARGUMENT);
-    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 7, "a", "", 0, &n) == SMC_E_ARGUMENT);
+    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 8, "a", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, -1, "a", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, SMC_KIND_SM, "a\nb", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", "", UINT64_C(1) << 40, &n) == SMC_E_SIZE);
     CHECK(smc_source_replace(s, 0, "", 0) == SMC_E_INDEX && smc_source_kind(s, 0) == -1 && is_text(smc_source_name(s, 0), ""));
@@ -783,6 +784,37 @@ static void test_recorded_data(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
+// A parameter can be set before the first step, within its range, and is no column of inputs.
+static void test_setting_parameters(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "deploy.sm", "[state_vector]\nU64 G\nU32 S\nF64 x\n[local]\nF64 limit = 450 @parameter @range 150 1000\n"
+                                                         "U8 n = 3 @parameter @range 1 9\n[A]\n.step\nx = limit + n\n");
+    const double nan = (double)NAN, values[2] = {200, 300}, *column[1] = {values};
+    const uint64_t g[2] = {5, 6};
+    SmcMachine m = 0;
+    uint64_t done;
+    uint8_t byte = 12;
+    uint32_t limit, n;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_machine_open(s, sm, &m) == SMC_OK);
+    limit = find_element(s, m, "limit");
+    n = find_element(s, m, "n");
+    CHECK(smc_machine_variable_kind(s, m, limit) == SMC_VARIABLE_LOCAL && get_number(s, m, "limit") == 450);
+    CHECK(smc_machine_set(s, m, limit, 149) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value is below the range"));
+    CHECK(smc_machine_set(s, m, limit, 1001) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value is above the range"));
+    CHECK(smc_machine_set(s, m, n, 2.5) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value of an integer must be a whole number"));
+    CHECK(smc_machine_write(s, m, limit, &nan, sizeof nan) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value is not a number"));
+    CHECK(smc_machine_write(s, m, n, &byte, 1) == SMC_E_ARGUMENT && get_number(s, m, "n") == 3 && get_number(s, m, "limit") == 450);
+    byte = 9;
+    CHECK(smc_machine_set(s, m, limit, 300) == SMC_OK && smc_machine_write(s, m, n, &byte, 1) == SMC_OK);
+    CHECK(smc_machine_run(s, m, 2, g, 1, &limit, column, 0, NULL, NULL, NULL, &done) == SMC_E_ARGUMENT && done == 0);
+    CHECK(smc_machine_step(s, m, 10) == SMC_OK && get_number(s, m, "x") == 309);
+    CHECK(smc_machine_set(s, m, limit, 300) == SMC_E_ARGUMENT && smc_machine_step(s, m, 20) == SMC_OK && get_number(s, m, "limit") == 300);
+    CHECK(smc_machine_start(s, m, 1) == SMC_OK && get_number(s, m, "limit") == 450 && smc_machine_set(s, m, limit, 1000) == SMC_OK);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
 int main(void)
 {
     test_recorded_data();
@@ -805,6 +837,7 @@ int main(void)
     test_running_scripts_of_several_machines();
     test_cancelling();
     test_running_machines();
+    test_setting_parameters();
     test_running_columns();
     test_wrong_columns_are_refused();
     test_opening_images();
