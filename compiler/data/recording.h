@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads recorded data: rows of a CSV file with a header, of which one column is the time and others are values (language.md 8.60 to 8.76).
+// Reads recorded data: rows of a CSV file with a header, of which one column is the time and others are values (language.md 8.54 to 8.70).
 // Memory does not grow with the number of rows.
 #ifndef SMC_RECORDING_H
 #define SMC_RECORDING_H

@@ -46,7 +46,7 @@ typedef struct RefWindow {
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
 
-// ---- ref_random.c: language.md 8.54 to 8.59 ----
+// ---- ref_random.c: language.md 8.48 to 8.53 ----
 
 enum { REF_DRAWS = 12 };      // random numbers of 32 bits that a call draws in each step
 

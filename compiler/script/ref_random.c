@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers of scripts (language.md 8.54 to 8.59): PCG32, one stream a call, twelve draws a step.
+// Random numbers of scripts (language.md 8.48 to 8.53): PCG32, one stream a call, twelve draws a step.
 #include "compiler/script/ref.h"
 
 static const uint64_t multiplier = UINT64_C(6364136223846793005);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recorded data in a run of a script (language.md 8.60 to 8.76): writes columns of a file to variables before each step, and compares variables
+// Recorded data in a run of a script (language.md 8.54 to 8.70): writes columns of a file to variables before each step, and compares variables
 // with columns after it.
 //
 // The file is read once from start to end, one row ahead of the current step.  A @compare with a delay reads the file at earlier times, so each

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [data] of a script (language.md 8.60, 8.61): its settings, and the variables of its columns. The file itself is not read here.
+// [data] of a script (language.md 8.54, 8.55): its settings, and the variables of its columns. The file itself is not read here.
 #include "compiler/sema/sema.h"
 
 #include <string.h>

@@ -241,7 +241,7 @@ static void read_value(Sema *s, const AstExpr *e, SmF64 *x)
 
 bool check_parameter_value(Sema *s, const Program *p, Str name, Span name_span, const AstExpr *value, uint64_t *cell)
 {
-    const CheckContext c = {s->arena, s->strings, s->diags};
+    const CheckContext c = {.arena = s->arena, .strings = s->strings, .diags = s->diags};
     SmF64 x;
 
     read_value(s, value, &x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// random(lo, hi) and noise(sigma), which only scripts have (language.md 8.54 to 8.59): the numbers of their calls, and their arguments.
+// random(lo, hi) and noise(sigma), which only scripts have (language.md 8.48 to 8.53): the numbers of their calls, and their arguments.
 #include "compiler/sema/sema.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards by time and `state Burn`, which only scripts have (language.md 8.45 to 8.52).  They become comparisons with G and S.
+// Guards by time and `state Burn`, which only scripts have (language.md 8.39 to 8.46).  They become comparisons with G and S.
 #include "compiler/sema/sema.h"
 
 #include "compiler/syntax/lex.h"

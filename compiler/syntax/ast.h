@@ -30,7 +30,7 @@ typedef enum AstExprKind {
     AST_WHEN          // at a, from a to b, after a, every a: the whole guard of a conditional of a script
 } AstExprKind;
 
-// The word that begins a guard by time (language.md 8.45 to 8.50).
+// The word that begins a guard by time (language.md 8.39 to 8.44).
 typedef enum AstWhen { AST_AT, AST_FROM, AST_AFTER, AST_EVERY, AST_WHENS } AstWhen;
 
 typedef struct AstExpr AstExpr;

@@ -366,7 +366,7 @@ static void find_define_kind(Parser *p, AstSection *s)
         s->kind = AST_DEFINE;
 }
 
-// Decides whether [data] of a script contains recorded data (language.md 8.60). Otherwise it belongs to a state of that name.
+// Decides whether [data] of a script contains recorded data (language.md 8.54). Otherwise it belongs to a state of that name.
 static void find_data_kind(Parser *p, AstSection *s)
 {
     if (s->kind == AST_SCRIPT_STATE && is_section_named(s, "data") && parser_at_data(p))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses [data] of a script: a file with recorded data, and what is done with its columns (language.md 8.60).
+// Parses [data] of a script: a file with recorded data, and what is done with its columns (language.md 8.54).
 #include "compiler/syntax/parser.h"
 
 typedef enum DataTakes { TAKES_NOTHING, TAKES_TEXT, TAKES_TEXT_UNIT, TAKES_WORD } DataTakes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses what only scripts have in conditions (language.md 8.45 to 8.52): whole guards by time, as in `from 1 s to 2 s:`, and `state Burn`.
+// Parses what only scripts have in conditions (language.md 8.39 to 8.46): whole guards by time, as in `from 1 s to 2 s:`, and `state Burn`.
 // Their words are names everywhere else, so a number or a name has to follow on the line.
 #include "compiler/syntax/parser.h"
 

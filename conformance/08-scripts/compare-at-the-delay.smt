@@ -1,4 +1,4 @@
-spec 8.72  The first step that is compared is that with G = d.
+spec 8.66  The first step that is compared is that with G = d.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.72  With a delay d, the column is that of G - d, from G = d on.
+spec 8.66  With a delay d, the column is that of G - d, from G = d on.
 
 -- app.sm --
 [state_vector]

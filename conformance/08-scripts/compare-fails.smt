@@ -1,4 +1,4 @@
-spec 8.73  A @compare that is not met does not end the script, and makes it fail.
+spec 8.67  A @compare that is not met does not end the script, and makes it fail.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.72  Where the column has no value, nothing is compared.
+spec 8.66  Where the column has no value, nothing is compared.
 
 -- app.sm --
 [state_vector]

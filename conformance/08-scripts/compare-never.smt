@@ -1,4 +1,4 @@
-spec 8.73  A @compare that is never evaluated is reported.
+spec 8.67  A @compare that is never evaluated is reported.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.72  @compare compares after the step, within a tolerance and with a delay.
+spec 8.66  @compare compares after the step, within a tolerance and with a delay.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.65  on_bad_time error makes the first such row an error.
+spec 8.59  on_bad_time error makes the first such row an error.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.65  With on_bad_time skip, no warning reports rows without a later time.
+spec 8.59  With on_bad_time skip, no warning reports rows without a later time.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.65  Rows without a later time are skipped, whatever else they contain.
+spec 8.59  Rows without a later time are skipped, whatever else they contain.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.70  Columns are written before windows sample and before inputs, which can overwrite them.
+spec 8.64  Columns are written before windows sample and before inputs, which can overwrite them.
 
 -- app.sm --
 [state_vector]

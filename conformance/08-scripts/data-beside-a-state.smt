@@ -1,4 +1,4 @@
-spec 8.60  A machine with a state data has no recorded data.
+spec 8.54  A machine with a state data has no recorded data.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.75  Rows between two steps are counted.
+spec 8.69  Rows between two steps are counted.
 warn no-data-times
 
 -- app.sm --

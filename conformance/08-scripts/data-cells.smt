@@ -1,4 +1,4 @@
-spec 8.63  Numbers with and without point, exponent and sign; true and false.
+spec 8.57  Numbers with and without point, exponent and sign; true and false.
 
 -- app.sm --
 [state_vector]

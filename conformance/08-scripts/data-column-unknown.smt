@@ -1,4 +1,4 @@
-spec 8.62  A column occurs in the header exactly once.
+spec 8.56  A column occurs in the header exactly once.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.63  Where commas do not separate, they can be decimal points.
+spec 8.57  Where commas do not separate, they can be decimal points.
 
 -- app.sm --
 [state_vector]

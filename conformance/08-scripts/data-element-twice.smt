@@ -1,4 +1,4 @@
-spec 8.70  A variable has at most one column.
+spec 8.64  A variable has at most one column.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.76  A file without a header is an error.
+spec 8.70  A file without a header is an error.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.61  The file exists.
+spec 8.55  The file exists.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.61  A relative name of a file starts at the folder of the script that contains it.
+spec 8.55  A relative name of a file starts at the folder of the script that contains it.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.68  hold has the value of the last row whose time is at most G.
+spec 8.62  hold has the value of the last row whose time is at most G.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.63  inf is infinite.
+spec 8.57  inf is infinite.
 warn no-division-by-zero
 
 -- app.sm --

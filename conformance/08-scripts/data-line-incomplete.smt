@@ -1,4 +1,4 @@
-spec 8.61  Names of files and columns are in quotes, and times have a unit.
+spec 8.55  Names of files and columns are in quotes, and times have a unit.
 expect error
 
 -- app.sm --

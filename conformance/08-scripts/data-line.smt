@@ -1,4 +1,4 @@
-spec 8.61  [data] has no other lines.
+spec 8.55  [data] has no other lines.
 expect error
 
 -- app.sm --

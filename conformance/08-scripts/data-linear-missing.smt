@@ -1,4 +1,4 @@
-spec 8.69  linear interpolates to the value of 8.66.
+spec 8.63  linear interpolates to the value of 8.60.
 
 -- app.sm --
 [state_vector]

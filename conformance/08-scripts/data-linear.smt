@@ -1,4 +1,4 @@
-spec 8.69  linear is a + (b - a) * ((t - ta) / (tb - ta)); bools hold.
+spec 8.63  linear is a + (b - a) * ((t - ta) / (tb - ta)); bools hold.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.63  A number is rounded to the nearest F64, however many digits it has.
+spec 8.57  A number is rounded to the nearest F64, however many digits it has.
 
 -- app.sm --
 [state_vector]

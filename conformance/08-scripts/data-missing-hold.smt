@@ -1,4 +1,4 @@
-spec 8.66  A missing cell has the value of the row before.
+spec 8.60  A missing cell has the value of the row before.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.66  With missing nan a missing cell is NaN, which is stored as an assignment stores it.
+spec 8.60  With missing nan a missing cell is NaN, which is stored as an assignment stores it.
 
 -- app.sm --
 [state_vector]

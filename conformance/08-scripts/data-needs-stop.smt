@@ -1,4 +1,4 @@
-spec 8.71  @stop is still required.
+spec 8.65  @stop is still required.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.70  G, S and T have no columns.
+spec 8.64  G, S and T have no columns.
 expect error
 
 -- app.sm --

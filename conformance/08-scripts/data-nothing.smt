@@ -1,4 +1,4 @@
-spec 8.61  [data] has a file, a time, and a column.
+spec 8.55  [data] has a file, a time, and a column.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.63  A number that is too large for an F64 is an error.
+spec 8.57  A number that is too large for an F64 is an error.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.60  [data] is the section of a state of that name.
+spec 8.54  [data] is the section of a state of that name.
 
 -- app.sm --
 [state_vector]

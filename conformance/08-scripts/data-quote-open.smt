@@ -1,4 +1,4 @@
-spec 8.62  A quote is closed.
+spec 8.56  A quote is closed.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.62  A cell in quotes can contain separators, quotes and line ends.
+spec 8.56  A cell in quotes can contain separators, quotes and line ends.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.62  Every row has as many cells as the header.
+spec 8.56  Every row has as many cells as the header.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.70  Values beyond the range of a type saturate, as inputs do.
+spec 8.64  Values beyond the range of a type saturate, as inputs do.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.67  The value is cell * k + c, each operation rounded.
+spec 8.61  The value is cell * k + c, each operation rounded.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.61  A setting appears at most once; hold and linear are one.
+spec 8.55  A setting appears at most once; hold and linear are one.
 expect error
 
 -- app.sm --

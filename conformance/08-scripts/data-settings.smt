@@ -1,4 +1,4 @@
-spec 8.61  Settings and columns are in any order.
+spec 8.55  Settings and columns are in any order.
 warn no-data-times
 
 -- app.sm --

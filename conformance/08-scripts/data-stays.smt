@@ -1,4 +1,4 @@
-spec 8.71  After the last row values stay, and the script does not end.
+spec 8.65  After the last row values stay, and the script does not end.
 
 -- app.sm --
 [state_vector]

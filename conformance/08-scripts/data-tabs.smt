@@ -1,4 +1,4 @@
-spec 8.62  The separator is the one that the header has most often.
+spec 8.56  The separator is the one that the header has most often.
 
 -- app.sm --
 [state_vector]

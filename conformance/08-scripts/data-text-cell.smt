@@ -1,4 +1,4 @@
-spec 8.63  A cell that is no number is an error.
+spec 8.57  A cell that is no number is an error.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.63  Only the columns of the script are read.
+spec 8.57  Only the columns of the script are read.
 
 -- app.sm --
 [state_vector]

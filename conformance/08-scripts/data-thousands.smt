@@ -1,4 +1,4 @@
-spec 8.63  A comma is no separator of thousands.
+spec 8.57  A comma is no separator of thousands.
 expect fail
 
 -- app.sm --

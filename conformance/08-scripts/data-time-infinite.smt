@@ -1,4 +1,4 @@
-spec 8.64  Times are finite.
+spec 8.58  Times are finite.
 expect fail
 
 -- app.sm --

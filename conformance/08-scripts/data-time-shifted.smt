@@ -1,4 +1,4 @@
-spec 8.64  The first row has the time 0, and times are converted exactly.
+spec 8.58  The first row has the time 0, and times are converted exactly.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.61  A tolerance is at least 0, and a delay a whole number of units.
+spec 8.55  A tolerance is at least 0, and a delay a whole number of units.
 expect error
 
 -- app.sm --

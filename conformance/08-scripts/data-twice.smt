@@ -1,4 +1,4 @@
-spec 8.60  A script has one section [data], with its included files.
+spec 8.54  A script has one section [data], with its included files.
 expect error
 
 -- app.sm --

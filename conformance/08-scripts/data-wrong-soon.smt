@@ -1,4 +1,4 @@
-spec 8.76  Rows are read one row ahead of the step.
+spec 8.70  Rows are read one row ahead of the step.
 expect fail
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.60  Columns of a file are written to variables.
+spec 8.54  Columns of a file are written to variables.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.74  After the last row no further step is possible.
+spec 8.68  After the last row no further step is possible.
 expect fail
 
 -- app.sm --

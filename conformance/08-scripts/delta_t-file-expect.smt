@@ -1,4 +1,4 @@
-spec 8.74  With delta_t file, @expect counts the times of the rows.
+spec 8.68  With delta_t file, @expect counts the times of the rows.
 expect fail
 
 -- app.sm --

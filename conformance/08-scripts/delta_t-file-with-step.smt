@@ -1,4 +1,4 @@
-spec 8.74  A machine with a step has no script with delta_t file.
+spec 8.68  A machine with a step has no script with delta_t file.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.74  delta_t file needs [data].
+spec 8.68  delta_t file needs [data].
 expect error
 
 -- app.sm --

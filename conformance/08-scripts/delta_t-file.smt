@@ -1,4 +1,4 @@
-spec 8.74  delta_t file makes one step of each row, at its time.
+spec 8.68  delta_t file makes one step of each row, at its time.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.52  An else follows its conditional directly.
+spec 8.46  An else follows its conditional directly.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.52  An else runs when its guard was false, a chain ends at the first true guard.
+spec 8.46  An else runs when its guard was false, a chain ends at the first true guard.
 
 -- app.sm --
 [state_vector]

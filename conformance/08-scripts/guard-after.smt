@@ -1,4 +1,4 @@
-spec 8.45  `after a` is true from a on.
+spec 8.39  `after a` is true from a on.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.47  A guard by time cannot be part of an expression.
+spec 8.41  A guard by time cannot be part of an expression.
 
 -- app.sm --
 [state_vector]

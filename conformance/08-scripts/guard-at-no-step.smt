@@ -1,4 +1,4 @@
-spec 8.48  `at` with a time that no step has is an error.
+spec 8.42  `at` with a time that no step has is an error.
 
 -- app.sm --
 [state_vector]

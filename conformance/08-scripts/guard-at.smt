@@ -1,4 +1,4 @@
-spec 8.45  `at a` is true in the step with that G alone, also in a state's section.
+spec 8.39  `at a` is true in the step with that G alone, also in a state's section.
 
 -- app.sm --
 [state_vector]

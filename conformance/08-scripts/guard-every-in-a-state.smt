@@ -1,4 +1,4 @@
-spec 8.45, 8.46  A state's section counts G, which goes on from state to state.
+spec 8.39, 8.40  A state's section counts G, which goes on from state to state.
 
 -- app.sm --
 [state_vector]

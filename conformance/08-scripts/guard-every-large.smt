@@ -1,4 +1,4 @@
-spec 8.45  Multiples are exact for every G of 64 bits.
+spec 8.39  Multiples are exact for every G of 64 bits.
 
 -- app.sm --
 [state_vector]

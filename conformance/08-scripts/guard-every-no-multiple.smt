@@ -1,4 +1,4 @@
-spec 8.48  `every` needs a multiple of delta_t above 0.
+spec 8.42  `every` needs a multiple of delta_t above 0.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.45  `every d` is true in the steps whose G is a multiple of d, 0 included.
+spec 8.39  `every d` is true in the steps whose G is a multiple of d, 0 included.
 
 -- app.sm --
 [state_vector]

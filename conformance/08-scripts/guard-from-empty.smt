@@ -1,4 +1,4 @@
-spec 8.48  A warning says that no step is in a range.
+spec 8.42  A warning says that no step is in a range.
 warn no-unused-element
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.45  `from a to b` is true from a on, and no longer at b.
+spec 8.39  `from a to b` is true from a on, and no longer at b.
 
 -- app.sm --
 [state_vector]

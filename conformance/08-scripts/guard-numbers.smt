@@ -1,4 +1,4 @@
-spec 8.46, 8.49  Something else than a number after the word is an error.
+spec 8.40, 8.43  Something else than a number after the word is an error.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.46  The numbers of a guard by time can have units.
+spec 8.40  The numbers of a guard by time can have units.
 
 -- app.sm --
 [state_vector]

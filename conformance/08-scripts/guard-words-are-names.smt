@@ -1,4 +1,4 @@
-spec 8.49  The words of guards by time are names where no number follows on the line.
+spec 8.43  The words of guards by time are names where no number follows on the line.
 
 -- app.sm --
 [state_vector]

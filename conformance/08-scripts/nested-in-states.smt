@@ -1,4 +1,4 @@
-spec 8.52  Conditionals of a state's section nest, too.
+spec 8.46  Conditionals of a state's section nest, too.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.53  Asserts of inner conditionals are judged in the order of the file.
+spec 8.47  Asserts of inner conditionals are judged in the order of the file.
 expect fail
 
 -- app.sm --

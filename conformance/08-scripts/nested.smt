@@ -1,4 +1,4 @@
-spec 8.52  An inner guard is evaluated where it appears, if the outer one was true when it was evaluated.
+spec 8.46  An inner guard is evaluated where it appears, if the outer one was true when it was evaluated.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.54  A machine has no random numbers.
+spec 8.48  A machine has no random numbers.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.54  Elements and variables can be called random and noise.
+spec 8.48  Elements and variables can be called random and noise.
 
 -- app.sm --
 [state_vector]

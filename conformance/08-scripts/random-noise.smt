@@ -1,4 +1,4 @@
-spec 8.54, 8.57, 8.58  `noise` is sigma times the sum of twelve numbers.
+spec 8.42, 8.51, 8.52  `noise` is sigma times the sum of twelve numbers.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.55  A call has one value in a step, however often it is evaluated, and all uses of a definition see it.
+spec 8.49  A call has one value in a step, however often it is evaluated, and all uses of a definition see it.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.56  Calls are numbered in the order of the text, those in definitions first, whatever a step evaluates.
+spec 8.50  Calls are numbered in the order of the text, those in definitions first, whatever a step evaluates.
 
 -- app.sm --
 [state_vector]

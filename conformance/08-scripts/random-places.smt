@@ -1,4 +1,4 @@
-spec 8.54  Random numbers have constant arguments, and belong to steps.
+spec 8.48  Random numbers have constant arguments, and belong to steps.
 
 -- app.sm --
 [state_vector]

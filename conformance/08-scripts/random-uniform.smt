@@ -1,4 +1,4 @@
-spec 8.54, 8.57, 8.58  `random` has the published numbers of PCG32, in the order of the calls.
+spec 8.42, 8.51, 8.52  `random` has the published numbers of PCG32, in the order of the calls.
 
 -- app.sm --
 [state_vector]

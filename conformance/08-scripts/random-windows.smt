@@ -1,4 +1,4 @@
-spec 8.54, 8.55  Windows of a script can sample random numbers.
+spec 8.42, 8.49  Windows of a script can sample random numbers.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.59  The seed is a whole number up to 2^53.
+spec 8.53  The seed is a whole number up to 2^53.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.59  The seed is a whole number, 0 without the option.
+spec 8.53  The seed is a whole number, 0 without the option.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.51  `state` is a name where no name follows, before `steps` as a second argument, and before `within`.
+spec 8.45  `state` is a name where no name follows, before `steps` as a second argument, and before `within`.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.50  After `state` a name is that of a state, whatever else has it.
+spec 8.44  After `state` a name is that of a state, whatever else has it.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.50  `S == state Burn` compares twice, which is an error.
+spec 8.44  `S == state Burn` compares twice, which is an error.
 
 -- app.sm --
 [state_vector]

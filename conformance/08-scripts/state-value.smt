@@ -1,4 +1,4 @@
-spec 8.50  `state Burn` is 1 while the machine is in that state, else 0.
+spec 8.44  `state Burn` is 1 while the machine is in that state, else 0.
 
 -- app.sm --
 [state_vector]

@@ -1,4 +1,4 @@
-spec 8.45, 8.49   Other words before a time are answered with those of this language.
+spec 8.39, 8.43   Other words before a time are answered with those of this language.
 
 -- app.sm --
 [state_vector]

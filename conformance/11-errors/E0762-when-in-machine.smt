@@ -1,4 +1,4 @@
-spec 8.45   Guards by time belong to scripts.
+spec 8.39   Guards by time belong to scripts.
 
 -- app.sm --
 [state_vector]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reader of recorded data on files that no test case can contain: byte order marks, line ends, NUL bytes, long records, files that cannot be
-// read to their end.  And its memory, which must not grow with the rows.  Clauses 8.62, 8.63, 8.76.
+// read to their end.  And its memory, which must not grow with the rows.  Clauses 8.56, 8.57, 8.70.
 #include <string.h>
 
 #include "compiler/data/recording.h"

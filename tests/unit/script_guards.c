@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random scripts with guards by time, inner conditionals, `else` and `state NAME`, each compared with the same script written by hand without
-// them (clause 8.45 to 8.53): every value after every step, the result, and how many asserts have passed.
+// them (clause 8.39 to 8.47): every value after every step, the result, and how many asserts have passed.
 //
 // By hand, each conditional has a variable for whether it is taken in this step:
 //     at 30 { x = 1 }            true: c1 = G == 30

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers of scripts, clause 8.54 to 8.59: an implementation written from the clauses alone returns the same values, for calls in
+// Random numbers of scripts, clause 8.48 to 8.53: an implementation written from the clauses alone returns the same values, for calls in
 // definitions and elsewhere, whether a step evaluates them or not.
 #include <string.h>
 
