@@ -85,7 +85,7 @@ int main(void)
     none.src = in.sm = source_new(&c.arena, "deploy.sm", source, strlen(source));
     p = session_program(&c, &in);
     CHECK(p != NULL);
-    context = (CheckContext){&c.arena, &c.strings, &c.diags};
+    context = (CheckContext){.arena = &c.arena, .strings = &c.strings, .diags = &c.diags};
     sema_init(&s, &context, find_hidden_names(&context, &none), p, &p->window);
     test_setting(&c, &s, p);
     test_what_is_emitted(&c, p);
