@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/sema/measure.h"
 
-#include <ctype.h>
 #include <string.h>
 
 #include "compiler/base/buf.h"
@@ -89,11 +88,13 @@ static bool find_unit(const char *name, size_t n, Measure *into)
 
 // ---- names that are not units ----
 
+static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+
 static bool is_same_but_case(const char *a, size_t n, const char *b)
 {
     size_t i = 0;
 
-    while (i < n && b[i] && tolower((unsigned char)a[i]) == tolower((unsigned char)b[i]))
+    while (i < n && b[i] && lower(a[i]) == lower(b[i]))
         i++;
     return i == n && !b[i];
 }
