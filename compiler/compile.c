@@ -116,7 +116,7 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 static void compile_machine(Compilation *c, size_t i)
 {
     CompiledSource *of = &c->out->of[i];
-    MachineInput m = {c->in->at[i].text, c->in->vector, NULL};
+    MachineInput m = {c->in->at[i].text, c->in->vector, NULL, c->in->instance};
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;

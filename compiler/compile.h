@@ -31,6 +31,7 @@ typedef struct CompileInput {
     const Source *vector;         // the state vector of every machine, of all pins and messages; or NULL
     const Source *pins;           // the pins that the image contains; or NULL
     const Source *messages;       // messages that a report lists, and that nothing else reads; or NULL
+    const MachineInstance *instance;      // the bindings of the only machine, with `vector`; or NULL
     CompileApp *app;              // the application if at[0] is one, which is then the only source; or NULL
 } CompileInput;
 

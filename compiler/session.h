@@ -56,6 +56,7 @@ typedef struct MachineInput {
     const Source *sm;
     const Source *sv;             // the state vector, or NULL
     const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
+    const MachineInstance *instance;      // its bindings, only with sv; or NULL
 } MachineInput;
 
 // Functions that parse or check return NULL after errors, which are then in s->diags.

@@ -138,6 +138,7 @@ static void test_script(MachineTest *m, size_t argument)
 static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
 {
     Cli *c = m->t->c;
+    int code;
 
     memset(in, 0, sizeof *in);
     in->at = ARENA_ARRAY(m->t->arena, CompileSource, c->files + 1);
@@ -146,6 +147,8 @@ static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
     in->at[in->n++] = (CompileSource){.text = cli_read_source(c, path), .kind = FILE_SM};
     if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
+    if ((code = cli_read_bindings(c, 1, &in->instance)) != EXIT_OK)
+        return code;
     for (size_t i = 0; i < c->files; i++)
         if (test_is_script(c, c->file[i])) {
             if ((m->ss[i] = cli_read_source(c, c->file[i])) != NULL)

@@ -97,10 +97,23 @@ typedef struct AppFile {
     bool wrong_kind;          // its name has the wrong extension, so it need not be opened
     const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
     const char *problem;      // set by the caller if src is NULL: why the file cannot be read
-    const Program *program;   // the program of a machine, set after its check
+    size_t machines;          // how many machines of the application are of this file
+    size_t unbound;           // 1 + the index in AppFiles.instance of the first one without bindings; 0: none
 } AppFile;
 
-typedef struct AppFiles { AppFile *at; size_t n; } AppFiles;
+// A machine of an application: a line `machine NAME "FILE"`.
+typedef struct AppInstance {
+    const AstAppTask *task;
+    size_t file;              // index of its file in AppFiles.at
+    const Program *program;   // set after its check; NULL if it has errors
+} AppInstance;
+
+typedef struct AppFiles {
+    AppFile *at;
+    size_t n;
+    AppInstance *instance;    // in file order
+    size_t instances;
+} AppFiles;
 
 const char *app_time_text(Arena *arena, uint64_t ns);         // the time with a unit: "10 ms"
 

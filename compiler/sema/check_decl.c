@@ -15,6 +15,7 @@ typedef struct Declarations {
     Program *p;
     StateVec *sv;                 // without a .sv: filled with the elements that the machine declares
     const Map *written_outside;
+    const MachineInstance *instance;      // or NULL
     VEC(LocalDecl) local;
     Str time;                     // the interned name "T"
     const AstSection *list;       // the machine's [state_vector] section, or NULL
@@ -165,9 +166,13 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
     Element *e = map_find(&k->sv->by_name, decl->name);
     Diag *d;
 
+    if (!e && k->instance && k->instance->lost)
+        return NULL;                  // a binding of the element may be missing
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
         suggest_element(k->s->diags, d, &k->s->guesses, k->sv, decl->name);
+        if (k->instance && k->instance->span.src)
+            diag_note(k->s->diags, d, k->instance->span, DIAG_note_bind_it, k->instance->name->text, decl->name->text);
     } else if (e->type != decl->type && is_known_type(decl->type) && !e->untyped) {
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
@@ -197,9 +202,10 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
 
 static void declare_element(Declarations *k, const AstDecl *decl)
 {
+    const AstBinding *bound = find_binding(k->instance, decl);
     Var *v = sema_new_var(k->s, VAR_ELEMENT, decl);
 
-    v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
+    v->element = k->sv->from_machine ? add_element(k, decl) : bound ? find_bound_element(k->s, k->sv, decl, bound) : find_element(k, decl);
     declare_name(k, v, v->name, v->span);
     set_range(k, v, decl);
     v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
@@ -313,7 +319,7 @@ static void find_g_and_s(Declarations *k)
 // ---- entry points ----
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
-void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside)
+void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance)
 {
     Declarations k;
 
@@ -322,6 +328,7 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
     k.p = p;
     k.sv = sv;
     k.written_outside = written_outside;
+    k.instance = instance;
     k.time = str_c(s->strings, "T");
     for (size_t i = 0; i < sm->sections.n; i++) {
         const AstSection *section = sm->sections.at[i];
@@ -339,4 +346,6 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
             declare_definitions(s, sm->sections.at[i], &p->define);
     compute_initial_values(&k);
     find_g_and_s(&k);
+    if (instance)
+        check_bindings(s, p, instance);
 }

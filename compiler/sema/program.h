@@ -212,7 +212,8 @@ typedef struct AllStates {
 } AllStates;
 
 typedef struct Program {
-    Str name;                 // the file's stem: "tank" of dir/tank.sm
+    Str stem;                 // the file's: "tank" of dir/tank.sm
+    Str name;                 // the stem; of a machine with bindings, its name in the application
     const Source *src;
     StateVec *sv;
     VEC(Var *) var;           // listed elements in order, then locals in order, then T

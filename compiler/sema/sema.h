@@ -109,7 +109,7 @@ Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl);
 void check_script_locals(Sema *s, Script *script, const AstFile *const *file, size_t files);
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
-void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
+void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance);
 // check_expr and check_assignment return NULL after an error, which they have reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
 // Calls that sample their first argument (check_sampled.c); NULL after an error, too.
@@ -135,6 +135,14 @@ static inline Span sema_span(const Sema *s, Span written)
         written.src = s->copy;
     return written;
 }
+
+// ---- check_binding.c: elements of the state vector under the names of a machine ----
+
+// Returns the binding of a listed element, by its name or its alias; NULL: it keeps its name.
+const AstBinding *find_binding(const MachineInstance *instance, const AstDecl *decl);
+// Returns the element to which the declaration is bound; NULL after a report.
+Element *find_bound_element(Sema *s, const StateVec *sv, const AstDecl *decl, const AstBinding *b);
+void check_bindings(Sema *s, const Program *p, const MachineInstance *instance);       // call it when the machine's variables are complete
 
 // ---- check_all_states.c: [all_states] of a machine ----
 

@@ -4,6 +4,7 @@
 #include "compiler/syntax/ast_net.h"
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
+#include "compiler/syntax/parser_app.h"
 
 // ---- tokens ----
 
@@ -587,6 +588,16 @@ AstFile *parse_script_includes(Arena *arena, StrPool *strings, Diags *diags, con
     init_parser(&p, arena, strings, diags, src, FILE_SS);
     parse_includes(&p, f);
     return f;
+}
+
+void parse_bindings(Arena *arena, StrPool *strings, Diags *diags, const Source *src, AstBindings *into)
+{
+    Parser p;
+
+    init_parser(&p, arena, strings, diags, src, FILE_APP);
+    while (p.tok.kind != TOK_END && app_parse_binding(&p, into))
+        if (p.tok.kind == TOK_COMMA)
+            parser_advance(&p);
 }
 
 // Parses a script.  The sections of the returned tree have no items, because `v` has received them.
