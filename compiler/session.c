@@ -9,6 +9,7 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/emit/c/app.h"
 #include "compiler/passes/pass.h"
+#include "compiler/sema/join.h"
 #include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
 
@@ -258,6 +259,36 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     analyse_app(s, a, files);
     name_machines(s, files);
     return s->diags.errors_seen > errors ? NULL : a;
+}
+
+// Adds to `own` the names in `written` that begin with the machine's name and a dot, without these.
+static void add_names_of_machine(Session *s, Str machine, const Map *written, Map *own)
+{
+    for (size_t i = 0; i < written->cap; i++) {
+        const Str name = written->key[i];
+        if (name && name->len > machine->len + 1 && name->text[machine->len] == '.' && memcmp(name->text, machine->text, machine->len) == 0) {
+            const Str rest = str_c(&s->strings, name->text + machine->len + 1);
+            map_put(own, rest, (void *)rest);
+        }
+    }
+}
+
+const Program *session_join(Session *s, const App *a, const AppFiles *files, const Map *written)
+{
+    const CheckContext c = make_check_context(s);
+    const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
+
+    for (size_t i = 0; i < a->machine.n; i++) {
+        const AppMachine *m = a->machine.at[i];
+        const AstAppTask *task = files->instance[i].task;
+        const MachineInstance instance = {task->name.text, task->name.span, task->bindings.at, task->bindings.n, false};
+        Map own = {&s->arena, NULL, NULL, 0, 0};
+        const MachineInput in = {files->at[m->file].src, find_source(files, FILE_SV), &own, task->bindings.n ? &instance : NULL};
+        add_names_of_machine(s, m->name, written, &own);
+        if ((p[i] = session_program_for_scripts(s, &in, m->program)) == NULL)
+            return NULL;
+    }
+    return join_machines(&c, a, p);
 }
 
 // ---- scripts: their items are parsed, checked and freed one after the other ----

@@ -141,7 +141,7 @@ bool test_is_script(const Cli *c, const char *path)
     if (strcmp(path, "-") != 0)
         return has_suffix(path, ".ss");
     for (size_t i = 0; i < c->files; i++)
-        has_machine |= has_suffix(c->file[i], ".sm");
+        has_machine |= has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app");
     return has_machine;
 }
 
@@ -153,7 +153,7 @@ static Files classify_files(const Cli *c)
 
     for (size_t i = 0; i < c->files; i++) {
         const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]);
-        const bool machine = !script && (standard || has_suffix(c->file[i], ".sm"));
+        const bool machine = !script && (standard || has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app"));
         f.standard_inputs += standard;
         f.machines += machine;
         f.scripts += script;
@@ -163,7 +163,7 @@ static Files classify_files(const Cli *c)
     return f;
 }
 
-static const char accepted[] = "a machine (.sm), state scripts (.ss), test cases (.smt) and folders of test cases";
+static const char accepted[] = "a machine (.sm) or an application (.app), state scripts (.ss), test cases (.smt) and folders of test cases";
 
 static int check_kinds(Cli *c)
 {
@@ -171,7 +171,9 @@ static int check_kinds(Cli *c)
         const char *path = c->file[i];
         if (has_suffix(path, ".sv"))
             return cli_usage_error(c, TEXT_vector_with_sv, path);
-        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
+        if (has_suffix(path, ".app") && c->given[OPT_SV])
+            return cli_usage_error(c, TEXT_app_names_vector, path);
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".app") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
             !os_is_folder(path))
             return cli_usage_error(c, TEXT_test_kind, path, accepted);
     }

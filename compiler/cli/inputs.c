@@ -55,7 +55,7 @@ Source *cli_read_source(Cli *c, const char *path)
 
 // Reads the files that an application names. Their paths are relative to its folder. A file that cannot be read is reported when the
 // application is checked.
-static void load_app(Cli *c, CompileInput *in)
+void cli_load_app(Cli *c, CompileInput *in)
 {
     const char *app = in->at[0].text->name;
 
@@ -113,8 +113,14 @@ int cli_read_inputs(Cli *c, CompileInput *in)
         (c->given[OPT_NET] && (in->messages = cli_read_source(c, c->value[OPT_NET])) == NULL) ||
         (c->given[OPT_IO] && (in->pins = cli_read_source(c, c->value[OPT_IO])) == NULL))
         return EXIT_ENVIRONMENT;
-    if (in->n == 1 && in->at[0].kind == FILE_APP)
-        load_app(c, in);
+    for (size_t i = 1; i < in->n; i++)
+        if (in->at[i].kind == FILE_APP && in->at[0].kind != FILE_APP) {
+            const CompileSource first = in->at[0];
+            in->at[0] = in->at[i];
+            in->at[i] = first;
+        }
+    if (in->n > 0 && in->at[0].kind == FILE_APP)
+        cli_load_app(c, in);
     for (size_t i = 0; i < in->n; i++)
         machines += in->at[i].kind == FILE_SM;
     return cli_read_bindings(c, machines, &in->instance);

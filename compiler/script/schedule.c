@@ -175,7 +175,7 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
 
     h->arena = arena;
     h->time[BY_G] = s->program->g;
-    h->time[BY_T] = s->program->t;
+    h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has a T for each machine
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
     reserve_items(h, &h->all_states, count_items_of_all_states(s));
     for (size_t i = 0; i < s->section.n; i++) {
@@ -206,15 +206,19 @@ static bool is_sorted(const DueItems *due)
     return true;
 }
 
-// Replaces `due` by the items of [all_states] and of the state's section whose guards can be true, in source order.
-void schedule_find_due(const Schedule *h, const State *state, const uint64_t *cell, DueItems *due)
+static void add_due(const Schedule *h, const Group *g, const uint64_t *cell, DueItems *due)
 {
-    const Group *const group[] = {&h->all_states, h->of_state[state->number - 1]};
+    for (int k = 0; g && k < TIMES; k++)
+        add_containing(h->arena, g->by[k].at, 0, g->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
+}
 
+// Replaces `due` by the items of [all_states] and of the sections of n states whose guards can be true, in source order.
+void schedule_find_due(const Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due)
+{
     due->n = 0;
-    for (int i = 0; i < 2 && group[i]; i++)
-        for (int k = 0; k < TIMES; k++)
-            add_containing(h->arena, group[i]->by[k].at, 0, group[i]->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
+    add_due(h, &h->all_states, cell, due);
+    for (size_t i = 0; i < n; i++)
+        add_due(h, h->of_state[state[i]->number - 1], cell, due);
     if (!is_sorted(due))
         qsort(due->at, due->n, sizeof *due->at, compare_items);
 }

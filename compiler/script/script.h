@@ -21,8 +21,10 @@ typedef enum ScriptOutcome {
 typedef struct ScriptStep {
     uint64_t number;          // number of the step, from 1
     uint64_t g;               // G in this step
-    const State *state;       // the state that the step ran
+    const State *state;       // the state that the step ran; of an application, that of its first machine
     const uint64_t *cell;     // the value of every variable after the step, by index
+    const State *const *states;       // of an application: by machine, the state that the step ran, or its next step runs; else NULL
+    const Program *program;
 } ScriptStep;
 
 typedef struct ScriptOptions {
@@ -64,7 +66,8 @@ const Var **report_order(Arena *arena, const Program *p);
 // ---- script_trace.c ----
 
 // CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns.  A bool is written as 1
-// or 0, which every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.
+// or 0, which every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.  Of an
+// application, a column for each machine, with its name, takes the place of the state.
 void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n);
 void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n);
 // Appends a line `STEP NAME VALUE` for each variable of `order`.  Floats are printed as C99 %a, which is exact.

@@ -20,6 +20,18 @@ typedef struct PendingExpect {
     uint64_t since;           // G of the step in which its guard was true
 } PendingExpect;
 
+// A machine of a run.
+typedef struct ScriptMachine {
+    const Var *s, *t;
+    const Var *mode;          // the element of its @mode; or NULL
+    uint32_t first;           // its states are numbered from first + 1 on
+    uint64_t every;           // it is due once in this many ticks
+    uint64_t wait;            // ticks until it is due
+    bool is_due;              // this step is one of its own: it is due, and enabled when the step begins
+    const State *state;       // the state that its next step runs
+    uint64_t start;           // G of the first step of its state
+} ScriptMachine;
+
 typedef struct ScriptRun {
     Arena *arena;
     Diags *diags;
@@ -31,8 +43,13 @@ typedef struct ScriptRun {
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
-    uint64_t g, start;        // G of this step; G of the first step of its state
-    const State *state;       // the state that this step runs
+    uint64_t g;               // G of this step
+    uint64_t rest;            // of an application: nanoseconds since G was reached
+    ScriptMachine *machine;   // the machine, or those of the application
+    size_t machines;
+    const State **active;     // the states of the machines at whose ticks this step is, `actives` of them
+    size_t actives;
+    const State **states;     // by machine: its state, for ScriptStep
     Schedule *schedule;
     DueItems due;             // the items of this step whose guards can be true
     VEC(EngineWrite) write;   // the inputs that this step writes before the machine runs
@@ -51,6 +68,11 @@ typedef struct ScriptRun {
     bool ended;               // then result.outcome is the reason
 } ScriptRun;
 
+// Returns G of the step of machine i after the one at this step, for an assert of its sections: `machine` as in ScriptItem. UINT64_MAX: G would
+// overflow, or reach 2^64-1.
+uint64_t run_next_g(const ScriptRun *r, uint32_t machine);
+// Returns the state in which the machine is in this step; of an application, those of all machines.
+const char *run_state_text(const ScriptRun *r);
 // Ends the run.
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.

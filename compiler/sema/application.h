@@ -64,7 +64,8 @@ typedef struct AppSwapAt {
     Str key;                  // the file of its key; or NULL
 } AppSwapAt;
 
-typedef struct App {
+typedef struct App App;
+struct App {
     Str name;                 // the file's stem: "rocket" of rocket.app
     const Source *src;
     const StateVec *sv;
@@ -88,7 +89,7 @@ typedef struct App {
     VEC(AppExecutor *) executor;
     VEC(AppTask *) task;
     VEC(AppMachine *) machine;
-} App;
+};
 
 // AppFiles lists each file that an application names once: the state vector first, then the pins, the messages, then machines in file order.
 typedef struct AppFile {

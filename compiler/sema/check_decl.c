@@ -310,6 +310,8 @@ static void find_g_and_s(Declarations *k)
     if (any && k->list) {
         k->p->g = find_g_or_s(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
         k->p->s = find_g_or_s(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
+        if (k->p->s)
+            k->p->s->state_of = k->p;
     } else if (!k->s->lost->names) {
         k->s->no_elements = true;
         diag_report(k->s->diags, DIAG_no_elements, k->list ? k->list->header : (Span){k->p->src, 0, 0});

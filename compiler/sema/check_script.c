@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks a state script (language.md 8) and builds a Script: options, sections of existing states, conditionals with their
 // items.
+#include "compiler/sema/application.h"
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -35,9 +36,29 @@ static void check_declared_step(ScriptCheck *k, const AstOption *o)
     diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
 }
 
+// Checks an option in the script of an application, whose ticks follow from the periods of the .app.
+static void check_app_option(ScriptCheck *k, const AstOption *o)
+{
+    const Joint *j = k->s.p->joint;
+    const char *text = format_in(k->s.arena, "%.*s", (int)o->value_span.len, o->value_span.src ? o->value_span.src->text + o->value_span.at : "");
+
+    if (o->name == k->init_state && o->word)
+        diag_report(k->s.diags, DIAG_app_init_state, o->name_span);
+    if (o->name != k->delta_t || !o->number)
+        return;
+    if (o->number->unit != TIME_NONE && k->s.p->time_unit == TIME_NONE)
+        diag_report(k->s.diags, DIAG_app_time_literal, o->value_span, text, app_time_text(k->s.arena, j->unit));
+    else if (k->s.p->step == 0 || option_step(o, k->s.p->time_unit) != k->s.p->step)
+        diag_report(k->s.diags, DIAG_app_delta_t, o->value_span, text, app_time_text(k->s.arena, j->tick));
+    else
+        k->script->delta_t_span = o->value_span;
+}
+
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
-    if (o->name == k->delta_t) {
+    if (k->s.p->joint) {
+        check_app_option(k, o);
+    } else if (o->name == k->delta_t) {
         k->has_delta_t = true;
         k->script->delta_t_span = o->value_span;
         k->script->delta_t = option_step(o, k->s.p->time_unit);
@@ -46,7 +67,7 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         check_declared_step(k, o);
         k->s.step = k->script->delta_t;
     } else if (o->name == k->init_state) {
-        State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
+        State *state = o->word ? scope_find_state(&k->s, k->s.p, o->word, o->value_span) : NULL;
         if (state)
             k->script->init_state = state;
     }
@@ -128,6 +149,7 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
     item->guard = check_expr(&k->s, in->value);
     item->number = k->items++;
     item->first_assert = k->asserts;
+    item->machine = section->machine;
     for (size_t i = 0; i < in->arms->then.n; i++) {
         const AstStmt *stmt = in->arms->then.at[i];
         Stmt *input;
@@ -182,13 +204,15 @@ static void open_section(ScriptCheck *k, const AstSection *in)
     memset(&section, 0, sizeof section);
     if (!in->all_states && in->name->len > 0 && !report_misspelt_section(k, in)) {
         const Span *first = map_find(&k->section, in->name);
-        section.state = scope_find_state(&k->s, in->name, in->name_span);
+        section.state = scope_find_state(&k->s, k->s.p, in->name, in->name_span);
         if (first)
             diag_note(k->s.diags, diag_report(k->s.diags, DIAG_script_section_twice, in->name_span, in->name->text), *first,
                       DIAG_note_first_here);
         else
             map_put(&k->section, in->name, arena_copy(k->s.arena, &in->name_span, sizeof in->name_span));
     }
+    if (section.state && k->s.p->joint)
+        section.machine = 1 + joint_machine_of(k->s.p->joint, section.state->number);
     vec_push(k->s.arena, &k->script->section, section);
 }
 
@@ -276,7 +300,7 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *f
     k->script->init_state = program->state.at[0];
     k->script->delta_t = program->step;
     k->script->delta_t_span = program->step_span;
-    k->has_delta_t = program->step > 0;
+    k->has_delta_t = program->step > 0 || program->joint;
     sema_init(&k->s, c, hidden, program, &k->script->window);
     k->s.in_script = true;
     k->s.step = program->step;

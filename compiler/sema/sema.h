@@ -80,7 +80,7 @@ bool scope_is_doubtful(const Sema *s, Str name);        // whether the name was 
 // Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span);
 // Returns the state, or NULL after reporting the name; once per name.
-State *scope_find_state(Sema *s, Str name, Span span);
+State *scope_find_state(Sema *s, const Program *machine, Str name, Span span);
 const SmBuiltinInfo *scope_find_function(const Sema *s, Str name);
 void scope_report_unknown_function(Sema *s, Str name, Span span);
 // Adds a note that points at the declaration of a name of the machine.

@@ -403,7 +403,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
 
-    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header
+    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header, or it is that of a machine's state
         return;
     if (lex_find_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);

@@ -15,7 +15,6 @@ every 10 ms:
 -- rocket.sv --
 [A]
 U64  time
-U32  state
 U32  drogueState
 bool armed
 bool go

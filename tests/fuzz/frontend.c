@@ -205,7 +205,7 @@ const unsigned fuzz_floor = 2;
 
 static void try_check(Session *s, const Source *src, FileKind kind)
 {
-    MachineInput machine = {src, NULL, NULL};
+    MachineInput machine = {src, NULL, NULL, NULL};
 
     if (kind == FILE_SV) {
         session_state_vector(s, src);

@@ -29,7 +29,7 @@ static Source *text(Session *s, const char *name, const char *t)
 
 static Program *compile(Session *s, const char *sm)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {NULL, NULL, NULL, NULL};
 
     session_init(s, host_alloc, NULL, &oom);
     in.sm = text(s, "dir/tank.v2.sm", sm);
@@ -155,7 +155,7 @@ static void test_written_outside(void)
     static const char script[] = "[options]\ndelta_t 5\n[all_states]\nG == 0 { k = 2\n p = 1 }\nG > 9: @stop\n";
     Session s;
     Map names;
-    MachineInput in = {NULL, NULL, &names};
+    MachineInput in = {NULL, NULL, &names, NULL};
     Program *p;
     Script *ss;
 
