@@ -188,10 +188,13 @@ install: all $(B)/libsmvm.a $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
 # ---- Python ----
 
 # `make wheel`: the package of python/ for any Python 3 of this platform, in WHEEL.  PIP_FLAGS: more options of pip.
+# `make wheel-windows`: the same for Windows, 64 and 32 bits, by MinGW-w64.
 PYTHON ?= python3
 WHEEL  ?= $(B)/wheel
 wheel:
 	B='$(B)' $(PYTHON) -m pip wheel -q --disable-pip-version-check --no-deps $(PIP_FLAGS) -w '$(WHEEL)' ./python
+wheel-windows:
+	for machine in x86_64 i686; do SMC_WINDOWS=$$machine $(MAKE) --no-print-directory wheel || exit 1; done
 
 # Runs a program with the package of this tree.
 RUN_PYTHON = SMC_LIBRARY='$(abspath $(B)/lib/$(SONAME))' PYTHONPATH=python PYTHONDONTWRITEBYTECODE=1 $(PYTHON)
@@ -202,7 +205,7 @@ bench-python: $(B)/lib/$(SONAME)
 FLIGHTS ?= 100
 rocketpy: $(B)/lib/$(SONAME)
 	$(RUN_PYTHON) examples/rocketpy/fly.py --flights $(FLIGHTS) --cc '$(CC)' -o $(B)/rocketpy
-.PHONY: wheel bench-python rocketpy
+.PHONY: wheel wheel-windows bench-python rocketpy
 
 uninstall:
 	rm -f "$(DEST)/bin/smc" "$(DEST)/lib/libsmvm.a" "$(DEST)/lib/pkgconfig/smvm.pc" \
@@ -271,7 +274,7 @@ help:
 	@echo 'make sizes           measures what the parts take on boards: flash, RAM, stack, cycles'
 	@echo 'make emulate MCU=atmega328p  runs an emulated Uno (atmega2560: Mega) with the firmware, for smc flash and smc device; needs libsimavr'
 	@echo 'make arduino         makes the Arduino library, $(ARDUINO) and smc.zip beside it'
-	@echo 'make wheel           makes the Python package, $(WHEEL)/smc-….whl; bench-python: its speed; rocketpy: flies examples/rocketpy FLIGHTS=100 times'
+	@echo 'make wheel           makes the Python package, $(WHEEL)/smc-….whl; wheel-windows: those for Windows; bench-python: its speed; rocketpy: flies examples/rocketpy FLIGHTS=100 times'
 	@echo 'make windows         smc.exe and smc.dll for Windows, 64 and 32 bits, by MinGW-w64; windows-x86_64, windows-i686: one of them'
 	@echo 'make sbrio           the runtime and the test stand for NI Linux Real-Time, in $(SBRIO); CROSS=arm-linux-gnueabi-: for ARM; NIFPGA=FOLDER: with the files of NI'
 	@echo 'make install         to PREFIX ($(PREFIX)), below DESTDIR if that is set; uninstall removes it'

@@ -2,6 +2,7 @@
 """Builds libsmc with make and cc, and puts it into the package.
 
 The sources of libsmc are the tree above this folder.  A source distribution contains them in the folder `tree`.
+SMC_WINDOWS=x86_64 or i686 makes a wheel for Windows instead, by MinGW-w64.
 """
 import os
 import re
@@ -37,12 +38,19 @@ def number_in(path: str, pattern: str) -> str:
     return found.group(1)
 
 
+WINDOWS = os.environ.get("SMC_WINDOWS", "")
+WINDOWS_TAGS = {"x86_64": "win_amd64", "i686": "win32"}
+if WINDOWS and WINDOWS not in WINDOWS_TAGS:
+    raise SystemExit(f"smc: SMC_WINDOWS is x86_64 or i686, not {WINDOWS}")
+
+
 def build_library() -> Path:
     """Runs make and returns the path of the library.  B is the folder of the objects, as in the Makefile."""
     folder = os.environ.get("B", "build")
-    name = f"{folder}/lib/libsmc.so." + number_in("compiler/library/smc.h", r"#define SMC_API_VERSION (\d+)")
-    subprocess.run(["make", "-s", f"-j{os.cpu_count() or 1}", f"B={folder}", name], cwd=tree(), check=True)
-    return tree() / name
+    version = number_in("compiler/library/smc.h", r"#define SMC_API_VERSION (\d+)")
+    target = f"windows-{WINDOWS}" if WINDOWS else f"{folder}/lib/libsmc.so.{version}"
+    subprocess.run(["make", "-s", f"-j{os.cpu_count() or 1}", f"B={folder}", target], cwd=tree(), check=True)
+    return tree() / (f"{folder}/windows-{WINDOWS}/smc.dll" if WINDOWS else target)
 
 
 class BuildPy(build_py):
@@ -50,7 +58,9 @@ class BuildPy(build_py):
         super().run()
         package = Path(self.build_lib) / "smc"
         package.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(build_library(), package / "libsmc.so")
+        for library in ("libsmc.so", "smc.dll"):      # what an earlier build for another system left
+            (package / library).unlink(missing_ok=True)
+        shutil.copyfile(build_library(), package / ("smc.dll" if WINDOWS else "libsmc.so"))
         shutil.copyfile(tree() / "compiler/library/smc.h", package / "smc.h")
 
 
@@ -70,7 +80,7 @@ class Wheel(bdist_wheel):
     """A wheel for every Python 3 of one platform: the library does not use the API of Python."""
 
     def get_tag(self) -> "tuple[str, str, str]":
-        return "py3", "none", super().get_tag()[2]
+        return "py3", "none", WINDOWS_TAGS[WINDOWS] if WINDOWS else super().get_tag()[2]
 
 
 class Binary(Distribution):

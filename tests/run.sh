@@ -41,23 +41,31 @@ run() {
     echo "$1" >&3
 }
 
-# Runs, in order, the commands that no other worker has begun.  A worker skips a command that calls make while another such command
-# is running; the worker of that one returns to it.
+# Runs the commands that call make and have not begun, unless another worker is running them.
+run_makes() {
+    mkdir "$work/make" 2>/dev/null || return 0
+    m=0
+    while IFS= read -r making; do
+        m=$((m + 1))
+        case $making in
+        +*) mkdir "$work/$m.begun" 2>/dev/null && run "$m" "$making" ;;
+        esac
+    done <"$work/lines"
+    rmdir "$work/make"
+}
+
+# Runs, in order, the commands that no other worker has begun.  Those that call make come first, or after the first of several parts: they run
+# one after another, so a late start would leave the other workers idle at the end.
 run_remaining() {
-    makes=1
-    while [ $makes -gt 0 ]; do
-        n=0 makes=0
-        while IFS= read -r line; do
-            n=$((n + 1))
-            [ -d "$work/$n.begun" ] && continue
-            case $line in
-            +*) mkdir "$work/make" 2>/dev/null || continue
-                mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line" && makes=1
-                rmdir "$work/make" ;;
-            *)  mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line" ;;
-            esac
-        done <"$work/lines"
-    done
+    n=0 first=$(uniq "$work/parts" | sed -n '1h; 2{g;p;q}')
+    while IFS= read -r line && IFS= read -r part <&4; do
+        n=$((n + 1))
+        case $line in +*) continue ;; esac
+        [ -d "$work/$n.begun" ] && continue
+        [ "$part" = "$first" ] || run_makes
+        mkdir "$work/$n.begun" 2>/dev/null && run "$n" "$line"
+    done <"$work/lines" 4<"$work/parts"
+    run_makes
 }
 
 # floor_of NAME: the least number of tests that a command of that name must run

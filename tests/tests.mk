@@ -911,8 +911,9 @@ $(call test, +windows-golden,      targets, $(B)/golden, sh tests/windows/golden
 $(call test, +windows-files,       targets,, sh tests/windows/files.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-serial,      targets, $(B)/device/board, sh tests/windows/serial.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-labview,     targets,, sh tests/windows/labview.sh $(WINDOWS_RUN) x86_64)
+$(call test, +windows-console,     targets,, sh tests/windows/console.sh $(WINDOWS_RUN) x86_64)
 windows-campaign: all windows-i686 $(B)/golden $(B)/device/board
-	@for t in same golden files serial labview; do MUST_RUN=1 sh tests/windows/$$t.sh $(WINDOWS_RUN) i686 || exit 1; done
+	@for t in same golden files serial labview console; do MUST_RUN=1 sh tests/windows/$$t.sh $(WINDOWS_RUN) i686 || exit 1; done
 .PHONY: windows-campaign
 $(call test, bench,                targets, $(B)/bench/steps $(B)/bench/compile $(B)/bench/scale, $(B)/bench/steps $(B)/bench check)
 $(call test, bench-report,         targets,, sh tests/check/bench_report.sh)

@@ -87,8 +87,15 @@ static const char *read_compiler_output(Arena *arena, const char *log, int exit_
     return result;
 }
 
+// A 32-bit smc starts 32-bit programs.  On x86 emitted C needs SSE2 for them, because x87 registers would change results.
+#if defined __i386__
+#define DEFAULT_COMPILER "cc -msse2 -mfpmath=sse"
+#else
+#define DEFAULT_COMPILER "cc"
+#endif
+
 // Returns the command of the C compiler: its name and its first options.
-static const char *compiler_command(void) { return os_getenv("CC") ? os_getenv("CC") : "cc"; }
+static const char *compiler_command(void) { return os_getenv("CC") ? os_getenv("CC") : DEFAULT_COMPILER; }
 
 static const char *no_compiler_message(Arena *arena, const char *compiler)
 {
@@ -109,7 +116,7 @@ bool engine_c_present(Arena *arena, const char **why)
     if (!os_run_program(argv.at, os_null_device, NULL, &exit_code, &reason))
         *why = format_in(arena, "%s: %s", no_compiler_message(arena, argv.at[0]), reason);
     else if (exit_code != 0)
-        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), compiler_command(), exit_code);
+        *why = format_in(arena, "%s: '%s --version' ended with exit code %d", no_compiler_message(arena, argv.at[0]), argv.at[0], exit_code);
     else
         return true;
     return false;

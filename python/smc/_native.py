@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -33,8 +34,13 @@ def _declarations(header: str) -> str:
 ffi: Any = cffi.FFI()
 ffi.cdef(_declarations(_find("smc.h", "compiler/library/smc.h").read_text(encoding="utf-8")))
 
+if sys.platform == "win32":
+    _LIBRARY = ("smc.dll", "build/windows-x86_64/smc.dll" if sys.maxsize > 2**32 else "build/windows-i686/smc.dll")
+else:
+    _LIBRARY = ("libsmc.so", "build/lib/libsmc.so.1")
+
 # SMC_LIBRARY: the path of another libsmc, for tests of one that is not installed.
-lib: Any = ffi.dlopen(os.environ.get("SMC_LIBRARY") or str(_find("libsmc.so", "build/lib/libsmc.so.1")))
+lib: Any = ffi.dlopen(os.environ.get("SMC_LIBRARY") or str(_find(*_LIBRARY)))
 
 if lib.smc_api_version() != 1:
     raise ImportError(f"this package needs libsmc with version 1 of its interface, not {lib.smc_api_version()}")

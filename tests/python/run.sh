@@ -43,9 +43,22 @@ works_alone()     # WHEEL
     packages=$("$python" -c 'import numpy, os; print(os.path.dirname(os.path.dirname(numpy.__file__)))')
     (cd "$dir" && PYTHONPATH=$packages "$dir/venv/bin/python" "$root/tests/python/installed.py" "$dir/venv")
 }
+# A wheel for Windows has the DLL of that machine, and no library of this system.
+has_dll()         # MACHINE WHEEL
+{
+    "$python" -m zipfile -e "$2" "$dir/$1" && cmp "$dir/$1/smc/smc.dll" "$build/windows-$1/smc.dll" && cmp "$dir/$1/smc/smc.h" compiler/library/smc.h &&
+        [ ! -e "$dir/$1/smc/libsmc.so" ]
+}
 if "$python" -c 'import setuptools, wheel, venv, ensurepip' 2>/dev/null; then
     check "make wheel" "$make" -s B="$build" CC="$cc" PYTHON="$python" WHEEL="$dir/wheel" PIP_FLAGS='--no-index --no-build-isolation' wheel
     check "the wheel works without the tree" works_alone "$dir/wheel/"smc-*.whl
+    if command -v x86_64-w64-mingw32-gcc >/dev/null && command -v i686-w64-mingw32-gcc >/dev/null; then
+        check "make wheel-windows" "$make" -s B="$build" CC="$cc" PYTHON="$python" WHEEL="$dir/windows" PIP_FLAGS='--no-index --no-build-isolation' wheel-windows
+        check "64 bits: the wheel has its DLL" has_dll x86_64 "$dir/windows/"smc-*-py3-none-win_amd64.whl
+        check "32 bits: the wheel has its DLL" has_dll i686 "$dir/windows/"smc-*-py3-none-win32.whl
+    else
+        skip "wheels for Windows (apt-get install gcc-mingw-w64-x86-64 gcc-mingw-w64-i686)"
+    fi
 else
     skip "its installation (apt-get install python3-venv python3-setuptools python3-wheel)"
 fi

@@ -34,7 +34,7 @@ typedef struct Process { pid_t pid; } Process;
 
 static void run_application(SmSwapPlace place, const char *name, uint16_t port, const char *key)
 {
-    const StagePlan plan = {.a = &one, .room = STAGE_ROOM, .trial = 300, .period = {PAL_MILLISECOND, 0}};
+    const StagePlan plan = {.a = &one, .room = STAGE_ROOM, .trial = 3000, .period = {PAL_MILLISECOND, 0}};
 
     stage_set_up(&plan);
     stage_reach(place, name, key);

@@ -17,7 +17,10 @@ connect()
     rm -f "$dir/lines"
     "$dir/bridge" "$dir/lines" &
     bridge=$!
-    while [ "$(wc -l <"$dir/lines" 2>/dev/null || echo 0)" -lt 2 ]; do sleep 0.05; done
+    until [ -f "$dir/lines" ] && [ "$(wc -l <"$dir/lines")" -ge 2 ]; do
+        kill -0 $bridge 2>/dev/null || { echo "there is no line: 0 passed, 1 failed"; exit 1; }
+        sleep 0.05
+    done
     end=$(sed -n 2p "$dir/lines")
     ln -sf "$(sed -n 1p "$dir/lines")" "$WINEPREFIX/dosdevices/com33"
 }
