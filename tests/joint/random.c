@@ -517,10 +517,11 @@ static void print_player(Buf *out)
         buf_printf(out, "    if (g == %" PRIu64 "u)\n        put(%u, 0x%" PRIx64 "u);\n", input[i].g, (unsigned)input[i].shared,
                    ref_convert(shared[input[i].shared].type, input[i].value / 2.0));
     buf_str(out, "    return SM_OK;\n}\n");
-    for (uint32_t x = 0, tasks = 0; x < executors; x++)
+    for (uint32_t x = 0, tasks = 0; x < executors; x++) {
         for (uint32_t r = 0; r < executor[x].groups; r++)
             if (executor[x].group[r].machines == 0 && !(x == 0 && r == 0))
                 buf_printf(out, "SmResult t%u_step(const SmTick *tick)\n{\n    (void)tick;\n    return SM_OK;\n}\n", (unsigned)tasks++);
+    }
 }
 
 static void write_application(const char *folder)
@@ -584,6 +585,7 @@ int main(int argc, char **argv)
         test_one(seed + i, argc > 3 ? argv[3] : NULL);
     if (argc > 3)
         return difference != NULL;
+
     printf("%u of %" PRIu64 " applications, %u steps, %u transitions, %u disabled steps, %u shared elements, %u with fractions, %u with executors, %u "
            "modes, %u written locals\n", met.applications, count, met.ran, met.transitions, met.disabled, met.shared, met.fractions, met.executors,
            met.modes, met.locals);
