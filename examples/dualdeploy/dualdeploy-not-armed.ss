@@ -1,4 +1,4 @@
-# Nobody has pulled the pin: no igniter gets current, whatever the altimeter says.
+# The pin has not been pulled: no igniter gets current, whatever the altimeter says.
 
 [all_states]
 G <= 2 s: altitude = 0
