@@ -103,6 +103,14 @@ static const char *range_text(Arena *arena, const Var *v)
                      report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->hi))));
 }
 
+// Returns the names of an element: that of the machine, its alias, and that of the state vector if a binding makes it another one.
+static const char *names_of_element(Arena *arena, const Var *v)
+{
+    const char *name = v->alias ? format_in(arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text;
+
+    return v->element->name != v->name ? format_in(arena, "%s = %s", name, v->element->name->text) : name;
+}
+
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
     const Program *p = r->analysis.p;
@@ -112,7 +120,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
         const Var *v = p->var.at[i];
         if (v->kind != VAR_ELEMENT)
             continue;
-        doc_add_code_cell(t, v->alias ? format_in(r->arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text);
+        doc_add_code_cell(t, names_of_element(r->arena, v));
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, role_text(p, v));
         doc_add_plain_cell(t, range_text(r->arena, v));

@@ -125,6 +125,10 @@ if test $? = 2 && grep -q -- '--bind is for one machine' log; then good; else ba
 printf '[options]\ndelta_t 10\n[Idle]\nT == 0 {\narmed = true\ngo = true\n}\n[Fire]\nT == 10: @assert fire\n[Done]\ntrue: @stop\n' >alone.ss
 if "$smc" test channel.sm alone.ss --sv channels.sv --bind fire=fireDrogue,S=drogueState >trace 2>log && grep -q '1 assert passed' trace; then good; else bad "--bind of a test"; cat log trace; fi
 
+if "$smc" report channel.sm --sv channels.sv --bind fire=fireDrogue,S=drogueState --format=text 2>log >report && grep -q 'state (S) = drogueState' report && grep -q 'fire = fireDrogue' report
+then good; else bad "--bind of a report"; cat log; fi
+if "$smc" graph channel.sm --sv channels.sv --bind fire=fireDrogue,S=drogueState -o graph.svg 2>log && grep -q Fire graph.svg; then good; else bad "--bind of a graph"; cat log; fi
+
 # Other compilers take the sources without a word, C++ the header.
 for other in gcc clang clang-19; do
     if command -v $other >/dev/null 2>&1; then
