@@ -93,7 +93,7 @@ static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
 }
 
 // Keeps a value that the script writes to a local of a machine.
-static void write_local(AppEngine *a, MachineOfApp *m, const Var *v, uint64_t cell)
+static void write_local(MachineOfApp *m, const Var *v, uint64_t cell)
 {
     const Program *p = m->member->program;
     uint32_t local = 0, elements = 0;
@@ -108,7 +108,6 @@ static void write_local(AppEngine *a, MachineOfApp *m, const Var *v, uint64_t ce
             return;
         }
     m->write[elements + m->writes++] = (EngineWrite){local, cell};
-    (void)a;
 }
 
 // ---- all machines ----
@@ -122,7 +121,7 @@ static void write_variable(AppEngine *a, EngineWrite w)
     for (size_t i = 0; i < a->machines && v->kind == VAR_LOCAL; i++)
         for (size_t k = 0; k < a->machine[i].member->program->var.n; k++)
             if (a->machine[i].member->var[k] == v)
-                write_local(a, &a->machine[i], v, w.cell);
+                write_local(&a->machine[i], v, w.cell);
 }
 
 static EngineStatus fill_result(const AppEngine *a, EngineStatus status, EngineStep *out)
