@@ -93,6 +93,28 @@ static void print_initial_values(DisasmOutput *o)
     }
 }
 
+// Prints the place and the name of each parameter, and the cells of its range, default and value.
+static void print_parameters(DisasmOutput *o)
+{
+    static const char *const before[] = {" from 0x", " to 0x", ", default 0x", ", value 0x"};
+    SmvmReader r = smvm_parameters(o->m);
+    SmvmParameterEntry p;
+
+    while (smvm_read_parameter(&r, &p)) {
+        const SmvmName name = {p.name[0], p.size[0]};
+        smvm_print(o, "    parameter");
+        smvm_print_padding(o, 20);
+        smvm_print_location(o, "local ", &p.location);
+        smvm_print(o, " ");
+        smvm_print_name(o, name);
+        for (uint8_t i = 0; i < SMVM_PARAMETER_NUMBERS; i++) {
+            smvm_print(o, before[i]);
+            smvm_print_hex(o, smvm_cell(o->m->image, smvm_parameter_number(&p, i), p.bytes), (uint8_t)(2 * p.bytes));
+        }
+        smvm_print(o, "\n");
+    }
+}
+
 static void print_marked_states(DisasmOutput *o, const char *what, uint8_t section)
 {
     bool any = false;
@@ -133,6 +155,7 @@ static void print_machine(DisasmOutput *o, uint32_t index)
     print_property(o, "longest step", smvm_longest_step(m), " instructions\n");
     print_elements(o);
     print_initial_values(o);
+    print_parameters(o);
     for (uint32_t w = 0; w < m->windows; w++)
         print_window(o, w);
     memset(&o->lines, 0, sizeof o->lines);

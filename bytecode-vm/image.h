@@ -174,7 +174,7 @@ static inline uint32_t smvm_ram_size_64(const SmvmMachine *m)
 }
 
 // Flags for the order of sections: a section requires some of them before it, forbids others, and sets its own.
-enum { SMVM_HAS_MACHINE = 1, SMVM_HAS_CODE = 2, SMVM_HAS_INIT = 4, SMVM_HAS_SAFE = 8, SMVM_HAS_IO = 16 };
+enum { SMVM_HAS_MACHINE = 1, SMVM_HAS_CODE = 2, SMVM_HAS_INIT = 4, SMVM_HAS_SAFE = 8, SMVM_HAS_IO = 16, SMVM_HAS_PARAMETERS = 32 };
 
 typedef struct SmvmSectionKind {
     uint8_t id, version;
@@ -216,6 +216,19 @@ static inline uint64_t **smvm_windows_of(SmVm *vm) { return (uint64_t **)(void *
 SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m);
 
 SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // reads the location at `at`, whose type number is not checked
+
+// An entry of PARAMETERS: a location, four numbers of its type, and two texts, each a varint n, n bytes and a 0.
+enum { SMVM_PARAMETER_LOWEST, SMVM_PARAMETER_HIGHEST, SMVM_PARAMETER_DEFAULT, SMVM_PARAMETER_VALUE, SMVM_PARAMETER_NUMBERS };
+typedef struct SmvmParameterEntry {
+    SmvmLocation location;
+    uint8_t bytes;            // the size of its type
+    SmvmAt numbers;           // offset of the numbers in the image
+    SmvmAt name[2], size[2];  // offsets and lengths of its name and its unit
+} SmvmParameterEntry;
+
+SmvmReader smvm_parameters(const SmvmMachine *m);     // a reader before the first entry
+bool smvm_read_parameter(SmvmReader *r, SmvmParameterEntry *p);
+static inline SmvmAt smvm_parameter_number(const SmvmParameterEntry *p, uint8_t which) { return (SmvmAt)(p->numbers + (unsigned)which * p->bytes); }
 
 static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // reads entry w of the table of windows
 {

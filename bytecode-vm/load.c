@@ -96,6 +96,9 @@ static SmvmAt scale_offset(SmvmAt at, uint8_t shift)
 
 static const SmvmSectionKind kinds[] SM_FLASH = {
 #define SMVM_HOST_SECTION(name, id, version, meaning)
+#if !SMVM_PARAMETERS
+#define SMVM_PARAMETER_SECTION(name, id, version, meaning)
+#endif
 #define SMVM_SECTION(name, id, version, meaning) {id, version, KIND_##name},
 #define KIND_IDENTITY 0, 0, 0, 0
 #define KIND_DEBUG SMVM_HAS_MACHINE, 0, 0, offsetof(SmvmMachine, debug_at)
@@ -106,6 +109,7 @@ static const SmvmSectionKind kinds[] SM_FLASH = {
 #define KIND_MACHINE SMVM_HAS_CODE, 0, SMVM_HAS_MACHINE, offsetof(SmvmMachine, machine_at)
 #define KIND_CODE SMVM_HAS_MACHINE, SMVM_HAS_CODE, SMVM_HAS_CODE, offsetof(SmvmMachine, code_at)
 #define KIND_INIT SMVM_HAS_MACHINE, SMVM_HAS_INIT, SMVM_HAS_INIT, offsetof(SmvmMachine, init_at)
+#define KIND_PARAMETERS SMVM_HAS_MACHINE, SMVM_HAS_PARAMETERS, SMVM_HAS_PARAMETERS, offsetof(SmvmMachine, parameters_at)
 #include "bytecode-vm/image.def"
 #undef SMVM_SECTION
 };
@@ -351,6 +355,45 @@ static void set_locals(SmVm *vm, const SmvmMachine *m)
     }
 }
 
+#if SMVM_PARAMETERS
+// Reads the next entry of PARAMETERS.  Returns false at the end, or if the entry is not complete.
+bool smvm_read_parameter(SmvmReader *r, SmvmParameterEntry *p)
+{
+    const SmvmAt location = smvm_skip(r, SMVM_LOCATION_BYTES);
+
+    if (location == 0)
+        return false;
+    p->location = smvm_location(r->image, location);
+    p->bytes = (uint8_t)(1u << smvm_shift((uint8_t)p->location.type));
+    p->numbers = smvm_skip(r, (uint8_t)(SMVM_PARAMETER_NUMBERS * p->bytes));
+    for (uint8_t i = 0; i < 2; i++) {
+        if (p->numbers == 0 || smvm_read_number(r) != SMVM_VARINT_OK || (SmvmAt)(r->end - r->at) <= r->n)
+            return false;
+        p->name[i] = r->at;
+        p->size[i] = r->n;
+        r->at = (SmvmAt)(r->at + r->n + 1);
+    }
+    return true;
+}
+
+SmvmReader smvm_parameters(const SmvmMachine *m)
+{
+    const SmvmReader r = {m->image, m->parameters_at, (SmvmAt)(m->parameters_at + m->parameters_size), 0};
+
+    return r;
+}
+
+// Sets each parameter to its value.
+static void set_parameters(SmVm *vm, const SmvmMachine *m)
+{
+    SmvmReader r = smvm_parameters(m);
+    SmvmParameterEntry p;
+
+    while (smvm_read_parameter(&r, &p))
+        smvm_read_bits(m->image, smvm_parameter_number(&p, SMVM_PARAMETER_VALUE), (uint8_t *)vm + vm->local + p.location.offset, p.bytes);
+}
+#endif
+
 // Whether p is aligned for every type of data stored there: a multiple of 8 on most targets, any address on some.
 static bool is_aligned(const void *p)
 {
@@ -380,6 +423,9 @@ SmResult smvm_prepare(void *memory, uint32_t size, const SmvmMachine *m, const S
     vm->code = m->code_at;
     set_window_pointers(vm, m);
     set_locals(vm, m);
+#if SMVM_PARAMETERS
+    set_parameters(vm, m);
+#endif
 #if SMVM_KEEP_TABLES
     smvm_tables(m, vm, &vm->tables);
 #endif

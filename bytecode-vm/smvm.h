@@ -79,6 +79,9 @@ typedef struct SmvmMachine {
     SmvmAt machine_at, machine_size;
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: the section is absent
     SmvmAt safe_at, safe_size;        // a bit for each state: whether it is marked @safe; safe_at 0: the machine marks no state
+#if SMVM_PARAMETERS
+    SmvmAt parameters_at, parameters_size;    // its parameters (smvm_parameter); size 0: it has none
+#endif
     SmvmBytes image;
     uint32_t layout;          // layout hash of the state vector that the machine was compiled for
 } SmvmMachine;
@@ -232,6 +235,34 @@ bool smvm_state_allows_swap(const SmvmMachine *m, uint32_t state);
 
 // Whether a state is marked @abort.  False if the image has no names (smc build -g).
 bool smvm_state_is_abort(const SmvmMachine *m, uint32_t state);
+
+// ---- parameters (language.md 5.77); on hosts ----
+
+typedef struct SmvmParameter {
+    uint8_t type;             // SmType
+    SmvmAt offset;            // among the locals, in bytes
+    SmvmAt name_at, name_size, unit_at, unit_size;        // offsets of its texts in the image, and their lengths; unit_size 0: no unit
+    SmF64 lowest, highest;    // its range
+    SmF64 standard, value;    // its default, and the value with which the machine starts
+} SmvmParameter;
+
+// Reads parameter `number` of a machine, counted from 0.  Returns false if there is none.
+bool smvm_parameter(const SmvmMachine *m, uint32_t number, SmvmParameter *p);
+// Finds a parameter by its name, of `size` bytes.  Returns false if the machine has none of that name.
+bool smvm_find_parameter(const SmvmMachine *m, const char *name, uint32_t size, uint32_t *number);
+
+// Returns 0 if the parameter can have the value x; else why not, as a number for smvm_refusal_text.
+uint8_t smvm_judge_parameter(const SmvmMachine *m, uint32_t number, SmF64 x);
+// Stores x as the value of a parameter in an image that can be written, and the image's new CRC.  m is a machine of this image.  Returns 0, or
+// why the value is refused; then nothing changed.  The image must not be signed: the code would no longer be that of the image.
+uint8_t smvm_set_parameter(uint8_t *image, const SmvmMachine *m, uint32_t number, SmF64 x);
+// Returns the sentence, without its period, that every program shows for a refusal.
+const char *smvm_refusal_text(uint8_t refusal);
+
+// What identifies the logic of an image: code, layout, constants, and the parameters except for their values.  Independent of names (-g).
+uint64_t smvm_logic_identity(SmvmBytes image);
+// What identifies the values of its parameters.
+uint64_t smvm_settings_identity(SmvmBytes image);
 
 // ---- for other languages ----
 

@@ -16,9 +16,12 @@ typedef struct SwapName {
     uint32_t hash;            // hash of the name
     uint32_t number;          // number of the state or window; or offset of the local among the locals
     uint32_t source;          // for what `to` keeps: `number` in `from`
-    uint8_t kind, fate;       // SmvmSwapKind, SmvmSwapFate
+    uint32_t numbers;         // of a parameter: offset of its range in the image
+    uint8_t kind, fate;       // SmvmSwapKind or SWAP_PARAMETER; SmvmSwapFate
     uint8_t type;             // SmType of the local
 } SwapName;
+
+enum { SWAP_PARAMETER = SMVM_SWAP_SAMPLE + 1 };       // the kind of a parameter, which the list shows as a local
 
 // In memory: SmvmSwap, the names of `to`, those of `from`, and for each state of `from` its number in `to`.
 struct SmvmSwap {
@@ -46,8 +49,64 @@ static uint32_t hash_name(SmvmBytes image, SmvmName n)
 
 static bool is_name(SmvmName n) { return n.size > 0 && n.size <= SWAP_NAME_MAX; }
 
-// Reads variable `index` of the DEBUG section.  Returns false if a swap does not concern it, or if what it names does not exist.
-static bool read_variable(const SmvmMachine *m, uint32_t index, SwapName *n)
+#if SMVM_PARAMETERS
+// Returns the end of the parameters among the locals; 0: there are none.
+static uint32_t end_of_parameters(const SmvmMachine *m)
+{
+    SmvmReader r = smvm_parameters(m);
+    SmvmParameterEntry p;
+    uint32_t end = 0;
+
+    while (smvm_read_parameter(&r, &p))
+        end = p.location.offset + p.bytes;            // they are in the order of their offsets
+    return end;
+}
+
+// Stores the names of the parameters of m in the array `names`, or only counts them if `names` is NULL.  Returns their number.
+static uint32_t collect_parameters(const SmvmMachine *m, SwapName *names)
+{
+    SmvmReader r = smvm_parameters(m);
+    SmvmParameterEntry p;
+    SwapName n;
+    uint32_t count = 0;
+
+    memset(&n, 0, sizeof n);
+    n.kind = SWAP_PARAMETER;
+    while (smvm_read_parameter(&r, &p)) {
+        n.name.at = p.name[0];
+        n.name.size = p.size[0];
+        n.number = p.location.offset;
+        n.type = (uint8_t)p.location.type;
+        n.numbers = p.numbers;
+        if (!is_name(n.name))
+            continue;
+        if (names != NULL) {
+            n.hash = hash_name(m->image, n.name);
+            names[count] = n;
+        }
+        count++;
+    }
+    return count;
+}
+
+// Whether a value in memory is in the range of parameter n of an image.
+static bool is_in_range(SmvmBytes image, const SwapName *n, const void *value)
+{
+    const uint8_t bytes = (uint8_t)(1u << smvm_type_shift(n->type));
+    const SmF64 x = sm_load((SmType)n->type, value);
+
+    return sm_le(sm_cell_to_f64((SmType)n->type, smvm_cell(image, (SmvmAt)n->numbers, bytes)), x)
+           && sm_le(x, sm_cell_to_f64((SmType)n->type, smvm_cell(image, (SmvmAt)(n->numbers + bytes), bytes)));
+}
+#else
+static uint32_t end_of_parameters(const SmvmMachine *m) { return (void)m, 0; }
+static uint32_t collect_parameters(const SmvmMachine *m, SwapName *names) { return (void)m, (void)names, 0; }
+static bool is_in_range(SmvmBytes image, const SwapName *n, const void *value) { return (void)image, (void)n, value != NULL; }
+#endif
+
+// Reads variable `index` of the DEBUG section.  Returns false if a swap does not concern it, or if what it names does not exist.  Locals
+// below `locals` are parameters: their names are in PARAMETERS, whatever DEBUG calls them.
+static bool read_variable(const SmvmMachine *m, uint32_t index, uint32_t locals, SwapName *n)
 {
     SmvmVariable is;
     SmvmLocation p;
@@ -59,7 +118,7 @@ static bool read_variable(const SmvmMachine *m, uint32_t index, SwapName *n)
     if (!is_name(n->name))
         return false;
     if (is == SMVM_IS_LOCAL)
-        return n->type < SM_TYPE_COUNT && (uint32_t)1 << smvm_type_shift(n->type) <= m->locals
+        return n->type < SM_TYPE_COUNT && p.offset >= locals && (uint32_t)1 << smvm_type_shift(n->type) <= m->locals
                && p.offset <= m->locals - ((uint32_t)1 << smvm_type_shift(n->type));
     return is == SMVM_IS_SAMPLE && p.offset < m->windows;
 }
@@ -67,8 +126,8 @@ static bool read_variable(const SmvmMachine *m, uint32_t index, SwapName *n)
 // Stores the names of m in the array `names`, or only counts them if `names` is NULL.  Returns their number.
 static uint32_t collect_names(const SmvmMachine *m, SwapName *names)
 {
-    const uint32_t variables = smvm_variables(m);
-    uint32_t count = 0;
+    const uint32_t variables = smvm_variables(m), locals = end_of_parameters(m);
+    uint32_t count = collect_parameters(m, names);
     SwapName n;
 
     memset(&n, 0, sizeof n);
@@ -79,7 +138,7 @@ static uint32_t collect_names(const SmvmMachine *m, SwapName *names)
             n.number = i + 1;
             if (!is_name(n.name))
                 continue;
-        } else if (!read_variable(m, i - m->states, &n))
+        } else if (!read_variable(m, i - m->states, locals, &n))
             continue;
         if (names != NULL) {
             n.hash = hash_name(m->image, n.name);
@@ -160,7 +219,7 @@ static uint32_t window_entry(const SmvmMachine *m, uint32_t w) { return smvm_win
 // Whether `to` can take over what both machines have under one name.
 static bool is_compatible(const SmvmSwap *plan, const SwapName *from, const SwapName *to)
 {
-    if (to->kind == SMVM_SWAP_LOCAL)
+    if (to->kind == SMVM_SWAP_LOCAL || to->kind == SWAP_PARAMETER)
         return from->type == to->type;
     return to->kind == SMVM_SWAP_STATE
            || smvm_window_size(window_entry(&plan->from, from->number)) == smvm_window_size(window_entry(&plan->to, to->number));
@@ -261,7 +320,7 @@ bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item)
 
     if (i >= plan->to_names + plan->from_names)
         return false;
-    item->kind = (SmvmSwapKind)n->kind;
+    item->kind = n->kind == SWAP_PARAMETER ? SMVM_SWAP_LOCAL : (SmvmSwapKind)n->kind;
     item->fate = (SmvmSwapFate)n->fate;
     item->name = SMVM_TEXT(i < plan->to_names ? plan->to.image : plan->from.image, n->name.at);
     item->length = n->name.size;
@@ -295,6 +354,15 @@ static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source,
         refill_window(old, smvm_window_kind(old_entry), to, window, smvm_window_kind(entry), n);
 }
 
+// Copies the value of a local; that of a parameter only if it is in the range of the new one.
+static void copy_local(const SmvmSwap *plan, const SmVm *from, SmVm *to, const SwapName *n)
+{
+    const uint8_t *value = (const uint8_t *)from + from->local + n->source;
+
+    if (n->kind != SWAP_PARAMETER || is_in_range(plan->to.image, n, value))
+        memcpy((uint8_t *)to + to->local + n->number, value, (size_t)1 << smvm_type_shift(n->type));
+}
+
 static bool is_of_machine(const SmVm *vm, const SmvmMachine *m) { return vm->image == m->image && vm->machine == m->machine_at; }
 
 // Lets `to` continue where `from` is, with the state, T, locals and samples that both have by name.
@@ -312,9 +380,8 @@ SmResult smvm_swap_continue(const SmvmSwap *plan, const SmVm *from, SmVm *to, vo
     for (uint32_t i = 0; i < plan->to_names; i++) {
         if (name[i].fate != SMVM_SWAP_KEPT)
             continue;
-        if (name[i].kind == SMVM_SWAP_LOCAL)
-            memcpy((uint8_t *)to + to->local + name[i].number, (const uint8_t *)from + from->local + name[i].source,
-                   (size_t)1 << smvm_type_shift(name[i].type));
+        if (name[i].kind == SMVM_SWAP_LOCAL || name[i].kind == SWAP_PARAMETER)
+            copy_local(plan, from, to, &name[i]);
         else if (name[i].kind == SMVM_SWAP_SAMPLE)
             copy_window(plan, from, name[i].source, to, name[i].number);
     }

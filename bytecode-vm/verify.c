@@ -75,6 +75,9 @@ typedef struct Verifier {
     bool is_ended;            // control cannot continue after the last instruction
     uint8_t kind;             // kind of the current function (SmvmFunctionKind)
     SmvmMachine m;
+#if SMVM_PARAMETERS
+    SmvmAt read_only_from, read_only_to;      // the part of the locals that no code writes, from the first parameter to the last
+#endif
     LongestPath longest;
 } Verifier;
 
@@ -226,6 +229,80 @@ static uint8_t check_safe(Verifier *c)
     return any == 0 || last >> (((uint8_t)c->m.states - 1) & 7) > 1 ? SMVM_R_SAFE : 0;
 }
 
+// ---- parameters ----
+
+#if SMVM_PARAMETERS
+
+// Whether number `a` of a parameter is at most number `b`.  Of floats -0 is below 0, and NaN is beyond the infinities of its sign.
+SMVM_NOINLINE static bool is_at_most(const Verifier *c, const SmvmParameterEntry *p, uint8_t a, uint8_t b)
+{
+    const uint8_t type = (uint8_t)p->location.type;
+    const uint8_t sign = type < SM_U8 || type == SM_F32 || type == SM_F64 ? 0x80 : 0;
+    const SmvmAt at_a = smvm_parameter_number(p, a), at_b = smvm_parameter_number(p, b);
+    uint8_t flip = sign;
+    bool reversed = false;            // both are negative floats: the one of the larger magnitude is below the other
+
+    for (uint8_t i = p->bytes; i-- > 0; flip = 0) {
+        const uint8_t x = smvm_u8(c->in.image, (SmvmAt)(at_a + i)) ^ flip, y = smvm_u8(c->in.image, (SmvmAt)(at_b + i)) ^ flip;
+        if (flip != 0 && type >= SM_F32)
+            reversed = x < 0x80 && y < 0x80;
+        if (x != y)
+            return (x < y) != reversed;
+    }
+    return true;
+}
+
+// Whether an end of a range is a number that its type has: a bool is 0 or 1, and a float finite.
+static bool is_valid_end(const Verifier *c, const SmvmParameterEntry *p, uint8_t which)
+{
+    const SmvmAt end = smvm_parameter_number(p, (uint8_t)(which + 1));
+    const uint8_t type = (uint8_t)p->location.type, top = smvm_u8(c->in.image, (SmvmAt)(end - 1));
+    const uint8_t exponent = type == SM_F64 ? 0xf0 : 0x80;            // its bits in the byte below
+
+    if (type == SM_BOOL)
+        return top <= 1;
+    return (type != SM_F32 && type != SM_F64) || (top & 0x7f) != 0x7f || (smvm_u8(c->in.image, (SmvmAt)(end - 2)) & exponent) != exponent;
+}
+
+// Checks the range, the default and the value of a parameter.
+static bool check_parameter_values(const Verifier *c, const SmvmParameterEntry *p)
+{
+    for (uint8_t i = SMVM_PARAMETER_DEFAULT; i < SMVM_PARAMETER_NUMBERS; i++)
+        if (!is_at_most(c, p, SMVM_PARAMETER_LOWEST, i) || !is_at_most(c, p, i, SMVM_PARAMETER_HIGHEST))
+            return false;
+    return is_valid_end(c, p, SMVM_PARAMETER_LOWEST) && is_valid_end(c, p, SMVM_PARAMETER_HIGHEST);
+}
+
+// Checks PARAMETERS, and sets c->read_only to the part of the locals that it describes.
+SMVM_NOINLINE static uint8_t check_parameters(Verifier *c)
+{
+    SmvmReader r = smvm_parameters(&c->m);
+    SmvmParameterEntry p;
+
+    c->read_only_from = c->read_only_to = 0;
+    while ((c->where = r.at) < r.end) {
+        if (!smvm_read_parameter(&r, &p) || p.location.type >= SM_TYPE_COUNT || p.size[0] == 0 ||
+            !is_range_inside(p.location.offset, p.bytes, c->read_only_to, c->m.locals))
+            return SMVM_R_PARAMETERS;
+        if (c->read_only_to == 0)
+            c->read_only_from = p.location.offset;
+        c->read_only_to = (SmvmAt)(p.location.offset + p.bytes);
+        if (!check_parameter_values(c, &p))
+            return SMVM_R_VALUE;
+    }
+    return 0;
+}
+
+// Whether a store of this type to the local at this offset, in units of its size, changes a parameter.
+static bool is_store_to_parameter(const Verifier *c, uint8_t op, SmvmAt n)
+{
+    const uint8_t shift = smvm_shift(op & 0xf);
+    const SmvmAt at = (SmvmAt)(n << shift);
+
+    return op >= SMVM_st_local && op < SMVM_out && at < c->read_only_to && (SmvmAt)(at + (1u << shift)) > c->read_only_from;
+}
+#endif
+
 // ---- instructions ----
 
 // Whether an instruction may be the target of a jump.  It must read no register, because none is defined there, and must define X or end
@@ -329,6 +406,10 @@ SMVM_NOINLINE static uint8_t check_operand(Verifier *c, uint8_t op, uint8_t what
     }
     if ((SmvmAt)(c->in.n - from) >= end || (what == SMVM_OPERAND_S && c->kind != SMVM_ENTRY_FUNCTION && c->kind != SMVM_STEP_FUNCTION))
         return l.rule;
+#if SMVM_PARAMETERS
+    if (what == SMVM_OPERAND_L && is_store_to_parameter(c, op, c->in.n))
+        return SMVM_R_READ_ONLY;
+#endif
     if (what == SMVM_OPERAND_K)
         c->stat = (uint8_t)c->in.n;
     return what == SMVM_OPERAND_W ? check_window(c, op) : 0;
@@ -431,6 +512,10 @@ static uint8_t check_machine(Verifier *c)
 
     if ((rule = check_windows(c)) != 0 || (rule = check_vector(c)) != 0 || (rule = check_init(c)) != 0 || (rule = check_safe(c)) != 0)
         return rule;
+#if SMVM_PARAMETERS
+    if ((rule = check_parameters(c)) != 0)
+        return rule;
+#endif
     c->where = c->m.windows_at;
     if (smvm_ram_size(&c->m) > SMVM_RAM_MAX || c->m.sv_size > SMVM_RAM_MAX)
         return SMVM_R_RAM;

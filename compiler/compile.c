@@ -15,6 +15,7 @@
 //                                     ── analyse ──▶ findings; C: X_app.c with the tasks and the images, and a file for each
 //                                     vector, map of pins and machine in C
 //    findings ── @allow ── -W ── sort ──▶ diagnostics of the caller
+//    .rq ── parse ── AST ── check ──▶ Requirements of a Program, judged in the runs of its scripts
 //    tokens, AST or IR ──▶ dump (--emit=tokens, ast or ir)
 //
 // Machines pass their stages one after the other; then findings about all of them together.  Images, C and IR are emitted last, and only if
@@ -66,16 +67,17 @@ static void mark_included_scripts(Compilation *c)
     }
 }
 
+static size_t machine_of_source(const Compilation *c, size_t i)
+{
+    return c->in->at[i].machine ? c->in->at[i].machine - 1 : c->only_machine;
+}
+
 // Returns the index of the machine that source i is a script of; SIZE_MAX: it is no script, or has no machine.
 static size_t machine_of_script(const Compilation *c, size_t i)
 {
-    const CompileSource *script = &c->in->at[i];
-
-    if (script->kind != FILE_SS || c->out->of[i].is_included)
+    if (c->in->at[i].kind != FILE_SS || c->out->of[i].is_included)
         return SIZE_MAX;
-    if (c->in->app)
-        return 0;
-    return script->machine ? script->machine - 1 : c->only_machine;
+    return c->in->app ? 0 : machine_of_source(c, i);
 }
 
 // Adds the locals that the scripts of machine m, which has the program p, write to `written`.  If the option `step` is 0, the session's step
@@ -132,14 +134,40 @@ static void compile_machine(Compilation *c, size_t i)
     of->scripted = session_program_for_scripts(c->s, &m, of->program);
 }
 
+// Checks the requirements of machine m, from all its files.
+static void compile_requirements_of(Compilation *c, size_t m)
+{
+    const Source **rq = ARENA_ARRAY(&c->s->arena, const Source *, c->in->n);
+    size_t n = 0;
+
+    for (size_t i = 0; i < c->in->n; i++)
+        if (c->in->at[i].kind == FILE_RQ && machine_of_source(c, i) == m)
+            rq[n++] = c->in->at[i].text;
+    if (n && c->out->of[m].scripted)
+        c->out->of[m].requirements = session_requirements(c->s, rq, n, c->out->of[m].scripted);
+}
+
+static void compile_requirements(Compilation *c)
+{
+    for (size_t i = 0; i < c->in->n; i++) {
+        const size_t m = c->in->at[i].kind == FILE_RQ ? machine_of_source(c, i) : SIZE_MAX;
+        if (c->in->at[i].kind == FILE_SM)
+            compile_requirements_of(c, i);
+        else if (c->in->at[i].kind == FILE_RQ && (m == SIZE_MAX || !c->out->of[m].scripted))
+            session_parse(c->s, c->in->at[i].text, FILE_RQ);
+    }
+}
+
 static void compile_scripts(Compilation *c)
 {
     for (size_t i = 0; i < c->in->n; i++) {
         const size_t m = machine_of_script(c, i);
         const Program *p = m != SIZE_MAX ? c->out->of[m].scripted : NULL;
+        if (p && (c->out->of[i].script = session_script(c->s, c->in->at[i].text, p)) != NULL && c->out->of[m].requirements)
+            session_check_requirements_of_script(c->s, c->out->of[m].requirements, c->out->of[i].script);
         if (p)
-            c->out->of[i].script = session_script(c->s, c->in->at[i].text, p);
-        else if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)
+            continue;
+        if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)
             session_parse(c->s, c->in->at[i].text, FILE_SS);
     }
 }
@@ -173,6 +201,7 @@ static void compile_files(Compilation *c)
         else if (src->kind == FILE_IO || src->kind == FILE_NET || src->kind == FILE_APP)
             session_parse(c->s, src->text, src->kind);
     }
+    compile_requirements(c);
     if (!c->o->scripts_later)
         compile_scripts(c);
     if (c->in->pins)
@@ -255,6 +284,7 @@ bool compile_sources(Session *s, const CompileInput *in, const CompileOptions *o
     memset(out, 0, sizeof *out);
     out->of = ARENA_ARRAY(&s->arena, CompiledSource, in->n);
     s->warnings = o->skip_analyses ? 0 : o->warnings ? diag_selection_groups(o->warnings) : DIAG_GROUPS_ALL;
+    s->proposes_guards = o->warnings && diag_selection_enables(o->warnings, DIAG_guard_by_time);
     s->step = o->step;
     s->locals = locals_of_output(o);
     if (is_syntax_dump(o))

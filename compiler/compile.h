@@ -14,7 +14,7 @@ typedef struct CompileSource {
     FileKind kind;
     EmitCOptions c;               // options of this source's C, for EMIT_C and EMIT_ARRAY
     const char *array;            // only in the first source, for EMIT_ARRAY: the name of the array
-    size_t machine;               // a script: 1 + the index of its machine in CompileInput.at; 0: the only machine
+    size_t machine;               // a script, requirements: 1 + the index of the machine in CompileInput.at; 0: the only machine
 } CompileSource;
 
 // An application and the files that it names, from compile_open_app.
@@ -23,8 +23,8 @@ typedef struct CompileApp {
     AppFiles files;
 } CompileApp;
 
-// The sources of one call, in the order that the user named them.  A script is one of its CompileSource.machine, or of the only machine.  If it has
-// neither, it is only parsed, and so are pins and messages if `vector` is NULL and an application if `app` is NULL.
+// The sources of one call, in the order that the user named them.  A script, and a file of requirements, is one of its CompileSource.machine, or of
+// the only machine.  If it has neither, it is only parsed, and so are pins and messages if `vector` is NULL and an application if `app` is NULL.
 typedef struct CompileInput {
     CompileSource *at;
     size_t n;
@@ -69,6 +69,7 @@ typedef struct CompiledSource {
     IoMap *pins;
     Network *net;
     Script *script;
+    const Requirements *requirements;         // of a machine: those of all its files of requirements
     bool is_included;             // another script of the call includes this one, which is not a script by itself
 } CompiledSource;
 

@@ -28,6 +28,26 @@ void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, boo
     r->image_size = image->n;
 }
 
+// What review_run_script does after each step: records the data, and then what the caller wants.
+typedef struct AfterStep { Trace *trace; const ScriptOptions *of_caller; } AfterStep;
+
+static void record_after_step(void *context, const ScriptStep *step)
+{
+    const AfterStep *a = context;
+
+    if (step->recorded)
+        trace_add_recorded(a->trace, step->recorded);
+    if (a->of_caller->after_step)
+        a->of_caller->after_step(a->of_caller->context, step);
+}
+
+static bool is_cancelled(void *context)
+{
+    const ScriptOptions *o = ((const AfterStep *)context)->of_caller;
+
+    return o->is_cancelled && o->is_cancelled(o->context);
+}
+
 // Runs the script `src` on the engines in lock step and records what the first one does in *run.  `p` is the machine as its scripts run it.
 // `script`: the compiled script; NULL: it is compiled now, and if it has errors, run->script is NULL and nothing has run.
 void review_run_script(Session *s, const Report *r, const Program *p, const Source *src, const Script *script, Engine **engine, size_t engines,
@@ -35,16 +55,47 @@ void review_run_script(Session *s, const Report *r, const Program *p, const Sour
 {
     const Diags of_machine = s->diags;
     Engine **all = ARENA_ARRAY(&s->arena, Engine *, engines);
+    AfterStep after = {&run->trace, o};
+    ScriptOptions with_data = *o;
 
     run->name = path_portable_name(src->name);
     trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
     diags_clear(&s->diags);
     if ((run->script = script ? script : session_script(s, src, p)) != NULL) {
+        if (o->requirements && !script)
+            session_check_requirements_of_script(s, o->requirements, run->script);
         memcpy(all, engine, engines * sizeof *all);
         all[0] = trace_wrap_engine(&run->trace, engine[0]);
-        run->result = script_run(&s->arena, &s->diags, run->script, all, engines, o);
+        if (run->script->data)
+            trace_begin_recorded(&run->trace, run->script->data);
+        with_data.after_step = record_after_step;
+        with_data.is_cancelled = is_cancelled;
+        with_data.context = &after;
+        run->result = script_run(&s->arena, &s->diags, run->script, all, engines, &with_data);
     }
     diags_apply_allows(&s->diags);
     run->diags = s->diags;
     s->diags = of_machine;
+}
+
+// Measures what the runs of r cover: runs their scripts again, as far as they ran.
+void review_measure_coverage(Session *s, const Program *p, Report *r)
+{
+    Cover *cover;
+    Engine *engine;
+    Diags unused;
+
+    if (r->runs == 0)
+        return;
+    cover = cover_new(&s->arena, p);
+    engine = cover_open_engine(cover);
+    diags_init(&unused, &s->arena);
+    unused.muted = true;
+    for (size_t i = 0; i < r->runs; i++) {
+        const ScriptOptions o = {.max_steps = r->run[i].result.steps, .is_compared = true};
+        if (r->run[i].script)
+            script_run(&s->arena, &unused, r->run[i].script, &engine, 1, &o);
+    }
+    cover_settle(cover);
+    r->cover = cover;
 }

@@ -16,5 +16,7 @@ void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, boo
 // run->diags, not to s->diags.
 void review_run_script(Session *s, const Report *r, const Program *p, const Source *src, const Script *script, Engine **engine, size_t engines,
                        const ScriptOptions *o, ReportRun *run);
+// Measures what the runs of r, which are those of p, cover: runs their scripts again.  For runs without an engine that measures.
+void review_measure_coverage(Session *s, const Program *p, Report *r);
 
 #endif

@@ -9,6 +9,7 @@
 #include "compiler/emit/bytecode/bytecode.h"
 #include "compiler/emit/c/app.h"
 #include "compiler/passes/pass.h"
+#include "compiler/script/replay.h"
 #include "compiler/sema/join.h"
 #include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
@@ -45,7 +46,7 @@ static AstFile *parse(Session *s, const Source *src, FileKind kind)
 
 static CheckContext make_check_context(Session *s)
 {
-    CheckContext c = {&s->arena, &s->strings, &s->diags};
+    CheckContext c = {&s->arena, &s->strings, &s->diags, s->proposes_guards};
     return c;
 }
 
@@ -109,7 +110,7 @@ Program *session_program(Session *s, const MachineInput *in)
 static bool declares_written_local(const Program *p, const Map *written)
 {
     for (size_t i = 0; written && i < p->var.n; i++)
-        if (p->var.at[i]->kind == VAR_LOCAL && map_find(written, p->var.at[i]->name))
+        if (p->var.at[i]->kind == VAR_LOCAL && !p->var.at[i]->parameter && map_find(written, p->var.at[i]->name))
             return true;
     return false;
 }
@@ -293,10 +294,9 @@ const Program *session_join(Session *s, const App *a, const AppFiles *files, con
 
 // ---- scripts: their items are parsed, checked and freed one after the other ----
 
-static void ignore_section(void *context, const AstSection *section)
+static void add_written_columns(void *context, const AstSection *section)
 {
-    (void)context;
-    (void)section;
+    script_add_names_of_section(section, context);
 }
 
 static void add_written_names(void *context, const AstStmt *item)
@@ -308,7 +308,7 @@ static void add_written_names(void *context, const AstStmt *item)
 // its tree without items, in s->tree.
 static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
 {
-    const ScriptVisitor v = {ignore_section, add_written_names, written, &s->work};
+    const ScriptVisitor v = {add_written_columns, add_written_names, written, &s->work};
     const bool muted = s->diags.muted;
     const size_t before = s->diags.errors_seen;
     const AstFile *f;
@@ -327,6 +327,21 @@ static void parse_whole(Session *s, const ScriptFiles *files, const AstFile **tr
 {
     for (size_t i = 0; i < files->n; i++)
         tree[i] = parse(s, files->at[i], FILE_SS);
+}
+
+// Finds the file with recorded data of a checked script, and reads its header.  Returns false after a report.
+static bool find_data(Session *s, Script *script)
+{
+    const char *problem = "no file can be read here";
+    const ScriptData *d = script->data;
+
+    if (!d)
+        return true;
+    if (s->finder.find_data && strlen(d->file->text) == d->file->len)
+        script->data->source = s->finder.find_data(s->finder.context, d->file_span.src, d->file->text, &problem);
+    if (!d->source)
+        diag_report(&s->diags, DIAG_data_wrong, d->file_span, d->file->text, problem);
+    return d->source && replay_check(&s->arena, &s->diags, script);
 }
 
 // A script without syntax errors is checked item by item, which needs little memory.  For a script with syntax errors, builds the whole tree
@@ -350,8 +365,12 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
         out = check_script_source(&c, &s->tree, &s->work, tree, files.n, p);
     else if (is_whole)
         out = check_script(&c, tree, files.n, p);
+    if (out && s->warnings)
+        analyse_units_of_script(&s->tree, &s->diags, out);
     arena_free(&s->tree);
-    return s->diags.errors_seen > errors ? NULL : out;
+    if (s->diags.errors_seen > errors || !out)
+        return NULL;
+    return find_data(s, out) ? out : NULL;
 }
 
 // Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in
@@ -375,6 +394,33 @@ uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map 
     arena_free(&s->tree);
     return good ? delta_t : 0;
 }
+
+// ---- requirements ----
+
+Requirements *session_requirements(Session *s, const Source *const *rq, size_t n, const Program *p)
+{
+    const size_t errors = s->diags.errors_seen;
+    CheckContext c = make_check_context(s);
+    const AstFile **file = ARENA_ARRAY(&s->tree, const AstFile *, n);
+    Requirements *out;
+
+    for (size_t i = 0; i < n; i++)
+        file[i] = parse(s, rq[i], FILE_RQ);
+    out = check_requirements(&c, file, n, p);
+    if (s->diags.errors_seen == errors)
+        check_requirement_marks(&c, out);
+    arena_free(&s->tree);
+    return s->diags.errors_seen > errors ? NULL : out;
+}
+
+void session_check_requirements_of_script(Session *s, const Requirements *r, const Script *script)
+{
+    CheckContext c = make_check_context(s);
+
+    check_requirements_of_script(&c, r, script);
+}
+
+// ---- analyses ----
 
 // Reports warnings for a machine without errors.  Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p)
@@ -408,7 +454,7 @@ static void mark_locals(IrMachine *m, SessionLocals locals)
 {
     for (size_t v = 0; v < m->var.n; v++) {
         IrVar *var = &m->var.at[v];
-        if (var->space != IR_LOCAL)
+        if (var->space != IR_LOCAL || var->parameter)
             continue;
         var->outside = var->outside || locals == LOCALS_SWAPPED;
         var->hidden = locals == LOCALS_HIDDEN && !var->outside;

@@ -23,6 +23,9 @@ typedef struct SourceFinder {
     // Returns the source that `from` includes as `name`, a path that is relative to the folder of `from`; the same pointer for the same file.
     // Returns NULL and sets *problem to a phrase if there is none.  The source lives as long as the session.  NULL: no file can be included.
     const Source *(*find)(void *context, const Source *from, const char *name, const char **problem);
+    // Returns the file with recorded data that `from` names, a path as in `find`.  Returns NULL and sets *problem if there can be none.  The file
+    // lives as long as the session; it is read when the script is compiled, and again in each run.  NULL: there can be no such files.
+    const struct DataFile *(*find_data)(void *context, const Source *from, const char *name, const char **problem);
     void *context;
 } SourceFinder;
 
@@ -37,6 +40,7 @@ typedef struct Session {
     Buf *print_to;                // "build": before the first pass; NULL: no printing
     bool check_passes;            // session_ir verifies the IR after every pass, not only the last: takes a third of a build's time
     unsigned warnings;            // 1u << DiagGroup of each group that session_analyse checks
+    bool proposes_guards;         // session_script reports comparisons with G that a guard by time can replace
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
     SessionLocals locals;         // session_ir marks locals as hidden or written from outside accordingly
@@ -75,14 +79,18 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 // Compiles an application and everything that it names, analyses included. app_list_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
-// Joins the machines of an application, compiled by session_app, for its scripts, which write the names of `written` (language.md 8.80 to
-// 8.92). Returns NULL after an error: the application has no machines.
+// Joins the machines of an application, compiled by session_app, for its scripts, which write the names of `written` (language.md 8.71 to
+// 8.83). Returns NULL after an error: the application has no machines.
 const Program *session_join(Session *s, const App *a, const AppFiles *files, const Map *written);
 // Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
 // none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written);
 // Checks a script for the machine p.
 Script *session_script(Session *s, const Source *ss, const Program *p);
+// Checks the requirements of n files for the machine p, and the marks @req in p.
+Requirements *session_requirements(Session *s, const Source *const *rq, size_t n, const Program *p);
+// Checks the marks @req in a script of the same machine.
+void session_check_requirements_of_script(Session *s, const Requirements *r, const Script *script);
 // Reports warnings for a machine without errors. Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p);
 // Returns the optimised IR, by passes over s->built if that is of p.

@@ -15,13 +15,15 @@ const SmOpInfo sm_op_info[SM_OP_COUNT] = {
 };
 
 const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT] = {
-#define SM_PURE(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, false, false, SM_STAT_COUNT },
-#define SM_COMPOSED(name, arguments, steps, sentence) [SM_FN_##name] = { #name, sentence, arguments, false, false, SM_STAT_COUNT },
-#define SM_ROLL(name, stat, sentence) [SM_FN_##name] = { #name, sentence, 2, true, false, SM_STAT_##stat },
-#define SM_SAMPLED(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, false, true, SM_STAT_COUNT },
+#define SM_PURE(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, false, SM_STAT_COUNT },
+#define SM_COMPOSED(name, arguments, steps, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, false, SM_STAT_COUNT },
+#define SM_LIST(name, sentence) [SM_FN_##name] = { #name, sentence, 2, SM_LIST_MAX, false, false, SM_STAT_COUNT },
+#define SM_ROLL(name, stat, sentence) [SM_FN_##name] = { #name, sentence, 2, 2, true, false, SM_STAT_##stat },
+#define SM_SAMPLED(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, true, SM_STAT_COUNT },
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
 };

@@ -68,11 +68,13 @@ typedef enum SmStat {
 typedef enum SmBuiltin {
 #define SM_PURE(name, arguments, sentence) SM_FN_##name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_FN_##name,
+#define SM_LIST(name, sentence) SM_FN_##name,
 #define SM_ROLL(name, stat, sentence) SM_FN_##name,
 #define SM_SAMPLED(name, arguments, sentence) SM_FN_##name,
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
     SM_FN_COUNT
@@ -82,6 +84,7 @@ typedef struct SmBuiltinInfo {
     const char *name;
     const char *sentence;   // describes the result, for messages and docs
     uint8_t arguments;      // how many it has; a roll function has 2
+    uint8_t most;           // how many it can have: SM_LIST_MAX for a function of a list of values, else `arguments`
     bool is_roll;
     bool is_sampled;        // prev and similar
     SmStat stat;            // for a roll function: the statistic that it returns
@@ -90,6 +93,7 @@ typedef struct SmBuiltinInfo {
 extern const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT];   // indexed by SmBuiltin
 
 // Limits that the language itself sets.
+#define SM_LIST_MAX 16          // the most arguments of min, max, median and average
 #define SM_WINDOW_MAX 100000u   // the largest n of roll_x(x, n)
 
 #ifdef __cplusplus

@@ -154,7 +154,7 @@ net-campaign: $(B)/net/hostile_san $(B)/net/hostile_stream_san
 # tests/swap: machines that are replaced while they run.  `make swap-campaign N=100000 SEED=1` swaps random pairs.
 SWAP_OBJ = $(B)/obj/tests/swap/machine.o $(B)/obj/tests/swap/reference.o
 $(B)/swap/clauses $(B)/swap/hostile: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(SWAP_OBJ) $(B)/libsmc.a
-$(B)/swap/random: $(B)/obj/tests/swap/random.o $(SWAP_OBJ) $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+$(B)/swap/random: $(B)/obj/tests/swap/random.o $(SWAP_OBJ) $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_parameters.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
 $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
@@ -207,6 +207,15 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 	$(B)/swap/hostile $(SEED) $(N)
 .PHONY: swap-campaign
 
+# tests/requirements: random requirements over the runs of random machines.  `make requirements-campaign N=100000 SEED=1`.
+$(B)/requirements/random: $(B)/obj/tests/requirements/random.o $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+requirements-campaign: $(B)/requirements/random
+	$(B)/requirements/random $(SEED) $(N)
+.PHONY: requirements-campaign
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -239,7 +248,7 @@ COST_FLAGS = -DSMVM_CONFIG='"tests/cost/config.h"'
 COST_SRC   = tests/cost/run.c $(filter-out $(VM_FAST) $(VM_TEXT),$(VM))
 $(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_additions.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_additions.o %/gen_parameters.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
 
 # tests/emitc
 ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(OS_FILES))
@@ -757,6 +766,7 @@ $(foreach u,$(filter-out $(UNIT_SLOW:%=$(B)/unit/%),$(UNIT)) $(B)/unit/stdlib_co
 $(call test, ir,                   quick, $(B)/ir/run, $(B)/ir/run tests/ir/*.smt tests/ir/samples/*.ir conformance/*/*.smt)
 $(call test, ir-verify,            quick, $(B)/ir/verify, $(B)/ir/verify)
 $(call test, ir-read,              quick, $(B)/ir/read, $(B)/ir/read)
+$(call test, data,                 quick,, sh tests/data/run.sh $(B)/smc)
 $(call test, script,               quick,, $(B)/smc test tests/script)
 $(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout tests/graph/machines/*.sm)
 $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)
@@ -788,8 +798,8 @@ $(call test, check-hints,          quick,, sh tests/check/files.sh cases | awk -
 $(call test, check-codes,          quick,, sh tests/check/files.sh cases | awk -f tests/check/codes.awk compiler/diag/flags.def compiler/diag/codes.def tests/check/codes.txt -)
 $(call test, check-builtins,       quick,, sh tests/check/builtins.sh)
 $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | awk -f tests/check/arguments.awk compiler/diag/codes.def compiler/syntax/hints.def compiler/sema/foreign_names.def -)
-$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md tests/check/clauses.txt -)
-$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md -)
+$(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md tests/check/clauses.txt -)
+$(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
 $(call test, check-last-return,    quick,, sh tests/check/files.sh code | awk -f tests/check/last_return.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
@@ -836,6 +846,7 @@ $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
 $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementary/bits)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
+$(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
@@ -849,6 +860,7 @@ $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/thread
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/random 1 300)
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
+$(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
 $(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)
@@ -858,6 +870,7 @@ $(call test, fuzz-script,          thorough, $(B)/fuzz/script, $(B)/fuzz/script 
 $(call test, fuzz-frontend,        thorough, $(B)/fuzz/frontend, $(B)/fuzz/frontend -n 5000 tests/fuzz/seeds/frontend/*)
 $(call test, fuzz-ir,              thorough, $(B)/fuzz/ir, $(B)/fuzz/ir -n 2000 tests/ir/samples/*.ir)
 $(call test, fuzz-log,             thorough, $(B)/fuzz/log $(B)/corpus/log/flight.log, $(B)/fuzz/log -n 1000 $(B)/corpus/log/flight.log)
+$(call test, fuzz-recording,       thorough, $(B)/fuzz/recording, $(B)/fuzz/recording -n 20000 tests/fuzz/seeds/recording/*)
 $(call test, fuzz-image,           thorough, $(B)/fuzz/image $(B)/corpus/image, $(B)/fuzz/image -n 20000 $(B)/corpus/image/*.smb)
 $(call test, fuzz-swap,            thorough, $(B)/fuzz/swap, $(B)/fuzz/swap -n 5000 tests/fuzz/seeds/swap/*)
 $(call test, fuzz-link,            thorough, $(B)/fuzz/link $(LINK_SEEDS), $(B)/fuzz/link -n 20000 $(LINK_SEEDS))

@@ -26,6 +26,7 @@ typedef struct AbortPath {
     bool by_time;                 // the guard of `first` depends on T or G
     bool by_input;                // its guard depends on an input that is not a sensor: a bool, or a command (an integer that is only
                                   // compared by == or !=)
+    bool by_command;              // its guard depends on a command; where no element is marked @command, the same as by_input
     bool possible;                // the facts allow the transition to be taken
 } AbortPath;
 

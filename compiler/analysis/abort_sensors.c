@@ -22,7 +22,8 @@ typedef struct AbortTrials {
     const InputDepsTable *deps;
     void *at;                     // the current situation
     double *in;                   // the inputs of the next step
-    bool commands;                // trials also draw command inputs; false: these keep their values
+    bool commands;                // trials also draw command inputs; false: these keep their values, except bools without a mark where
+                                  // commands are marked
     const SensorFailure *failed;  // the failed sensor, or NULL
     bool left_at_once;            // some trial left the state within two steps, and did not abort
     bool left;                    // some trial left the state later, but before windows were full, and did not abort
@@ -90,7 +91,10 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
             trial_fill_windows(t, k->at, k->in);
         }
         for (int c = 0; c < INPUT_CHANGES && f == TRIAL_STAYS; c++) {
-            trial_draw_inputs(t, k->in, &t->state[state - 1], k->commands, true);
+            if (!k->commands && k->deps->marks_commands)
+                trial_draw_inputs_freely(t, k->in, &t->state[state - 1]);
+            else
+                trial_draw_inputs(t, k->in, &t->state[state - 1], k->commands, true);
             if (c == 0 && n % 2)
                 f = run_step(k, state);
             if (f == TRIAL_STAYS)
@@ -131,7 +135,7 @@ static bool all_paths_depend_on(const AbortRow *r, const Var *v)
 
     for (size_t k = 0; k < r->path.n; k++) {
         const AbortPath *path = &r->path.at[k];
-        const bool by_command_alone = path->by_input && path->sensors == 0 && !path->by_time;
+        const bool by_command_alone = path->by_command && path->sensors == 0 && !path->by_time;
         bool depends = false;
         for (size_t i = 0; i < path->sensors; i++)
             depends |= path->sensor[i] == v;
@@ -142,11 +146,11 @@ static bool all_paths_depend_on(const AbortRow *r, const Var *v)
     return any;
 }
 
-// Whether every bounded path depends on a command or another input that is not a sensor.
+// Whether every bounded path depends on a command.
 static bool all_paths_need_command(const AbortRow *r)
 {
     for (size_t p = 0; p < r->path.n; p++)
-        if (abort_is_bounded(&r->path.at[p]) && !r->path.at[p].by_input)
+        if (abort_is_bounded(&r->path.at[p]) && !r->path.at[p].by_command)
             return false;
     return true;
 }
@@ -278,6 +282,7 @@ void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b)
             path->sensors = deps.n;
             path->by_time = deps.time;
             path->by_input = deps.input;
+            path->by_command = deps.command;
         }
         if (!r->state->is_abort)
             fill_in_trial_results(&k, r);

@@ -52,6 +52,9 @@ void analyse_shared_vector(Arena *arena, Diags *diags, const Program *const *p, 
 // Reports conflicts between a machine and the input pins of its elements (config.md 9.13).  An input pin for G or S is an error.
 void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p);
 
+// Reports values of a script whose units do not fit each other.  Nothing in `arena` is needed afterwards.
+void analyse_units_of_script(Arena *arena, Diags *diags, const Script *script);
+
 // ---- for analyses ----
 
 #define ANALYSIS(name, group, sentence) void analyse_##name(Analysis *a);

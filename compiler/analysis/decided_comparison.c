@@ -117,7 +117,7 @@ static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
     const SmF64 zero = sm_from_i32(0);                        // adding it turns -0 into 0
     const char *lo = const_text(a->arena, sm_add(p->a.fact.lo, zero)), *hi = const_text(a->arena, sm_add(p->a.fact.hi, zero));
 
-    if (e->kind == EX_VAR) {
+    if (e->kind == EX_VAR && !e->var->parameter) {
         if (sm_type_info[e->var->type].kind != SM_KIND_BOOL) {
             const SmType t = e->var->type;
             lo = const_text(a->arena, sm_cell_to_f64(t, sm_cell_from_f64(t, p->a.fact.lo)));

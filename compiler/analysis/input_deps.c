@@ -45,17 +45,30 @@ static void count_uses(const Stmt *stmt, void *context)
         expr_walk(stmt->value, count_use, context);
 }
 
-// Finds elements that are marked @command, and integers that are only compared with constants by == and !=.
+// Whether the author marks commands: the machine or the state vector file has an @command (language.md 4.16).
+static bool has_marked_commands(const Program *p)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < p->var.n && !any; i++)
+        any = p->var.at[i]->command;
+    for (size_t i = 0; i < p->sv->element.n && !any; i++)
+        any = p->sv->element.at[i]->command;
+    return any;
+}
+
+// Finds elements that are marked @command. Without any mark, integers that are only compared with constants by == and != are commands, too.
 static void find_commands(InputDepsTable *s)
 {
     const Program *p = s->a->p;
     UseCount u = {ARENA_ARRAY(s->a->arena, uint32_t, p->var.n), ARENA_ARRAY(s->a->arena, uint32_t, p->var.n)};
 
+    s->marks_commands = has_marked_commands(p);
     each_stmt(p, count_uses, &u);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
         const bool whole = sm_type_info[v->type].kind != SM_KIND_FLOAT && v->type != SM_BOOL;
-        s->command[i] = v->command || (whole && u.reads[i] > 0 && u.reads[i] == u.equalities[i]);
+        s->command[i] = v->command || (!s->marks_commands && whole && u.reads[i] > 0 && u.reads[i] == u.equalities[i]);
     }
 }
 
@@ -96,8 +109,9 @@ static bool merge_deps(InputDeps *to, const InputDeps *from)
     to->more |= from->more;
     to->time |= from->time;
     to->input |= from->input;
+    to->command |= from->command;
     to->other |= from->other;
-    return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->other != was.other;
+    return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->command != was.command || to->other != was.other;
 }
 
 // Returns the set of v's own inputs: v itself if it is an input, else the empty set.
@@ -109,9 +123,10 @@ static InputDeps deps_of_var(const InputDepsTable *s, const Var *v)
         l.time = true;
     else if (is_sensor(s, v))
         add_sensor(&l, v);
-    else if (is_only_read(s, v))
+    else if (is_only_read(s, v)) {
         l.input = true;
-    else if (v->kind == VAR_ELEMENT)
+        l.command = !s->marks_commands || s->command[v->index];
+    } else if (v->kind == VAR_ELEMENT)
         l.other = true;
     return l;
 }

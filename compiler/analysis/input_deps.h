@@ -14,12 +14,15 @@ typedef struct InputDeps {
     bool more;                    // it also depends on more sensors than INPUT_DEPS_MAX
     bool time;                    // it depends on T or G
     bool input;                   // it depends on an element that the machine only reads and that is not a sensor
+    bool command;                 // it depends on such an element that a person operates: one marked @command, or any where none is marked
     bool other;                   // it depends on an element that the machine writes, on S, or on a local that a script writes
 } InputDeps;
 
 typedef struct InputDepsTable {
     Analysis *a;
-    bool *command;                // by Var.index: marked @command; or an integer that is only ever compared with constants by == or !=
+    bool marks_commands;          // some element is marked @command, so those without the mark are no commands
+    bool *command;                // by Var.index: marked @command; without marks_commands, an integer that is only ever compared with constants
+                                  // by == or !=
     InputDeps *deps;              // first by Var.index, then by Stmt.number of conditionals (the guard with its enclosing guards)
     const Stmt **store;           // by Var.index: its first assignment in the file; or NULL
 } InputDepsTable;

@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 // An SmcAllocFn that allocates on the heap.  `context` is not used.
 void *os_alloc(void *context, void *old, size_t size);
@@ -45,6 +46,13 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why);
 
 // Reads up to n bytes from the start of a regular file.  *len is their number, 0 if there is no such file.  False if it cannot be read.
 bool os_read_head(const char *path, char *into, size_t n, size_t *len);
+
+// A regular file read piece by piece, of any size.  Refuses folders, devices and pipes.  os_reader_get stores up to n bytes and their number,
+// 0 at the end.  It fails if the file has become shorter than it was when it was opened.
+typedef struct OsReader { intptr_t file; uint64_t size, done; } OsReader;
+bool os_reader_open(OsReader *r, const char *path, const char **why);
+bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why);
+void os_reader_close(OsReader *r);
 
 bool os_is_folder(const char *path);
 // The file descriptor of this process that a path names, as /dev/stdout, /dev/fd/1, /proc/self/fd/1 or a link to one; else -1.

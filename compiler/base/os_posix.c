@@ -136,6 +136,41 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
     return got >= 0;
 }
 
+bool os_reader_open(OsReader *r, const char *path, const char **why)
+{
+    struct stat st;
+    int fd;
+
+    if (!check_name(path, why))
+        return false;
+    if ((fd = open(path, O_RDONLY | O_NONBLOCK)) < 0)                     // does not wait for the writer of a pipe
+        return set_reason(why);
+    if (fstat(fd, &st) != 0 || !S_ISREG(st.st_mode)) {
+        *why = S_ISDIR(st.st_mode) ? "it is a folder" : "it is not a regular file";
+        close(fd);
+        return false;
+    }
+    *r = (OsReader){fd, (uint64_t)st.st_size, 0};
+    return true;
+}
+
+bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why)
+{
+    ssize_t bytes;
+
+    while ((bytes = read((int)r->file, into, n)) < 0 && errno == EINTR)
+        continue;
+    *got = bytes > 0 ? (size_t)bytes : 0;
+    r->done += *got;
+    if (bytes < 0)
+        return set_reason(why);
+    if (bytes == 0 && r->done < r->size)
+        *why = "the file became shorter while it was read";
+    return bytes > 0 || r->done >= r->size;
+}
+
+void os_reader_close(OsReader *r) { close((int)r->file); }
+
 // ---- writing ----
 
 // Writes all n bytes. Returns false and sets *why if that fails.

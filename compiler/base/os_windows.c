@@ -295,6 +295,43 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
     return got >= 0;
 }
 
+bool os_reader_open(OsReader *r, const char *path, const char **why)
+{
+    BY_HANDLE_FILE_INFORMATION information;
+    HANDLE file;
+
+    if (!check_name(path, why))
+        return false;
+    if (os_is_folder(path)) {
+        *why = "it is a folder";
+        return false;
+    }
+    if ((file = open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
+        return windows_set_reason(why);
+    if (GetFileType(file) != FILE_TYPE_DISK || !GetFileInformationByHandle(file, &information)) {
+        *why = "it is not a regular file";
+        CloseHandle(file);
+        return false;
+    }
+    *r = (OsReader){(intptr_t)file, (uint64_t)information.nFileSizeHigh << 32 | information.nFileSizeLow, 0};
+    return true;
+}
+
+bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why)
+{
+    const long bytes = read_some((HANDLE)r->file, into, n);
+
+    *got = bytes > 0 ? (size_t)bytes : 0;
+    r->done += *got;
+    if (bytes < 0)
+        return windows_set_reason(why);
+    if (bytes == 0 && r->done < r->size)
+        *why = "the file became shorter while it was read";
+    return bytes > 0 || r->done >= r->size;
+}
+
+void os_reader_close(OsReader *r) { CloseHandle((HANDLE)r->file); }
+
 bool os_same_file(const char *a, const char *b)
 {
     BY_HANDLE_FILE_INFORMATION x, y;

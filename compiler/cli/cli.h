@@ -45,7 +45,9 @@ struct Cli {
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
     VEC(const Source *) scripts;          // the scripts that have been read, and those that they include
+    VEC(const char *) data;               // the paths of the files with recorded data that scripts name
     VEC(const Source *) included;         // those of them that no argument names
+    VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
     Buf bindings;                         // the values of all --bind, one on each line
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
@@ -104,6 +106,12 @@ int cli_print_diagnostics(Cli *c);
 int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
+// Read the value of an option such as --seed, and --max-steps.  Each returns false if it is not a whole number that 64 bits can hold; a count
+// begins at 1.
+bool cli_read_whole(const char *text, uint64_t *number);
+bool cli_read_count(const char *text, uint64_t *count);
+// Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
+const char *cli_read_percent(const char *at, double *percent);
 bool cli_is_standard_output(const Cli *c, OptionId id);         // whether an option names "-"
 
 // A format that a command can write; the first one is the default.

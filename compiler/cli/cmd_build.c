@@ -152,12 +152,14 @@ static int write_outputs(Cli *c, const Outputs *o, bool to_folder)
 static DepInputs list_inputs(Cli *c, const CompileInput *in)
 {
     const size_t named = in->app ? in->app->files.n : 0;
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + named + 2), 0};
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + named + c->data.n + 2), 0};
 
     for (size_t i = 0; i < c->files; i++)
         all.at[all.n++] = c->file[i];
     for (size_t i = 0; i < named; i++)
         all.at[all.n++] = in->app->files.at[i].src->name;
+    for (size_t i = 0; i < c->data.n; i++)
+        all.at[all.n++] = c->data.at[i];
     if (c->given[OPT_SV])
         all.at[all.n++] = c->value[OPT_SV];
     if (c->given[OPT_IO])
@@ -238,6 +240,8 @@ static int check_arguments(Cli *c, CompileEmit emit)
         return cli_usage_error(c, TEXT_io_needs_image, c->value[OPT_IO]);
     if (first == FILE_SS)
         return cli_usage_error(c, TEXT_script_not_built, c->file[0]);
+    if (first == FILE_RQ)
+        return cli_usage_error(c, TEXT_requirements_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage_error(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
     if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] &&

@@ -24,6 +24,8 @@ static int check_arguments(Cli *c)
         return cli_usage_error(c, TEXT_app_names_vector, c->file[0]);
     if (pins && !c->given[OPT_SV])
         return cli_usage_error(c, TEXT_pins_checked_with, pins);
+    if (of[FILE_RQ] && of[FILE_SM] != 1)
+        return cli_usage_error(c, TEXT_requirements_checked_with);
     if (of[FILE_SS] && of[FILE_SM] == 0 && of[FILE_APP] == 0)
         return cli_usage_error(c, TEXT_script_checked_with);
     if (of[FILE_SS] && of[FILE_SM] > 1)

@@ -13,12 +13,14 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 // Lists the files that the report depends on.
 static DepInputs list_inputs(Cli *c)
 {
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + 2), 0};
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + 2), 0};
 
     for (size_t i = 0; i < c->files; i++)
         all.at[all.n++] = c->file[i];
     for (size_t i = 0; i < c->included.n; i++)
         all.at[all.n++] = c->included.at[i]->name;
+    for (size_t i = 0; i < c->data.n; i++)
+        all.at[all.n++] = c->data.at[i];
     if (c->given[OPT_SV])
         all.at[all.n++] = c->value[OPT_SV];
     if (c->given[OPT_IO])

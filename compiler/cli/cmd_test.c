@@ -18,7 +18,7 @@ const char *test_suite_name(Arena *arena, const char *path)
 
 static void add_error(TestRun *t, const char *path, const char *message, int code)
 {
-    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0, "", ""};
+    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0, "", "", ""};
 
     vec_push(t->arena, &t->result, r);
 }
@@ -72,7 +72,8 @@ bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || cli_
 
 int test_result_fd(const Cli *c)
 {
-    return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
+    return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_COVERAGE_DATA) || cli_is_standard_output(c, OPT_COVERAGE_JSON) ||
+           cli_is_standard_output(c, OPT_COVERAGE_LCOV) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
 }
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
@@ -110,6 +111,8 @@ static int write_results(TestRun *t, bool summary)
         test_write_tap(t, &out);
     else if (summary && !test_stdout_is_for_program(t->c))
         test_write_summary(t, &out);
+    if (!tap && !test_stdout_is_for_program(t->c))
+        test_requirements_write(t, &out);
     if (!cli_print(t->c, tap ? 1 : test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
     if (!t->c->given[OPT_JUNIT])
@@ -124,7 +127,7 @@ static int write_results(TestRun *t, bool summary)
 // Returns the most serious result: a bug of smc, then a fault of the environment, then a problem in the user's input.
 static int exit_code(const TestRun *t)
 {
-    int code = EXIT_OK;
+    int code = t->code;
 
     for (size_t i = 0; i < t->result.n; i++)
         if (code < t->result.at[i].code)
@@ -145,25 +148,29 @@ bool test_is_script(const Cli *c, const char *path)
     return has_machine;
 }
 
-typedef struct Files { size_t machines, scripts, cases, standard_inputs; const char *machine; } Files;
+bool test_is_requirements(const char *path) { return has_suffix(path, ".rq"); }
+
+typedef struct Files { size_t machines, scripts, cases, requirements, data, standard_inputs; const char *machine; } Files;
 
 static Files classify_files(const Cli *c)
 {
-    Files f = {0, 0, 0, 0, NULL};
+    Files f = {0};
 
     for (size_t i = 0; i < c->files; i++) {
-        const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]);
-        const bool machine = !script && (standard || has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app"));
+        const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]), data = test_is_coverage_data(c->file[i]);
+        const bool machine = !script && !data && (standard || has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app"));
         f.standard_inputs += standard;
         f.machines += machine;
         f.scripts += script;
-        f.cases += !machine && !script;
+        f.requirements += test_is_requirements(c->file[i]);
+        f.data += data;
+        f.cases += !machine && !script && !data && !test_is_requirements(c->file[i]);
         f.machine = machine ? c->file[i] : f.machine;
     }
     return f;
 }
 
-static const char accepted[] = "a machine (.sm) or an application (.app), state scripts (.ss), test cases (.smt) and folders of test cases";
+static const char accepted[] = "a machine (.sm) or an application (.app), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases";
 
 static int check_kinds(Cli *c)
 {
@@ -173,8 +180,8 @@ static int check_kinds(Cli *c)
             return cli_usage_error(c, TEXT_vector_with_sv, path);
         if (has_suffix(path, ".app") && c->given[OPT_SV])
             return cli_usage_error(c, TEXT_app_names_vector, path);
-        if (!has_suffix(path, ".sm") && !has_suffix(path, ".app") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && strcmp(path, "-") != 0 &&
-            !os_is_folder(path))
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".app") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") &&
+            !test_is_requirements(path) && !test_is_coverage_data(path) && strcmp(path, "-") != 0 && !os_is_folder(path))
             return cli_usage_error(c, TEXT_test_kind, path, accepted);
     }
     return EXIT_OK;
@@ -183,7 +190,8 @@ static int check_kinds(Cli *c)
 static int check_arguments(Cli *c, const Files *f)
 {
     static const struct { OptionId id; const char *spelling; } other[] = {
-        {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}};
+        {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}, {OPT_COVERAGE_DATA, "--coverage-data"},
+        {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"}};
 
     if (c->files == 0)
         return cli_usage_error(c, TEXT_test_what);
@@ -193,12 +201,24 @@ static int check_arguments(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_test_one_input);
     if (f->machines > 1)
         return cli_usage_error(c, TEXT_test_one_machine);
+    if (f->data && (!f->machines || !test_coverage_is_wanted(c)))
+        return cli_usage_error(c, TEXT_coverage_for_data);
+    if (test_coverage_is_wanted(c) && !f->machines)
+        return cli_usage_error(c, TEXT_coverage_of_case);
     if (f->machines && !f->scripts && f->cases)
         return cli_usage_error(c, TEXT_test_folder_of_scripts, f->machine);
-    if (f->machines && !f->scripts)
+    if (f->machines && !f->scripts && !f->data)
         return cli_usage_error(c, TEXT_test_no_script, f->machine, f->machine);
     if (f->scripts && !f->machines)
         return cli_usage_error(c, TEXT_test_no_machine);
+    if (c->given[OPT_SET] && !f->machines)
+        return cli_usage_error(c, TEXT_set_of_case);
+    if (f->requirements && !f->machines)
+        return cli_usage_error(c, TEXT_test_requirements_alone);
+    if (f->requirements && has_suffix(f->machine, ".app"))
+        return cli_usage_error(c, TEXT_test_requirements_of_app, f->machine);
+    if (test_coverage_is_wanted(c) && has_suffix(f->machine, ".app"))
+        return cli_usage_error(c, TEXT_coverage_of_app, f->machine);
     for (size_t i = 0; i < sizeof other / sizeof *other && c->given[OPT_TAP]; i++)
         if (cli_is_standard_output(c, other[i].id))
             return cli_usage_error(c, TEXT_both_to_stdout, "--tap", other[i].spelling);
@@ -222,26 +242,16 @@ static int check_trace(Cli *c, const Files *f)
     return EXIT_OK;
 }
 
-// Reads the value of --max-steps. Returns false if it is not a whole number from 1 on that 64 bits can hold.
-static bool read_steps(const char *text, uint64_t *steps)
-{
-    *steps = 0;
-    for (; *text >= '0' && *text <= '9'; text++) {
-        if (*steps > (UINT64_MAX - 9) / 10)
-            return false;
-        *steps = *steps * 10 + (uint64_t)(*text - '0');
-    }
-    return *text == '\0' && *steps > 0;
-}
-
 static int read_options(TestRun *t)
 {
     Cli *c = t->c;
     CompileOptions unused;
 
     t->max_steps = 1000000;
-    if (c->given[OPT_MAX_STEPS] && !read_steps(c->value[OPT_MAX_STEPS], &t->max_steps))
+    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &t->max_steps))
         return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &t->seed) || t->seed > SCRIPT_SEED_MAX))
+        return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)
         return cli_usage_error(c, TEXT_engine_values, c->value[OPT_ENGINE]);
     return cli_compile_options(c, &unused) ? EXIT_OK : EXIT_USAGE;
@@ -263,14 +273,14 @@ int cmd_test(Cli *c)
 
     name_standard_input(c);
     f = classify_files(c);
-    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = test_coverage_check_options(c)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_print_note(c, TEXT_cases_not_traced, f.machine);
     if (f.machine && (ran = test_run_machine(&t, f.machine)) == EXIT_USAGE)
         return ran;
     for (size_t i = 0; i < c->files; i++)
-        if (!test_is_script(c, c->file[i]) && c->file[i] != f.machine)
+        if (!test_is_script(c, c->file[i]) && !test_is_requirements(c->file[i]) && !test_is_coverage_data(c->file[i]) && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
     test_run_cases(&t, t.path.at, t.path.n);
     report_absent(&t);

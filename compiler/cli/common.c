@@ -337,3 +337,35 @@ const char *path_stem(Cli *c, const char *path)
         return "stdin";
     return format_in(&c->session.arena, "%.*s", (int)(dot && dot != start ? (size_t)(dot - start) : strlen(start)), start);
 }
+
+// Reads a whole number.  Returns false if the text is anything else, or 64 bits cannot hold it.
+bool cli_read_whole(const char *text, uint64_t *number)
+{
+    const char *digit = text;
+
+    for (*number = 0; *digit >= '0' && *digit <= '9'; digit++) {
+        if (*number > (UINT64_MAX - 9) / 10)
+            return false;
+        *number = *number * 10 + (uint64_t)(*digit - '0');
+    }
+    return *digit == '\0' && digit > text;
+}
+
+bool cli_read_count(const char *text, uint64_t *count) { return cli_read_whole(text, count) && *count > 0; }
+
+// Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
+const char *cli_read_percent(const char *at, double *percent)
+{
+    const char *begin = at;
+    double scale = 1;
+    int digits = 0;
+
+    for (*percent = 0; *at >= '0' && *at <= '9' && digits < 3; at++, digits++)
+        *percent = *percent * 10 + (*at - '0');
+    if (at == begin)
+        return NULL;
+    if (*at == '.')
+        for (at++, digits = 0; *at >= '0' && *at <= '9' && digits < 6; at++, digits++)
+            *percent += (*at - '0') * (scale /= 10);
+    return *percent <= 100 ? at : NULL;
+}

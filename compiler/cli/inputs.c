@@ -4,6 +4,7 @@
 
 #include "compiler/base/path.h"
 #include "compiler/cli/cli.h"
+#include "compiler/data/data_file.h"
 #include "compiler/syntax/parse.h"
 
 // ---- sources ----
@@ -39,6 +40,54 @@ static const Source *find_included(void *context, const Source *from, const char
     return src;
 }
 
+static bool read_data(DataStream *s, char *into, size_t n, size_t *got, const char **why) { return os_reader_get(s->self, into, n, got, why); }
+
+static void close_data(DataStream *s)
+{
+    os_reader_close(s->self);
+    os_alloc(NULL, s->self, 0);
+}
+
+static bool open_data(const DataFile *file, DataStream *stream, const char **why)
+{
+    OsReader *r = os_alloc(NULL, NULL, sizeof *r);
+
+    if (!r) {
+        *why = "out of memory";
+        return false;
+    }
+    *stream = (DataStream){r, 0, read_data, close_data};
+    if (os_reader_open(r, file->name, why))
+        return true;
+    os_alloc(NULL, r, 0);
+    return false;
+}
+
+static void add_data_name(Cli *c, const char *name)
+{
+    for (size_t i = 0; i < c->data.n; i++)
+        if (strcmp(c->data.at[i], name) == 0)
+            return;
+    vec_push(&c->session.arena, &c->data, name);
+}
+
+// Returns the file with recorded data that a script names.
+static const DataFile *find_data(void *context, const Source *from, const char *name, const char **why)
+{
+    static const OptionId outputs[] = {OPT_OUTPUT, OPT_TRACE, OPT_JUNIT, OPT_MESSAGE_FILE, OPT_DEPS_FILE};
+    Cli *c = context;
+    DataFile *file = ARENA_NEW(&c->session.arena, DataFile);
+
+    *file = (DataFile){path_beside(&c->session.arena, from->name, name), NULL, open_data};
+    add_data_name(c, file->name);
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++)
+        if (c->given[outputs[i]] && os_same_file(c->value[outputs[i]], file->name)) {
+            *why = "it is also an output of this command";
+            return NULL;
+        }
+    return file;
+}
+
 // Reads a source; NULL after a message (exit with EXIT_ENVIRONMENT).
 Source *cli_read_source(Cli *c, const char *path)
 {
@@ -49,7 +98,7 @@ Source *cli_read_source(Cli *c, const char *path)
         cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
     else if (has_suffix(path, ".ss"))
         vec_push(&c->session.arena, &c->scripts, src);
-    c->session.finder = (SourceFinder){find_included, c};
+    c->session.finder = (SourceFinder){find_included, find_data, c};
     return src;
 }
 

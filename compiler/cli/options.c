@@ -90,6 +90,8 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
     c->value[id] = value;
     if (id == OPT_BIND)
         buf_printf(&c->bindings, "%s\n", value);
+    if (id == OPT_SET)
+        vec_push(&c->session.arena, &c->set, value);
     if (id == OPT_WARN)
         c->warn.word[c->warn.n++] = value;
     if (id == OPT_NO_WARN)

@@ -10,10 +10,11 @@ enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c)
 {
+    const bool is_report = c->command->run == cmd_report;
     size_t machines = 0;
 
     for (size_t i = 0; i < c->files; i++) {
-        const bool script = has_suffix(c->file[i], ".ss");
+        const bool script = has_suffix(c->file[i], ".ss") || (is_report && has_suffix(c->file[i], ".rq"));
         if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],
                                    has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
@@ -37,23 +38,29 @@ const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *
 
 // ---- on the VM ----
 
-// Runs the scripts of `in` into r->run, on an image with names of the machine compiled for scripts.
+// Runs the scripts of `in` into r->run and measures their coverage, on an image with names of the machine compiled for scripts.
 int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made)
 {
     const Program *p = runs_find_machine(in, made)->scripted;
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .requirements = runs_find_machine(in, made)->requirements};
     EngineSet engines = {{NULL}, 0, NULL};
+    Cover *cover;
 
+    r->requirements = o.requirements;
     if (in->n < 2)
         return EXIT_OK;
     if (!engines_open(&engines, &c->session, p, 1u << ENGINE_VM, options_opt_level(c))) {
         cli_print_error(c, TEXT_sentence, engines.error);
         return EXIT_PROBLEM;
     }
+    cover = cover_new(&c->session.arena, p);
+    engines.at[engines.n++] = cover_open_engine(cover);
     r->run = ARENA_ARRAY(&c->session.arena, ReportRun, in->n);
     for (size_t i = 0; i < in->n; i++)
         if (in->at[i].kind == FILE_SS && !made->of[i].is_included)
             review_run_script(&c->session, r, p, in->at[i].text, NULL, engines.at, engines.n, &o, &r->run[r->runs++]);
     engines_close(&engines);
+    cover_settle(cover);
+    r->cover = cover;
     return EXIT_OK;
 }

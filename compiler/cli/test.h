@@ -23,8 +23,18 @@ typedef struct TestResult {
     int code;                 // the exit code of the command that this result requires
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
+    const char *seed;         // of its random numbers; "" or NULL: it has none
     const char *requirements; // the requirements that it has tested, with spaces between them; "" or NULL: none
 } TestResult;
+
+// The result of a requirement in all scripts of the call.
+typedef struct TestRequirement {
+    const Requirement *what;
+    RequirementTotal total;
+    const char *implemented;  // where the machine has it as a mark: "tank.sm:7, tank.sm:12"; ""
+    const char *judged;       // where it was judged and how often: "a.ss: 101, b.ss: 7"; ""
+    const char *asserts;      // the asserts of scripts that test it and were evaluated: "a.ss:12"; ""
+} TestRequirement;
 
 typedef struct TestRun {      // one call of smc test
     Cli *c;
@@ -33,10 +43,13 @@ typedef struct TestRun {      // one call of smc test
     unsigned absent;          // engines that were requested but not available
     const char *why_absent;   // why they are not available, as a sentence
     bool c_was_tried, c_runs; // whether the C compiler runs, once it has been tried
+    int code;                 // an exit code that no result has: of a warning about requirements that -Werror makes an error
     size_t left_out;          // runs on absent engines that were omitted from cases
     uint64_t max_steps;
+    uint64_t seed;            // the value of --seed
     VEC(const char *) path;   // .smt cases to run, in order
     VEC(TestResult) result;
+    VEC(TestRequirement) requirement;         // in the order of their files
 } TestRun;
 
 // Whether results for another program go to standard output: then reports for people do not go there.
@@ -45,6 +58,7 @@ bool test_stdout_is_for_program(const Cli *c);                                  
 int test_result_fd(const Cli *c);                                   // cmd_test.c
 // Whether an argument is a script. Standard input ("-") is one if the call names a machine; otherwise it is the machine.
 bool test_is_script(const Cli *c, const char *path);               // cmd_test.c
+bool test_is_requirements(const char *path);                         // cmd_test.c: whether an argument is a file of requirements
 const char *test_suite_name(Arena *arena, const char *path);           // cmd_test.c: the suite of a case
 
 // Runs every script of the call on the machine `path` and adds a result for each.  EXIT_OK, or the exit code after a message;
@@ -54,6 +68,18 @@ int test_run_machine(TestRun *t, const char *path);                    // test_m
 // Returns the engines among `which` that cannot run here and are omitted, and records them for the end of the run. Engines that the call
 // names are never omitted: they must run. Emitted C is not omitted either with --engine=all and the variable CC set.
 unsigned test_absent_engines(TestRun *t, unsigned which);           // cmd_test.c
+
+// ---- test_requirements.c ----
+
+typedef struct RequirementTable RequirementTable;
+
+// Begins the table of the requirements `what`, which can be NULL: then it stays empty.
+RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what);
+// Adds the run of a script.
+void test_requirements_add(RequirementTable *table, const char *path, const Script *s, const ScriptResult *r);
+// Ends the table: reports what no script has judged, and stores the results in t->requirement. `complete`: all scripts have passed.
+void test_requirements_end(RequirementTable *table, bool complete);
+void test_requirements_write(const TestRun *t, Buf *out);      // the table for people
 
 // ---- test_case.c: one .smt file ----
 
@@ -74,11 +100,26 @@ void test_run_cases(TestRun *t, const char *const *path, size_t n);    // many .
 typedef struct TestTrace TestTrace;
 
 // Opens the file that --trace names; *trace is NULL without --trace. EXIT_OK, or the exit code after a message.
-int test_trace_open(TestRun *run, const Program *p, TestTrace **trace);
+int test_trace_open(TestRun *run, const Program *p, const Requirements *rq, TestTrace **trace);
 void test_trace_script(TestTrace *t, const char *path);            // names the script whose steps follow
 void test_trace_left_out(TestTrace *t, const char *path);          // reports a script without a trace; t may be NULL
 void test_trace_step(void *trace, const ScriptStep *step);         // writes a step; for ScriptOptions.after_step
 int test_trace_close(TestTrace *t);                                // t may be NULL; the file appears if a script ran
+
+// ---- test_coverage.c: --coverage ----
+
+typedef struct TestCoverage TestCoverage;
+
+bool test_coverage_is_wanted(const Cli *c);                         // whether an option requires coverage to be measured
+bool test_is_coverage_data(const char *path);                      // whether an argument is a file of counts (.cov)
+int test_coverage_check_options(Cli *c);                            // EXIT_OK, or EXIT_USAGE after a message
+// Begins to measure p and adds an engine to the set.  Reads the files of counts that the call names.  *coverage is NULL if nothing is measured.
+// EXIT_OK, or the exit code after a message.
+int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage);
+// After the scripts: writes the files that options name, prints the report, and adds a result for --min-coverage.  `coverage` may be NULL.
+int test_coverage_finish(TestRun *t, TestCoverage *coverage, const char *machine);
+// Prints the session's diagnostics and stores them for a result's message (test_machine.c).
+int test_report_diagnostics(TestRun *t, const char **text);
 
 // ---- test_output.c ----
 

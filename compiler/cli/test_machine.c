@@ -2,6 +2,7 @@
 // Compiles a machine and its scripts, runs the scripts and reports the results.
 #include <string.h>
 
+#include "compiler/cli/setting.h"
 #include "compiler/cli/test.h"
 
 typedef struct MachineTest {
@@ -10,12 +11,16 @@ typedef struct MachineTest {
     double begin;             // start time of the current script
     const Program *p;         // the machine, compiled for scripts
     EngineSet engines;
+    const Requirements *requirements;         // NULL: none
+    RequirementTable *table;
+    VEC(ScriptSetting) setting;   // the values of --set
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     bool *is_part;            // by argument: another script includes it, so it does not run by itself
     Buf report;               // report of the last script: what it printed, and then the final values
     size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
+    TestCoverage *coverage;   // what --coverage measures; or NULL
 } MachineTest;
 
 // Returns a script's name in results: standard input has the name that diagnostics use.
@@ -23,7 +28,7 @@ static const char *result_name(const char *path) { return strcmp(path, "-") == 0
 
 static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
 {
-    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", ""};
+    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", "", ""};
 
     vec_push(m->t->arena, &m->t->result, r);
 }
@@ -43,7 +48,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
 // ---- one script ----
 
 // Prints the session's diagnostics and stores them for the result's message.
-static int report_diagnostics(TestRun *t, const char **text)
+int test_report_diagnostics(TestRun *t, const char **text)
 {
     DiagStyle plain = {false, 20};
     Buf b;
@@ -60,14 +65,15 @@ static int exit_code_of(ScriptOutcome o)
 {
     switch (o) {
     case SCRIPT_PASSED: return EXIT_OK;
-    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVERFLOW: return EXIT_PROBLEM;
+    case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVERFLOW: case SCRIPT_NO_DATA: return EXIT_PROBLEM;
     case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: case SCRIPT_CANCELLED: return EXIT_INTERNAL;      // this command cancels no run
     }
     return EXIT_INTERNAL;
 }
 
-// Returns the requirements that the script has tested, each once, in order: "R7 R8"; "" if there is none.
-static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r)
+// Returns the requirements that the script has tested, each once: "R7 R8"; "" if there is none. First those of its asserts, then those of `what`,
+// which can be NULL.
+static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r, const Requirements *what)
 {
     Map seen = {arena, NULL, NULL, 0, 0};
     Buf out;
@@ -85,13 +91,18 @@ static const char *list_requirements(Arena *arena, const Script *s, const Script
                 buf_printf(&out, "%s%s", out.n ? " " : "", name->text);
             }
         }
+    for (size_t i = 0; what && i < what->at.n; i++)
+        if (r->requirement[i].judged && !map_find(&seen, what->at.at[i].id))
+            buf_printf(&out, "%s%s", out.n ? " " : "", what->at.at[i].id->text);
     return buf_text(&out);
 }
 
 static void run_script(MachineTest *m, const char *path, const Script *s)
 {
     TestRun *t = m->t;
-    ScriptOptions o = {.max_steps = t->max_steps, .after_step = m->trace ? test_trace_step : NULL, .context = m->trace};
+    ScriptOptions o = {.max_steps = t->max_steps, .seed = t->c->given[OPT_SEED] ? &t->seed : NULL,
+                       .after_step = m->trace ? test_trace_step : NULL, .context = m->trace,
+                       .setting = m->setting.at, .settings = m->setting.n, .requirements = m->requirements};
     ScriptResult r;
     int code, reported;
     const char *message;
@@ -100,15 +111,17 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
         test_trace_script(m->trace, path);
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
+    test_requirements_add(m->table, path, s, &r);
     buf_str(&m->report, r.printed);
     m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
-    reported = report_diagnostics(t, &message);
+    reported = test_report_diagnostics(t, &message);
     if (code == EXIT_OK)
         code = reported;
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);
     m->t->result.at[m->t->result.n - 1].printed = r.printed;
-    m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r);
+    m->t->result.at[m->t->result.n - 1].seed = r.is_random ? format_in(t->arena, "%llu", (unsigned long long)r.seed) : "";
+    m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r, m->requirements);
 }
 
 static void test_script(MachineTest *m, size_t argument)
@@ -126,12 +139,38 @@ static void test_script(MachineTest *m, size_t argument)
         return;
     }
     if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
+        if (m->requirements)
+            session_check_requirements_of_script(&m->t->c->session, m->requirements, s);
         run_script(m, path, s);
         return;
     }
-    report_diagnostics(m->t, &message);
+    test_report_diagnostics(m->t, &message);
     test_trace_left_out(m->trace, path);
     add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
+}
+
+// Reads the values of --set.  EXIT_OK, or the exit code after a message.
+static int read_settings(MachineTest *m)
+{
+    Cli *c = m->t->c;
+    int code = EXIT_OK;
+
+    for (size_t i = 0; i < c->set.n; i++) {
+        ScriptSetting setting = {NULL, 0, {0}};
+        SmRefusal refusal = SM_REFUSAL_UNKNOWN;
+        Setting s;
+        if (!setting_parse(c, c->set.at[i], &s))
+            return EXIT_USAGE;
+        setting.parameter = program_parameter(m->p, str_intern(&c->session.strings, s.name, s.name_size));
+        if (setting.parameter)
+            refusal = parameter_judge(setting.parameter, s.value, &setting.cell);
+        if (refusal) {
+            setting_report_refused(c, &s, parameter_refusal_text(refusal));
+            code = EXIT_PROBLEM;
+        } else
+            vec_push(m->t->arena, &m->setting, setting);
+    }
+    return code;
 }
 
 // Reads the machine, the state vector and the scripts.  If a script cannot be read, m->problem has the reason and the others still run.
@@ -153,7 +192,11 @@ static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
     if (is_app)
         cli_load_app(c, in);
     for (size_t i = 0; i < c->files; i++)
-        if (test_is_script(c, c->file[i])) {
+        if (test_is_requirements(c->file[i])) {
+            in->at[in->n] = (CompileSource){.text = cli_read_source(c, c->file[i]), .kind = FILE_RQ};
+            if (!in->at[in->n++].text)
+                return EXIT_ENVIRONMENT;
+        } else if (test_is_script(c, c->file[i])) {
             if ((m->ss[i] = cli_read_source(c, c->file[i])) != NULL)
                 in->at[in->n++] = (CompileSource){.text = m->ss[i], .kind = FILE_SS};
             else
@@ -179,6 +222,7 @@ static int compile_machine(MachineTest *m, const char *path)
         for (size_t k = 0; k < in.n; k++)
             m->is_part[i] |= made.of[k].is_included && in.at[k].text == m->ss[i];
     m->p = made.of[0].scripted;
+    m->requirements = made.of[0].requirements;
     return m->p ? EXIT_OK : EXIT_PROBLEM;
 }
 
@@ -194,12 +238,30 @@ static bool open_engines(MachineTest *m)
     if (engines_open(&m->engines, &t->c->session, m->p, which, options_opt_level(t->c)))
         return true;
     cli_print_error(t->c, TEXT_sentence, m->engines.error);
-    code = report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
+    code = test_report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
     add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
     return false;
 }
 
-static bool is_lone_script(const Cli *c) { return c->files == 2; }
+// Whether the call names one script, and no case.
+static bool is_lone_script(const Cli *c)
+{
+    size_t others = 0;
+
+    for (size_t i = 0; i < c->files; i++)
+        others += !test_is_requirements(c->file[i]);
+    return others == 2;
+}
+
+// Begins to measure coverage if an option asks for it.  If this fails, no script runs and the result of each is an error.
+static bool open_coverage(MachineTest *m)
+{
+    const int code = test_coverage_open(m->t, m->p, &m->engines, &m->coverage);
+
+    if (code != EXIT_OK)
+        add_errors(m, m->t->c->last_error, code);
+    return code == EXIT_OK;
+}
 
 static int print_report(MachineTest *m, const char *path)
 {
@@ -218,10 +280,24 @@ static int print_report(MachineTest *m, const char *path)
     return cli_print(c, test_result_fd(c), &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
+// Ends the table of requirements, and prints the diagnostics about them.
+static int end_requirements(MachineTest *m, int code)
+{
+    const char *unused;
+    bool complete = code == EXIT_OK;
+
+    for (size_t i = 0; i < m->t->result.n; i++)
+        complete &= m->t->result.at[i].status == TEST_PASSED;
+    test_requirements_end(m->table, complete);
+    return test_report_diagnostics(m->t, &unused);
+}
+
 static int test_scripts(MachineTest *m)
 {
     Cli *c = m->t->c;
-    int code = test_trace_open(m->t, m->p, &m->trace), closed;
+    int code = test_trace_open(m->t, m->p, m->requirements, &m->trace), closed;
+
+    m->table = test_requirements_begin(m->t, m->requirements);
 
     if (code == EXIT_ENVIRONMENT)
         add_errors(m, c->last_error, code);
@@ -231,7 +307,10 @@ static int test_scripts(MachineTest *m)
             code = print_report(m, result_name(c->file[i]));
         }
     closed = test_trace_close(m->trace);
-    return code == EXIT_OK ? closed : code;
+    code = code == EXIT_OK ? closed : code;
+    if (m->requirements && (closed = end_requirements(m, code)) != EXIT_OK && code == EXIT_OK)
+        code = m->t->code = closed;
+    return code == EXIT_OK ? test_coverage_finish(m->t, m->coverage, m->path) : code;
 }
 
 int test_run_machine(TestRun *t, const char *path)
@@ -243,11 +322,13 @@ int test_run_machine(TestRun *t, const char *path)
     buf_init(&m.report, t->arena);
     m.is_part = ARENA_ARRAY(t->arena, bool, t->c->files);
     compiled = compile_machine(&m, path);
-    reported = report_diagnostics(t, &message);
+    reported = test_report_diagnostics(t, &message);
     code = compiled == EXIT_OK ? reported : compiled;
     if (code != EXIT_OK)
         add_errors(&m, compiled == EXIT_ENVIRONMENT ? t->c->last_error : message, code);
-    else if (open_engines(&m))
+    else if ((code = read_settings(&m)) != EXIT_OK)
+        add_errors(&m, t->c->last_error, code);
+    else if (open_engines(&m) && open_coverage(&m))
         code = test_scripts(&m);
     engines_close(&m.engines);
     return code == EXIT_PROBLEM ? EXIT_OK : code;

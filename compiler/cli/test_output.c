@@ -127,7 +127,7 @@ static bool is_case(const char *path) { return has_suffix(path, ".smt"); }
 // Writes a machine or a folder as a Java class name, because readers show Java packages as a tree: "flight.tank" for "flight/tank.sm".
 static void write_classname(Buf *out, Arena *arena, const char *suite)
 {
-    const size_t end = strlen(suite) - (has_suffix(suite, ".sm") ? 3 : 0);
+    const size_t end = strlen(suite) - (has_suffix(suite, ".sm") || has_suffix(suite, ".rq") ? 3 : 0);
     Buf name;
 
     buf_init(&name, arena);
@@ -145,17 +145,27 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
 
 static bool is_given(const char *text) { return text && *text; }
 
-// Writes the requirements that a script has tested, as properties.
-static void write_requirements(Buf *out, const char *list)
+// An empty value is no property.
+static void write_property(Buf *out, const char *name, const char *value, size_t n)
 {
-    if (!is_given(list))
+    if (n == 0)
+        return;
+    buf_printf(out, "        <property name=\"%s\"", name);
+    write_attribute(out, "value", value, n);
+    buf_str(out, "/>\n");
+}
+
+// Writes the seed of a script and the requirements that it has tested, as properties.
+static void write_properties(Buf *out, const char *seed, const char *list)
+{
+    if (!is_given(seed) && !is_given(list))
         return;
     buf_str(out, "      <properties>\n");
-    while (*list) {
+    if (is_given(seed))
+        write_property(out, "seed", seed, strlen(seed));
+    while (list && *list) {
         const size_t n = strcspn(list, " ");
-        buf_str(out, "        <property name=\"requirement\"");
-        write_attribute(out, "value", list, n);
-        buf_str(out, "/>\n");
+        write_property(out, "requirement", list, n);
         list += n + (list[n] == ' ');
     }
     buf_str(out, "      </properties>\n");
@@ -184,12 +194,12 @@ static void write_testcase(Buf *out, const TestResult *r)
     write_attribute(out, "name", name, strlen(name));
     write_classname(out, out->arena, r->suite);
     write_time(out, r->seconds);
-    if (!element && !is_given(r->printed) && !is_given(r->requirements)) {
+    if (!element && !is_given(r->printed) && !is_given(r->seed) && !is_given(r->requirements)) {
         buf_str(out, "/>\n");
         return;
     }
     buf_str(out, ">\n");
-    write_requirements(out, r->requirements);
+    write_properties(out, r->seed, r->requirements);
     if (element)
         write_problem(out, r, element);
     if (is_given(r->printed)) {
@@ -242,6 +252,77 @@ static void write_suite(const TestRun *t, const char *suite, Buf *out)
     buf_str(out, "  </testsuite>\n");
 }
 
+// ---- requirements in JUnit: a suite for each file, a test for each requirement ----
+
+static TestStatus status_of_requirement(const TestRequirement *r)
+{
+    return r->total.violated ? TEST_FAILED : r->total.undecided || r->total.judged == 0 ? TEST_SKIPPED : TEST_PASSED;
+}
+
+// Adds up the requirements of one file, or all if `file` is NULL.
+static void add_requirements(const TestRun *t, const char *file, TestTotals *all)
+{
+    for (size_t i = 0; i < t->requirement.n; i++) {
+        const TestRequirement *r = &t->requirement.at[i];
+        if (file && strcmp(r->what->span.src->name, file) != 0)
+            continue;
+        all->by_status[status_of_requirement(r)]++;
+        all->tests++;
+    }
+}
+
+static void write_requirement(Buf *out, const TestRequirement *r)
+{
+    static const char *const elements[] = {NULL, "failure", "error", "skipped"};          // by TestStatus
+    const char *name = format_in(out->arena, "%s %s", r->what->id->text, r->what->text->text), *element = elements[status_of_requirement(r)];
+    const char *verdict = requirement_verdict(&r->total);
+
+    buf_str(out, "    <testcase");
+    write_attribute(out, "name", name, strlen(name));
+    write_classname(out, out->arena, r->what->span.src->name);
+    write_time(out, 0);
+    buf_str(out, ">\n      <properties>\n");
+    write_property(out, "requirement", r->what->id->text, strlen(r->what->id->text));
+    write_property(out, "judged", r->judged, strlen(r->judged));
+    write_property(out, "tested by", r->asserts, strlen(r->asserts));
+    write_property(out, "implemented", r->implemented, strlen(r->implemented));
+    buf_str(out, "      </properties>\n");
+    if (element) {
+        buf_printf(out, "      <%s", element);
+        write_attribute(out, "message", verdict, strlen(verdict));
+        buf_str(out, "/>\n");
+    }
+    buf_str(out, "    </testcase>\n");
+}
+
+static void write_requirements_of(const TestRun *t, const char *file, Buf *out)
+{
+    TestTotals all = {{0}, 0, 0};
+
+    add_requirements(t, file, &all);
+    buf_str(out, "  <testsuite");
+    write_attribute(out, "name", file, strlen(file));
+    write_totals(out, &all);
+    buf_printf(out, " skipped=\"%lu\"", (unsigned long)all.by_status[TEST_SKIPPED]);
+    write_time(out, 0);
+    write_attribute(out, "file", file, strlen(file));
+    buf_str(out, ">\n");
+    for (size_t i = 0; i < t->requirement.n; i++)
+        if (strcmp(t->requirement.at[i].what->span.src->name, file) == 0)
+            write_requirement(out, &t->requirement.at[i]);
+    buf_str(out, "  </testsuite>\n");
+}
+
+// Writes a suite for each file of requirements. The requirements of a file follow each other.
+static void write_requirement_suites(const TestRun *t, Buf *out)
+{
+    for (size_t i = 0; i < t->requirement.n; i++) {
+        const char *file = t->requirement.at[i].what->span.src->name;
+        if (i == 0 || strcmp(t->requirement.at[i - 1].what->span.src->name, file) != 0)
+            write_requirements_of(t, file, out);
+    }
+}
+
 static bool is_first_of_suite(const TestRun *t, size_t i)
 {
     for (size_t k = 0; k < i; k++)
@@ -252,8 +333,9 @@ static bool is_first_of_suite(const TestRun *t, size_t i)
 
 void test_write_junit(const TestRun *t, Buf *out)
 {
-    const TestTotals all = add_totals(t, NULL);
+    TestTotals all = add_totals(t, NULL);
 
+    add_requirements(t, NULL, &all);
     buf_str(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\"");
     write_totals(out, &all);
     write_time(out, all.seconds);
@@ -261,6 +343,7 @@ void test_write_junit(const TestRun *t, Buf *out)
     for (size_t i = 0; i < t->result.n; i++)
         if (is_first_of_suite(t, i))
             write_suite(t, t->result.at[i].suite, out);
+    write_requirement_suites(t, out);
     buf_str(out, "</testsuites>\n");
 }
 
@@ -287,9 +370,30 @@ static void write_tap_lines(Buf *out, const char *text)
     }
 }
 
+static void write_tap_detail(Buf *out, const char *what, const char *places)
+{
+    if (*places)
+        write_tap_lines(out, format_in(out->arena, "%s %s", what, places));
+}
+
+// Writes a requirement as a test. One that is undecided or was never judged has not been tested, so it is skipped.
+static void write_tap_requirement(const TestRequirement *r, size_t number, Buf *out)
+{
+    const TestStatus status = status_of_requirement(r);
+
+    buf_printf(out, "%s %lu - %s ", status == TEST_FAILED ? "not ok" : "ok", (unsigned long)number, r->what->id->text);
+    write_tap_name(out, r->what->text->text);
+    if (status == TEST_SKIPPED)
+        buf_printf(out, " # SKIP %s", requirement_verdict(&r->total));
+    buf_char(out, '\n');
+    write_tap_detail(out, "judged in", r->judged);
+    write_tap_detail(out, "tested by", r->asserts);
+    write_tap_detail(out, "implemented in", r->implemented);
+}
+
 void test_write_tap(const TestRun *t, Buf *out)
 {
-    buf_printf(out, "TAP version 13\n1..%lu\n", (unsigned long)t->result.n);
+    buf_printf(out, "TAP version 13\n1..%lu\n", (unsigned long)(t->result.n + t->requirement.n));
     for (size_t i = 0; i < t->result.n; i++) {
         const TestResult *r = &t->result.at[i];
 
@@ -300,9 +404,13 @@ void test_write_tap(const TestRun *t, Buf *out)
         buf_char(out, '\n');
         if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
             write_tap_lines(out, r->message);
+        if (is_given(r->seed))
+            buf_printf(out, "# seed: %s\n", r->seed);
         if (is_given(r->requirements))
             buf_printf(out, "# requirements: %s\n", r->requirements);
         if (is_given(r->printed))
             write_tap_lines(out, r->printed);
     }
+    for (size_t i = 0; i < t->requirement.n; i++)
+        write_tap_requirement(&t->requirement.at[i], t->result.n + i + 1, out);
 }

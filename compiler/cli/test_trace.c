@@ -9,6 +9,7 @@ enum { BLOCK = 1 << 16, NEAR_MOST = 3 };      // bytes buffered before a write; 
 struct TestTrace {
     Cli *c;
     const Program *p;
+    const Requirements *requirements;     // those that the scripts judge; or NULL
     const Var **column;
     size_t columns;
     bool is_exact;
@@ -129,7 +130,7 @@ void test_trace_step(void *context, const ScriptStep *step)
     if (t->is_exact) {
         script_trace_exact(&t->text, step, t->column, t->columns);
     } else {
-        script_trace_row(&t->text, t->script, step, t->column, t->columns);
+        script_trace_row(&t->text, t->script, step, t->column, t->columns, t->requirements);
         find_rounded(t, step->cell);
     }
     if (t->text.n >= BLOCK)
@@ -146,7 +147,7 @@ void test_trace_left_out(TestTrace *t, const char *path)
 }
 
 // Opens the file that --trace names; *trace is NULL without --trace.  Returns EXIT_OK, or the exit code after a message.
-int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
+int test_trace_open(TestRun *run, const Program *p, const Requirements *rq, TestTrace **trace)
 {
     Cli *c = run->c;
     TestTrace *t = ARENA_NEW(run->arena, TestTrace);
@@ -158,6 +159,7 @@ int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
         return EXIT_OK;
     t->c = c;
     t->p = p;
+    t->requirements = rq;
     t->is_exact = c->given[OPT_TRACE_FORMAT] && strcmp(c->value[OPT_TRACE_FORMAT], "exact") == 0;
     t->column = ARENA_ARRAY(run->arena, const Var *, p->var.n);
     if (!c->given[OPT_TRACE_ELEMENTS])
@@ -166,7 +168,7 @@ int test_trace_open(TestRun *run, const Program *p, TestTrace **trace)
         return code;
     buf_init(&t->text, run->arena);
     if (!t->is_exact)
-        script_trace_header(&t->text, p, t->column, t->columns);
+        script_trace_header(&t->text, p, t->column, t->columns, rq);
     if (!os_stream_open(&t->file, c->value[OPT_TRACE], &why))
         return report_write_error(t, why);
     *trace = t;

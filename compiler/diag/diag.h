@@ -152,6 +152,7 @@ typedef struct DiagSelection {
 void diags_select(Diags *d, const DiagSelection *w);
 // Returns the groups with at least one enabled warning: a set of 1u << DiagGroup.
 unsigned diag_selection_groups(const DiagSelection *w);
+bool diag_selection_enables(const DiagSelection *w, DiagCode code);       // whether the warning `code` is enabled
 // Returns what is wrong with the words: "no warning is called 'x'; did you mean 'y'?"; NULL if they are correct.
 const char *diag_selection_error(Arena *arena, const DiagSelection *w);
 

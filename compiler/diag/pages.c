@@ -7,9 +7,17 @@
 // chapters[n - 1] is the title for the codes whose first two digits are n.
 static const char *const chapters[] = {
     "Characters and numbers", "Names and declarations", "Grammar", "Expressions and constants", "States and transitions", "State vector",
-    "Scripts", "Files and images", "Flight", "Applications", "Pins", "Network"};
+    "Scripts", "Files and images", "Flight", "Applications", "Pins", "Network", "Requirements", "Coverage and mutation"};
 
 static size_t chapter_of(const DiagInfo *row) { return (size_t)(row->id[1] - '0') * 10 + (size_t)(row->id[2] - '0'); }
+
+static bool has_pages(size_t chapter)
+{
+    for (size_t i = 0; i < DIAG_COUNT; i++)
+        if (diag_info[i].id && chapter_of(&diag_info[i]) == chapter)
+            return true;
+    return false;
+}
 
 // Appends the message, with "..." for each argument.
 void diag_put_title(const DiagInfo *row, Buf *out)
@@ -93,7 +101,8 @@ void diags_write_markdown(Buf *out)
     for (int g = DIAG_GROUP_ALL; g <= DIAG_GROUP_FLIGHT; g++)
         put_group(out, (DiagGroup)g);
     for (size_t c = 0; c < sizeof chapters / sizeof *chapters; c++) {
-        buf_printf(out, "## %u %s\n\n", (unsigned)c + 1, chapters[c]);
+        if (has_pages(c + 1))
+            buf_printf(out, "## %u %s\n\n", (unsigned)c + 1, chapters[c]);
         for (size_t i = 0; i < DIAG_COUNT; i++)
             if (diag_info[i].id && chapter_of(&diag_info[i]) == c + 1)
                 put_page(out, &diag_info[i]);

@@ -113,6 +113,8 @@ unsigned diag_selection_groups(const DiagSelection *w)
     return wanted;
 }
 
+bool diag_selection_enables(const DiagSelection *w, DiagCode code) { return select_flag(w, diag_find_flag(diag_info[code].flag)).on; }
+
 // Drops disabled warnings and turns those that -Werror names into errors.  To be called after diags_apply_allows.
 void diags_select(Diags *d, const DiagSelection *w)
 {

@@ -158,6 +158,15 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
+// Returns the fact about the initial value of a local; of a parameter, that about all values that it can be set to.
+static Fact fact_of_initial(const IrVar *v)
+{
+    const Parameter *p = v->parameter;
+    const Fact any = {p ? p->lo : 0, p ? p->hi : 0, .whole = !ir_is_float(v->type), .minus_zero = ir_is_float(v->type) && p && p->lo <= 0 && p->hi >= 0};
+
+    return fact_convert(p ? any : fact_of_cell(v->type, v->init), v->type);
+}
+
 // Returns the facts that the locals which only the machine writes have their initial values.  With `writable_too` false, leaves out those
 // that the machine stores to.
 static const Env *initial_values(const FactMachine *fm, bool writable_too)
@@ -168,7 +177,7 @@ static const Env *initial_values(const FactMachine *fm, bool writable_too)
     for (uint32_t v = 0; v < fm->m->var.n; v++) {
         const IrVar *var = &fm->m->var.at[v];
         if (env_is_private(var) && (writable_too || !var->writable))
-            env = env_set(s, env, v, fact_convert(fact_of_cell(var->type, var->init), var->type));
+            env = env_set(s, env, v, fact_of_initial(var));
     }
     return env;
 }

@@ -34,6 +34,8 @@ IrFn *build_end_function(Builder *b)
         for (size_t i = 0; i < f->blk.at[k].ins.n; i++)
             list[i] = ref++;
     }
+    for (; b->notes && b->noted < b->notes->n; b->noted++)
+        b->notes->at[b->noted].fn = f;
     return f;
 }
 
@@ -183,7 +185,7 @@ static void build_vars(Builder *b)
     b->var = ARENA_ARRAY(b->arena, uint32_t, p->var.n);
     for (size_t k = 0; k < p->var.n; k++) {
         const Var *v = p->var.at[k];
-        IrVar out = {.space = space_of[v->kind], .name = v->name, .type = v->type, .init = v->init, .span = v->span};
+        IrVar out = {.space = space_of[v->kind], .name = v->name, .type = v->type, .init = v->init, .parameter = v->parameter, .span = v->span};
         out.writable = v->written;
         out.outside = v->outside;
         if (v->element)
@@ -198,10 +200,13 @@ static void build_vars(Builder *b)
 }
 
 // Builds the unoptimised IR of a machine.
-IrMachine *ir_build(Arena *arena, const Program *p)
+IrMachine *ir_build(Arena *arena, const Program *p) { return ir_build_noting(arena, p, NULL); }
+
+// As ir_build, and adds a note for each condition.
+IrMachine *ir_build_noting(Arena *arena, const Program *p, IrNotes *notes)
 {
     IrMachine *m = ARENA_NEW(arena, IrMachine);
-    Builder b = {arena, p, m, NULL, NULL, 0, NULL, 0};
+    Builder b = {.arena = arena, .p = p, .m = m, .notes = notes, .noted = notes ? notes->n : 0};
 
     m->name = p->name;
     m->sv_name = p->sv->name;
@@ -220,7 +225,7 @@ IrMachine *ir_build(Arena *arena, const Program *p)
 // Builds a function that evaluates a condition.  Control reaches block 1 if the condition is true, else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard)
 {
-    Builder b = {arena, m->program, NULL, (uint32_t *)m->var_of, (uint32_t *)m->window_of, 0, NULL, 0};
+    Builder b = {.arena = arena, .p = m->program, .var = (uint32_t *)m->var_of, .window = (uint32_t *)m->window_of};
     IrJump *j;
 
     build_begin_function(&b);

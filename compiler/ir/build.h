@@ -5,6 +5,7 @@
 #define SMC_IR_BUILD_H
 
 #include "compiler/ir/ir.h"
+#include "compiler/sema/list.h"
 
 typedef struct Builder {
     Arena *arena;
@@ -15,6 +16,10 @@ typedef struct Builder {
     uint32_t stmt;        // Stmt.number of the statement being built
     IrFn *f;              // the function being built: a buffer reused for all functions, which build_end_function copies
     IrBlkRef b;           // the current block: the last one of f, to which instructions are appended
+    IrNotes *notes;       // the notes of ir_build_noting; or NULL
+    size_t noted;         // how many of them are about earlier functions
+    ListStep list_step[LIST_STEPS_MAX];                   // the call of min, max, median or average being built: here and not on the stack,
+    IrRef list_value[SM_LIST_MAX + LIST_STEPS_MAX];       // because expressions are built by recursion
 } Builder;
 
 // Appends the evaluation of an expression to the current block.  The value is an F64 (build_as_f64) or a bool (build_as_bool).

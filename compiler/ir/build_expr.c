@@ -36,6 +36,16 @@ static IrRef build_conversion(Builder *b, IrRef value, SmType to, Span span)
 
 static IrRef build_value(Builder *b, const Expr *e);
 
+// Notes that a temporary has the value of a condition.
+static IrRef note_condition(Builder *b, const Expr *e, uint32_t link, IrRef ref)
+{
+    const IrNote note = {e, link, NULL, ref};
+
+    if (b->notes)
+        vec_push(b->arena, b->notes, note);
+    return ref;
+}
+
 IrRef build_as_f64(Builder *b, const Expr *e)
 {
     return build_conversion(b, build_value(b, e), SM_F64, e->span);
@@ -43,7 +53,7 @@ IrRef build_as_f64(Builder *b, const Expr *e)
 
 IrRef build_as_bool(Builder *b, const Expr *e)
 {
-    return build_conversion(b, build_value(b, e), SM_BOOL, e->span);
+    return note_condition(b, e, 0, build_conversion(b, build_value(b, e), SM_BOOL, e->span));
 }
 
 // Appends the evaluation of an expression, and the conversion to `type` that a store to a variable of this type requires.
@@ -88,7 +98,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
     for (uint32_t k = 1; k < e->n; k++) {
         IrRef right = build_as_f64(b, e->arg[k]);
-        IrRef is_true = emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span);
+        IrRef is_true = note_condition(b, e, k, emit_op(b, ir_op_of_operator(expr_ops(e)[k - 1]), SM_BOOL, left, right, e->span));
         all = all == IR_NONE ? is_true : emit_op(b, IR_and, SM_BOOL, all, is_true, e->span);
         left = right;
     }
@@ -97,10 +107,36 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
+// Appends one step of a function of a list; v has the values that it uses.
+static IrRef build_list_step(Builder *b, const ListStep *s, const IrRef *v, Span span)
+{
+    static const IrOp op_of[] = {[LIST_MIN] = IR_min, [LIST_MAX] = IR_max, [LIST_ADD] = IR_add, [LIST_SUB] = IR_sub, [LIST_DIV] = IR_div};
+
+    switch (s->op) {
+    case LIST_NUMBER: return emit_const(b, SM_F64, sm_bits(s->number), span);
+    case LIST_NEG: return emit_op(b, IR_neg, SM_F64, v[s->a], IR_NONE, span);
+    case LIST_LT: return build_conversion(b, emit_op(b, IR_lt, SM_BOOL, v[s->a], v[s->b], span), SM_F64, span);
+    default: return emit_op(b, op_of[s->op], SM_F64, v[s->a], v[s->b], span);
+    }
+}
+
+// Builds a call of min, max, median or average, whose arguments have been built.
+static IrRef build_list(Builder *b, const Expr *e, const IrRef *argument)
+{
+    IrRef *const v = b->list_value;
+    const uint32_t steps = list_steps(e->fn, e->n, b->list_step);
+
+    for (uint32_t i = 0; i < e->n; i++)
+        v[i] = argument[i];
+    for (uint32_t i = 0; i < steps; i++)
+        v[e->n + i] = build_list_step(b, &b->list_step[i], v, e->span);
+    return v[e->n + steps - 1];
+}
+
 // Builds a call of a builtin: one operation, or several for a composed one (SM_COMPOSED in builtins.def).
 static IrRef build_call(Builder *b, const Expr *e)
 {
-    enum { MOST_VALUES = 16 };                        // v[] has the arguments, then the result of each operation
+    enum { MOST_VALUES = SM_LIST_MAX };               // v[] has the arguments, then the result of each operation of a composed one
     IrRef v[MOST_VALUES];
     uint32_t n = 0;
 
@@ -115,6 +151,7 @@ static IrRef build_call(Builder *b, const Expr *e)
     case SM_FN_##name: v[n++] = emit_op(b, IR_##name, SM_F64, v[0], arguments > 1 ? v[1] : IR_NONE, e->span); break;
 #define SM_COMPOSED(name, arguments, steps, sentence) \
     case SM_FN_##name: steps break;
+#define SM_LIST(name, sentence) case SM_FN_##name: return build_list(b, e, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
@@ -122,6 +159,7 @@ static IrRef build_call(Builder *b, const Expr *e)
 #undef STEP2
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
     case SM_FN_COUNT: break;                          // not reached; a roll call is an EX_ROLL
@@ -129,7 +167,7 @@ static IrRef build_call(Builder *b, const Expr *e)
     return v[n - 1];
 }
 
-static IrRef build_value(Builder *b, const Expr *e)
+static IrRef build_any(Builder *b, const Expr *e)
 {
     IrIns stat = {.op = IR_stat, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .span = e->span};
     IrRef value;
@@ -149,6 +187,14 @@ static IrRef build_value(Builder *b, const Expr *e)
         stat.var = b->window[e->window];
         stat.stat = e->stat;
         return build_emit(b, &stat);
+    case EX_EVERY: case EX_RANDOM: break;                       // only scripts have them
     }
     return IR_NONE;
+}
+
+static IrRef build_value(Builder *b, const Expr *e)
+{
+    IrRef value = build_any(b, e);
+
+    return b->f->ins.at[value].type == SM_BOOL ? note_condition(b, e, 0, value) : value;
 }

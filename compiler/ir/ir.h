@@ -120,6 +120,7 @@ typedef struct IrVar {
     SmType type;
     uint32_t offset;                  // ELEMENT: bytes from the start of the state vector
     uint64_t init;                    // LOCAL: its initial value, as a bit cell
+    const Parameter *parameter;       // LOCAL: a parameter, which no function stores to; its value is init or any other in its range; or NULL
     bool writable;                    // some function of the machine stores to it
     bool outside;                     // LOCAL: code outside the machine, such as a script, writes it between steps
     bool hidden;                      // LOCAL: no code outside the machine reads it between steps
@@ -164,6 +165,17 @@ typedef struct IrMachine {
 
 // Builds the unoptimised IR of a machine.  Constant locals become constants; equal windows are merged.
 IrMachine *ir_build(Arena *arena, const Program *p);
+
+// Which temporary has the value of a condition of the source: of a value that is used as a bool, or of one comparison of a chain.
+typedef struct IrNote {
+    const Expr *e;
+    uint32_t link;                    // of a chain: which comparison, from 1; 0: the whole expression
+    const IrFn *fn;
+    IrRef ref;                        // of type bool
+} IrNote;
+typedef VEC(IrNote) IrNotes;
+// As ir_build, and adds notes.  Of several notes about the same value the last one counts.
+IrMachine *ir_build_noting(Arena *arena, const Program *p, IrNotes *notes);
 // Builds a function that evaluates a condition of the program that m was built from.  Control reaches block 1 if the condition is true,
 // else block 2.
 IrFn *ir_build_guard(Arena *arena, const IrMachine *m, const Expr *guard);

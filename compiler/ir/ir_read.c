@@ -49,6 +49,21 @@ static bool read_role(IrReader *r, uint32_t index)
     return true;
 }
 
+// Reads the range and the default of a parameter.
+static bool read_parameter(IrReader *r, IrVar *v)
+{
+    Parameter *p = ARENA_NEW(r->arena, Parameter);
+    uint64_t lo, hi;
+
+    if (!scan_value(&r->scan, SM_F64, &lo) || !scan_value(&r->scan, SM_F64, &hi) || !scan_expect_word(&r->scan, "default") ||
+        !scan_value(&r->scan, v->type, &p->standard))
+        return false;
+    p->lo = sm_from_bits(lo);
+    p->hi = sm_from_bits(hi);
+    v->parameter = p;
+    return true;
+}
+
 static bool read_var(IrReader *r, IrSpace space)
 {
     uint32_t index = (uint32_t)r->m->var.n;
@@ -67,6 +82,8 @@ static bool read_var(IrReader *r, IrSpace space)
     case IR_LOCAL:
         v.outside = scan_match_word(&r->scan, "outside");
         v.hidden = scan_match_word(&r->scan, "hidden");
+        if (scan_match_word(&r->scan, "parameter") && !read_parameter(r, &v))
+            return false;
         ok = scan_expect_char(&r->scan, '=') && scan_value(&r->scan, v.type, &v.init);
         break;
     case IR_TIME:

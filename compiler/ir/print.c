@@ -8,7 +8,7 @@
 //     element U32 state at 8 is S
 //     element F64 tankPressure at 16
 //     element bool valveOpen writable at 24       writable by the machine
-//     local U64 counter writable = 0              initial value; "outside", "hidden": see ir.h
+//     local U64 counter writable = 0              initial value; "outside", "hidden", "parameter LO HI default VALUE": see ir.h
 //     time U64 T
 //     window w0 F64 size 10 stats avg max
 //
@@ -61,7 +61,8 @@ static void print_shortest(Buf *out, SmType type, double d)
 }
 
 // Prints a whole number in decimal.  Prints any other number as its bits in hexadecimal, followed by a comment with the number in decimal.
-static void print_float(Buf *out, SmType type, uint64_t cell)
+// `comment`: whether a comment shows the number if its cell is printed.
+static void print_float(Buf *out, SmType type, uint64_t cell, bool comment)
 {
     uint32_t low = (uint32_t)cell;
     float f;
@@ -76,16 +77,19 @@ static void print_float(Buf *out, SmType type, uint64_t cell)
         buf_printf(out, "%.0f", d);
         return;
     }
-    buf_printf(out, "0x%0*llx  # ", type == SM_F32 ? 8 : 16, (unsigned long long)cell);
-    print_shortest(out, type, d);
+    buf_printf(out, "0x%0*llx", type == SM_F32 ? 8 : 16, (unsigned long long)cell);
+    if (comment) {
+        buf_str(out, "  # ");
+        print_shortest(out, type, d);
+    }
 }
 
-static void print_value(Buf *out, SmType type, uint64_t cell)
+static void print_cell(Buf *out, SmType type, uint64_t cell, bool comment)
 {
     unsigned unused = 64 - 8u * sm_type_info[type].bytes;
 
     switch (sm_type_info[type].kind) {
-    case SM_KIND_FLOAT: print_float(out, type, cell); break;
+    case SM_KIND_FLOAT: print_float(out, type, cell, comment); break;
     case SM_KIND_UNSIGNED:
     case SM_KIND_BOOL: buf_printf(out, "%llu", (unsigned long long)cell); break;
     case SM_KIND_SIGNED:
@@ -96,6 +100,8 @@ static void print_value(Buf *out, SmType type, uint64_t cell)
         break;
     }
 }
+
+static void print_value(Buf *out, SmType type, uint64_t cell) { print_cell(out, type, cell, true); }
 
 static void print_quoted(Buf *out, Str text)
 {
@@ -125,6 +131,14 @@ static void print_var(const IrMachine *m, uint32_t index, Buf *out)
         buf_str(out, " is G");
     if (index == m->s)
         buf_str(out, " is S");
+    if (v->parameter) {
+        buf_str(out, " parameter ");
+        print_cell(out, SM_F64, sm_bits(v->parameter->lo), false);
+        buf_char(out, ' ');
+        print_cell(out, SM_F64, sm_bits(v->parameter->hi), false);
+        buf_str(out, " default ");
+        print_cell(out, v->type, v->parameter->standard, false);
+    }
     if (v->space == IR_LOCAL) {
         buf_str(out, " = ");
         print_value(out, v->type, v->init);

@@ -117,8 +117,22 @@ static bool check_no_overlap(IrChecker *c)
     return true;
 }
 
+// Checks that a parameter is never stored to, and that its value is in its range.
+static bool check_parameter_var(IrChecker *c, const IrVar *v)
+{
+    const SmParameterRange range = {v->type, v->parameter->lo, v->parameter->hi};
+
+    if (v->writable || v->outside || v->hidden)
+        return report_violation(c, "%.80s is a parameter, but a variable of other code", v->name->text);
+    if (sm_parameter_judge(&range, sm_cell_to_f64(v->type, v->init)) || sm_parameter_judge(&range, sm_cell_to_f64(v->type, v->parameter->standard)))
+        return report_violation(c, "the value of parameter %.80s is outside its range", v->name->text);
+    return true;
+}
+
 static bool check_local(IrChecker *c, const IrVar *v)
 {
+    if (v->parameter && !check_parameter_var(c, v))
+        return false;
     if (v->outside && v->hidden)
         return report_violation(c, "%.80s is hidden, but written from outside", v->name->text);
     if (!cell_fits(v->type, v->init))

@@ -26,7 +26,7 @@ int32_t smclv_open(int32_t *session, char *message, int32_t message_size);
 // Closes a session and its machines.
 int32_t smclv_close(int32_t session, char *message, int32_t message_size);
 
-// Adds a source, or replaces the text of the source of that name.  kind: 0 .sv, 1 .sm, 2 .ss, 3 .io, 4 .app.  `name` ends with a NUL.
+// Adds a source, or replaces the text of the source of that name.  kind: 0 .sv, 1 .sm, 2 .ss, 3 .io, 4 .app, 5 .net, 6 .rq.  `name` ends with a NUL.
 int32_t smclv_source(int32_t session, int32_t kind, const char *name, const uint8_t *text, int32_t text_length, int32_t *source,
                      char *message, int32_t message_size);
 // Removes all sources.

@@ -48,6 +48,8 @@ static SmcResult find_cells(const SmcSession *s, const ColumnRun *run)
         r = find_cell(s, run->m, run->input[k], run->rows ? run->from[k] : &no_rows, &run->cell[k]);
         if (r == SMC_OK && run->cell[k].at == run->m->vector + run->m->m.g)
             r = library_fail(s, SMC_E_ARGUMENT, "G cannot be an input: it has an array of its own");
+        if (r == SMC_OK && library_parameter(run->m, &run->m->variable[run->input[k]]) != UINT32_MAX)
+            r = library_fail(s, SMC_E_ARGUMENT, "a parameter cannot be an input: it has one value from start to end");
     }
     for (uint32_t k = 0; r == SMC_OK && k < run->outputs; k++)
         r = find_cell(s, run->m, run->output[k], run->rows ? run->to[k] : &no_rows, &run->cell[run->inputs + k]);

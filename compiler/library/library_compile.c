@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/base/path.h"
+#include "compiler/data/data_file.h"
 #include "compiler/library/library.h"
 
 // ---- results ----
@@ -120,7 +121,7 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
 
 // ---- sources to inputs ----
 
-typedef struct KindCount { uint32_t of[SMC_KIND_NET + 1], all; } KindCount;
+typedef struct KindCount { uint32_t of[SMC_KIND_DATA + 1], all; } KindCount;
 
 static KindCount count_kinds(const SmcSession *s)
 {
@@ -155,7 +156,7 @@ static const char *find_misfit(const SmcSession *s)
 
 static FileKind kind_of(int32_t source)
 {
-    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET};      // by SMC_KIND_…
+    static const FileKind kind[] = {FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_RQ, FILE_KINDS};      // by SMC_KIND_…
 
     return kind[source];
 }
@@ -187,6 +188,23 @@ static const Source *find_included(void *context, const Source *from, const char
     for (uint32_t i = 0; i < s->of.sources; i++)
         if (s->of.text[i] && s->source[i].kind == SMC_KIND_SS && strcmp(path_simplify(arena, s->of.text[i]->name), path) == 0)
             return s->of.text[i];
+    return NULL;
+}
+
+// Finds the source with recorded data that a script names.
+static const DataFile *find_data(void *context, const Source *from, const char *name, const char **problem)
+{
+    SmcSession *s = context;
+    Arena *arena = &s->compiler.arena;
+    const char *path = path_simplify(arena, path_beside(arena, from->name, name));
+
+    *problem = format_in(arena, "the session has no source '%s' with data", path);
+    for (uint32_t i = 0; i < s->of.sources; i++)
+        if (s->of.text[i] && s->source[i].kind == SMC_KIND_DATA && strcmp(path_simplify(arena, s->of.text[i]->name), path) == 0) {
+            DataMemory *m = ARENA_NEW(arena, DataMemory);
+            data_memory_init(m, s->of.text[i]->name, s->of.text[i]->text, s->of.text[i]->len);
+            return &m->file;
+        }
     return NULL;
 }
 
@@ -237,6 +255,8 @@ static void list_inputs(SmcSession *s)
         if (source->kind == KIND_REMOVED)
             continue;
         of->text[i] = copy_source(arena, source, i);
+        if (source->kind == SMC_KIND_DATA)
+            continue;
         if (has_app ? source->kind != SMC_KIND_APP : source->kind == SMC_KIND_SV && vector_is_shared) {
             if (!has_app)
                 of->in.vector = of->text[i];
@@ -287,7 +307,7 @@ static SmcResult compile(SmcSession *s, void *unused)
     if (misfit)
         return library_fail(s, SMC_E_STATE, misfit);
     session_init(&s->compiler, library_compiler_alloc, s, &s->oom);
-    s->compiler.finder = (SourceFinder){find_included, s};
+    s->compiler.finder = (SourceFinder){find_included, find_data, s};
     s->has_compiler = true;
     list_inputs(s);
     copy_selection(s);
@@ -329,7 +349,7 @@ int32_t smc_app_file_kind(const SmcSession *s, uint32_t file)
 {
     const AppFile *f = app_file(s, file);
 
-    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_NET; kind++)
+    for (int32_t kind = SMC_KIND_SV; f && kind <= SMC_KIND_RQ; kind++)
         if (kind_of(kind) == f->kind)
             return kind;
     return -1;

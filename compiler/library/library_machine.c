@@ -466,12 +466,40 @@ SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, 
     return SMC_OK;
 }
 
+// Returns the number of the parameter that a variable is; UINT32_MAX: it is none.
+uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v)
+{
+    SmvmParameter p;
+
+    for (uint32_t i = 0; v->kind == SMC_VARIABLE_LOCAL && smvm_parameter(&own->m, i, &p); i++)
+        if (p.offset == v->offset)
+            return i;
+    return UINT32_MAX;
+}
+
+// Returns SMC_OK if the variable can have the value: a parameter only before the first step, and within its range.
+static SmcResult check_setting(const SmcSession *s, SmcMachine m, uint32_t variable, double value)
+{
+    const LibraryMachine *own = library_machine(s, m);
+    const uint32_t parameter = library_parameter(own, variable_of(s, m, variable));
+    uint8_t refusal;
+
+    if (parameter == UINT32_MAX)
+        return SMC_OK;
+    if (own->vm->next != 0)
+        return library_fail(s, SMC_E_ARGUMENT, "a parameter is set before the first step");
+    refusal = smvm_judge_parameter(&own->m, parameter, value);
+    return refusal ? library_fail(s, SMC_E_ARGUMENT, smvm_refusal_text(refusal)) : SMC_OK;
+}
+
 SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double value)
 {
     SmType type;
     uint8_t *at;
-    const SmcResult r = find_value(s, m, variable, &type, &at);
+    SmcResult r = find_value(s, m, variable, &type, &at);
 
+    if (r == SMC_OK)
+        r = check_setting(s, m, variable, value);
     if (r == SMC_OK)
         sm_store(type, at, value);
     return r;
@@ -500,11 +528,21 @@ SmcResult smc_machine_read(const SmcSession *s, SmcMachine m, uint32_t variable,
     return r;
 }
 
+// Returns the number in memory, also where it is NaN, which the language reads as 0.
+static double number_in(SmType type, const void *value)
+{
+    const uint64_t cell = sm_cell_load(type, value);
+
+    return type == SM_F64 ? sm_from_bits(cell) : type == SM_F32 ? (double)sm_f32_from_bits((uint32_t)cell) : sm_load(type, value);
+}
+
 SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size)
 {
     uint8_t *at;
-    const SmcResult r = find_value_to_copy(s, m, variable, value, size, &at);
+    SmcResult r = find_value_to_copy(s, m, variable, value, size, &at);
 
+    if (r == SMC_OK)
+        r = check_setting(s, m, variable, number_in(variable_of(s, m, variable)->type, value));
     if (r == SMC_OK)
         memcpy(at, value, size);
     return r;

@@ -29,6 +29,7 @@ static void begin_review(SmcSession *s, uint32_t machine, Report *r)
 {
     s->compiler.diags = s->below.diags;
     review_begin(&s->compiler, library_compiled(s, machine)->program, r);
+    r->requirements = library_compiled(s, machine)->requirements;
     r->run = ARENA_ARRAY(&s->compiler.arena, ReportRun, s->of.sources);
     for (uint32_t i = 0; i < s->of.sources; i++)
         if (s->of.run[i].is_done && s->of.machine[i] == machine)
@@ -49,6 +50,7 @@ typedef struct Tracing {
     const Var **column;
     const char *script;
     Buf *out;                     // NULL: no trace
+    const Requirements *requirements;     // NULL: none
 } Tracing;
 
 static void trace_step(void *context, const ScriptStep *step)
@@ -56,7 +58,7 @@ static void trace_step(void *context, const ScriptStep *step)
     Tracing *t = context;
 
     if (t->out)
-        script_trace_row(t->out, t->script, step, t->column, t->p->var.n);
+        script_trace_row(t->out, t->script, step, t->column, t->p->var.n, t->requirements);
 }
 
 static bool is_cancelled(void *context) { return library_is_cancelled(((Tracing *)context)->s); }
@@ -99,9 +101,9 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     const CompiledSource *m = library_compiled(s, machine), *ss = library_compiled(s, q->script);
     const Report *review = review_of_runs(s, machine);
     const Source *src = s->of.text[q->script];
-    Tracing t = {s, m->scripted, NULL, src->name, NULL};
+    Tracing t = {s, m->scripted, NULL, src->name, NULL, m->requirements};
     const ScriptOptions o = {.max_steps = q->max_steps, .after_step = trace_step, .is_cancelled = is_cancelled, .context = &t,
-                             .is_compared = q->is_displayed};
+                             .is_compared = q->is_displayed, .requirements = m->requirements};
     Engine *engine[ENGINE_COUNT];
     size_t n;
     LibraryRun run = {.engines = q->engines, .max_steps = q->max_steps, .is_traced = s->option[SMC_OPTION_TRACE] != 0};
@@ -114,7 +116,7 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
     if (run.is_traced) {
         t.out = &run.trace;
         t.column = report_order(&s->compiler.arena, m->scripted);
-        script_trace_header(t.out, m->scripted, t.column, m->scripted->var.n);
+        script_trace_header(t.out, m->scripted, t.column, m->scripted->var.n, m->requirements);
     }
     review_run_script(&s->compiler, review, m->scripted, src, ss->script, engine, n, &o, &run.run);
     if (run.run.result.outcome == SCRIPT_CANCELLED) {
@@ -178,7 +180,7 @@ int32_t smc_run_outcome(const SmcSession *s, uint32_t script)
         return SMC_OUTCOME_NONE;
     switch (run->run.result.outcome) {
     case SCRIPT_PASSED: return SMC_OUTCOME_PASSED;
-    case SCRIPT_FAILED: return SMC_OUTCOME_FAILED;
+    case SCRIPT_FAILED: case SCRIPT_NO_DATA: return SMC_OUTCOME_FAILED;
     case SCRIPT_ENDLESS: return SMC_OUTCOME_ENDLESS;
     case SCRIPT_TIME_OVERFLOW: return SMC_OUTCOME_TIME_OVER;
     case SCRIPT_BROKEN: return SMC_OUTCOME_BROKEN;
@@ -235,6 +237,7 @@ static SmcResult draw_diagram(SmcSession *s, void *argument)
 
     library_begin_layer(s);
     begin_review(s, q->machine, &r);
+    review_measure_coverage(&s->compiler, library_compiled(s, q->machine)->scripted, &r);
     counts = report_sum_counts(&r);
     o.counts = r.runs > 0 ? &counts : NULL;
     buf_init(&q->out, &s->compiler.arena);
@@ -286,6 +289,7 @@ static SmcResult write_report(SmcSession *s, void *argument)
         return SMC_E_SOURCE;
     }
     begin_review(s, q->machine, &r);
+    review_measure_coverage(&s->compiler, library_compiled(s, q->machine)->scripted, &r);
     review_add_costs(&s->compiler, &made.of[of->input[q->machine] - 1], made.artefact.at[0].bytes, o.step != 0, &r);
     buf_init(&q->out, &s->compiler.arena);
     writer[q->form](report_build(&r), &q->out);

@@ -338,7 +338,7 @@ SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const ch
 
     if (!library_is_open(s))
         return SMC_E_HANDLE;
-    if (!name || !source || kind < SMC_KIND_SV || kind > SMC_KIND_NET)
+    if (!name || !source || kind < SMC_KIND_SV || kind > SMC_KIND_DATA)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
     if (!is_valid_name(name))
         return library_fail(s, SMC_E_ARGUMENT, "the name of a source cannot be empty or contain a control character");

@@ -113,14 +113,16 @@ enum SmcKind {    // a kind of source; later versions can have more
     SMC_KIND_SS = 2,              // a state script, .ss
     SMC_KIND_IO = 3,              // pins, .io
     SMC_KIND_APP = 4,             // an application, .app; it comes with the files that it names
-    SMC_KIND_NET = 5              // messages, .net
+    SMC_KIND_NET = 5,             // messages, .net
+    SMC_KIND_RQ = 6,              // requirements, .rq
+    SMC_KIND_DATA = 7             // recorded data that scripts read: CSV, of any name.  The library opens no file
 };
 
 // Adds a source of `size` bytes, which are copied, and stores its number in *source: 0, 1, 2 …, or that of a removed source.  Diagnostics show
 // `name`, which can be a path.
 // The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
 // the application.  A script finds the scripts that it includes by their names, which are paths relative to the folder in its own name.  A
-// script that another one includes does not run by itself.  `text` can be NULL if `size` is 0.
+// script that another one includes does not run by itself.  A script finds its recorded data in the same way, as a source of SMC_KIND_DATA.  `text` can be NULL if `size` is 0.
 // SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
 SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source);
 // Replaces the text of a source, which keeps its number, its name and its place in the order of machines.  What was compiled stays as it is until
@@ -180,7 +182,8 @@ const char *smc_explain(const char *code);
 // Compiles all sources, in the order of their numbers: checks them, and searches for what the selected warnings find.  An application is
 // compiled with the files that it names.
 // Without one, a state vector is that of every machine and of the pins, pins are checked against it, and scripts are those of the one machine
-// or of the machine that smc_script_assign named.  Other scripts are only parsed.
+// or of the machine that smc_script_assign named.  Other scripts are only parsed.  Requirements are those of the one machine: smc_run judges
+// them after each step of its scripts, and a violation ends the script as failed.  With several machines they are only parsed.
 // SMC_E_SOURCE: there are errors, or warnings that are selected as errors.  What has none of its own is compiled nevertheless.
 // SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
 SmcResult smc_compile(SmcSession *s);
@@ -387,6 +390,8 @@ uint32_t smc_machine_variable_offset(const SmcSession *s, SmcMachine m, uint32_t
 int32_t smc_machine_variable_stored(const SmcSession *s, SmcMachine m, uint32_t variable);
 
 // The value as a machine reads and stores it (language.md 2): a stored NaN reads as 0; a number beyond an integer type becomes its limit.
+// A parameter (language.md 5.77) is a local.  It can be set before the first step, within its range: SMC_E_ARGUMENT otherwise, with the reason in
+// smc_error_text, and nothing has changed.  smc_machine_start returns it to the value in the image.
 SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, double *value);
 SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double value);
 // The value in its own type, such as an int16_t for I16; a bool is one byte.  SMC_E_SIZE: `size` is not that of the type.
@@ -403,7 +408,7 @@ SmcResult smc_machine_write(SmcSession *s, SmcMachine m, uint32_t variable, cons
 // A column has room for `rows` values.  A column of outputs can be the same array as one of inputs.  *done is set to the number of steps that have
 // run; the rows from there on are not written.  A machine that has run is in the same state as one that has been stepped, and continues from there.
 // SMC_E_REFUSED: g[*done] is not above G of the last step.  SMC_E_CANCELLED: smc_cancel ended the run.  In both cases, the steps before are complete.
-// SMC_E_ARGUMENT: a needed pointer or a column is NULL, or G is an input.  SMC_E_INDEX: there is no variable of one of the numbers.
+// SMC_E_ARGUMENT: a needed pointer or a column is NULL, or G or a parameter is an input.  SMC_E_INDEX: there is no variable of one of the numbers.
 // SMC_E_SIZE: no array can have so many rows.  SMC_E_MEMORY: a run needs 16 bytes for each column.  With these four, *done is 0 and no step has run.
 SmcResult smc_machine_run(SmcSession *s, SmcMachine m, uint64_t rows, const uint64_t *g, uint32_t inputs, const uint32_t *input,
                           const double *const *from, uint32_t outputs, const uint32_t *output, double *const *to, uint32_t *states, uint64_t *done);

@@ -3,7 +3,7 @@
 //   x * 1, x / 1             exact, including the sign of zero
 //   x - 0, x + -0            exact, including the sign of zero: -0 - 0 is -0, and 0 + -0 is 0
 //   x + 0                    only if x cannot be -0: an integer, a number converted from an integer, or a result of abs
-//   --x, min(x, x), max(x, x)
+//   --x, min(x, x), max(x, x), min(x, inf), max(x, -inf)
 //   floor, ceil, trunc, round  of the result of one of these operations, or of a converted integer, because they do not change whole
 //                            numbers, infinities, NaN or the sign of zero
 //   cvt there and back       such as U8 to F64 to U8: if the intermediate type represents every value of the other type exactly
@@ -57,6 +57,15 @@ static IrRef operand_equal_to_sum(const Identity *d, const IrIns *i)
     if (i->op == IR_add && (identity_is_const(d, i->a, neutral) || (identity_is_const(d, i->a, zero) && is_never_minus_zero(d, i->b))))
         return i->b;
     return IR_NONE;
+}
+
+static IrRef operand_equal_to_extreme(const Identity *d, const IrIns *i)
+{
+    const SmF64 infinity = sm_from_bits(0x7FF0000000000000u), neutral = i->op == IR_min ? infinity : sm_neg(infinity);
+
+    if (i->a == i->b || identity_is_const(d, i->b, neutral))
+        return i->a;
+    return identity_is_const(d, i->a, neutral) ? i->b : IR_NONE;
 }
 
 static bool is_rounding(IrOp op) { return op == IR_floor || op == IR_ceil || op == IR_trunc || op == IR_round; }
@@ -121,7 +130,7 @@ static IrRef find_equal_operand(const Identity *d, const IrIns *i)
         from = identity_at(d, i->a);
         return is_rounding(from->op) || (from->op == IR_cvt && !is_float(identity_at(d, from->a)->type)) ? i->a : IR_NONE;
     case IR_min:
-    case IR_max: return i->a == i->b ? i->a : IR_NONE;
+    case IR_max: return operand_equal_to_extreme(d, i);
     case IR_cvt: return operand_equal_to_cvt(d, i);
     case IR_and:
     case IR_or:

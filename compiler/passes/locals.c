@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // locals: removes accesses to locals that need no memory.
-//   A local that no code of the machine or a script stores to is a constant: its initial value.
+//   A local that no code of the machine or a script stores to is a constant: its initial value.  A parameter is not.
 //   A hidden local (one that no code outside the machine reads) that is never loaded needs no stores.
 //   A hidden local that is only loaded after a store in the same block needs no memory: its loads are replaced by the stored value.
 // A stored value is never NaN and is of the variable's type, so loading it returns the same bits (ir.h).  Loads whose results are
@@ -52,7 +52,7 @@ static bool is_constant(const LocalsPass *l, uint32_t var)
 {
     const IrVar *v = &l->m->var.at[var];
 
-    return v->space == IR_LOCAL && !v->outside && !l->at[var].stored;
+    return v->space == IR_LOCAL && !v->outside && !v->parameter && !l->at[var].stored;
 }
 
 static bool needs_no_memory(const LocalsPass *l, uint32_t var)

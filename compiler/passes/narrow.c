@@ -76,8 +76,9 @@ static void mark_operand_zero_signs(Narrow *n, IrRef ref)
             mark_zero_sign(n, i->a, of_result);
             mark_zero_sign(n, i->b, can_be_zero(b));
         } else if (ir_op_info[i->op].types == IR_T_SAME) {
-            mark_zero_sign(n, i->a, of_result);
-            mark_zero_sign(n, i->b, of_result);
+            const bool in_number = i->op == IR_pow || i->op == IR_atan2;      // pow(-0, -1) is -inf, and atan2(-0, -1) is -pi
+            mark_zero_sign(n, i->a, of_result || in_number);
+            mark_zero_sign(n, i->b, of_result || in_number);
         }
     } else if (i->op == IR_store || i->op == IR_sample)
         mark_zero_sign(n, i->a, true);

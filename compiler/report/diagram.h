@@ -13,6 +13,8 @@
 typedef struct DiagramCounts {
     const uint64_t *state;        // by State.number - 1: how often the state was entered
     const uint64_t *transition;   // by Transition.number: how often it was taken
+    bool by_pair;                 // runs show only from which state to which the machine went: the first transition from one to the other has
+                                  // the count of all of them
 } DiagramCounts;
 
 typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels, 1/96 inch

@@ -97,7 +97,7 @@ static DiagramLines fit_guard(const Analysis *a, const Transition *t)
 static void add_guard(const Analysis *a, DiagramEdge *e, const WrittenTransition *w)
 {
     const Transition *t = w->copy.at[0];
-    DiagramGuard g = {w, guard_text(a, t, 0), fit_guard(a, t), false, {NULL, 0, 0}, 0};
+    DiagramGuard g = {.transition = w, .text = guard_text(a, t, 0), .line = fit_guard(a, t)};
 
     for (size_t k = 0; k < w->copy.n; k++)
         g.possible = g.possible || a->stmt[w->copy.at[k]->stmt->number].reached;
@@ -156,7 +156,7 @@ static void add_edges(Diagram *d)
 
 // ---- counts ----
 
-// A run shows that the machine went from one state to another, not by which transition.  So counts are by pair of states, and several
+// A log shows that the machine went from one state to another, not by which transition.  Then counts are by pair of states, and several
 // edges share one if a state has a transition of its own to where [all_states] also leads.
 typedef struct PairCount {
     uint32_t from, to;            // State.number
@@ -206,8 +206,20 @@ static PairCounts count_pairs(const Diagram *d, const uint32_t *edge)
     return p;
 }
 
+// Sets the counts of all edges and of their transitions, if it is known which transition was taken.
+static void count_transitions(Diagram *d)
+{
+    for (uint32_t e = 0; e < d->edge.n; e++)
+        for (size_t g = 0; g < d->edge.at[e].guard.n; g++) {
+            DiagramGuard *guard = &d->edge.at[e].guard.at[g];
+            for (size_t k = 0; k < guard->transition->copy.n; k++)
+                guard->taken += d->o->counts->transition[guard->transition->copy.at[k]->number];
+            d->edge.at[e].taken += guard->taken;
+        }
+}
+
 // Sets the counts of all edges.  Each edge counts a pair once, however many of its transitions have it.
-static void count_edges(Diagram *d)
+static void count_pairs_of_edges(Diagram *d)
 {
     const uint32_t *edge = edges_of_transitions(d);
     const PairCounts p = count_pairs(d, edge);
@@ -221,6 +233,14 @@ static void count_edges(Diagram *d)
         counted[edge[i]] = p.of[i] + 1;
         *(pair->shared ? &e->shared : &e->taken) += pair->taken;
     }
+}
+
+static void count_edges(Diagram *d)
+{
+    if (d->o->counts->by_pair)
+        count_pairs_of_edges(d);
+    else
+        count_transitions(d);
 }
 
 uint64_t diagram_times_taken(const DiagramEdge *e) { return e->taken + e->shared; }
@@ -237,6 +257,12 @@ uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const St
             copy = e->guard.at[0].transition->copy.at[k];
     if (!copy || !d->o->counts)
         return 0;
+    for (size_t g = 0; g < e->guard.n && !d->o->counts->by_pair; g++)
+        for (size_t k = 0; k < e->guard.at[g].transition->copy.n; k++)
+            if (e->guard.at[g].transition->copy.at[k]->from == from)
+                sum += d->o->counts->transition[e->guard.at[g].transition->copy.at[k]->number];
+    if (!d->o->counts->by_pair)
+        return sum;
     for (size_t i = d->first_of[from->number - 1]; i < d->first_of[from->number]; i++)
         sum += all->at[i].to == copy->to ? d->o->counts->transition[i] : 0;
     return sum;
@@ -264,6 +290,27 @@ const char *diagram_count_text(const Diagram *d, const char *done, uint64_t coun
 }
 
 // If several transitions lead from one state to another, a run does not record which it took.
+// Returns the transitions of an edge that were never taken, of an edge that was: ", never by lines 24 and 30"; or "".
+const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e)
+{
+    size_t unused = 0, n = 0;
+    Buf out;
+
+    for (size_t g = 0; g < e->guard.n; g++)
+        unused += e->guard.at[g].taken == 0;
+    if (d->o->counts->by_pair || unused == 0 || unused == e->guard.n)
+        return "";
+    buf_init(&out, d->a->arena);
+    buf_printf(&out, ", never by line%s ", unused == 1 ? "" : "s");
+    for (size_t g = 0; g < e->guard.n; g++)
+        if (e->guard.at[g].taken == 0) {
+            const Span at = e->guard.at[g].transition->copy.at[0]->stmt->span;
+            buf_printf(&out, "%s%lu", n == 0 ? "" : n + 1 < unused ? ", " : " and ", (unsigned long)source_position(at.src, at.at).line);
+            n++;
+        }
+    return buf_text(&out);
+}
+
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e)
 {
     const unsigned long long least = e->taken, most = diagram_times_taken(e);
@@ -271,7 +318,7 @@ const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e)
                      : least == 0     ? format_in(d->a->arena, most == 1 ? "taken at most once" : "taken at most %llu times", most)
                                       : format_in(d->a->arena, "taken %llu to %llu times", least, most);
 
-    return e->guard.n > 1 ? format_in(d->a->arena, "together: %s", text) : text;
+    return e->guard.n > 1 ? format_in(d->a->arena, "together: %s%s", text, diagram_unused_lines(d, e)) : text;
 }
 
 // Adds the count below the last guard of an edge.

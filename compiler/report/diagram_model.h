@@ -22,6 +22,7 @@ typedef struct DiagramGuard {
     const char *text;             // the condition as text, complete; never empty
     DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take the transition
+    uint64_t taken;               // how often runs took it, unless counts are by pair
     DiagramFindings finding;      // findings on the transition or its guard
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
@@ -113,6 +114,7 @@ uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const St
 uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);       // of [all_states]: the sum over the states where it runs
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count
+const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e);         // of an edge that was taken: ", never by line 24"; or ""
 
 // ---- diagram_actions.c: the lines in the boxes of states ----
 

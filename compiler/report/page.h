@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/budget/cost.h"
+#include "compiler/cover/cover.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
@@ -31,8 +32,10 @@ typedef struct Report {
     size_t image_size;
     ReportRun *run;
     size_t runs;
+    const Cover *cover;           // what the scripts have covered, settled; NULL: it was not measured
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
+    const Requirements *requirements;     // those that the runs have judged; or NULL
 } Report;
 
 Doc *report_build(Report *r);
@@ -48,6 +51,7 @@ void report_add_messages(Report *r, Doc *d);           // nothing if r->net is N
 void report_add_findings(Report *r, Doc *d);
 void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);
+void report_add_requirements(Report *r, Doc *d);       // nothing if r->requirements is NULL
 void report_add_scripts(Report *r, Doc *d);
 
 // Number of findings that count, and of findings that an @allow covers.
@@ -58,7 +62,7 @@ FindingCount report_count_findings(const Report *r);
 typedef struct Coverage {
     size_t states_covered, states;
     size_t edges_unused;          // edges that no script has taken
-    bool shared;                  // for some edge it is unknown which of its transitions were taken, or whether it was taken at all
+    bool shared;                  // without Report.cover: for some edge it is unknown which of its transitions were taken, or whether it was taken at all
     size_t transitions_least, transitions_most, transitions;      // of `transitions`, at least and at most so many were taken
 } Coverage;
 Coverage report_measure_coverage(const Report *r);

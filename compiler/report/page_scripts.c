@@ -16,13 +16,21 @@ static const DocColumn visit_columns[] = {{"step", "Step"}, {"g", "G"}, {"state"
 static const DocColumn state_columns[] = {
     {"state", "State"}, {"entered", "Times entered"}, {"steps", "Steps"}, {"scripts", "Scripts"}};
 
+static const char *failure_text(const ScriptResult *r)
+{
+    if (r->failed)
+        return "failed: an assert was false";
+    return r->is_violated ? "failed: a requirement was violated" : "failed: recorded values differ";
+}
+
 static const char *outcome_text(const ReportRun *run)
 {
     if (!run->script)
         return "does not compile";
     switch (run->result.outcome) {
     case SCRIPT_PASSED: return "passed";
-    case SCRIPT_FAILED: return "failed: an assert was false";
+    case SCRIPT_FAILED: return failure_text(&run->result);
+    case SCRIPT_NO_DATA: return "failed: the recorded data cannot be used";
     case SCRIPT_ENDLESS: return "failed: did not stop";
     case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";
@@ -79,7 +87,7 @@ static void add_states_covered(const Report *r, Doc *d)
     }
 }
 
-// The edges of the diagram with the counts of all scripts: a run does not record which of an edge's transitions it took.
+// The edges of the diagram with the counts of all scripts.
 static const Diagram *build_counted_diagram(const Report *r)
 {
     DiagramCounts *counts = ARENA_NEW(r->arena, DiagramCounts);
@@ -124,7 +132,7 @@ static const char *edge_remark(const Report *r, const Diagram *d, const DiagramE
     if (!d->node[e->from].state)
         buf_str(&out, states_taken_text(r, d, e));
     if (e->guard.n > 1)
-        buf_printf(&out, "%s%lu transitions, counted together", out.n ? "; " : "", (unsigned long)e->guard.n);
+        buf_printf(&out, "%s%lu transitions%s", out.n ? "; " : "", (unsigned long)e->guard.n, r->cover ? diagram_unused_lines(d, e) : ", counted together");
     if (e->shared)
         buf_printf(&out, "%sat least %llu, the others may belong to another row", out.n ? "; " : "", (unsigned long long)e->taken);
     return buf_text(&out);
@@ -149,7 +157,8 @@ static void add_transitions_covered(const Report *r, Doc *d)
     }
 }
 
-// Returns counts by transition.  A run shows a move from a state to another, so the count of several transitions is stored at the first.
+// Returns counts by transition.  If they were not measured, a run shows a move from a state to another, so the count of several transitions is
+// stored at the first.
 DiagramCounts report_sum_counts(const Report *r)
 {
     const size_t states = r->analysis.p->state.n, transitions = r->analysis.transition.n;
@@ -161,7 +170,9 @@ DiagramCounts report_sum_counts(const Report *r)
         for (size_t t = 0; t < transitions; t++)
             transition[t] += r->run[i].trace.taken[t];
     }
-    return (DiagramCounts){state, transition};
+    for (size_t t = 0; r->cover && t < transitions; t++)
+        transition[t] = r->cover->hits[r->cover->probes.transition[r->analysis.transition.at[t].stmt->number]];
+    return (DiagramCounts){state, transition, !r->cover};
 }
 
 Coverage report_measure_coverage(const Report *r)
@@ -175,11 +186,15 @@ Coverage report_measure_coverage(const Report *r)
         const DiagramEdge *e = &d->edge.at[i];
         const bool taken = diagram_times_taken(e) > 0;
         c.edges_unused += !taken;
-        c.shared = c.shared || (taken && (e->guard.n > 1 || e->shared > 0));
-        c.transitions_least += e->taken > 0;
-        c.transitions_most += taken ? e->guard.n : 0;
+        c.shared = c.shared || (!r->cover && taken && (e->guard.n > 1 || e->shared > 0));
+        for (size_t g = 0; r->cover && g < e->guard.n; g++)
+            c.transitions_least += e->guard.at[g].taken > 0;
+        c.transitions_least += !r->cover && e->taken > 0;
+        c.transitions_most += !r->cover && taken ? e->guard.n : 0;
         c.transitions += e->guard.n;
     }
+    if (r->cover)
+        c.transitions_most = c.transitions_least;
     return c;
 }
 
@@ -213,7 +228,7 @@ static void add_shared_transitions(const Report *r, Doc *d)
     for (size_t i = 0; i < diagram->edge.n; i++) {
         const DiagramEdge *e = &diagram->edge.at[i];
         const DiagramNode *from = &diagram->node[e->from];
-        if (diagram_times_taken(e) == 0 || (e->guard.n == 1 && (e->shared == 0 || from->all)))
+        if (r->cover || diagram_times_taken(e) == 0 || (e->guard.n == 1 && (e->shared == 0 || from->all)))
             continue;
         buf_printf(&out, "%s from %s to ^%s^ (lines", out.n ? "," : "", origin_in_markup(r, from), diagram->node[e->to].title);
         write_lines_of_edge(&out, diagram, e);
@@ -260,6 +275,45 @@ static void add_not_covered(Report *r, Doc *d)
     add_shared_transitions(r, d);
 }
 
+// ---- places ----
+
+static const DocColumn cover_columns[] = {{"kind", "Places"}, {"covered", "Covered"}, {"possible", "Of"}, {"impossible", "Impossible"}};
+static const DocColumn gap_columns[] = {{"line", "Line"}, {"text", "Not covered"}};
+
+static void add_cover_totals(const Report *r, Doc *d)
+{
+    DocTable *t = DOC_ADD_TABLE(d, "places", cover_columns);
+
+    t->narrow = true;
+    for (int k = 0; k < COVER_KIND_COUNT; k++) {
+        const CoverTotal total = cover_total(r->cover, (CoverKind)k);
+        if (total.possible + total.impossible == 0)
+            continue;
+        doc_add_plain_cell(t, cover_kind_name[k]);
+        doc_add_number_cell(t, total.covered);
+        doc_add_number_cell(t, total.possible);
+        doc_add_number_cell(t, total.impossible);
+    }
+}
+
+// Adds what the scripts test, as smc test --coverage prints it.
+static void add_cover(const Report *r, Doc *d)
+{
+    const CoverGaps gaps = cover_list_gaps(r->cover, (1u << COVER_KIND_COUNT) - 1);
+    DocTable *t;
+
+    doc_add_heading(d, "coverage", "Coverage");
+    add_cover_totals(r, d);
+    if (gaps.n == 0)
+        return;
+    t = DOC_ADD_TABLE(d, "gaps", gap_columns);
+    t->narrow = true;
+    for (size_t i = 0; i < gaps.n; i++) {
+        doc_add_number_cell(t, report_line_of(gaps.at[i].span));
+        doc_add_plain_cell(t, gaps.at[i].is_impossible ? format_in(r->arena, "impossible: %s", gaps.at[i].text) : gaps.at[i].text);
+    }
+}
+
 // ---- one script ----
 
 static const DocColumn assert_columns[] = {{"line", "Line"}, {"text", "Text"}, {"requirement", "Requirement"}, {"result", "Result"}};
@@ -297,6 +351,53 @@ static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
                 doc_add_plain_cell(t, assert_result(run, a, item->first_assert + n));
             }
         }
+}
+
+static const DocColumn compare_columns[] = {{"line", "Line"}, {"element", "Element"}, {"column", "Column"}, {"steps", "Steps"}, {"differs", "Differs in"},
+                                            {"first", "First at G"}, {"largest", "Largest difference"}, {"times", "Times"}};
+
+// Adds a table of what @compare has found.
+static void add_compares(const Report *r, Doc *d, const ReportRun *run)
+{
+    const ScriptData *data = run->script->data;
+    DocTable *t;
+
+    if (!data || !run->result.compare || data->compare.n == 0)
+        return;
+    t = DOC_ADD_TABLE(d, format_in(r->arena, "compares.%s", run->name), compare_columns);
+    for (size_t i = 0; i < data->compare.n; i++) {
+        const ScriptColumn *column = &data->compare.at[i].column;
+        const CompareResult *c = &run->result.compare[i];
+        Buf times, largest;
+        buf_init(&times, r->arena);
+        buf_init(&largest, r->arena);
+        compare_write_spans(c, &times);
+        if (c->failed) {
+            format_number_shortest(&largest, c->worst.difference);
+            buf_printf(&largest, " at G = %llu", (unsigned long long)c->worst.g);
+        }
+        doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(column->span.src->name),
+                                        (unsigned long)source_position(column->span.src, column->span.at).line));
+        doc_add_plain_cell(t, column->var->name->text);
+        doc_add_plain_cell(t, column->name->text);
+        doc_add_number_cell(t, c->steps);
+        doc_add_number_cell(t, c->failed);
+        doc_add_plain_cell(t, c->failed ? format_in(r->arena, "%llu, line %llu of the data", (unsigned long long)c->first.g, (unsigned long long)c->first.line) : "");
+        doc_add_plain_cell(t, buf_text(&largest));
+        doc_add_plain_cell(t, buf_text(&times));
+    }
+}
+
+// Adds a sentence about the rows of the recorded data.
+static void add_rows(const Report *r, Doc *d, const ReportRun *run)
+{
+    Buf rows;
+
+    if (!run->result.data_file)
+        return;
+    buf_init(&rows, r->arena);
+    script_write_rows(&run->result, &rows);
+    doc_add_paragraph(d, format_in(r->arena, "Recorded data: %s.", buf_text(&rows)));
 }
 
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)
@@ -367,7 +468,11 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     }
     if (!run->script || run->trace.steps == 0)
         return;
+    if (run->result.is_random)
+        doc_add_paragraph(d, format_in(r->arena, TEXT_SEED, (unsigned long long)run->result.seed));
     add_named_asserts(r, d, run);
+    add_rows(r, d, run);
+    add_compares(r, d, run);
     if (*run->result.printed)
         doc_add_lines(d, run->result.printed);
     add_plot(r, d, run);
@@ -385,6 +490,8 @@ void report_add_scripts(Report *r, Doc *d)
     add_states_covered(r, d);
     add_transitions_covered(r, d);
     add_not_covered(r, d);
+    if (r->cover)
+        add_cover(r, d);
     doc_add_figure(d, plot_patterns(r->arena), NULL);
     for (size_t i = 0; i < r->runs; i++)
         add_run(r, d, &r->run[i], i + 1);

@@ -11,6 +11,8 @@
     ".plot{display:block;width:100%;font-size:12px}.plot text{fill:var(--fg)}.plot .dim{fill:var(--dim)}" \
     ".plot .frame{fill:none;stroke:var(--line)}.plot .grid{stroke:var(--line);stroke-width:.6}" \
     ".plot .trace{fill:none;stroke:var(--trace);stroke-width:1.4;stroke-linejoin:round}.plot .on{fill:var(--trace)}" \
+    ".plot .recorded{fill:none;stroke:var(--bad);stroke-width:1.2;stroke-dasharray:4 2}.plot .recorded-on{fill:var(--bad)}" \
+    ".plot .recorded-name{fill:var(--bad)}" \
     ".plot .both{fill:var(--trace-soft)}.plot .begin{fill:var(--bg);stroke:var(--bad);stroke-width:1.6}" \
     ".plot .cut{stroke:var(--dim);stroke-width:.7;stroke-dasharray:2 3}.plot .hatch{stroke:#000;stroke-opacity:.35;stroke-width:1}" \
     ".plot .tint{fill-opacity:.13}.plot .name{fill:#10202e;font-weight:600}\n" \

@@ -31,11 +31,18 @@
 // ---- inputs, outputs and parameters ----
 
 #define TEXT_DEFINITIONS "Names for expressions. A use of the name means the expression, computed where it is used."
+#define TEXT_SETTINGS "Values that are set before the machine starts, without compiling it again. The findings are true of every value in the range."
 #define TEXT_PARAMETERS "Named values that the machine never changes."
 #define TEXT_LOCALS "Variables of the machine. They keep their values from step to step and from state to state."
 #define TEXT_WINDOWS \
     "Every window takes a sample at the start of every step, in every state. Until it is full, its statistic covers the samples " \
     "taken so far."
+
+// ---- requirements ----
+
+#define TEXT_REQUIREMENTS \
+    "Each requirement is judged after every step of every script in which it could be violated. `Times` is the number of these steps. One " \
+    "that was never judged has not been tested, and one that is undecided has not been met."
 
 // ---- messages ----
 
@@ -55,6 +62,10 @@
 #define TEXT_STEP_DECLARED "Time advances by %s per step, as the machine declares."          // "20 ms"
 #define TEXT_STEP_OF_SCRIPTS "Time advances by %lu per step, the `delta_t` of the scripts."   // time per step
 #define TEXT_FINDING_FIXABLE "`smc fix` can make the edit."
+
+// ---- scripts ----
+
+#define TEXT_SEED "The random numbers have the seed %llu."
 
 // ---- abort matrix ----
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine reads, writes and stores: elements, parameters, other locals, definitions, windows; with the comments of its author.
+// What the machine reads, writes and stores: elements, parameters that can be set, constants, other locals, definitions, windows; with the comments of its author.
 #include <string.h>
 
 #include "compiler/report/comment.h"
@@ -77,6 +77,7 @@ static VarUse *find_variable_uses(const Report *r)
 
 static const DocColumn element_columns[] = {{"name", "Element"},
                                             {"type", "Type"},
+                                            {"unit", "Unit"},
                                             {"role", "Role"},
                                             {"range", "Healthy range"},
                                             {"comment", "Comment"},
@@ -92,15 +93,15 @@ static const char *role_text(const Program *p, const Var *v)
         return "state number";
     if (v->written)
         return v->read ? "output, read back" : "output";
-    return v->read ? "input" : "unused";
+    return v->command ? "command" : v->read ? "input" : "unused";
 }
 
-static const char *range_text(Arena *arena, const Var *v)
+static const char *unit_of(const Measure *unit) { return unit ? unit->text : ""; }
+
+static const char *numbers_text(Arena *arena, SmF64 lo, SmF64 hi)
 {
-    if (!v->range)
-        return "";
-    return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->lo))),
-                     report_format_number(arena, trace_cell_value(SM_F64, sm_bits(v->range->hi))));
+    return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(lo))),
+                     report_format_number(arena, trace_cell_value(SM_F64, sm_bits(hi))));
 }
 
 // Returns the names of an element: that of the machine, its alias, and that of the state vector if a binding makes it another one.
@@ -110,6 +111,8 @@ static const char *names_of_element(Arena *arena, const Var *v)
 
     return v->element->name != v->name ? format_in(arena, "%s = %s", name, v->element->name->text) : name;
 }
+
+static const char *range_text(Arena *arena, const Var *v) { return v->range ? numbers_text(arena, v->range->lo, v->range->hi) : ""; }
 
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
@@ -122,6 +125,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
             continue;
         doc_add_code_cell(t, names_of_element(r->arena, v));
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, role_text(p, v));
         doc_add_plain_cell(t, range_text(r->arena, v));
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
@@ -142,16 +146,18 @@ static const char *readers_text(const Report *r, const Var *v, VarUse *use)
 static const DocColumn parameter_columns[] = {{"name", "Parameter"},
                                               {"type", "Type"},
                                               {"value", "Value"},
+                                              {"unit", "Unit"},
                                               {"formula", "Formula"},
                                               {"comment", "Comment"},
                                               {"read", "Read in"},
                                               {"line", "Line"}};
 
 static const DocColumn local_columns[] = {
-    {"name", "Local"}, {"type", "Type"}, {"value", "Initial value"}, {"comment", "Comment"}, {"read", "Read in"},
+    {"name", "Local"}, {"type", "Type"}, {"value", "Initial value"}, {"unit", "Unit"}, {"comment", "Comment"}, {"read", "Read in"},
     {"written", "Written in"}, {"line", "Line"}};
 
-static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written; }
+static bool is_settable(const Var *v) { return v->kind == VAR_LOCAL && v->parameter; }
+static bool is_parameter(const Var *v) { return v->kind == VAR_LOCAL && !v->written && !v->parameter; }
 static bool is_changing_local(const Var *v) { return v->kind == VAR_LOCAL && v->written; }
 
 static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
@@ -161,6 +167,35 @@ static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
     for (size_t i = 0; i < p->var.n; i++)
         n += wanted(p->var.at[i]);
     return n;
+}
+
+static const DocColumn setting_columns[] = {{"name", "Parameter"}, {"type", "Type"},       {"range", "Range"},  {"default", "Default"},
+                                            {"value", "Value"},    {"comment", "Comment"}, {"read", "Read in"}, {"line", "Line"}};
+
+// Lists what is marked @parameter.
+static void add_settings(const Report *r, Doc *d, VarUse *use)
+{
+    const Program *p = r->analysis.p;
+    DocTable *t;
+
+    if (count_variables(p, is_settable) == 0)
+        return;
+    doc_add_heading(d, "settings", "Parameters that can be set");
+    doc_add_paragraph(d, TEXT_SETTINGS);
+    t = DOC_ADD_TABLE(d, "settings", setting_columns);
+    for (size_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        if (!is_settable(v))
+            continue;
+        doc_add_code_cell(t, v->name->text);
+        doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, v->type == SM_BOOL ? "" : numbers_text(r->arena, v->parameter->lo, v->parameter->hi));
+        doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->parameter->standard));
+        doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, comment_of_variable(r->arena, v));
+        doc_add_plain_cell(t, readers_text(r, v, &use[i]));
+        doc_add_line_cell(t, report_line_of(v->span));
+    }
 }
 
 static void add_parameters(const Report *r, Doc *d, VarUse *use)
@@ -180,6 +215,7 @@ static void add_parameters(const Report *r, Doc *d, VarUse *use)
         doc_add_code_cell(t, v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_code_cell(t, v->init_value && v->init_value->kind != EX_NUMBER ? source_text(r->arena, v->init_value->span) : "");
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
         doc_add_plain_cell(t, readers_text(r, v, &use[i]));
@@ -204,6 +240,7 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
         doc_add_code_cell(t, v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
         doc_add_plain_cell(t, readers_text(r, v, &use[i]));
         doc_add_plain_cell(t, buf_text(&use[i].writers));
@@ -214,7 +251,7 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
 // ---- definitions ----
 
 static const DocColumn define_columns[] = {
-    {"name", "Definition"}, {"meaning", "Expression"}, {"comment", "Comment"}, {"used", "Used in"}, {"line", "Line"}};
+    {"name", "Definition"}, {"meaning", "Expression"}, {"unit", "Unit"}, {"comment", "Comment"}, {"used", "Used in"}, {"line", "Line"}};
 
 // Returns the state whose own part of the source contains the position; NULL: it is elsewhere.  States have the order of the file.
 static const State *state_at(const Program *p, Span at)
@@ -274,6 +311,7 @@ static void add_definitions(const Report *r, Doc *d)
         const Define *def = all->at[i];
         doc_add_code_cell(t, def->name->text);
         doc_add_code_cell(t, source_text(r->arena, def->value_span));
+        doc_add_plain_cell(t, unit_of(def->unit));
         doc_add_plain_cell(t, comment_around(r->arena, (Span){def->span.src, def->span.at, def->value_span.at + def->value_span.len - def->span.at}));
         doc_add_plain_cell(t, uses_text(r, def));
         doc_add_line_cell(t, report_line_of(def->span));
@@ -313,6 +351,7 @@ void report_add_variables(Report *r, Doc *d)
 
     doc_add_section(d, "variables", "Inputs, outputs and parameters");
     add_elements(r, d, use);
+    add_settings(r, d, use);
     add_parameters(r, d, use);
     add_locals(r, d, use);
     add_definitions(r, d);

@@ -110,16 +110,24 @@ static void extend_row(PlotRow *r, double x)
     r->hi = x > r->hi ? x : r->hi;
 }
 
+static void extend_row_by_series(PlotRow *r, const Trace *t, const TraceSeries *s)
+{
+    for (size_t i = 0; i < trace_buckets(t); i++) {
+        extend_row(r, s->at[i].lo);
+        extend_row(r, s->at[i].hi);
+    }
+}
+
 // Computes the range of values of a row, with a margin of 1/16 on each side.
 static PlotRow measure_row(const Trace *t, const TraceSeries *s, long top)
 {
     PlotRow r = {s, 1e308 * 10, -1e308 * 10, top};
     double margin;
 
-    for (size_t i = 0; i < trace_buckets(t); i++) {
-        extend_row(&r, s->at[i].lo);
-        extend_row(&r, s->at[i].hi);
-    }
+    extend_row_by_series(&r, t, s);
+    for (size_t i = 0; i < t->recorded.n; i++)
+        if (t->recorded.at[i]->v == s->v)
+            extend_row_by_series(&r, t, t->recorded.at[i]);
     if (r.lo > r.hi)
         r.lo = r.hi = 0;                              // no value is finite: any range does
     margin = r.hi / 16 - r.lo / 16;
@@ -136,6 +144,14 @@ static long y_of_value(const PlotRow *r, double x)
     return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (!(share > 0) ? 0 : share > 1 ? 1 : share));
 }
 
+static bool has_recorded(const Trace *t, const Var *v)
+{
+    for (size_t i = 0; i < t->recorded.n; i++)
+        if (t->recorded.at[i]->v == v)
+            return true;
+    return false;
+}
+
 static void draw_title(Plot *p, const Var *v, long top)
 {
     const char *comment = comment_of_variable(p->out->arena, v);
@@ -144,11 +160,15 @@ static void draw_title(Plot *p, const Var *v, long top)
     write_length(p->out, "x", PLOT_LEFT + 40);
     write_length(p->out, "y", top + PLOT_TITLE - 50);
     buf_printf(p->out, "><tspan font-weight=\"600\">%s</tspan>", v->name->text);
+    if (v->unit)
+        buf_printf(p->out, " (%s)", v->unit->text);
     if (comment) {
         buf_str(p->out, " <tspan class=\"dim\">");
         xml_write_str(p->out, comment);
         buf_str(p->out, "</tspan>");
     }
+    if (has_recorded(p->t, v))
+        buf_printf(p->out, " <tspan class=\"recorded-name\">%s: recorded</tspan>", v->type == SM_BOOL ? "lower half" : "dashed");
     buf_str(p->out, "</text>\n");
 }
 
@@ -207,12 +227,12 @@ static void pen_line_to(Pen *pen, long x, long y)
     pen->y = y;
 }
 
-static void draw_curve(Plot *p, const PlotRow *r)
+static void draw_curve(Plot *p, const char *class_name, const PlotRow *r, const TraceSeries *s)
 {
-    const TraceBucket *b = r->s->at;
+    const TraceBucket *b = s->at;
     Pen pen = {p->out, PLOT_LEFT, 0, false};
 
-    buf_str(p->out, "<path class=\"trace\" d=\"");
+    buf_printf(p->out, "<path class=\"%s\" d=\"", class_name);
     for (size_t i = 0; i < trace_buckets(p->t); i++) {
         const long x = plot_x_of_step(p->t, (double)(i * p->t->per));
         if (b[i].first != b[i].first) {
@@ -251,7 +271,10 @@ static void draw_row(Plot *p, const TraceSeries *s, long top)
     draw_title(p, s->v, top);
     draw_grid(p, &r);
     plot_draw_rect(p, "frame", PLOT_LEFT, r.top, PLOT_RIGHT - PLOT_LEFT, PLOT_ROW);
-    draw_curve(p, &r);
+    draw_curve(p, "trace", &r, s);
+    for (size_t i = 0; i < p->t->recorded.n; i++)
+        if (p->t->recorded.at[i]->v == s->v)
+            draw_curve(p, "recorded", &r, p->t->recorded.at[i]);
     draw_circles(p, &r);
     if (s->infinite)
         plot_draw_text(p, "dim", "end", PLOT_RIGHT, top + PLOT_TITLE - 50, "infinite at times");
@@ -261,32 +284,43 @@ static void draw_row(Plot *p, const TraceSeries *s, long top)
 
 // ---- a strip of a bool ----
 
-static void draw_strip_part(Plot *p, const char *class_name, size_t from, size_t to, long top)
+static void draw_strip_part(Plot *p, const char *class_name, size_t from, size_t to, long top, long high)
 {
     const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
     const long x = plot_x_of_step(p->t, (double)(from * p->t->per));
 
-    plot_draw_rect(p, class_name, x, top, plot_x_of_step(p->t, (double)end) - x, PLOT_STRIP);
+    plot_draw_rect(p, class_name, x, top, plot_x_of_step(p->t, (double)end) - x, high);
 }
 
 // Returns 2 if the bool was true in all steps of a bucket, 1 if in some, 0 if in none.
 static int strip_level(const TraceBucket *b) { return b->lo > 0 ? 2 : b->hi > 0 ? 1 : 0; }
 
-static void draw_strip(Plot *p, const TraceSeries *s, long top)
+// Draws where a bool is true.
+static void draw_strip_parts(Plot *p, const TraceSeries *s, const char *on, long top, long high)
 {
     const size_t n = trace_buckets(p->t);
     size_t from = 0;
 
-    draw_title(p, s->v, top);
-    top += PLOT_TITLE;
     for (size_t i = 1; i <= n; i++) {
         const int now = strip_level(&s->at[from]);
         if (i < n && strip_level(&s->at[i]) == now)
             continue;
         if (now)
-            draw_strip_part(p, now == 2 ? "on" : "both", from, i, top);
+            draw_strip_part(p, now == 2 ? on : "both", from, i, top, high);
         from = i;
     }
+}
+
+static void draw_strip(Plot *p, const TraceSeries *s, long top)
+{
+    const long high = has_recorded(p->t, s->v) ? PLOT_STRIP / 2 : PLOT_STRIP;
+
+    draw_title(p, s->v, top);
+    top += PLOT_TITLE;
+    draw_strip_parts(p, s, "on", top, high);
+    for (size_t i = 0; i < p->t->recorded.n; i++)
+        if (p->t->recorded.at[i]->v == s->v)
+            draw_strip_parts(p, p->t->recorded.at[i], "recorded-on", top + high, PLOT_STRIP - high);
     plot_draw_rect(p, "frame", PLOT_LEFT, top, PLOT_RIGHT - PLOT_LEFT, PLOT_STRIP);
 }
 
@@ -299,7 +333,7 @@ static long draw_rows(Plot *p, bool strips, bool draw, long y)
 {
     for (size_t i = 0; i < p->t->series.n; i++) {
         const TraceSeries *s = p->t->series.at[i];
-        if (!s->changes || is_strip(s) != strips)
+        if ((!s->changes && !has_recorded(p->t, s->v)) || is_strip(s) != strips)
             continue;
         if (draw && strips)
             draw_strip(p, s, y);
@@ -312,12 +346,14 @@ static long draw_rows(Plot *p, bool strips, bool draw, long y)
 
 static const char *describe_axis(const Plot *p)
 {
+    const Var *g = p->t->p->g;
     const char *comment;
 
     if (p->t->axis)
         return p->t->axis;
-    comment = comment_of_variable(p->out->arena, p->t->p->g);
-    return format_in(p->out->arena, "Time, G%s%s", comment ? ": " : "", comment ? comment : "");
+    comment = comment_of_variable(p->out->arena, g);
+    return format_in(p->out->arena, "Time, G%s%s%s%s%s", g->unit ? " (" : "", g->unit ? g->unit->text : "", g->unit ? ")" : "", comment ? ": " : "",
+                     comment ? comment : "");
 }
 
 static void draw_time_axis(Plot *p)

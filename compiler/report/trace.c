@@ -50,29 +50,53 @@ void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *tra
 
 // ---- buckets ----
 
+// Merges two buckets.  One without a value (NaN) does not count.
 static TraceBucket merge_buckets(const TraceBucket *a, const TraceBucket *b)
 {
+    if (a->first != a->first || b->first != b->first)
+        return a->first != a->first ? *b : *a;
     return (TraceBucket){a->first, a->lo < b->lo ? a->lo : b->lo, a->hi > b->hi ? a->hi : b->hi, b->last};
+}
+
+static void merge_pairs_of_series(TraceSeries *s)
+{
+    for (size_t k = 0; k < TRACE_BUCKETS / 2; k++)
+        s->at[k] = merge_buckets(&s->at[2 * k], &s->at[2 * k + 1]);
 }
 
 // Halves the number of buckets in use: each now covers twice as many steps.
 static void merge_bucket_pairs(Trace *t)
 {
-    for (size_t i = 0; i < t->series.n; i++) {
-        TraceBucket *at = t->series.at[i]->at;
-        for (size_t k = 0; k < TRACE_BUCKETS / 2; k++)
-            at[k] = merge_buckets(&at[2 * k], &at[2 * k + 1]);
-    }
+    for (size_t i = 0; i < t->series.n; i++)
+        merge_pairs_of_series(t->series.at[i]);
+    for (size_t i = 0; i < t->recorded.n; i++)
+        merge_pairs_of_series(t->recorded.at[i]);
     t->per *= 2;
 }
 
-static void add_value(Trace *t, TraceSeries *s, double x)
+// Adds the value of a series in a step, which is counted from 0.
+static void add_value(Trace *t, TraceSeries *s, uint64_t step, double x)
 {
-    TraceBucket *b = &s->at[t->steps / t->per], alone = {x, x, x, x};
+    TraceBucket *b = &s->at[step / t->per], alone = {x, x, x, x};
 
     s->infinite = s->infinite || x - x != 0;
-    s->changes = s->changes || (t->steps > 0 && x != s->at[0].first);
-    *b = t->steps % t->per == 0 ? alone : merge_buckets(b, &alone);
+    s->changes = s->changes || (step > 0 && x != s->at[0].first);
+    *b = step % t->per == 0 ? alone : merge_buckets(b, &alone);
+}
+
+void trace_begin_recorded(Trace *t, const ScriptData *d)
+{
+    for (size_t i = 0; i < d->compare.n; i++) {
+        TraceSeries *s = ARENA_NEW(t->arena, TraceSeries);
+        s->v = d->compare.at[i].column.var;
+        vec_push(t->arena, &t->recorded, s);
+    }
+}
+
+void trace_add_recorded(Trace *t, const double *value)
+{
+    for (size_t i = 0; t->steps > 0 && i < t->recorded.n; i++)
+        add_value(t, t->recorded.at[i], t->steps - 1, value[i]);
 }
 
 // ---- a step ----
@@ -114,7 +138,7 @@ static void record_step(Trace *t, const uint64_t *cell)
     t->last = (uint32_t)number;
     t->spent[number - 1]++;
     for (size_t i = 0; i < t->series.n; i++)
-        add_value(t, t->series.at[i], trace_cell_value(t->series.at[i]->v->type, cell[t->series.at[i]->v->index]));
+        add_value(t, t->series.at[i], t->steps, trace_cell_value(t->series.at[i]->v->type, cell[t->series.at[i]->v->index]));
     t->steps++;
 }
 

@@ -35,6 +35,7 @@ typedef struct Trace {
     double unit;                  // units of the time axis per unit of G; 0: 1
     const char *axis;             // label of the axis; NULL: G and its comment
     uint32_t last;                // number of the last step's state
+    VEC(TraceSeries *) recorded;  // by @compare of the script: the recorded values of the column that the variable is compared with; NaN: none
     VEC(TraceSeries *) series;    // elements except G and S, then locals that are not constants
     VEC(TraceVisit) visit;
     uint64_t visits;              // number of visits, including those no longer added to the list
@@ -49,6 +50,10 @@ typedef struct Trace {
 void trace_init(Trace *t, Arena *arena, const Program *p, const Transitions *transition);
 // Returns an engine that passes every call to `inner` and records every step in t.
 Engine *trace_wrap_engine(Trace *t, Engine *inner);
+
+// Adds a series for each @compare of a script.  To be called before the run; trace_add_recorded then after each step, with ScriptStep.recorded.
+void trace_begin_recorded(Trace *t, const ScriptData *d);
+void trace_add_recorded(Trace *t, const double *value);
 
 size_t trace_buckets(const Trace *t);                 // number of buckets in use
 double trace_cell_value(SmType type, uint64_t cell);

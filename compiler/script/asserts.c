@@ -13,6 +13,7 @@ enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // limits of a label: numb
 // The operands of an assert with their values, collected for a label.
 typedef struct Operands {
     ScriptRun *r;
+    const RefWindows *windows;
     Buf text;                 // "valveOpen = false, tankPressure = 776"
     const Expr *shown[OPERANDS_MOST];         // the n expressions in `text`
     size_t n;
@@ -35,7 +36,7 @@ bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most
 }
 
 // Appends the value of e in the format of diagnostics.
-void run_append_value(ScriptRun *r, const Expr *e, Buf *out)
+void run_append_value(ScriptRun *r, const Expr *e, const RefWindows *w, Buf *out)
 {
     const Program *p = e->kind == EX_VAR ? e->var->state_of : NULL;
 
@@ -44,7 +45,7 @@ void run_append_value(ScriptRun *r, const Expr *e, Buf *out)
     else if (e->kind == EX_VAR)
         format_cell_shortest(out, e->var->type, r->cell[e->var->index]);
     else
-        format_number_shortest(out, ref_eval(e, r->cell, &r->windows));
+        format_number_shortest(out, ref_eval(e, r->cell, w));
 }
 
 // Whether e compares its operands.
@@ -69,7 +70,7 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
     buf_str(&o->text, o->n ? ", " : "");
     buf_put(&o->text, e->span.src->text + e->span.at, e->span.len);
     buf_str(&o->text, " = ");
-    run_append_value(o->r, e, &o->text);
+    run_append_value(o->r, e, o->windows, &o->text);
     o->shown[o->n++] = e;
 }
 
@@ -98,16 +99,22 @@ static Diag *report_failed(const ScriptRun *r, const ScriptAssert *a)
     return diag_report(r->diags, DIAG_assert_failed, a->condition->span, step, g, state, remark);
 }
 
+void run_label_operands(ScriptRun *r, Diag *d, const Expr *e, const RefWindows *w)
+{
+    Operands o = {.r = r, .windows = w};
+
+    buf_init(&o.text, r->arena);
+    add_operands(&o, e, false);
+    if (o.n)
+        diag_label(r->diags, d, DIAG_label_operands, buf_text(&o.text));
+}
+
 // Reports the assert that failed, with the values of its operands and the history of the run.
 void assert_report_failure(ScriptRun *r)
 {
-    Operands o = {.r = r};
     Diag *d = report_failed(r, r->result.failed);
 
-    buf_init(&o.text, r->arena);
-    add_operands(&o, r->failed, false);
-    if (o.n)
-        diag_label(r->diags, d, DIAG_label_operands, buf_text(&o.text));
+    run_label_operands(r, d, r->failed, &r->windows);
     history_add(r, d);
 }
 
@@ -127,7 +134,7 @@ static void print_values(ScriptRun *r, const ScriptAssert *a)
         buf_str(&r->printed, i ? ", " : "");
         buf_put(&r->printed, s.src->text + s.at, s.len);
         buf_str(&r->printed, " = ");
-        run_append_value(r, p->printed.at[i], &r->printed);
+        run_append_value(r, p->printed.at[i], &r->windows, &r->printed);
     }
     buf_char(&r->printed, '\n');
 }
@@ -160,7 +167,9 @@ static void fail_pending(ScriptRun *r, const PendingExpect *e)
 // Whether no later step can meet an @expect: the next one is after its time.
 static bool is_expired(const ScriptRun *r, const PendingExpect *e)
 {
-    return run_next_g(r, e->item->machine) - e->since > e->item->asserts.at[e->assert].remark->within;
+    const uint64_t next = run_next_g(r, e->item->machine);
+
+    return next == UINT64_MAX || next - e->since > e->item->asserts.at[e->assert].remark->within;
 }
 
 // Whether the asserts of an item count in this step: in the script of an application, those of a machine's state count at its own ticks.
@@ -288,7 +297,7 @@ static void report_all_unevaluated(const ScriptRun *r)
             const ScriptItem *item = section->item.at[j];
             add_unevaluated(r, item, &u);
             if (u.n && run_last_of_section(r, section))
-                diag_label(r->diags, report_unevaluated(r, &u), r->was_true[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
+                diag_label(r->diags, report_unevaluated(r, &u), r->true_in[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)
             diag_label(r->diags, report_unevaluated(r, &u), DIAG_label_never_in_state, section->state->name->text);
@@ -306,6 +315,8 @@ static bool item_tests(const ScriptItem *item)
 // Whether anything in the script can fail.
 static bool has_assert(const Script *s)
 {
+    if (s->data && s->data->compare.n)
+        return true;
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t j = 0; j < s->section.at[i].item.n; j++)
             if (item_tests(s->section.at[i].item.at[j]))
@@ -318,6 +329,6 @@ void assert_report_unevaluated(const ScriptRun *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
         report_all_unevaluated(r);
-    if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !has_assert(r->s))
+    if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !r->o->requirements && !has_assert(r->s))
         diag_report(r->diags, DIAG_script_without_assert, script_first_stop(r->s)->stop_span);
 }

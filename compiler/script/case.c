@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/base/path.h"
+#include "compiler/data/data_file.h"
 
 // ---- the parts as sources ----
 
@@ -44,6 +45,22 @@ static const Source *find_included(void *context, const Source *from, const char
     return NULL;
 }
 
+// Finds the part of a case that is a file with recorded data.
+static const DataFile *find_data(void *context, const Source *from, const char *name, const char **problem)
+{
+    const CaseSources *c = context;
+    const char *path = path_simplify(c->arena, path_beside(c->arena, from->name, name));
+
+    *problem = "the case has no such part";
+    for (size_t i = 0; i < c->parts; i++)
+        if (strcmp(path_simplify(c->arena, c->file->part.at[i].name), path) == 0) {
+            DataMemory *m = ARENA_NEW(c->arena, DataMemory);
+            data_memory_init(m, c->file->part.at[i].name, c->file->part.at[i].text, c->file->part.at[i].n);
+            return &m->file;
+        }
+    return NULL;
+}
+
 void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
 {
     const bool has_app = case_has_part_of_kind(f, ".app");
@@ -52,8 +69,9 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
     size_t scripts = 0;
 
     memset(out, 0, sizeof *out);
-    s->finder = (SourceFinder){find_included, out};
+    s->finder = (SourceFinder){find_included, find_data, out};
     out->arena = &s->arena;
+    out->file = f;
     out->parts = f->part.n;
     out->src = ARENA_ARRAY(&s->arena, Source *, f->part.n);
     out->input = ARENA_ARRAY(&s->arena, size_t, f->part.n);
@@ -93,11 +111,15 @@ static const char *find_wrong_parts(const TestFile *f)
     const size_t nets = count_parts(f, ".net");
 
     if (case_has_part_of_kind(f, ".app"))
-        return count_parts(f, ".app") > 1 ? "a case has at most one .app" : NULL;
+        return count_parts(f, ".app") > 1             ? "a case has at most one .app"
+               : case_has_part_of_kind(f, ".rq") ? "requirements are judged in scripts of one machine, not of an application"
+                                                 : NULL;
     if (machines > 1 || vectors > 1 || pins > 1 || nets > 1)
         return "a case has at most one .sm, one .sv, one .io and one .net";
     if (nets && !vectors)
         return "messages need a state vector, as -- app.sv --";
+    if (case_has_part_of_kind(f, ".rq") && !machines)
+        return "requirements need a machine, as -- app.sm --";
     if (pins && !vectors)
         return "pins need a state vector, as -- app.sv --";
     if (machines + vectors == 0)
@@ -161,7 +183,7 @@ void case_compile(SmtCase *c, int opt_level)
     c->script = ARENA_ARRAY(&c->s->arena, const Script *, f->part.n);
     for (size_t i = 0; i < f->part.n; i++)
         if (testfile_has_suffix(&f->part.at[i], c->sources.in.app ? ".app" : ".sm"))
-            c->p = made.of[c->sources.input[i]].scripted;
+            c->p = made.of[c->sources.input[i]].scripted, c->requirements = made.of[c->sources.input[i]].requirements;
         else if (testfile_has_suffix(&f->part.at[i], ".ss"))
             c->script[i] = made.of[c->sources.input[i]].script;
     c->has_runs = f->outcome != TEST_ERROR && c->s->diags.errors == 0 && case_has_part_of_kind(f, ".ss");
@@ -176,6 +198,7 @@ static const char *outcome_text(ScriptOutcome o)
     switch (o) {
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return "failed";
+    case SCRIPT_NO_DATA: return "could not use its recorded data";
     case SCRIPT_ENDLESS: return "did not reach @stop";
     case SCRIPT_TIME_OVERFLOW: return "ran out of time";
     case SCRIPT_BROKEN: return "could not be run";
@@ -202,11 +225,12 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
     const bool must_pass = f->outcome == TEST_PASS;
     Arena *arena = &c->s->arena;
     CaseTrace trace = {report_order(arena, c->p), c->p->var.n, {0}};
-    bool is_first = true, works = true;
+    RequirementTotal *total = c->requirements ? ARENA_ARRAY(arena, RequirementTotal, c->requirements->at.n) : NULL;
+    bool is_first = true, works = true, passed = true;
 
     for (size_t i = 0; i < f->part.n; i++) {
         ScriptOptions o = {.max_steps = f->steps ? f->steps : max_steps, .after_step = trace_part && is_first ? add_to_trace : NULL, .context = &trace,
-                           .is_compared = report_part || trace_part};
+                           .requirements = c->requirements, .is_compared = report_part || trace_part};
         ScriptResult r;
         Buf report;
 
@@ -216,9 +240,13 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
         buf_init(&trace.text, arena);
         r = script_run(arena, &c->s->diags, c->script[i], engine, engines, &o);
         if (must_pass ? r.outcome != SCRIPT_PASSED
-                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW)
+                      : r.outcome != SCRIPT_FAILED && r.outcome != SCRIPT_ENDLESS && r.outcome != SCRIPT_TIME_OVERFLOW &&
+                        r.outcome != SCRIPT_NO_DATA)
             buf_printf(&c->why, "%s should %s, but %s\n", f->part.at[i].name, must_pass ? "pass" : "fail", outcome_text(r.outcome));
         works &= r.outcome != SCRIPT_BROKEN;
+        passed &= r.outcome == SCRIPT_PASSED;
+        if (total)
+            requirement_add_run(total, c->requirements, &r);
         script_report(&r, c->p, &report);
         if (report_part && is_first)
             case_compare_report(report_part, &report, &c->why);
@@ -226,6 +254,8 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
             case_compare_trace(trace_part, &trace.text, &c->why);
         is_first = false;
     }
+    if (total && passed)
+        requirement_report_unjudged(&c->s->diags, c->requirements, total);
     return works;
 }
 

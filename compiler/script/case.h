@@ -11,6 +11,7 @@
 
 typedef struct CaseSources {
     Arena *arena;
+    const TestFile *file;
     size_t parts;
     Source **src;             // by part; NULL: the part is not a source
     size_t *input;            // by part that is a source of the call: its index in in.at
@@ -30,6 +31,7 @@ typedef struct SmtCase {
     DiagSelection warn;       // as its header `warn` selects
     CaseSources sources;
     const Program *p;         // the machine as the scripts run it; NULL: none, or it has errors
+    const Requirements *requirements;         // of all parts .rq; NULL: none, or they have errors
     const Script **script;    // by part; NULL: not a script, or it has errors
     bool has_runs;            // it is expected to compile, has compiled, and has scripts: case_run_scripts applies
     Buf why;                  // every way in which the results differ from those expected, one or more lines each

@@ -64,7 +64,7 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
 // Returns how many machines p has: 1, or those of an application.
 static inline size_t engine_machines(const Program *p) { return p->joint ? p->joint->member.n : 1; }
 
-// Joins one engine for each machine of an application, in the order of p->joint->member, to an engine for p (language.md 8.80 to 8.92).
+// Joins one engine for each machine of an application, in the order of p->joint->member, to an engine for p (language.md 8.71 to 8.83).
 // Closing it closes them.
 Engine *engine_app_open(Arena *arena, const Program *p, Engine *const *machine);
 // Returns the engine of machine i; e itself if it is no engine of an application.

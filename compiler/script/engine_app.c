@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine for the machines of an application: in each tick it steps those that are due, one after the other, over one state vector
-// (language.md 8.80 to 8.92).  Each machine has an engine of its own, which receives all elements before its step; what the step stored
+// (language.md 8.71 to 8.83).  Each machine has an engine of its own, which receives all elements before its step; what the step stored
 // is what the next machine reads.
 #include "compiler/script/engine.h"
 

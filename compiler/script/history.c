@@ -75,7 +75,7 @@ static void record_after_step(void *context, const ScriptStep *step)
         for (size_t i = 0; i < h->columns; i++) {
             Buf text;
             buf_init(&text, r->arena);
-            run_append_value(r, h->column[i], &text);
+            run_append_value(r, h->column[i], h->failed->violated ? &r->monitor->windows : &r->windows, &text);
             s->value[i] = buf_text(&text);
         }
     }
@@ -96,6 +96,8 @@ static bool is_replay_too_slow(const ScriptRun *r)
     }
     for (size_t i = 0; i < r->s->window.n; i++)
         work += r->s->window.at[i].size;
+    for (size_t i = 0; r->o->requirements && i < r->o->requirements->window.n; i++)
+        work += r->o->requirements->window.at[i].size;
     return r->result.steps > WORK_MOST / work;
 }
 
@@ -103,7 +105,9 @@ static bool is_replay_too_slow(const ScriptRun *r)
 static bool replay_run(History *h)
 {
     const ScriptRun *failed = h->failed;
-    const ScriptOptions o = {.max_steps = failed->result.steps, .after_step = record_after_step, .context = h, .is_compared = true};
+    const ScriptOptions o = {.max_steps = failed->result.steps, .seed = &failed->result.seed, .after_step = record_after_step, .context = h,
+                             .is_compared = true, .setting = failed->o->setting, .settings = failed->o->settings,
+                             .requirements = failed->o->requirements};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;
 
@@ -191,20 +195,17 @@ static void add_transition_notes(History *h, Diag *d)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, run_state_text(r));
 }
 
-// Returns the number of the step at G = g in a run that had one at each multiple of delta_t; 0: unknown, in an application whose ticks are no
-// whole number of units apart.
-static uint64_t step_at(const ScriptRun *r, uint64_t g) { return r->s->delta_t ? g / r->s->delta_t + 1 : 0; }
-
 // Adds a note with the current state of a machine and the step in which it was entered, for a run that did not stop.
 static void add_state_note(const ScriptRun *r, size_t machine, Diag *d)
 {
     const EngineNext next = engine_next(&r->answer[0], machine);
-    const uint64_t step = next.is_first ? r->result.steps + 1 : step_at(r, r->machine[machine].start);
+    const bool is_new = next.is_first;
+    const uint64_t step = is_new ? r->result.steps + 1 : r->machine[machine].start_step;
     const State *state = r->p->state.at[next.state - 1];
 
-    if (step > 1 && step - 1 <= UINT64_MAX / r->s->delta_t)
+    if (step > 1 && !(is_new && r->result.outcome != SCRIPT_ENDLESS))         // otherwise G has no value for the next step
         diag_note(r->diags, d, (Span){0}, DIAG_note_state_since, state->name->text, count_text(r->arena, step),
-                  count_text(r->arena, (step - 1) * r->s->delta_t));
+                  count_text(r->arena, is_new ? r->g : r->machine[machine].start));
     else if (step == 1)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
@@ -228,7 +229,7 @@ static void add_stop_notes(const ScriptRun *r, Diag *d)
                 diag_note(r->diags, d, stop, DIAG_note_stop_never_run, section->state->name->text);
             else
                 diag_note(r->diags, d, stop, DIAG_note_stop_last_run, section->state->name->text, count_text(r->arena, last),
-                          count_text(r->arena, (last - 1) * r->s->delta_t));
+                          count_text(r->arena, r->ran_at[section->state->number - 1]));
         }
     }
 }
@@ -242,13 +243,14 @@ void history_add(ScriptRun *failed, Diag *d)
     h->failed = failed;
     if (failed->failed)
         add_columns(h, failed->failed);
-    if (failed->failed && h->columns == 0)
-        add_columns(h, failed->failed_item->guard);       // for @assert false: the operands of its guard
+    // For @assert false: the operands of its guard, or of those around it.
+    for (const ScriptItem *item = failed->failed_item; failed->failed && h->columns == 0 && item; item = item->parent)
+        add_columns(h, item->guard);
     if (stop)
         add_columns(h, stop->guard);
     if (!failed->failed) {
         add_stop_notes(failed, d);
-        for (size_t i = 0; i < failed->machines && failed->s->delta_t; i++)
+        for (size_t i = 0; i < failed->machines; i++)
             add_state_note(failed, i, d);
     }
     if (is_replay_too_slow(failed)) {
@@ -259,4 +261,6 @@ void history_add(ScriptRun *failed, Diag *d)
         add_step_table(h, d);
         add_transition_notes(h, d);
     }
+    if (failed->result.is_random)
+        diag_note(failed->diags, d, (Span){0}, DIAG_note_seed, count_text(failed->arena, failed->result.seed));
 }

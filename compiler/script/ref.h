@@ -16,7 +16,8 @@ double ref_read(SmType type, uint64_t cell);          // the value of a cell as 
 uint64_t ref_convert(SmType type, double x);          // the cell of a variable of `type` after x is stored in it
 bool ref_true(double x);                              // whether a condition with this value is true: not zero and not NaN
 bool ref_negative(double x);                          // whether x is below zero or -0; false for NaN
-double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone
+double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone, but for:
+double ref_list(SmBuiltin fn, double *x, uint32_t n); // that of min, max, median or average of n numbers; overwrites x
 
 // The elementary functions (ref_elementary.c).
 double ref_exp(double x);
@@ -45,14 +46,45 @@ typedef struct RefWindow {
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
 
+// ---- ref_random.c: language.md 8.48 to 8.53 ----
+
+enum { REF_DRAWS = 12 };      // random numbers of 32 bits that a call draws in each step
+
+// The stream of one call.
+typedef struct RefStream {
+    uint64_t state;           // after the draws of `step`
+    uint64_t step;            // the last step that drew, from 1; 0: none
+    double value;             // in that step
+} RefStream;
+
+typedef struct RefRandom {
+    const ScriptRandom *call;
+    RefStream *stream;        // by number of the call
+    uint64_t seed;
+    uint64_t step;            // the current step, from 1
+} RefRandom;
+
+void ref_random_init(RefRandom *r, Arena *arena, const ScriptRandoms *calls, uint64_t seed);
+// Returns the value of a call in the current step, whenever it is evaluated.  Draws at the first evaluation, so a call that a step does not
+// evaluate costs nothing there.
+double ref_random_value(RefRandom *r, uint32_t call);
+
 typedef struct RefWindows {
     RefWindow *at;
     size_t n;
+    RefRandom *random;        // of a script; NULL: the owner has no random numbers
     double *scratch;          // room for the samples of the longest window
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
+// The same without memory for the samples, which ref_window_place provides: ref_window_samples of 8 bytes.  Empties no window.
+void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list);
+uint32_t ref_window_samples(const Window *what);
+void ref_window_place(RefWindow *w, void *samples);
 void ref_windows_clear(RefWindows *w);                            // empties all windows, as init does
+// The average, added in pairs, and the median of n numbers without NaN, also outside windows.  Both overwrite x.
+double ref_average(double *x, uint32_t n);
+double ref_median(double *x, uint32_t n);
 void ref_windows_sample(RefWindows *w, const uint64_t *cell);     // stores a sample in every window, in index order
 double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat);
 

@@ -44,11 +44,11 @@ static double eval_chain(const Expr *e, const uint64_t *cell, const RefWindows *
 
 static double eval_call(const Expr *e, const uint64_t *cell, const RefWindows *w)
 {
-    double arg[3] = {0, 0, 0};                        // builtins.def: no function has more parameters
+    double arg[SM_LIST_MAX] = {0};                    // builtins.def: no function has more parameters
 
-    for (uint32_t i = 0; i < e->n && i < 3; i++)
+    for (uint32_t i = 0; i < e->n && i < SM_LIST_MAX; i++)
         arg[i] = ref_eval(e->arg[i], cell, w);
-    return ref_pure(e->fn, arg);
+    return sm_builtin_info[e->fn].most == SM_LIST_MAX ? ref_list(e->fn, arg, e->n) : ref_pure(e->fn, arg);
 }
 
 // Evaluates e with cell[i] as the cell of variable i.  w: the rolling windows of the machine or script that e belongs to.
@@ -61,6 +61,8 @@ double ref_eval(const Expr *e, const uint64_t *cell, const RefWindows *w)
     case EX_BINARY: return apply_binary(e->op, ref_eval(e->arg[0], cell, w), ref_eval(e->arg[1], cell, w));
     case EX_CHAIN: return eval_chain(e, cell, w);
     case EX_CALL: return eval_call(e, cell, w);
+    case EX_EVERY: return cell[e->var->index] % (uint64_t)e->number == 0;
+    case EX_RANDOM: return ref_random_value(w->random, e->window);
     case EX_ROLL: return ref_statistic(w, e->window, e->stat);
     }
     return 0;

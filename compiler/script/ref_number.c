@@ -233,6 +233,20 @@ static double ref_sqrt(double x)
 
 static double ref_clamp(double x, double lo, double hi) { return ref_min(ref_max(x, lo), hi); }
 
+double ref_list(SmBuiltin fn, double *x, uint32_t n)
+{
+    double extreme = x[0];
+    bool nan = false;
+
+    for (uint32_t i = 1; i < n; i++)
+        extreme = fn == SM_FN_min ? ref_min(extreme, x[i]) : ref_max(extreme, x[i]);
+    if (fn != SM_FN_average && fn != SM_FN_median)
+        return extreme;
+    for (uint32_t i = 0; i < n; i++)
+        nan |= is_nan(x[i]);
+    return nan ? make_nan() : fn == SM_FN_average ? ref_average(x, n) : ref_median(x, n);
+}
+
 #define CALL_1(f) f(arg[0])
 #define CALL_2(f) f(arg[0], arg[1])
 #define CALL_3(f) f(arg[0], arg[1], arg[2])
@@ -243,14 +257,16 @@ double ref_pure(SmBuiltin fn, const double *arg)
     switch (fn) {
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(ref_##name);
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_LIST(name, sentence) case SM_FN_##name:
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
-    case SM_FN_COUNT: break;                          // a rolling statistic is not pure: it is an EX_ROLL, never a call
+    case SM_FN_COUNT: break;                          // ref_list, or a rolling statistic, which is an EX_ROLL and never a call
     }
     return make_nan();
 }

@@ -6,21 +6,35 @@
 #include <float.h>
 #include <string.h>
 
-void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list)
+static bool has_times(const Window *what) { return 1u << what->stat & SM_STATS_OF_TIMES; }
+
+uint32_t ref_window_samples(const Window *what) { return 1u << what->stat & SM_STATS_OF_RUNS ? 1 : what->size; }
+
+void ref_window_place(RefWindow *w, void *samples)
+{
+    w->slot = has_times(w->what) ? NULL : samples;
+    w->time = has_times(w->what) ? samples : NULL;
+}
+
+void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list)
 {
     uint32_t longest = 0;
 
     w->n = list->n;
     w->at = ARENA_ARRAY(arena, RefWindow, list->n);
     for (size_t i = 0; i < list->n; i++) {
-        const bool is_run = 1u << list->at[i].stat & SM_STATS_OF_RUNS, has_times = 1u << list->at[i].stat & SM_STATS_OF_TIMES;
         w->at[i].what = &list->at[i];
-        w->at[i].slot = has_times ? NULL : ARENA_ARRAY(arena, double, list->at[i].size);
-        w->at[i].time = has_times ? ARENA_ARRAY(arena, uint64_t, is_run ? 1 : list->at[i].size) : NULL;
         if (longest < list->at[i].size)
             longest = list->at[i].size;
     }
     w->scratch = ARENA_ARRAY(arena, double, longest);
+}
+
+void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list)
+{
+    ref_windows_init_unplaced(w, arena, list);
+    for (size_t i = 0; i < list->n; i++)
+        ref_window_place(&w->at[i], ARENA_ARRAY(arena, uint64_t, ref_window_samples(&list->at[i])));
 }
 
 void ref_windows_clear(RefWindows *w)
@@ -88,7 +102,7 @@ static void sort_samples(double *x, size_t n)                 // shellsort: inse
 
 // Returns the average by pairwise summation: replaces the samples by the sums of their pairs, repeatedly, until one is left.  An odd
 // last one is copied.
-static double pairwise_average(double *x, uint32_t n)
+double ref_average(double *x, uint32_t n)
 {
     uint32_t left = n;
 
@@ -101,7 +115,7 @@ static double pairwise_average(double *x, uint32_t n)
     return x[0] / (double)n;
 }
 
-static double median_of(double *x, uint32_t n)
+double ref_median(double *x, uint32_t n)
 {
     double a, b, distance;
 
@@ -147,8 +161,8 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
     if (r->slot)
         memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {
-    case SM_STAT_AVG: return pairwise_average(x, r->filled);
-    case SM_STAT_MEDIAN: return median_of(x, r->filled);
+    case SM_STAT_AVG: return ref_average(x, r->filled);
+    case SM_STAT_MEDIAN: return ref_median(x, r->filled);
     case SM_STAT_MIN: return find_extreme(x, r->filled, false);
     case SM_STAT_MAX: return find_extreme(x, r->filled, true);
     case SM_STAT_RANGE: return range_of(x, r->filled);

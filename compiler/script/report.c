@@ -166,6 +166,15 @@ static void append_count(Buf *out, const char *before, uint64_t n, const char *w
     buf_printf(out, "%s%" PRIu64 " %s%s%s\n", before, n, what, n == 1 ? "" : "s", after);
 }
 
+// Appends a sentence about the rows of the recorded data, without a full stop.
+void script_write_rows(const ScriptResult *r, Buf *out)
+{
+    buf_printf(out, "%s: %" PRIu64 " rows read, %" PRIu64 " of them skipped", r->data_file, r->data_rows, r->data_bad_rows);
+    if (r->data_bad_rows)
+        buf_printf(out, " (the first is line %" PRIu64 ")", r->data_first_bad_line);
+    buf_printf(out, ", %" PRIu64 " between two steps", r->data_between);
+}
+
 // Appends the report of a run: the number of steps and of passed asserts, then the final value of each variable.
 void script_report(const ScriptResult *r, const Program *p, Buf *out)
 {
@@ -173,6 +182,12 @@ void script_report(const ScriptResult *r, const Program *p, Buf *out)
 
     append_count(out, "state script ran for ", r->steps, "step", "");
     append_count(out, "", r->asserts_passed, "assert", " passed");
+    if (r->is_random)
+        buf_printf(out, "seed %" PRIu64 "\n", r->seed);
+    if (r->data_file) {
+        script_write_rows(r, out);
+        buf_char(out, '\n');
+    }
     buf_str(out, "final state vector:\n");
     for (size_t i = 0; i < p->var.n; i++) {
         buf_printf(out, "  %s = ", order[i]->report_name->text);

@@ -57,6 +57,17 @@ static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell
     return all;
 }
 
+// Returns an interval of the variable `time` outside which the item does not run: its guard is false, or one around it.
+static Interval interval_of_item(const ScriptItem *item, const Var *time, const uint64_t *cell)
+{
+    Interval all = interval_of(item->guard, time, cell);
+
+    for (; item->parent; item = item->parent)
+        if (!item->otherwise)
+            all = intersection(all, interval_of(item->parent->guard, time, cell));
+    return all;
+}
+
 // ---- the search for intervals that contain a time ----
 
 typedef struct Entry {
@@ -107,16 +118,59 @@ static void add_containing(Arena *arena, const Entry *at, size_t from, size_t en
     }
 }
 
+// ---- items with a period ----
+
+// An item whose guard is `every d`, in a heap by the next time.
+typedef struct Periodic {
+    const ScriptItem *item;
+    uint64_t next, period;    // in units of G
+} Periodic;
+
+typedef VEC(Periodic) Periodics;
+
+// Moves the entry at `i` down to its place, after its time has grown.
+static void sift_down(Periodics *heap, size_t i)
+{
+    const Periodic moved = heap->at[i];
+
+    for (size_t child; (child = 2 * i + 1) < heap->n; i = child) {
+        if (child + 1 < heap->n && heap->at[child + 1].next < heap->at[child].next)
+            child++;
+        if (heap->at[child].next >= moved.next)
+            break;
+        heap->at[i] = heap->at[child];
+    }
+    heap->at[i] = moved;
+}
+
+// Adds to `due` the items of which `now` is a multiple of the period.  `now` grows from call to call, and steps in between may be left out.
+static void add_periodic(Arena *arena, Periodics *heap, uint64_t now, DueItems *due)
+{
+    while (heap->n > 0 && heap->at[0].next <= now) {
+        Periodic *p = &heap->at[0];
+        const uint64_t last = now - now % p->period;
+
+        if (last == now)
+            vec_push(arena, due, p->item);
+        p->next = last > UINT64_MAX - p->period ? UINT64_MAX : last + p->period;
+        sift_down(heap, 0);
+    }
+}
+
 // ---- the schedule ----
 
 enum { BY_G, BY_T, TIMES };
 
 // The items that can run in one state, or those of [all_states].
-typedef struct Group { Entries by[TIMES]; } Group;
+typedef struct Group {
+    Entries by[TIMES];
+    Periodics periodic;
+} Group;
 
 struct Schedule {
     Arena *arena;
     const Var *time[TIMES];
+    bool grows;               // G is another one in each step
     Group all_states;
     Group **of_state;         // by State.number - 1; NULL: the script has no section for it
 };
@@ -124,9 +178,16 @@ struct Schedule {
 // Adds an item to the entries by G or to those by T, whichever gives it the shorter interval.
 static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64_t *cell)
 {
-    const Interval of_g = interval_of(item->guard, h->time[BY_G], cell), of_t = interval_of(item->guard, h->time[BY_T], cell);
+    const Interval of_g = interval_of_item(item, h->time[BY_G], cell), of_t = interval_of_item(item, h->time[BY_T], cell);
     const bool by_t = of_t.to - of_t.from < of_g.to - of_g.from;
     const Entry e = {item, by_t ? of_t : of_g, 0};
+    const Periodic p = {item, 0, item->guard->kind == EX_EVERY ? (uint64_t)item->guard->number : 0};
+
+    // The guards around an item with a period may limit it, too.  Unless they end, its period is the shorter search.
+    if (p.period && h->grows && !by_t && of_g.to == always.to) {
+        vec_push(h->arena, &g->periodic, p);
+        return;
+    }
 
     vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
 }
@@ -176,6 +237,7 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
     h->arena = arena;
     h->time[BY_G] = s->program->g;
     h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has a T for each machine
+    h->grows = s->delta_t > 0 || s->by_rows;                                  // otherwise the ticks of an application are no whole units apart
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
     reserve_items(h, &h->all_states, count_items_of_all_states(s));
     for (size_t i = 0; i < s->section.n; i++) {
@@ -206,14 +268,16 @@ static bool is_sorted(const DueItems *due)
     return true;
 }
 
-static void add_due(const Schedule *h, const Group *g, const uint64_t *cell, DueItems *due)
+static void add_due(const Schedule *h, Group *g, const uint64_t *cell, DueItems *due)
 {
     for (int k = 0; g && k < TIMES; k++)
         add_containing(h->arena, g->by[k].at, 0, g->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
+    if (g)
+        add_periodic(h->arena, &g->periodic, cell[h->time[BY_G]->index], due);
 }
 
 // Replaces `due` by the items of [all_states] and of the sections of n states whose guards can be true, in source order.
-void schedule_find_due(const Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due)
+void schedule_find_due(Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due)
 {
     due->n = 0;
     add_due(h, &h->all_states, cell, due);

@@ -6,13 +6,15 @@
 #include "compiler/base/buf.h"
 #include "compiler/diag/diag.h"
 #include "compiler/script/engine.h"
+#include "compiler/script/monitor.h"
 #include "compiler/sema/program.h"
 
 typedef enum ScriptOutcome {
     SCRIPT_PASSED,
-    SCRIPT_FAILED,            // an assert was false
+    SCRIPT_FAILED,            // an assert was false, or a requirement was violated
     SCRIPT_ENDLESS,           // no @stop was reached within max_steps
     SCRIPT_TIME_OVERFLOW,         // G cannot advance any further
+    SCRIPT_NO_DATA,           // the recorded data cannot be read, or ended before a @stop
     SCRIPT_CANCELLED,         // ScriptOptions.is_cancelled returned true
     SCRIPT_BROKEN,            // an engine failed
     SCRIPT_DIFFERENT          // two engines disagree
@@ -23,36 +25,97 @@ typedef struct ScriptStep {
     uint64_t g;               // G in this step
     const State *state;       // the state that the step ran; of an application, that of its first machine
     const uint64_t *cell;     // the value of every variable after the step, by index
+    const uint8_t *results;   // by requirement: what the step decided, a MonitorResult; NULL: the run has no requirements
+    const double *recorded;   // by @compare: the recorded value; NaN: there is none.  NULL: the script has no data
     const State *const *states;       // of an application: by machine, the state that the step ran, or its next step runs; else NULL
     const Program *program;
 } ScriptStep;
 
+// ---- what @compare has found ----
+
+enum { COMPARE_SPANS_MAX = 8 };
+
+typedef struct ComparePoint {
+    uint64_t g, row, line;    // the step; the row of the file, and the line in which it begins
+    double element, recorded, difference;         // difference: not negative
+} ComparePoint;
+
+typedef struct CompareSpan { uint64_t from, to; } CompareSpan;       // G of the first and the last of successive steps
+
+typedef struct CompareResult {
+    uint64_t steps, failed;   // in how many steps it was evaluated; in how many of them it was not met
+    bool differs;             // in the last of these steps it was not met
+    ComparePoint first, worst;        // if failed > 0
+    uint64_t spans;           // number of times at which it was not met
+    CompareSpan span[COMPARE_SPANS_MAX];          // the first of them
+} CompareResult;
+
+// Appends the times at which a @compare was not met: "G = 40 to 80, G = 200".
+void compare_write_spans(const CompareResult *c, Buf *out);
+
 typedef struct ScriptOptions {
     uint64_t max_steps;
+    const uint64_t *seed;     // of the random numbers, at most SCRIPT_SEED_MAX; NULL: that of the script
     void (*after_step)(void *context, const ScriptStep *step);      // called after each step, before its asserts are evaluated; or NULL
     void *context;            // passed to both functions
     bool (*is_cancelled)(void *context);      // called after each step that does not end the run; or NULL
+    const ScriptSetting *setting;     // parameters that have another value in this run; `settings` of them
+    size_t settings;
+    const Requirements *requirements;         // judged after each step; NULL: none
+    bool is_silent;           // nothing is reported: only the result counts
     bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
+
+// What a run has decided about a requirement.
+typedef struct RequirementRun {
+    uint64_t judged;          // in how many steps it could have been violated
+    bool violated;            // in the last step
+    bool undecided;           // when the run ended
+    uint64_t since;           // UNDECIDED: G at which its time began
+} RequirementRun;
 
 typedef struct ScriptResult {
     ScriptOutcome outcome;
     uint64_t steps;
+    bool is_random;           // the script has random numbers, with `seed`
+    uint64_t seed;
     uint64_t asserts_passed;
     uint64_t *cell;           // the final values, by variable
     const char *printed;      // what @print has shown: lines; "" if nothing
     const uint8_t *evaluated; // by number of the assert, in the order of the script: it was evaluated at least once
     const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
-    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met
+    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: a requirement was violated, or only a @compare was not met
+    bool is_violated;         // SCRIPT_FAILED: a requirement was violated
+    const RequirementRun *requirement;        // by requirement; NULL: the run had none
+    const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
+    const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
+    uint64_t data_first_bad_line;     // the line of the first row that was skipped
+    uint64_t data_rows, data_bad_rows, data_between;  // rows of the data that were read; those of them that were skipped; that no step has seen
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
+
+// What all runs of a call have decided about a requirement.
+typedef struct RequirementTotal {
+    uint64_t judged;          // in how many steps of all runs
+    uint32_t scripts;         // in how many runs it was judged
+    uint32_t violated, undecided;     // in how many runs
+} RequirementTotal;
+
+// Adds the results of a run to those of the runs before it, by requirement.
+void requirement_add_run(RequirementTotal *total, const Requirements *what, const ScriptResult *r);
+// Returns the result as a word: "violated", "undecided", "never judged" or "met".
+const char *requirement_verdict(const RequirementTotal *t);
+// Warns of requirements that no run has judged.
+void requirement_report_unjudged(Diags *diags, const Requirements *what, const RequirementTotal *total);
 
 // Runs the engines in lock step on one script.  The values of the first engine decide guards and asserts.  A failed assert, an
 // assert that was never evaluated and other failures are reported to `diags`.
 ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **engine, size_t engines, const ScriptOptions *o);
 
-// Appends the report of a run: the number of steps and of passed asserts, then the final value of each variable.
+// Appends the report of a run: the number of steps and of passed asserts, the rows of recorded data, then the final value of each variable.
 void script_report(const ScriptResult *r, const Program *p, Buf *out);
+// Appends a sentence about the rows of the recorded data, without a full stop.  r->data_file is not NULL.
+void script_write_rows(const ScriptResult *r, Buf *out);
 // Append a cell (the bits of a value in its type): rounded, as in the report; and with floats in hexadecimal, as in an exact trace.
 void format_cell_rounded(Buf *out, SmType type, uint64_t cell);
 void format_cell_exact(Buf *out, SmType type, uint64_t cell);
@@ -68,8 +131,9 @@ const Var **report_order(Arena *arena, const Program *p);
 // CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns.  A bool is written as 1
 // or 0, which every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.  Of an
 // application, a column for each machine, with its name, takes the place of the state.
-void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n);
-void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n);
+// With the requirements `rq` of the run, a last column `violated` has the ids of those that the step has violated.  NULL: none.
+void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n, const Requirements *rq);
+void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n, const Requirements *rq);
 // Appends a line `STEP NAME VALUE` for each variable of `order`.  Floats are printed as C99 %a, which is exact.
 void script_trace_exact(Buf *out, const ScriptStep *step, const Var *const *order, size_t n);
 

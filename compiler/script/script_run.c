@@ -2,7 +2,7 @@
 // Runs a state script (language.md 8).  For each step:
 // 1. The sections for the current state write their inputs and note their asserts.
 // 2. Every engine runs the step.
-// 3. The noted asserts are evaluated.
+// 3. The requirements are judged, and the noted asserts are evaluated.
 // The script sees the values of the first engine.  The others must produce the same values, bit for bit.
 #include "compiler/script/script_run.h"
 
@@ -40,7 +40,7 @@ static void update_machine(ScriptRun *r, ScriptMachine *m, EngineNext next)
 {
     m->state = r->p->state.at[next.state - 1];
     if (next.is_first)
-        m->start = r->g;
+        m->start = r->g, m->start_step = r->result.steps + 1;
     if (!m->is_due)
         return;
     r->cell[m->t->index] = r->g - m->start;
@@ -57,6 +57,24 @@ static void update_time_and_state(ScriptRun *r)
         r->machine[i].is_due = r->machine[i].wait == 0 && is_enabled(r, &r->machine[i]);
         update_machine(r, &r->machine[i], engine_next(&r->answer[0], i));
     }
+}
+
+// Sets the parameters before the first step.  The caller's setting of a parameter replaces that of the script.
+static void write_settings(ScriptRun *r)
+{
+    for (size_t i = 0; i < r->s->setting.n; i++)
+        write_input(r, r->s->setting.at[i].parameter, r->s->setting.at[i].cell);
+    for (size_t i = 0; i < r->o->settings; i++)
+        write_input(r, r->o->setting[i].parameter, r->o->setting[i].cell);
+}
+
+static void write_recorded(void *context, const Var *v, double value) { write_input(context, v, ref_convert(v->type, value)); }
+
+// Writes the recorded data of this step.
+static void write_data(ScriptRun *r)
+{
+    if (r->replay && !replay_advance(r->replay, r->g, write_recorded, r))
+        run_finish(r, SCRIPT_NO_DATA);
 }
 
 static void write_inputs_of_item(ScriptRun *r, const ScriptItem *item)
@@ -78,16 +96,32 @@ static void note_asserts(ScriptRun *r, const ScriptItem *item)
     }
 }
 
+// Whether the guard of an item was true when this step evaluated it.  A guard that the step did not evaluate is false.
+static bool is_taken(const ScriptRun *r, const ScriptItem *item) { return r->true_in[item->number] == r->result.steps + 1; }
+
+// Whether the conditionals around an item lead to it in this step.
+static bool is_reached(const ScriptRun *r, const ScriptItem *item)
+{
+    for (; item->parent; item = item->parent)
+        if (!item->otherwise)
+            return is_taken(r, item->parent);         // then the parent was reached, too
+        else if (is_taken(r, item->parent))
+            return false;
+    return true;
+}
+
 // Executes the items whose section and guard match: writes their inputs, and notes their asserts.
 static void run_sections(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->actives; i++)
+    for (size_t i = 0; i < r->actives; i++) {
         r->ran[r->active[i]->number - 1] = r->result.steps + 1;
+        r->ran_at[r->active[i]->number - 1] = r->g;
+    }
     schedule_find_due(r->schedule, r->active, r->actives, r->cell, &r->due);
     for (size_t i = 0; i < r->due.n; i++) {
         const ScriptItem *item = r->due.at[i];
-        if (ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
-            r->was_true[item->number] = 1;
+        if (is_reached(r, item) && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
+            r->true_in[item->number] = r->result.steps + 1;
             write_inputs_of_item(r, item);
             note_asserts(r, item);
         }
@@ -162,12 +196,20 @@ static void step_engines(ScriptRun *r)
 
 static void call_after_step(ScriptRun *r)
 {
-    const ScriptStep step = {r->result.steps, r->g, r->machine[0].state, r->cell, r->p->joint ? r->states : NULL, r->p};
+    const ScriptStep step = {.number = r->result.steps, .g = r->g, .state = r->machine[0].state, .cell = r->cell,
+                             .results = r->monitor ? r->monitor->result : NULL, .recorded = r->replay ? replay_recorded(r->replay) : NULL,
+                             .states = r->p->joint ? r->states : NULL, .program = r->p};
 
     for (size_t i = 0; i < r->machines; i++)
         r->states[i] = r->machine[i].state;
     if (r->o->after_step)
         r->o->after_step(r->o->context, &step);
+}
+
+static void compare_with_data(ScriptRun *r)
+{
+    if (r->replay && !replay_compare(r->replay, r->g, r->cell))
+        run_finish(r, SCRIPT_NO_DATA);
 }
 
 // Adds n ticks of an application to the time at which G is *g and *rest nanoseconds have passed since. Returns false if G would reach 2^64-1.
@@ -187,35 +229,55 @@ uint64_t run_next_g(const ScriptRun *r, uint32_t machine)
 {
     uint64_t g = r->g, rest = r->rest;
 
-    if (!r->p->joint)
-        return r->g < UINT64_MAX - r->s->delta_t ? r->g + r->s->delta_t : UINT64_MAX;
-    return add_ticks(r->p->joint, machine ? r->machine[machine - 1].every : 1, &g, &rest) ? g : UINT64_MAX;
+    if (r->p->joint)
+        return add_ticks(r->p->joint, machine ? r->machine[machine - 1].every : 1, &g, &rest) ? g : UINT64_MAX;
+    if (r->s->by_rows)
+        return replay_find_next_time(r->replay, &g) ? g : UINT64_MAX;
+    return r->g < UINT64_MAX - r->s->delta_t ? r->g + r->s->delta_t : UINT64_MAX;
 }
 
 static void advance_time(ScriptRun *r)
 {
-    const bool fits = r->p->joint ? add_ticks(r->p->joint, 1, &r->g, &r->rest) : r->g < UINT64_MAX - r->s->delta_t;
+    const uint64_t next = run_next_g(r, 0);
 
-    if (!fits)                                        // G would overflow, or reach 2^64-1
-        run_finish(r, SCRIPT_TIME_OVERFLOW);
-    else if (!r->p->joint)
-        r->g += r->s->delta_t;
+    r->data_ended = next == UINT64_MAX && r->s->by_rows;
+    if (next == UINT64_MAX)
+        run_finish(r, r->data_ended ? SCRIPT_NO_DATA : SCRIPT_TIME_OVERFLOW);
+    else if (r->p->joint)
+        add_ticks(r->p->joint, 1, &r->g, &r->rest);
+    else
+        r->g = next;
     for (size_t i = 0; i < r->machines; i++)
         r->machine[i].wait = r->machine[i].wait ? r->machine[i].wait - 1 : r->machine[i].every - 1;
 }
 
 static void run_step(ScriptRun *r)
 {
+    bool violated;
+
     r->write.n = 0;
     r->noted.n = 0;
+    r->random.step = r->result.steps + 1;
     update_time_and_state(r);
+    if (r->result.steps == 0)
+        write_settings(r);
+    write_data(r);
+    if (r->ended)
+        return;
     ref_windows_sample(&r->windows, r->cell);
     run_sections(r);
     step_engines(r);
     if (r->ended)
         return;
+    violated = r->monitor && requirement_check_step(r);
+    compare_with_data(r);
+    if (r->ended)
+        return;
     call_after_step(r);
-    assert_check_step(r);
+    if (violated)
+        requirement_fail(r);
+    else
+        assert_check_step(r);
     if (!r->ended && r->o->is_cancelled && r->o->is_cancelled(r->o->context))
         run_finish(r, SCRIPT_CANCELLED);
     if (!r->ended)
@@ -261,11 +323,14 @@ static void allocate_run(ScriptRun *r)
         engine_step_init(&r->answer[i], r->arena, r->p);
     r->cell = ARENA_ARRAY(r->arena, uint64_t, r->p->var.n + r->s->local.n);
     ref_windows_init(&r->windows, r->arena, &r->s->window);
+    ref_random_init(&r->random, r->arena, &r->s->random, r->result.seed);
+    r->windows.random = &r->random;
     r->evaluated = arena_alloc(r->arena, t.asserts);
     r->is_pending = arena_alloc(r->arena, t.asserts);
     buf_init(&r->printed, r->arena);
-    r->was_true = arena_alloc(r->arena, t.items);
+    r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
+    r->ran_at = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
     allocate_machines(r);
 }
 
@@ -305,20 +370,54 @@ static void report_time_overflow(ScriptRun *r)
     history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
 }
 
+// Opens the recorded data.  If it cannot be read, no step runs.
+static void open_data(ScriptRun *r)
+{
+    if (r->s->data && !r->ended && (r->replay = replay_open(r->arena, r->diags, r->s)) == NULL)
+        run_finish(r, SCRIPT_NO_DATA);
+}
+
+// Closes the recorded data.  A @compare that was not met makes the run fail.
+static void close_data(ScriptRun *r)
+{
+    if (!r->replay)
+        return;
+    replay_close(r->replay);
+    replay_set_result(r->replay, &r->result);
+    if (r->result.outcome == SCRIPT_PASSED && replay_differs(r->replay))
+        r->result.outcome = SCRIPT_FAILED;
+}
+
 // Runs the script from its first step until it ends.
 void run_to_the_end(ScriptRun *r)
 {
+    r->result.is_random = r->s->random.n > 0;
+    r->result.seed = r->o->seed ? *r->o->seed : r->s->seed;
     allocate_run(r);
     r->result.cell = r->cell;
     r->result.evaluated = r->evaluated;
     r->result.undecided = r->is_pending;
+    if (r->o->requirements)
+        requirement_begin_run(r);
     init_engines(r);
+    open_data(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
     while (!r->ended && r->result.steps < r->o->max_steps)
         run_step(r);
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
+    close_data(r);
     r->result.printed = assert_finish_printing(r);
+    r->result.is_violated = r->violated != NULL;
+    if (r->monitor)
+        requirement_end_run(r);
+}
+
+// Reports that the data ended before a @stop.  If it cannot be read instead, that has been reported.
+static void report_data_ended(ScriptRun *r)
+{
+    if (r->data_ended)
+        history_add(r, diag_report(r->diags, DIAG_data_ended, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->g)));
 }
 
 // Runs the engines in lock step on one script.
@@ -327,13 +426,24 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     ScriptRun r = {.arena = arena, .diags = diags, .s = s, .p = s->program, .engine = engine, .engines = engines, .o = o};
 
     run_to_the_end(&r);
+    if (o->is_silent)
+        return r.result;
     switch (r.result.outcome) {
-    case SCRIPT_FAILED: assert_report_failure(&r); break;
+    case SCRIPT_FAILED:
+        if (r.violated)
+            requirement_report_violations(&r);
+        else if (r.result.failed)
+            assert_report_failure(&r);
+        break;
+    case SCRIPT_NO_DATA: report_data_ended(&r); break;
     case SCRIPT_ENDLESS: report_endless(&r); break;
     case SCRIPT_TIME_OVERFLOW: report_time_overflow(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
     case SCRIPT_CANCELLED: return r.result;
     }
     assert_report_unevaluated(&r);
+    requirement_report_undecided(&r);
+    if (r.replay)
+        replay_report(r.replay, r.result.outcome != SCRIPT_BROKEN && r.result.outcome != SCRIPT_DIFFERENT && r.result.outcome != SCRIPT_NO_DATA);
     return r.result;
 }

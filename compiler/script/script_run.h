@@ -4,6 +4,7 @@
 #define SMC_RUN_H
 
 #include "compiler/script/ref.h"
+#include "compiler/script/replay.h"
 #include "compiler/script/schedule.h"
 #include "compiler/script/script.h"
 
@@ -30,6 +31,7 @@ typedef struct ScriptMachine {
     bool is_due;              // this step is one of its own: it is due, and enabled when the step begins
     const State *state;       // the state that its next step runs
     uint64_t start;           // G of the first step of its state
+    uint64_t start_step;      // number of that step
 } ScriptMachine;
 
 typedef struct ScriptRun {
@@ -42,7 +44,10 @@ typedef struct ScriptRun {
     size_t engines;           // number of engines
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
+    RefRandom random;         // the random numbers of the script
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
+    Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
+    bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     uint64_t g;               // G of this step
     uint64_t rest;            // of an application: nanoseconds since G was reached
     ScriptMachine *machine;   // the machine, or those of the application
@@ -59,17 +64,22 @@ typedef struct ScriptRun {
     Buf printed;              // the lines of @print, at most PRINTED_MOST
     uint64_t prints;          // how many lines there would be without a limit
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
-    uint8_t *was_true;        // by number of the conditional: its guard was true at least once
+    uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
     uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
-    const Expr *failed;       // the condition that failed, or the guard of an @fail; or NULL
-    const ScriptItem *failed_item;
+    uint64_t *ran_at;         // by State.number - 1: G in that step
+    const Expr *failed;       // the condition that failed, or the guard of an @fail, or the condition of a violated requirement; or NULL
+    const ScriptItem *failed_item;    // NULL: a requirement was violated
     uint64_t failed_since;    // of an @expect: G of the step in which it began
+    Monitor *monitor;         // of the requirements; NULL: none
+    void *situation;          // that of the monitor
+    RequirementRun *requirement;      // by requirement
+    const Requirement *violated;      // the first that the last step has violated; or NULL
     ScriptResult result;
     bool ended;               // then result.outcome is the reason
 } ScriptRun;
 
-// Returns G of the step of machine i after the one at this step, for an assert of its sections: `machine` as in ScriptItem. UINT64_MAX: G would
-// overflow, or reach 2^64-1.
+// Returns G of the next step in which an assert of a section counts: `machine` as in ScriptItem. UINT64_MAX: there is none, because G would
+// overflow or reach 2^64-1, or because the recorded data ends.
 uint64_t run_next_g(const ScriptRun *r, uint32_t machine);
 // Returns the state in which the machine is in this step; of an application, those of all machines.
 const char *run_state_text(const ScriptRun *r);
@@ -92,11 +102,25 @@ const char *assert_finish_printing(ScriptRun *r);
 void assert_report_failure(ScriptRun *r);
 // Warns about asserts that no step evaluated, and about a script without asserts.
 void assert_report_unevaluated(const ScriptRun *r);
-// Appends the value of e in the format of diagnostics.
-void run_append_value(ScriptRun *r, const Expr *e, Buf *out);
+// Appends the value of e in the format of diagnostics. w: the windows that e belongs to.
+void run_append_value(ScriptRun *r, const Expr *e, const RefWindows *w, Buf *out);
+// Adds a label with the values of the operands of e, which decided a failure.
+void run_label_operands(ScriptRun *r, Diag *d, const Expr *e, const RefWindows *w);
 // Whether a message that shows the n expressions of `shown` with their values can show e too: its source is on one line of at most `most`
 // bytes, and differs from theirs.
 bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most);
+
+// ---- run_requirements.c ----
+
+void requirement_begin_run(ScriptRun *r);
+// Judges the requirements after a step. Returns whether one is violated.
+bool requirement_check_step(ScriptRun *r);
+// Ends a run in which a requirement was violated.
+void requirement_fail(ScriptRun *r);
+// Sets the results of a run that has ended.
+void requirement_end_run(ScriptRun *r);
+void requirement_report_violations(ScriptRun *r);
+void requirement_report_undecided(const ScriptRun *r);
 
 // ---- history.c ----
 

@@ -286,7 +286,7 @@ bool testfile_has_suffix(const TestPart *p, const char *suffix)
 
 bool testfile_is_source(const TestPart *p)
 {
-    static const char *const suffixes[] = {".sv", ".sm", ".ss", ".io", ".net", ".app"};
+    static const char *const suffixes[] = {".sv", ".sm", ".ss", ".io", ".net", ".app", ".rq"};
 
     for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
         if (testfile_has_suffix(p, suffixes[i]))

@@ -60,7 +60,7 @@ TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_
 
 const char *testfile_header(const TestFile *f, const char *key);          // value of the first one; NULL if absent
 const TestPart *testfile_part(const TestFile *f, const char *name);       // NULL if absent
-bool testfile_is_source(const TestPart *p);                               // NAME.sv, .sm, .ss, .io or .app
+bool testfile_is_source(const TestPart *p);                               // NAME.sv, .sm, .ss, .io, .net, .app or .rq
 bool testfile_has_suffix(const TestPart *p, const char *suffix);
 // Whether a header's value, a list of words, contains this word.
 bool testfile_has_word(const char *list, const char *word);

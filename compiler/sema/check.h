@@ -8,12 +8,14 @@
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/network.h"
 #include "compiler/sema/program.h"
+#include "compiler/sema/requirements.h"
 #include "compiler/syntax/ast.h"
 
 typedef struct CheckContext {
     Arena *arena;
     StrPool *strings;
     Diags *diags;
+    bool proposes_guards;     // reports comparisons with G in a script that a guard by time can replace
 } CheckContext;
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
@@ -25,7 +27,7 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 typedef struct MachineInstance {
     Str name;                 // names its program and the files generated from it; NULL: the file's stem does
     Span span;                // position of its name in the application; or zeroed
-    const AstBinding *binding;        // which elements it uses (config.md 10.35)
+    const AstBinding *binding;        // which elements it uses (config.md 10.29)
     size_t bindings;
     bool lost;                // a binding is missing, because an error was reported
 } MachineInstance;
@@ -40,6 +42,14 @@ Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, cons
 // caller frees both arenas.
 Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program);
 
+// Whether the parameter `name` of p can have the value x; *cell is then the value as a bit cell of its type.  If not, reports why at `span`.
+bool report_parameter_refused(const CheckContext *c, const Program *p, Str name, Span span, SmF64 x, uint64_t *cell);
+// Checks the requirements of n files of a machine (check_rq.c).
+Requirements *check_requirements(CheckContext *c, const AstFile *const *file, size_t n, const Program *p);
+// Warn of marks @req, in the machine and in a script, with ids that no requirement has.
+void check_requirement_marks(CheckContext *c, const Requirements *r);
+void check_requirements_of_script(CheckContext *c, const Requirements *r, const Script *script);
+
 // Binds pins to elements of `sv`.
 IoMap *check_io(CheckContext *c, const AstFile *io, const StateVec *sv);
 
@@ -53,6 +63,7 @@ App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const Io
 
 // Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names);
+void script_add_names_of_section(const AstSection *section, Map *names);      // those of the columns of [data]
 void script_add_names_of_item(const AstStmt *item, Map *names);
 // Returns how much G advances per step in the script, where the machine counts time in `unit`; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss, TimeUnit unit);

@@ -126,12 +126,15 @@ void add_all_states(Sema *s, Program *p, State *state)
         }
         s->copied -= s->stmts;
         s->all_states = all;
+        s->state = NULL;
         s->copy = source_copy_for_state(s->arena, p->src, state->name->text);
         s->block = BLOCK_STEP;
         state->block_span[BLOCK_STEP] = sema_span(s, step->label);
         check_stmts(s, &step->stmts, &state->block[BLOCK_STEP]);
-        if (all->copies++ == 0)
+        if (all->copies++ == 0) {
             warn_of_unguarded_abort(s, state, all->section, AST_STEP);
+            add_section_marks(s, all->section, NULL);
+        }
         s->copy = NULL;
         s->all_states = NULL;
         s->copied += s->stmts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bindings of a machine that uses elements of the state vector under its own names (docs/config.md 10.35 to 10.38).
+// The bindings of a machine that uses elements of the state vector under its own names (docs/config.md 10.29 to 10.32).
 #include "compiler/sema/sema.h"
 
 // ---- one declaration ----
@@ -56,11 +56,16 @@ Element *find_bound_element(Sema *s, const StateVec *sv, const AstDecl *decl, co
 
 // ---- all bindings ----
 
-// Sets a parameter of one instance to a value. Refuses: a machine has no parameters, and no other local can be set.
-static void bind_local(Sema *s, const Var *v, const AstBinding *b)
+// Sets a parameter of one instance to a value. No other local can be set.
+static void bind_local(Sema *s, Program *p, const Var *v, const AstBinding *b)
 {
-    Diag *d = diag_report(s->diags, DIAG_binding_local, b->name.span, v->name->text, v->kind == VAR_TIME ? "the time in the state" : "a local");
+    Diag *d;
 
+    if (v->parameter) {
+        set_parameter_of_machine(s, p, b->name.text, b->name.span, b->value);
+        return;
+    }
+    d = diag_report(s->diags, DIAG_binding_local, b->name.span, v->name->text, v->kind == VAR_TIME ? "the time in the state" : "a local");
     if (v->span.src)
         diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
 }
@@ -88,7 +93,7 @@ static void report_unknown(Sema *s, const Program *p, const AstBinding *b)
 
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (v->kind != VAR_ELEMENT)
+        if (v->kind != VAR_ELEMENT && !v->parameter)
             continue;
         guess_consider(&g, v->name);
         if (v->alias)
@@ -122,7 +127,7 @@ static void check_elements_differ(Sema *s, const Program *p, const MachineInstan
 }
 
 // Checks the left sides of all bindings, when the machine's variables are complete.
-void check_bindings(Sema *s, const Program *p, const MachineInstance *instance)
+void check_bindings(Sema *s, Program *p, const MachineInstance *instance)
 {
     const Var **bound_by = ARENA_ARRAY(s->arena, const Var *, instance->bindings);
 
@@ -139,7 +144,7 @@ void check_bindings(Sema *s, const Program *p, const MachineInstance *instance)
         else if (v && first < i)
             diag_note(s->diags, diag_report(s->diags, DIAG_binding_twice, b->span, b->name.text->text), instance->binding[first].span, DIAG_note_first_here);
         else if (v && v->kind != VAR_ELEMENT)
-            bind_local(s, v, b);
+            bind_local(s, p, v, b);
     }
     check_elements_differ(s, p, instance, bound_by);
 }

@@ -65,6 +65,7 @@ bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind)
 // Returns a new variable for a declaration, without index, element and initial value.
 Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl)
 {
+    const CheckContext c = {.arena = s->arena, .strings = s->strings, .diags = s->diags};
     Var *v = ARENA_NEW(s->arena, Var);
 
     v->kind = kind;
@@ -74,6 +75,8 @@ Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl)
     if (!is_known_type(decl->type))
         map_put(&s->doubtful, decl->name, (void *)decl->name);
     v->read_only = has_annotation(&decl->annotations, AST_READ_ONLY);
+    v->unit = check_unit(&c, &decl->annotations, v->name, v->type == SM_BOOL);
+    s->has_units |= v->unit != NULL;
     return v;
 }
 
@@ -131,7 +134,7 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
 // from that in the .sv.
 static void set_range(Declarations *k, Var *v, const AstDecl *decl)
 {
-    const CheckContext c = {k->s->arena, k->s->strings, k->s->diags};
+    const CheckContext c = {.arena = k->s->arena, .strings = k->s->strings, .diags = k->s->diags};
     Diag *d;
 
     v->range = check_range(&c, &decl->annotations, v->name, v->type);
@@ -208,6 +211,7 @@ static void declare_element(Declarations *k, const AstDecl *decl)
     v->element = k->sv->from_machine ? add_element(k, decl) : bound ? find_bound_element(k->s, k->sv, decl, bound) : find_element(k, decl);
     declare_name(k, v, v->name, v->span);
     set_range(k, v, decl);
+    set_listed_unit(k->s, v, decl, k->sv->from_machine);
     v->command = has_annotation(&decl->annotations, AST_COMMAND) || (v->element && v->element->command);
     add_decl_allows(k->s, decl);
     if (v->element && !k->sv->from_machine)
@@ -235,8 +239,10 @@ static void declare_local(Declarations *k, const AstDecl *decl)
 {
     LocalDecl l = {sema_new_var(k->s, VAR_LOCAL, decl), decl};
 
-    l.var->outside = k->written_outside && map_find(k->written_outside, decl->name);
-    l.var->is_constant = l.var->read_only && !l.var->outside;
+    l.var->parameter = check_parameter(k->s, l.var, decl);
+    l.var->read_only |= l.var->parameter != NULL;
+    l.var->outside = !l.var->parameter && k->written_outside && map_find(k->written_outside, decl->name);
+    l.var->is_constant = l.var->read_only && !l.var->outside && !l.var->parameter;
     declare_name(k, l.var, l.var->name, l.var->span);
     add_decl_allows(k->s, decl);
     vec_push(k->s->arena, &k->local, l);
@@ -277,7 +283,9 @@ static void compute_initial_values(Declarations *k)
         e = value ? check_expr(s, value) : NULL;
         v->init_value = e;
         s->no_value[v->index] = !e;
-        if (e)
+        if (e && v->parameter)
+            check_default(s, v, expr_constant_value(e));
+        else if (e)
             v->init = sm_cell_from_f64(v->type, expr_constant_value(e));
     }
     s->at = EXPR_IN_STEP;

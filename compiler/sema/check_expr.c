@@ -49,7 +49,10 @@ static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
         d = diag_report(s->diags, DIAG_initial_value_of_itself, e->span, e->name->text);
     else if (v->index > s->local->index)
         d = diag_report(s->diags, DIAG_initial_value_later, e->span, s->local->name->text, e->name->text);
-    else
+    else if (v->parameter) {
+        report_parameter_in_initial(s, v, e);
+        return false;
+    } else
         return !s->no_value[v->index];
     if (v != s->local)
         scope_note_declared(s, d, e->name);
@@ -67,6 +70,10 @@ static bool check_use_in_size(Sema *s, Var *v, const AstExpr *e)
         d = diag_report(s->diags, DIAG_window_size_varies, e->span, s->size_of->text, e->name->text,
                         v->kind == VAR_TIME ? "the time in the state" : "an element");
         scope_note_declared(s, d, e->name);
+        return false;
+    }
+    if (v->parameter) {
+        report_parameter_in_size(s, v, e);
         return false;
     }
     v->sizes |= !s->in_script;
@@ -380,6 +387,8 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY) {
+        if (s->in_script && report_compared_state_value(s, e))
+            return NULL;
         warn_of_negated_number(s, e);
         warn_of_state_number(s, e);
     }
@@ -428,7 +437,7 @@ static Expr *check_unary(Sema *s, const AstExpr *e)
 
 // ---- calls ----
 
-// For a min or max with more than two arguments, suggests nested calls, such as max(max(a, b), c), and proposes the edits.
+// For a min or max with too many arguments, suggests nested calls, such as max(max(a, b), c), and proposes the edits.
 static void suggest_nested_calls(Sema *s, Diag *d, const AstExpr *e)
 {
     const AstArgs *args = e->args;
@@ -467,9 +476,9 @@ static Span decimal_comma_after(const AstExpr *e)
     return (Span){e->span.src, comma, from < comma && end > comma + 1};
 }
 
-// Reports a call such as min(p, 0,5), where a comma in a number adds an argument.  Returns false, and reports nothing, if there is no such
-// comma.
-static bool report_decimal_comma(Sema *s, const AstExpr *e)
+// Reports a call such as sqrt(0,5), where a comma in a number adds an argument.  Returns false, and reports nothing, if there is no such comma.
+// With `is_valid`, as in min(p, 0,5), the report is a warning, because the call has a meaning.
+static bool report_decimal_comma(Sema *s, const AstExpr *e, bool is_valid)
 {
     for (size_t i = 0; i + 1 < e->args->n; i++) {
         const Span comma = decimal_comma_after(e->args->at[i]);
@@ -480,9 +489,10 @@ static bool report_decimal_comma(Sema *s, const AstExpr *e)
                 from--;
             while (lex_is_digit(text[end]))
                 end++;
-            diag_label(s->diags, diag_report(s->diags, DIAG_decimal_comma, comma), DIAG_label_decimal_point,
-                       format_in(s->arena, "%.*s", (int)(comma.at - from), text + from),
-                       format_in(s->arena, "%.*s", (int)(end - comma.at - 1), text + comma.at + 1));
+            const char *whole = format_in(s->arena, "%.*s", (int)(comma.at - from), text + from);
+            const char *part = format_in(s->arena, "%.*s", (int)(end - comma.at - 1), text + comma.at + 1);
+            diag_label(s->diags, is_valid ? diag_report(s->diags, DIAG_two_numbers, comma, whole, part) : diag_report(s->diags, DIAG_decimal_comma, comma),
+                       DIAG_label_decimal_point, whole, part);
             return true;
         }
     }
@@ -491,18 +501,20 @@ static bool report_decimal_comma(Sema *s, const AstExpr *e)
 
 static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo *fn)
 {
-    const char *wanted = format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
+    const bool is_list = fn->most > fn->arguments;
+    const char *wanted = is_list ? format_in(s->arena, "%u to %u arguments", fn->arguments, fn->most)
+                                 : format_in(s->arena, "%u argument%s", fn->arguments, fn->arguments == 1 ? "" : "s");
     const char *found = format_in(s->arena, "%lu", (unsigned long)e->args->n);
     const char *first = e->args->n ? sema_quote_source(s, e->args->at[0]->span) : "";
     const SmBuiltin id = (SmBuiltin)(fn - sm_builtin_info);
     const bool is_extremum = id == SM_FN_min || id == SM_FN_max;
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), fn->name, wanted, found);
 
-    if (is_extremum && e->args->n > 2)
+    if (is_extremum && e->args->n > fn->most)
         suggest_nested_calls(s, d, e);
-    else if (is_extremum && e->args->n == 1)
+    else if (is_list && e->args->n == 1)
         diag_label(s->diags, d, DIAG_label_write_call, e->name->text,
-                   format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", e->name->text, first));
+                   format_in(s->arena, "(a, b), or for the last n steps roll_%s(%s, n)", id == SM_FN_average ? "avg" : e->name->text, first));
     else if (id == SM_FN_round && e->args->n == 2)
         diag_label(s->diags, d, DIAG_label_round_digits, first);
     else
@@ -515,25 +527,46 @@ static Expr *check_call(Sema *s, const AstExpr *e)
     bool readable = true;                         // false: an argument has a syntax error, so the number of arguments is uncertain
     Expr *out;
 
-    if (fn && e->args->n == fn->arguments) {
+    if (s->random && is_random_function(e->name))
+        return check_random_call(s, e);
+    if (fn && e->args->n >= fn->arguments && e->args->n <= fn->most) {
         if (fn->is_roll)
             return check_roll_call(s, e, fn);
         if (fn->is_sampled)
             return check_sampled_call(s, e, (SmBuiltin)(fn - sm_builtin_info));
+        if (fn->most > fn->arguments)
+            return report_decimal_comma(s, e, true), check_list_call(s, e, fn);
         out = expr_new(s, EX_CALL, e->span, fn->arguments);
         out->fn = (SmBuiltin)(fn - sm_builtin_info);
         return check_args(s, e->args->at, fn->arguments, out->arg) ? out : NULL;
     }
     for (size_t i = 0; i < e->args->n; i++)
         readable = readable && e->args->at[i]->kind != AST_ERROR;
-    if (!fn)
+    if (!fn && is_random_function(e->name))
+        report_random_in_machine(s, e);
+    else if (!fn)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
-    else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e)))
+    else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e, false)))
         report_argument_count(s, e, fn);
     if (s->at == EXPR_IN_STEP)                    // report errors in the arguments, too
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);
     return NULL;
+}
+
+// Builds `a implies b`: not a, or b.
+static Expr *check_implication(Sema *s, const AstExpr *e)
+{
+    Expr *out = expr_new(s, EX_BINARY, e->span, 2), *not = expr_new(s, EX_UNARY, e->a->span, 1);
+
+    sema_record_operator(s, SM_OP_NOT);
+    sema_record_operator(s, SM_OP_OR);
+    not->op = SM_OP_NOT;
+    not->arg[0] = check_expr(s, e->a);
+    out->op = SM_OP_OR;
+    out->arg[0] = not;
+    out->arg[1] = check_expr(s, e->b);
+    return not->arg[0] && out->arg[1] ? out : NULL;
 }
 
 static Expr *check_kind(Sema *s, const AstExpr *e)
@@ -550,7 +583,10 @@ static Expr *check_kind(Sema *s, const AstExpr *e)
     case AST_STEPS:
         diag_report(s->diags, DIAG_steps_misplaced, e->span, sema_quote_source(s, e->a->span));
         return NULL;
+    case AST_IMPLIES: return check_implication(s, e);
     case AST_CALL:   return check_call(s, e);
+    case AST_STATE_NAME: return check_state_value(s, e);
+    case AST_WHEN:   return check_when(s, e);
     }
     return NULL;
 }

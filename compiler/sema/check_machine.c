@@ -48,6 +48,8 @@ static void check_states(Sema *s, Program *p, const AstFile *sm)
             continue;
         state = p->state.at[n++];
         add_all_states(s, p, state);
+        add_section_marks(s, section, state);
+        s->state = state;
         for (int label = 0; label < AST_LABEL_COUNT; label++) {
             s->block = block_of[label];
             if (section->block[label].present)
@@ -99,7 +101,9 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     check_states(&s, p, sm);
     warn_of_skipped_all_states(&s, p);
     check_unused_definitions(&s, &p->define);
+    p->has_units = s.has_units;
     check_size_uses(&s);
+    propose_definitions(&s, sm);
     p->stmts = s.stmts;
     if (c->diags->errors_seen > errors)
         return NULL;

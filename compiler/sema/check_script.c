@@ -13,10 +13,10 @@
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
-    Defines define;
-    Str delta_t, init_state;      // the names of the options
+    Str delta_t, init_state, seed, set;   // the names of the options
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // how many items and asserts have been checked
+    bool proposes_guards;         // CheckContext.proposes_guards
     size_t errors;                // Diags.errors_seen when this check began
     Map section;                  // state name to the Span of its section in the current file
 } ScriptCheck;
@@ -44,6 +44,8 @@ static void check_app_option(ScriptCheck *k, const AstOption *o)
 
     if (o->name == k->init_state && o->word)
         diag_report(k->s.diags, DIAG_app_init_state, o->name_span);
+    if (o->name == k->delta_t && o->word)
+        diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the ticks of an application follow from its periods");
     if (o->name != k->delta_t || !o->number)
         return;
     if (o->number->unit != TIME_NONE && k->s.p->time_unit == TIME_NONE)
@@ -54,14 +56,59 @@ static void check_app_option(ScriptCheck *k, const AstOption *o)
         k->script->delta_t_span = o->value_span;
 }
 
+static void check_seed(ScriptCheck *k, const AstOption *o)
+{
+    const AstExpr *n = o->number;
+
+    if (n->unit == TIME_NONE && is_reached_time(n->number, 1) && sm_le(n->number, sm_from_u64(SCRIPT_SEED_MAX)))
+        k->script->seed = sm_to_u64(n->number);
+    else
+        diag_report(k->s.diags, DIAG_seed_value, o->value_span);
+}
+
+// Returns the setting of a variable in the script; NULL: none.
+static ScriptSetting *find_setting(const Script *s, const Var *v)
+{
+    for (size_t i = 0; i < s->setting.n; i++)
+        if (s->setting.at[i].parameter == v)
+            return &s->setting.at[i];
+    return NULL;
+}
+
+// Checks `set NAME VALUE`.
+static void check_setting(ScriptCheck *k, const AstOption *o)
+{
+    ScriptSetting setting = {program_parameter(k->s.p, o->word), 0, o->word_span};
+    const ScriptSetting *earlier;
+
+    if (!o->number)
+        return;
+    k->s.knows_a_name |= setting.parameter != NULL;
+    if (!check_parameter_value(&k->s, k->s.p, o->word, o->word_span, o->number, &setting.cell))
+        return;
+    earlier = find_setting(k->script, setting.parameter);
+    if (earlier)
+        diag_note(k->s.diags, diag_report(k->s.diags, DIAG_parameter_set_twice, o->word_span, o->word->text), earlier->span, DIAG_note_first_here);
+    else
+        vec_push(k->s.arena, &k->script->setting, setting);
+}
+
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
-    if (k->s.p->joint) {
+    if (o->name == k->seed) {
+        check_seed(k, o);
+    } else if (o->name == k->set) {
+        check_setting(k, o);
+    } else if (k->s.p->joint) {
         check_app_option(k, o);
     } else if (o->name == k->delta_t) {
         k->has_delta_t = true;
         k->script->delta_t_span = o->value_span;
+        k->script->by_rows = o->word != NULL;
         k->script->delta_t = option_step(o, k->s.p->time_unit);
+        if (o->word && k->s.p->step > 0)
+            diag_note(k->s.diags, diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the machine declares a step"), k->s.p->step_span,
+                      DIAG_note_declared_here, "step");
         if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
             diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
         check_declared_step(k, o);
@@ -125,33 +172,46 @@ static void add_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
         vec_push(k->s.arena, &item->asserts, a);
 }
 
-// Allocates an item whose lists have exactly the capacity that they need, because a script can have a million items.
-static ScriptItem *new_item(ScriptCheck *k, const AstStmts *body)
+// Adds an item without its guard to the section.
+static ScriptItem *add_item(ScriptCheck *k, Span span, const ScriptItem *parent, bool otherwise)
 {
+    ScriptSection *section = &k->script->section.at[k->script->section.n - 1];
     ScriptItem *item = ARENA_NEW(k->s.arena, ScriptItem);
 
-    for (size_t i = 0; i < body->n; i++) {
-        item->inputs.cap += body->at[i]->kind == AST_ASSIGN;
-        item->asserts.cap += is_assert(body->at[i]);
-    }
-    item->inputs.at = ARENA_ARRAY(k->s.arena, Stmt *, item->inputs.cap);
-    item->asserts.at = ARENA_ARRAY(k->s.arena, ScriptAssert, item->asserts.cap);
-    return item;
-}
-
-static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstStmt *in)
-{
-    ScriptItem *item = new_item(k, &in->arms->then);
-
-    k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
-    item->span = in->span;
-    warn_of_time_as_guard(&k->s, in->value);
-    item->guard = check_expr(&k->s, in->value);
+    item->span = span;
+    item->parent = parent;
+    item->otherwise = otherwise;
     item->number = k->items++;
     item->first_assert = k->asserts;
     item->machine = section->machine;
-    for (size_t i = 0; i < in->arms->then.n; i++) {
-        const AstStmt *stmt = in->arms->then.at[i];
+    vec_push(k->s.arena, &section->item, item);
+    return item;
+}
+
+// Adds an item whose guard is true whenever it is reached.
+static ScriptItem *add_unconditional_item(ScriptCheck *k, Span span, const ScriptItem *parent, bool otherwise)
+{
+    ScriptItem *item = add_item(k, span, parent, otherwise);
+
+    item->guard = expr_new(&k->s, EX_NUMBER, span, 0);
+    item->guard->number = sm_from_i32(1);
+    return item;
+}
+
+// Checks the statements of an item: those of the body from number `from` on, up to a conditional. Returns the number of the next one. The
+// lists have exactly the capacity that they need, because a script can have a million items.
+static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts *body, size_t from)
+{
+    size_t i, end;
+
+    for (end = from; end < body->n && body->at[end]->kind != AST_IF; end++) {
+        item->inputs.cap += body->at[end]->kind == AST_ASSIGN;
+        item->asserts.cap += is_assert(body->at[end]);
+    }
+    item->inputs.at = ARENA_ARRAY(k->s.arena, Stmt *, item->inputs.cap);
+    item->asserts.at = ARENA_ARRAY(k->s.arena, ScriptAssert, item->asserts.cap);
+    for (i = from; i < end; i++) {
+        const AstStmt *stmt = body->at[i];
         Stmt *input;
 
         switch (stmt->kind) {
@@ -170,7 +230,47 @@ static void check_conditional(ScriptCheck *k, ScriptSection *section, const AstS
         }
     }
     k->asserts += item->asserts.n;
-    vec_push(k->s.arena, &section->item, item);
+    return end;
+}
+
+static void check_conditional(ScriptCheck *k, const AstStmt *in, const ScriptItem *parent, bool otherwise);
+
+// Checks a body whose first statements belong to `first`. Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
+static void check_body(ScriptCheck *k, ScriptItem *first, const AstStmts *body)
+{
+    size_t i = check_statements(k, first, body, 0);
+
+    while (i < body->n) {
+        if (body->at[i]->kind == AST_IF)
+            check_conditional(k, body->at[i++], first, false);
+        else
+            i = check_statements(k, add_unconditional_item(k, body->at[i]->span, first, false), body, i);
+    }
+}
+
+static void check_otherwise(ScriptCheck *k, const AstStmt *in, const ScriptItem *item)
+{
+    const AstStmts *body = &in->arms->otherwise;
+
+    if (body->n == 1 && body->at[0]->kind == AST_IF)
+        check_conditional(k, body->at[0], item, true);
+    else
+        check_body(k, add_unconditional_item(k, in->arms->else_span, item, true), body);
+}
+
+static void check_conditional(ScriptCheck *k, const AstStmt *in, const ScriptItem *parent, bool otherwise)
+{
+    ScriptItem *item = add_item(k, in->span, parent, otherwise);
+
+    k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
+    warn_of_time_as_guard(&k->s, in->value);
+    item->guard = check_expr(&k->s, in->value);
+    item->by_time = in->value->kind == AST_WHEN;
+    if (k->proposes_guards && !item->by_time)
+        propose_when(&k->s, in->value, k->script->delta_t);
+    check_body(k, item, &in->arms->then);
+    if (in->arms->has_else)
+        check_otherwise(k, in, item);
 }
 
 // ---- sections ----
@@ -226,7 +326,9 @@ static void check_section(void *context, const AstSection *in)
     if (in->kind == AST_DEFINE && map_find(&k->s.p->state_by_name, in->name))
         diag_report(k->s.diags, DIAG_script_unguarded, in->definitions.n ? in->definitions.at[0].name_span : in->header);
     else if (in->kind == AST_DEFINE)
-        declare_definitions(&k->s, in, &k->define);
+        declare_definitions(&k->s, in, &k->script->define);
+    if (in->kind == AST_DATA)
+        check_data(&k->s, k->script, in);
     for (size_t o = 0; in->kind == AST_OPTIONS && o < in->options.n; o++)
         check_option(k, &in->options.at[o]);
 }
@@ -237,20 +339,10 @@ static void check_item(void *context, const AstStmt *in)
     ScriptCheck *k = context;
 
     if (in->kind == AST_IF)
-        check_conditional(k, &k->script->section.at[k->script->section.n - 1], in);
+        check_conditional(k, in, NULL, false);
 }
 
 // ---- times that the script compares with ----
-
-// Whether a clock that starts at 0 and advances by delta_t is ever equal to x.
-static bool is_reached_time(const ScriptCheck *k, SmF64 x)
-{
-    const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it some whole numbers are not an F64
-
-    if (sm_lt(x, sm_from_i32(0)) || !sm_eq(sm_trunc(x), x))
-        return false;
-    return !sm_lt(x, limit) || sm_to_u64(x) % k->script->delta_t == 0;
-}
 
 // Warns of a comparison such as G == 15 where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX
 // bounds.
@@ -264,21 +356,34 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
         const Expr *time = e->arg[i], *at = e->arg[1 - i];
         const Span delta_t = k->script->delta_t_span;
         if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at) &&
-            !is_reached_time(k, expr_constant_value(at)))
+            !is_reached_time(expr_constant_value(at), k->script->delta_t))
             diag_report(k->s.diags, DIAG_moment_missed, e->span, time->var == k->s.p->g ? "G" : "T",
                         const_text(k->s.arena, expr_constant_value(at)),
                         format_in(k->s.arena, "%.*s", (int)delta_t.len, delta_t.src->text + delta_t.at));
     }
 }
 
-// Warns of missed times in the guards of conditionals without asserts.  If a guard with asserts is never true, the run itself reports its
+// Whether G is a multiple of delta_t in every step. In an application, [start] can set another G.
+static bool has_regular_times(const ScriptCheck *k)
+{
+    const Joint *j = k->s.p->joint;
+
+    for (size_t i = 0; j && i < j->start.n; i++)
+        if (j->start.at[i].var == k->s.p->g && j->start.at[i].cell != 0)
+            return false;
+    return k->script->delta_t > 0;
+}
+
+// Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts is never true, the run itself reports its
 // asserts as unevaluated.
 static void check_guard_times(ScriptCheck *k)
 {
-    for (size_t i = 0; k->script->delta_t > 0 && i < k->script->section.n; i++)
+    for (size_t i = 0; has_regular_times(k) && i < k->script->section.n; i++)
         for (size_t n = 0; n < k->script->section.at[i].item.n; n++) {
             const ScriptItem *item = k->script->section.at[i].item.at[n];
-            if (item->guard && item->asserts.n == 0)
+            if (item->by_time)
+                check_when_times(&k->s, item->guard, k->script->delta_t);
+            else if (item->asserts.n == 0)
                 warn_of_missed_times(k, item->guard);
         }
 }
@@ -303,10 +408,14 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *f
     k->has_delta_t = program->step > 0 || program->joint;
     sema_init(&k->s, c, hidden, program, &k->script->window);
     k->s.in_script = true;
+    k->s.random = &k->script->random;
+    k->proposes_guards = c->proposes_guards;
     k->s.step = program->step;
     add_definitions_of_machine(&k->s);
     k->delta_t = str_c(c->strings, "delta_t");
+    k->seed = str_c(c->strings, "seed");
     k->init_state = str_c(c->strings, "init_state");
+    k->set = str_c(c->strings, "set");
     check_script_locals(&k->s, k->script, file, n);
 }
 
@@ -316,11 +425,14 @@ static Script *end_check(ScriptCheck *k)
     Diags *diags = k->s.diags;
     const Span start = {k->script->src, 0, 0};
 
-    check_unused_definitions(&k->s, &k->define);
+    check_unused_definitions(&k->s, &k->script->define);
+    k->script->has_units = k->s.has_units;
     if (!k->has_delta_t && !k->s.lost->any)
         diag_report(diags, DIAG_no_delta_t, start);
     if (!k->has_stop && !k->s.lost->any)
         diag_report(diags, DIAG_no_stop, start);
+    if (k->script->by_rows && !k->script->data && !k->s.lost->any)
+        diag_report(diags, DIAG_delta_t_file, k->script->delta_t_span, "the script has no [data]");
     if (k->s.unknown && !k->s.knows_a_name && k->s.unknown_name.n + k->s.unknown_state.n > 1)
         diag_note(diags, k->s.unknown, (Span){0}, DIAG_note_other_machine, k->script->program->src->name);
     if (diags->errors_seen == k->errors && !k->s.lost->any)
@@ -328,7 +440,11 @@ static Script *end_check(ScriptCheck *k)
     return diags->errors_seen > k->errors ? NULL : k->script;
 }
 
-static void begin_file(ScriptCheck *k) { k->section = (Map){k->s.arena, NULL, NULL, 0, 0}; }
+static void begin_file(ScriptCheck *k, const AstFile *ss)
+{
+    k->section = (Map){k->s.arena, NULL, NULL, 0, 0};
+    number_random_definitions(&k->s, ss);
+}
 
 Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program)
 {
@@ -336,7 +452,7 @@ Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, cons
 
     begin_check(&k, c, file, n, program);
     for (size_t i = 0; i < n; i++) {
-        begin_file(&k);
+        begin_file(&k, file[i]);
         for (size_t s = 0; s < file[i]->sections.n; s++) {
             const AstSection *section = file[i]->sections.at[s];
             check_section(&k, section);
@@ -355,25 +471,37 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const As
 
     begin_check(&k, c, outline, n, program);
     for (size_t i = 0; i < n; i++) {
-        begin_file(&k);
+        begin_file(&k, outline[i]);
         parse_script(tree, c->strings, c->diags, outline[i]->src, &v);
     }
     return end_check(&k);
 }
 
+void script_add_names_of_section(const AstSection *section, Map *names)
+{
+    for (size_t i = 0; section->data && i < section->data->line.n; i++)
+        if (!section->data->line.at[i].is_compare)
+            map_put(names, section->data->line.at[i].element, (void *)section->data->line.at[i].element);
+}
+
 void script_add_names_of_item(const AstStmt *item, Map *names)
 {
-    const AstStmts *body = item->kind == AST_IF ? &item->arms->then : NULL;
-
-    for (size_t n = 0; body && n < body->n; n++)
-        if (body->at[n]->kind == AST_ASSIGN)
-            map_put(names, body->at[n]->name, (void *)body->at[n]->name);
+    if (item->kind == AST_ASSIGN)
+        map_put(names, item->name, (void *)item->name);
+    if (item->kind != AST_IF)
+        return;
+    for (size_t n = 0; n < item->arms->then.n; n++)
+        script_add_names_of_item(item->arms->then.at[n], names);
+    for (size_t n = 0; n < item->arms->otherwise.n; n++)
+        script_add_names_of_item(item->arms->otherwise.at[n], names);
 }
 
 // Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names)
 {
-    for (size_t i = 0; i < ss->sections.n; i++)
+    for (size_t i = 0; i < ss->sections.n; i++) {
+        script_add_names_of_section(ss->sections.at[i], names);
         for (size_t j = 0; j < ss->sections.at[i]->items.n; j++)
             script_add_names_of_item(ss->sections.at[i]->items.at[j], names);
+    }
 }

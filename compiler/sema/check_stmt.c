@@ -34,6 +34,10 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 
     if (scope_is_doubtful(s, name))
         return false;
+    if (v->parameter) {
+        report_parameter_assigned(s, v, name, span);
+        return false;
+    }
     if (!v->read_only || (s->in_script && !never_assigned))
         return true;
     if (v->kind == VAR_TIME) {
@@ -79,16 +83,32 @@ static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
 }
 
 // Warns of a script that writes a read-only local, because the local never changes in flight.  Warns once for each name.
-static void warn_of_read_only_local(Sema *s, const Var *v, const AstStmt *in)
+static void warn_of_read_only_local(Sema *s, const Var *v, Str name, Span span)
 {
     Diag *d;
 
-    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->remarked, in->name))
+    if (!s->in_script || v->kind != VAR_LOCAL || !v->read_only || map_find(&s->remarked, name))
         return;
-    map_put(&s->remarked, in->name, (void *)in->name);
-    d = diag_report(s->diags, DIAG_script_writes_constant, in->name_span, in->name->text);
-    scope_note_declared(s, d, in->name);
+    map_put(&s->remarked, name, (void *)name);
+    d = diag_report(s->diags, DIAG_script_writes_constant, span, name->text);
+    scope_note_declared(s, d, name);
     diag_note_declaration(s->diags, d, DIAG_CONSTANT, v->span);
+}
+
+// Returns the variable that a statement assigns; NULL after a report.
+Var *check_target(Sema *s, Str name, Span span)
+{
+    Var *v = scope_find_variable(s, name);
+
+    s->knows_a_name |= v != NULL;
+    if (!v && map_find(&s->defines, name))
+        scope_note_declared(s, diag_report(s->diags, DIAG_write_definition, span, name->text), name);
+    else if (!v)
+        scope_report_unknown(s, name, span);
+    if (!v || !check_writable(s, v, name, span))
+        return NULL;
+    warn_of_read_only_local(s, v, name, span);
+    return v;
 }
 
 // Checks an assignment and returns its typed form; NULL after an error, which is reported.
@@ -96,21 +116,13 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
 {
     Var *v = scope_find_variable(s, in->name);
     Stmt *out = stmt_new(s, ST_ASSIGN, in);
-    bool good = false;
+    bool good;
 
     if (report_state_assignment(s, v, in))
         return NULL;
-    if (!v && map_find(&s->defines, in->name))
-        scope_note_declared(s, diag_report(s->diags, DIAG_write_definition, in->name_span, in->name->text), in->name);
-    else if (!v)
-        scope_report_unknown(s, in->name, in->name_span);
-    else
-        good = check_writable(s, v, in->name, in->name_span);
-    if (good)
-        warn_of_read_only_local(s, v, in);
+    good = check_target(s, in->name, in->name_span) != NULL;
     if (v && !s->in_script)
         v->written = true;
-    s->knows_a_name |= v != NULL;
     out->var = v;
     check_value(s, in, out);
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
@@ -192,6 +204,8 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
             vec_push(s->arena, out, stmt);
         for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
+        if (in->at[i]->marks && s->building && !is_repeated)
+            add_stmt_marks(s, in->at[i]);
         if (before && before->kind == AST_TRANSITION && !before->flawed && !is_warned) {
             warn_of_unreachable_statement(s, before, in->at[i]);
             is_warned = true;

@@ -28,6 +28,7 @@ static void check_element(SvCheck *k, Region *r, const AstDecl *decl)
     add_sv_allows(k->c, k->sv, decl);
     e->allows = (uint32_t)k->sv->allow.n - e->first_allow;
     e->range = check_range(k->c, &decl->annotations, e->name, e->type);
+    e->unit = check_unit(k->c, &decl->annotations, e->name, e->type == SM_BOOL);
     e->command = has_annotation(&decl->annotations, AST_COMMAND);
     e->index = (uint32_t)k->sv->element.n;
     vec_push(k->c->arena, &k->sv->element, e);

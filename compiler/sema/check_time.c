@@ -69,17 +69,26 @@ void warn_of_time_as_guard(Sema *s, const AstExpr *guard)
                    DIAG_label_did_you_mean, format_in(s->arena, "%s %s", s->in_script ? "G ==" : "T >=", text));
 }
 
+// Computes the value of a literal that is a whole number of units from 0 to 2^63. Returns false for anything else.
+bool literal_units(const AstExpr *e, TimeUnit unit, uint64_t *units)
+{
+    const SmF64 highest = sm_from_u64(0x8000000000000000u);
+    SmF64 x;
+
+    if (!literal_value(e, unit, &x) || !is_whole(x) || sm_lt(x, sm_from_i32(0)) || sm_lt(highest, x))
+        return false;
+    *units = sm_to_u64(x);
+    return true;
+}
+
 // ---- the length of a step ----
 
 // Returns the value of the option, a whole number from 1 to 2^63, in the unit `unit`; 0 for anything else.
 uint64_t option_step(const AstOption *o, TimeUnit unit)
 {
-    const SmF64 highest = sm_from_u64(0x8000000000000000u);
-    SmF64 x;
+    uint64_t step = 0;
 
-    if (!o->number || !literal_value(o->number, unit, &x) || !is_whole(x) || sm_lt(x, sm_from_i32(1)) || sm_lt(highest, x))
-        return 0;
-    return sm_to_u64(x);
+    return o->number && literal_units(o->number, unit, &step) ? step : 0;
 }
 
 // Returns how much G advances per step in the script, where the machine counts time in `unit`; 0 if the script has no valid delta_t.

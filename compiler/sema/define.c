@@ -63,6 +63,8 @@ static bool check_name_is_free(Sema *s, const AstDefinition *in)
 // Adds the definitions of one section to those that the following text can use.
 void declare_definitions(Sema *s, const AstSection *section, Defines *into)
 {
+    const CheckContext c = {.arena = s->arena, .strings = s->strings, .diags = s->diags};
+
     for (size_t i = 0; i < section->definitions.n; i++) {
         const AstDefinition *in = &section->definitions.at[i];
         Define *d;
@@ -77,6 +79,8 @@ void declare_definitions(Sema *s, const AstSection *section, Defines *into)
         d->value_span = in->value->span;
         d->number = (uint32_t)s->defines.n;
         d->size = expanded_size(s, d->value);
+        d->unit = check_unit(&c, &in->annotations, d->name, false);
+        s->has_units |= d->unit != NULL;
         map_put(&s->defines, d->name, d);
         vec_push(s->arena, into, d);
     }
@@ -142,6 +146,10 @@ Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
     d->expanded = d->expanded || own;
     if (out)
         out->span = sema_span(s, use->span);
+    if (out && d->unit) {
+        d->names = out->define;
+        out->define = d->number + 1;
+    }
     return out;
 }
 

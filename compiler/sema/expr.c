@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operations on typed expressions: visit, compare, evaluate.  AST_DEPTH_MAX bounds the recursion depth.
+#include "compiler/sema/list.h"
 #include "compiler/sema/program.h"
 
 #include <stdio.h>
@@ -31,7 +32,9 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
     case EX_BINARY: return a->op == b->op;
     case EX_CHAIN: return memcmp(expr_ops(a), expr_ops(b), (a->n - 1) * sizeof(SmOperator)) == 0;
     case EX_CALL: return a->fn == b->fn;
-    case EX_ROLL: return a->stat == b->stat && window_of[a->window] == window_of[b->window];
+    case EX_EVERY: return sm_eq(a->number, b->number);
+    case EX_RANDOM: return a->window == b->window;
+    case EX_ROLL: return a->stat == b->stat && (window_of ? window_of[a->window] == window_of[b->window] : a->window == b->window);
     }
     return false;
 }
@@ -93,19 +96,20 @@ static SmF64 eval_chain(const Expr *e, const SmF64 *value)
 
 static SmF64 eval_call(const Expr *e, const SmF64 *value)
 {
-    enum { MOST_ARGUMENTS = 3 };
-    SmF64 v[MOST_ARGUMENTS];
+    SmF64 v[SM_LIST_MAX];
 
-    for (uint32_t i = 0; i < MOST_ARGUMENTS; i++)
+    for (uint32_t i = 0; i < SM_LIST_MAX; i++)
         v[i] = i < e->n ? expr_eval(e->arg[i], value) : sm_from_i32(0);
     switch (e->fn) {
 #define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_LIST(name, sentence) case SM_FN_##name: return list_value(e->fn, e->n, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
     case SM_FN_COUNT: break;
@@ -124,6 +128,7 @@ SmF64 expr_eval(const Expr *e, const SmF64 *value)
     case EX_BINARY: return eval_binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
     case EX_CHAIN:  return eval_chain(e, value);
     case EX_CALL:   return eval_call(e, value);
+    case EX_EVERY: case EX_RANDOM: break;             // scripts evaluate them themselves
     case EX_ROLL:   return value && e->stat != SM_STAT_RANGE && e->stat < SM_STAT_CHANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);    // all samples are equal
     }
     return sm_from_i32(0);
@@ -135,7 +140,7 @@ SmF64 expr_constant_value(const Expr *e) { return expr_eval(e, NULL); }
 // Whether the value of e never changes: it contains only numbers, constant locals, operators and pure functions.
 bool expr_is_constant(const Expr *e)
 {
-    if (e->kind == EX_ROLL || (e->kind == EX_VAR && !e->var->is_constant))
+    if (e->kind == EX_ROLL || e->kind >= EX_EVERY || (e->kind == EX_VAR && !e->var->is_constant))
         return false;
     for (uint32_t i = 0; i < e->n; i++)
         if (!expr_is_constant(e->arg[i]))
@@ -154,11 +159,13 @@ static const char *const operator_spelling[SM_OP_COUNT] = {
 static const char *const builtin_name[SM_FN_COUNT] = {
 #define SM_PURE(name, arguments, sentence) [SM_FN_##name] = #name,
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_LIST(name, sentence) SM_PURE(name, 2, sentence)
 #define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
 #define SM_SAMPLED(name, arguments, sentence) SM_PURE(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
 };
@@ -172,11 +179,13 @@ static const char *const statistic_name[SM_STAT_COUNT] = {
     [SM_STAT_RUN_TIME] = "run_time",
 #define SM_PURE(name, arguments, sentence)
 #define SM_COMPOSED(name, arguments, steps, sentence)
+#define SM_LIST(name, sentence)
 #define SM_ROLL(name, stat, sentence) [SM_STAT_##stat] = #name,
 #define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
 #undef SM_PURE
 #undef SM_COMPOSED
+#undef SM_LIST
 #undef SM_ROLL
 #undef SM_SAMPLED
 };
@@ -263,6 +272,7 @@ static void name_expr(const Namer *n, const Expr *e)
     case EX_BINARY:
     case EX_CHAIN: name_operation(n, e); break;
     case EX_CALL: name_call(n, e); break;
+    case EX_EVERY: case EX_RANDOM: break;             // no window of a machine samples them
     case EX_ROLL: name_window(n, statistic_name[e->stat], &n->window->at[e->window]); break;
     }
 }

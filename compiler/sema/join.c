@@ -31,7 +31,7 @@ static void add_elements(Join *k)
     k->element = ARENA_ARRAY(k->c->arena, Var *, sv->element.n);
     for (size_t i = 0; i < sv->element.n; i++) {
         Element *e = sv->element.at[i];
-        Var from = {.kind = VAR_ELEMENT, .type = e->type, .element = e, .range = e->range, .command = e->command, .span = e->span};
+        Var from = {.kind = VAR_ELEMENT, .type = e->type, .element = e, .range = e->range, .command = e->command, .unit = e->unit, .span = e->span};
         from.read_only = e == k->app->time;
         k->element[e->index] = add_variable(k, &from, e->name);
         map_put(&k->p->by_name, e->name, k->element[e->index]);

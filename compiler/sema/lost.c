@@ -43,7 +43,7 @@ static bool may_hide(const AstSection *section, Span error)
     const AstDecl *decl;
 
     switch (section->kind) {
-    case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_PINS: case AST_IGNORED:
+    case AST_STATE: case AST_SCRIPT_STATE: case AST_OPTIONS: case AST_PINS: case AST_DATA: case AST_IGNORED:
         return false;
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
         break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of one machine among several in the script of an application: `deploy.T` (language.md 8.80 to 8.84).
+// Names of one machine among several in the script of an application: `deploy.T` (language.md 8.77 to 8.79).
 #ifndef SMC_MEMBER_H
 #define SMC_MEMBER_H
 

@@ -12,7 +12,9 @@
 #include "compiler/base/source.h"
 #include "compiler/base/str.h"
 #include "compiler/base/vec.h"
+#include "compiler/sema/measure.h"
 #include "compiler/syntax/time_unit.h"
+#include "stdlib/parameter.h"
 #include "stdlib/types.h"
 
 // ---- the state vector ----
@@ -39,6 +41,7 @@ typedef struct Element {
     bool untyped;             // the declaration has no valid type, which is already reported
     const Range *range;       // its @range, or NULL
     bool command;             // @command: operated by a person
+    const Measure *unit;         // its @unit, or NULL
     uint32_t first_allow, allows;     // its @allow annotations are the `allows` entries of StateVec.allow from index first_allow on
     uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
@@ -74,6 +77,13 @@ typedef enum VarKind {
     VAR_TIME                  // T
 } VarKind;
 
+// A parameter (language.md 5.77): a local whose value is set before the machine starts.
+typedef struct Parameter {
+    SmF64 lo, hi;             // its range: both ends are finite and exactly of its type; 0 and 1 of a bool
+    uint64_t standard;        // its default, as a bit cell of its type; Var.init is the current value
+    Span span;                // the annotation
+} Parameter;
+
 typedef struct Expr Expr;
 struct Program;
 
@@ -88,6 +98,8 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
     bool command;             // ELEMENT: marked @command, here or in the .sv
+    const Parameter *parameter;       // LOCAL: set if it is a parameter, which is also read-only and never constant; else NULL
+    const Measure *unit;      // its @unit, of an ELEMENT from the machine or else from the .sv; or NULL
     uint64_t init;            // LOCAL: its initial value, as a bit cell of its type (convert.h)
     Expr *init_value;         // LOCAL: the expression that init was computed from
     bool outside;             // LOCAL: code outside the machine (a state script) writes it between steps
@@ -119,6 +131,8 @@ struct Define {
     Span value_span;          // the expression
     uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
+    const Measure *unit;         // its @unit, or NULL
+    uint32_t names;           // 1 + the number of the definition with a unit that is its whole expression; 0: none
     bool used;                // another part of its file uses it
     bool expanded;            // its expression has been checked, so the uses in it are listed
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
@@ -136,7 +150,10 @@ typedef enum ExprKind {
     EX_BINARY,                // arg[0] op arg[1]   (never part of a chain; each operand is evaluated once)
     EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only; true if all of them are
     EX_CALL,                  // fn(arg …), a function without side effects
-    EX_ROLL                   // statistic `stat` of window `window`; arg[0] is the sampled expression
+    EX_ROLL,                  // statistic `stat` of window `window`; arg[0] is the sampled expression
+    // Only scripts have the following kinds, and no engine evaluates them.
+    EX_EVERY,                 // whether `var`, which is G, is a multiple of `number`
+    EX_RANDOM                 // the value of random call number `window` + 1 in this step
 } ExprKind;
 
 struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  Bit fields save memory, because a program is mostly Exprs
@@ -151,6 +168,7 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     Var *var;
     Expr **arg;               // n pointers stored directly after this struct; for a CHAIN its n - 1 operators follow
     uint32_t window;          // ROLL: index into the owner's window list
+    uint32_t define;          // 1 + the number of the definition with a unit whose use this is; 0: none
 };
 
 static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
@@ -227,13 +245,21 @@ typedef struct Member {
 
 typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
 
-// How the machines of an application run in one script (language.md 8.80 to 8.92).
+// How the machines of an application run in one script (language.md 8.71 to 8.83).
 typedef struct Joint {
     VEC(Member) member;       // in the order in which they step in a tick
     VEC(MemberStart) start;   // the values of [start]
     uint64_t tick, unit;      // nanoseconds: from tick to tick; 1 in G
     const struct App *app;
 } Joint;
+
+// @req on a state or a statement: it implements a requirement (requirements.md 13.19).  Only reports read it.
+typedef struct RequirementMark {
+    Str requirement;          // its id
+    const State *state;       // the state that has the mark, or its statement; NULL: a section [all_states]
+    bool is_statement;        // the mark follows a statement, or a transition
+    Span span;                // the annotation
+} RequirementMark;
 
 typedef struct Program {
     Str stem;                 // the file's: "tank" of dir/tank.sm
@@ -248,11 +274,13 @@ typedef struct Program {
     uint64_t step;            // how much G advances in a step; 0: not declared
     Span step_span;           // position of the value of step in [options]
     uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
+    bool has_units;           // a variable or definition has an @unit
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
     Windows window;
     Defines define;
     VEC(AllStates *) all_states;      // in file order
+    VEC(RequirementMark) mark;        // in the order of the check
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
@@ -283,8 +311,15 @@ typedef struct ScriptAssert {
     const ScriptRemark *remark;       // ASSERT: NULL if it has neither text nor requirement
 } ScriptAssert;
 
-typedef struct ScriptItem {   // one conditional
+typedef struct ScriptItem ScriptItem;
+
+// The items of one body, up to the first conditional in it.  Such a conditional is an item of its own; so is what follows it in the body, with
+// a guard that is always true.
+struct ScriptItem {
     Expr *guard;
+    const ScriptItem *parent; // the conditional around it; NULL: none
+    bool otherwise;           // it belongs to the `else` of the parent
+    bool by_time;             // the guard is one of check_when
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
     Span span;
@@ -293,7 +328,7 @@ typedef struct ScriptItem {   // one conditional
     bool stop;                // the item's body ends with @stop
     uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
     Span stop_span;
-} ScriptItem;
+};
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
@@ -301,23 +336,82 @@ typedef struct ScriptSection {
     VEC(ScriptItem *) item;
 } ScriptSection;
 
+#define SCRIPT_SEED_MAX (UINT64_C(1) << 53)       // the largest seed: every number up to it is an F64
+
+// A call of random(a, b) or noise(a) in the text of a script.
+typedef struct ScriptRandom {
+    bool is_noise;
+    double a, b;
+    Span span;                // position of its name
+} ScriptRandom;
+
+typedef VEC(ScriptRandom) ScriptRandoms;
+
+// A parameter that a script sets, or another caller for the run of a script.
+typedef struct ScriptSetting { const Var *parameter; uint64_t cell; Span span; } ScriptSetting;
+
+// A column of recorded data: its value is cell * scale + offset.
+typedef struct ScriptColumn {
+    Var *var;                 // receives the value, or is compared with it
+    Str name;                 // of the column
+    Span span;                // of the name
+    bool is_scaled;           // otherwise the value is the cell itself
+    SmF64 scale, offset;
+} ScriptColumn;
+
+// A @compare: after the step at G, |var - column at G - delay| is at most `tolerance`.
+typedef struct ScriptCompare {
+    ScriptColumn column;
+    SmF64 tolerance;
+    uint64_t delay;           // in units of G
+} ScriptCompare;
+
+// The section [data] of a script.
+typedef struct ScriptData {
+    Span span;                // of its header
+    Str file, time;           // the names of the file, and of the column with the times
+    Span file_span, time_span;
+    TimeUnit unit;            // of the times
+    bool is_linear;           // values between two rows are interpolated; otherwise they are those of the earlier one
+    bool stops_at_bad_time, skips_bad_times;      // `on_bad_time error`; `on_bad_time skip` is written
+    bool missing_is_nan;
+    VEC(ScriptColumn) column; // written to variables
+    VEC(ScriptCompare) compare;
+    const struct DataFile *source;    // the file; set after checking
+} ScriptData;
+
 typedef struct Script {
     const Source *src;
     const Program *program;
-    uint64_t delta_t;
+    uint64_t delta_t;         // 0 if by_rows
+    bool by_rows;             // `delta_t file`: one step for each row of the data
+    ScriptData *data;         // NULL: the script has no [data]
     Span delta_t_span;        // position of the value of delta_t in [options]
     State *init_state;
+    VEC(ScriptSetting) setting;       // the parameters that the script sets
     VEC(Var *) local;         // the variables of [local], in file order
+    Defines define;           // in file order; their numbers follow those of the machine
+    bool has_units;           // a variable or definition of the script has an @unit
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
+    ScriptRandoms random;     // by number of the call, from 0
+    uint64_t seed;            // of its random numbers
 } Script;
 
 // Returns the index of the machine that has state `number` of a joined Program.
 uint32_t joint_machine_of(const Joint *j, uint32_t number);
 
+// ---- parameters ----
+
+const char *parameter_refusal_text(SmRefusal refusal);       // the words of stdlib/parameters.def
+bool program_has_parameters(const Program *p);
+const Var *program_parameter(const Program *p, Str name);    // returns the parameter of this name; NULL: none
+// Returns why a parameter cannot have the value x.  If it can, sets *cell to the value as a bit cell of its type.
+SmRefusal parameter_judge(const Var *parameter, SmF64 x, uint64_t *cell);
+
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.  Equal expressions have the
 // same value if no assignment is executed between their evaluations. window_of maps a Window number to an id that is equal for
-// windows with equal contents (IrMachine.window_of).
+// windows with equal contents (IrMachine.window_of); NULL: every window differs from the others.
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of);
 
 // Calls f(x, context) for e and all its subexpressions, operands before the expression that owns them.

@@ -15,6 +15,9 @@ typedef enum ExprContext {
 // A local that the size of a window depends on.
 typedef struct SizeUse { Var *local; Span span; } SizeUse;
 
+// A local whose initial value reads a parameter, which is reported.
+typedef struct DependentLocal { const Var *local; Diag *report; } DependentLocal;
+
 // What the parser's errors may have hidden in a file (lost.c).
 typedef struct HiddenNames {
     bool any;                 // the parser reported errors in the file
@@ -61,12 +64,16 @@ typedef struct Sema {
     const AstExpr *searched_left;     // the leftmost operand of this operand has already been examined for a `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
+    VEC(DependentLocal) dependent;    // the locals whose initial values read a parameter; propose_definitions reads it
     VEC(SizeUse) size_use;    // the locals that window sizes depend on so far; check_size_uses reads it
     BlockKind block;          // the block that contains the current statement
+    const State *state;       // the state of the current statement; NULL in [all_states]
+    bool has_units;           // a variable or definition has an @unit
     uint32_t stmts;           // the number of statements so far
     uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
     bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
+    ScriptRandoms *random;    // of the script; NULL for a machine
 } Sema;
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows);
@@ -115,8 +122,12 @@ Expr *check_expr(Sema *s, const AstExpr *e);
 // Calls that sample their first argument (check_sampled.c); NULL after an error, too.
 Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn);
+// Calls of min, max, median and average (check_list.c); NULL after an error, too.
+Expr *check_list_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 void sema_record_operator(Sema *s, SmOperator op);     // records that the value being checked, and the machine, contain an operator
 Stmt *check_assignment(Sema *s, const AstStmt *in);
+Var *check_target(Sema *s, Str name, Span span);       // returns the variable that a statement assigns; NULL after a report
+void check_data(Sema *s, Script *script, const AstSection *in);       // [data] of a script (check_data.c)
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 // Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);
@@ -127,6 +138,13 @@ void check_size_uses(Sema *s);
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
 // Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
+
+// ---- check_measure.c: units of measurement ----
+
+// Returns the @unit among the annotations; NULL if there is none, or it is no unit, which is reported. `is_bool`: what has it is a bool.
+const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool);
+// Sets the unit of v, which a machine lists, to that of the .sv if the machine gives none. Warns if they differ.
+void set_listed_unit(Sema *s, Var *v, const AstDecl *decl, bool from_machine);
 
 // Returns the position of a typed node: in the copy of the source for a state, while statements of [all_states] are checked.
 static inline Span sema_span(const Sema *s, Span written)
@@ -142,7 +160,26 @@ static inline Span sema_span(const Sema *s, Span written)
 const AstBinding *find_binding(const MachineInstance *instance, const AstDecl *decl);
 // Returns the element to which the declaration is bound; NULL after a report.
 Element *find_bound_element(Sema *s, const StateVec *sv, const AstDecl *decl, const AstBinding *b);
-void check_bindings(Sema *s, const Program *p, const MachineInstance *instance);       // call it when the machine's variables are complete
+void check_bindings(Sema *s, Program *p, const MachineInstance *instance);       // call it when the machine's variables are complete
+
+// ---- check_parameter.c: parameters ----
+
+// Returns what the annotations of a local make of it: a parameter whose default is not known yet, or NULL.  Reports a missing or invalid range.
+const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl);
+// Sets the default of parameter v, which is also its value until another one is set.  Reports a default that v cannot have.
+void check_default(Sema *s, Var *v, SmF64 x);
+// Reports an assignment to parameter v, in a machine or a script.
+void report_parameter_assigned(Sema *s, const Var *v, Str name, Span span);
+// Whether parameter `name` of p can have `value`: a number or a time, with or without a sign, true or false; *cell is then the value.  If not,
+// reports why.
+bool check_parameter_value(Sema *s, const Program *p, Str name, Span name_span, const AstExpr *value, uint64_t *cell);
+// Sets parameter `name` of the machine p, which is being checked, to `value`, or reports why not.  Call it after compute_initial_values.
+bool set_parameter_of_machine(Sema *s, Program *p, Str name, Span name_span, const AstExpr *value);
+// Reports a parameter in the initial value of local s->local, or in the size of a window.
+void report_parameter_in_initial(Sema *s, const Var *v, const AstExpr *e);
+void report_parameter_in_size(Sema *s, const Var *v, const AstExpr *e);
+// Proposes a definition for each local whose initial value reads a parameter, if the machine never assigns the local.
+void propose_definitions(Sema *s, const AstFile *sm);
 
 // ---- check_all_states.c: [all_states] of a machine ----
 
@@ -167,6 +204,8 @@ void check_unused_definitions(Sema *s, const Defines *all);
 void check_time_options(Sema *s, Program *p, const AstFile *sm);
 // Returns the value of an option such as `delta_t 20 ms`, a whole number from 1 to 2^63, in the unit `unit`; 0 for anything else.
 uint64_t option_step(const AstOption *o, TimeUnit unit);
+// Computes the value of a literal that is a whole number of units from 0 to 2^63. Returns false for anything else.
+bool literal_units(const AstExpr *e, TimeUnit unit, uint64_t *units);
 // Returns the value of a literal that has a unit, in the unit of the machine.
 SmF64 check_time_literal(Sema *s, const AstExpr *e);
 // Computes how many samples a window of the last `time` units of G has: time / step + 1. `size`: the argument of the function `name`. Returns
@@ -183,6 +222,26 @@ void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal);
 // Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
 void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period);
 
+// ---- check_script_when.c: guards by time of a script ----
+
+Expr *check_when(Sema *s, const AstExpr *e);               // at 5 s, from 1 s to 2 s, after 5 s, every 10 ms
+Expr *check_state_value(Sema *s, const AstExpr *e);        // state Burn
+// Reports `S == state Burn`, which compares twice. Returns false, and reports nothing, if e is another comparison.
+bool report_compared_state_value(Sema *s, const AstExpr *e);
+// Proposes a guard by time for a comparison with G, as in `G == 5000:`.
+void propose_when(Sema *s, const AstExpr *guard, uint64_t delta_t);
+// Reports a guard of check_when, with delta_t above 0, that no step has.
+void check_when_times(Sema *s, const Expr *guard, uint64_t delta_t);
+bool is_reached_time(SmF64 x, uint64_t delta_t);          // whether a clock that starts at 0 and advances by delta_t is ever equal to x
+
+// ---- check_random.c: random numbers of a script ----
+
+bool is_random_function(Str name);                         // whether it is random or noise
+// Numbers the calls in the definitions of a file. Call it before its other expressions are checked.
+void number_random_definitions(Sema *s, const AstFile *ss);
+Expr *check_random_call(Sema *s, const AstExpr *e);
+void report_random_in_machine(Sema *s, const AstExpr *e);
+
 // ---- check_allow.c: these functions register @allow annotations with the part of the source that they cover ----
 
 // Register the annotations of a declaration, in a .sv and in a machine.
@@ -194,6 +253,11 @@ void add_state_allows(Sema *s, const AstSection *section, uint32_t end);
 void add_stmt_allow(Sema *s, const AstAnnotation *a, const AstStmt *stmt);
 // Registers the annotations of an element in the .sv for the position where a machine lists the element.
 void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed);
+
+// ---- check_rq.c: marks @req of a machine ----
+
+void add_section_marks(Sema *s, const AstSection *section, const State *state);      // of a state; NULL: of [all_states]
+void add_stmt_marks(Sema *s, const AstStmt *stmt);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 

@@ -24,8 +24,14 @@ typedef enum AstExprKind {
     AST_BINARY,       // a op b; a chain a < b <= c is stored as (a < b) <= c, without AST_PAREN
     AST_PAREN,        // ( a )
     AST_STEPS,        // a steps, as an argument: a count of steps
-    AST_CALL          // name ( args )
+    AST_IMPLIES,      // a implies b, in requirements
+    AST_CALL,         // name ( args )
+    AST_STATE_NAME,   // state name, in a script: whether the machine is in that state
+    AST_WHEN          // at a, from a to b, after a, every a: the whole guard of a conditional of a script
 } AstExprKind;
+
+// The word that begins a guard by time (language.md 8.39 to 8.44).
+typedef enum AstWhen { AST_AT, AST_FROM, AST_AFTER, AST_EVERY, AST_WHENS } AstWhen;
 
 typedef struct AstExpr AstExpr;
 typedef VEC(AstExpr *) AstArgs;
@@ -35,11 +41,12 @@ struct AstExpr {
     uint32_t depth;           // 1 + the depth of the deepest operand; at most AST_DEPTH_MAX, so that recursion over trees is bounded
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
-    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY) or the name (CALL)
+    uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY, IMPLIES), the name (CALL, STATE_NAME) or the word (WHEN)
+    AstWhen when;             // WHEN: its word
     TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
     SmF64 number;             // NUMBER: its value, without the unit
-    Str name;                 // NAME, CALL: the name
-    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY: both operands
+    Str name;                 // NAME, CALL: the name; STATE_NAME: that of the state
+    AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY, IMPLIES: both operands; WHEN: the numbers, b only after `to`
     AstArgs *args;            // CALL: the arguments
 };
 
@@ -66,6 +73,7 @@ typedef enum AstAnnotationTarget {
     AST_ON_STATE,             // the header of a state
     AST_ON_ALL_STATES,        // the header [all_states] of a machine
     AST_ON_DEFINITION,        // a line of [define]
+    AST_ON_DATA,              // a line of [data] with a column
     AST_ON_ANALOG_INPUT, AST_ON_ANALOG_OUTPUT, AST_ON_DIGITAL_INPUT, AST_ON_DIGITAL_OUTPUT,       // a pin in a .io
     AST_ANNOTATION_TARGETS
 } AstAnnotationTarget;
@@ -79,7 +87,7 @@ typedef struct AstAnnotation {
     AstAnnotationKind kind;
     Span span;                // including its @ and its arguments
     AstNames *names;          // EXCEPT: the names of states
-    Str name;                 // ALIAS: the other name; ALLOW: the name of the warning, as after -W
+    Str name;                 // ALIAS: the other name; UNIT: its text; ALLOW: the name of the warning, as after -W; REQ: the requirement
     Span name_span;
     Str reason;               // ALLOW: the reason
     AstNumber lo, hi;         // RANGE: both; annotations with one number or a value: lo
@@ -129,6 +137,7 @@ struct AstStmt {
     AstExpr *value;           // ASSIGN, ASSERT, EXPECT: the expression; IF: the guard
     const AstRemark *remark;  // ASSERT: or NULL if nothing follows; FAIL, EXPECT, PRINT
     AstArms *arms;            // IF: its branches
+    AstNames *marks;          // the requirements that @req after the statement of a machine names; NULL: none
 };
 
 // ---- declarations and sections ----
@@ -150,14 +159,47 @@ typedef struct AstDefinition {
     AstAnnotations annotations;
 } AstDefinition;
 
-// An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`.
+// An entry of [options]: `lock`, `delta_t 10 ms`, `init_state Idle`, `set limit 40`.
 typedef struct AstOption {
     Str name;
     Span name_span;
-    AstExpr *number;          // delta_t, step: the literal of its value
-    Str word;                 // init_state: the name of the state; time_unit: the unit
+    AstExpr *number;          // delta_t, step, seed, set: the literal of its value
+    Str word;                 // init_state: the name of the state; time_unit: the unit; set: the name of the parameter; `delta_t file`: the word
+    Span word_span;           // set: the name
     Span value_span;
 } AstOption;
+
+// ---- [data] of a script ----
+
+typedef enum AstDataSlot { AST_DATA_FILE, AST_DATA_TIME, AST_DATA_BETWEEN, AST_DATA_BAD_TIME, AST_DATA_MISSING, AST_DATA_SLOTS } AstDataSlot;
+
+// A setting, as in data_words.def: `time "t_ms" ms`.
+typedef struct AstDataSetting {
+    Str word;                 // "time"; NULL: there is no such setting
+    Span span;                // of the word
+    Str text;                 // FILE and TIME
+    Span text_span;
+    Str value;                // the unit, or the word that follows
+    Span value_span;
+} AstDataSetting;
+
+// A line `P1 = "PT-101" @scale 0.1` or `@compare valveOpen "VALVE" tolerance 0 delay 20 ms`.
+typedef struct AstDataLine {
+    bool is_compare;
+    Str element;
+    Span element_span;
+    Str column;
+    Span column_span;
+    AstNumber tolerance;      // its span has no source if it is absent
+    AstExpr *delay;           // a literal; or NULL
+    AstAnnotations annotations;
+} AstDataLine;
+
+typedef struct AstData {
+    AstDataSetting setting[AST_DATA_SLOTS];
+    VEC(AstDataLine) line;
+    bool is_lost;             // a line has an error
+} AstData;
 
 // A line of a .io: `i 0 tankPressure @scale 250`.
 typedef struct AstPin {
@@ -184,6 +226,7 @@ typedef enum AstSectionKind {
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
     AST_ALL_STATES,           // [all_states] of a machine: the block .step
+    AST_DATA,                 // [data] of a script: data
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
     AST_PINS,                 // [analog] and [digital] of a .io: pins
     AST_IGNORED               // a section that this kind of file cannot have; already reported
@@ -199,13 +242,14 @@ typedef struct AstSection {
     VEC(AstDefinition) definitions;
     VEC(AstOption) options;
     VEC(AstPin) pins;
+    AstData *data;            // DATA; else NULL
     bool digital;             // PINS: the section is [digital]
     AstBlock block[AST_LABEL_COUNT];
     AstStmts items;           // SCRIPT_STATE: conditionals (AST_IF)
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
-typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_KINDS } FileKind;     // docs/config.md defines .io, .app and .net
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_RQ, FILE_KINDS } FileKind;     // docs/config.md defines .io, .app and .net, docs/requirements.md .rq
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);
@@ -220,6 +264,7 @@ typedef struct AstFile {
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
     struct AstNet *net;               // the tree of a .net, which has no AstSection (ast_net.h); else NULL
+    struct AstRequirements *requirements;     // the tree of a .rq, which has no AstSection (ast_rq.h); else NULL
 } AstFile;
 
 const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"

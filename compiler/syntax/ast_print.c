@@ -5,6 +5,7 @@
 
 #include "compiler/syntax/ast_app.h"
 #include "compiler/syntax/ast_net.h"
+#include "compiler/syntax/ast_rq.h"
 
 static void print_stmts(Buf *out, const AstStmts *s, unsigned depth);
 
@@ -48,6 +49,25 @@ static void print_expr(Buf *out, const AstExpr *e)
     case AST_PAREN:
         buf_str(out, "(paren ");
         print_expr(out, e->a);
+        buf_char(out, ')');
+        break;
+    case AST_STATE_NAME:
+        buf_str(out, "state ");
+        print_name(out, e->name);
+        break;
+    case AST_WHEN:
+        print_source(out, ast_op_span(e));
+        buf_char(out, ' ');
+        print_expr(out, e->a);
+        buf_str(out, e->b ? " to " : "");
+        if (e->b)
+            print_expr(out, e->b);
+        break;
+    case AST_IMPLIES:
+        buf_char(out, '(');
+        print_expr(out, e->a);
+        buf_str(out, " implies ");
+        print_expr(out, e->b);
         buf_char(out, ')');
         break;
     case AST_STEPS:
@@ -108,6 +128,14 @@ static void print_annotations(Buf *out, const AstAnnotations *all)
 
 // ---- statements ----
 
+// Prints the marks of a statement, and ends its line.
+static void end_stmt(Buf *out, const AstStmt *s)
+{
+    for (size_t i = 0; s->marks && i < s->marks->at.n; i++)
+        buf_printf(out, " @req %s", s->marks->at.at[i]->text);
+    buf_char(out, '\n');
+}
+
 // Prints the text and the requirement of an item of a script; r can be NULL.
 static void print_remark(Buf *out, const AstRemark *r)
 {
@@ -145,12 +173,12 @@ static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
         print_name(out, s->name);
         buf_str(out, " = ");
         print_expr(out, s->value);
-        buf_char(out, '\n');
+        end_stmt(out, s);
         break;
     case AST_TRANSITION:
         buf_str(out, "-> ");
         print_name(out, s->name);
-        buf_char(out, '\n');
+        end_stmt(out, s);
         break;
     case AST_ALLOWED:
         print_annotation(out, s->allow);
@@ -159,7 +187,8 @@ static void print_stmt(Buf *out, const AstStmt *s, unsigned depth)
     case AST_IF:
         buf_str(out, "if ");
         print_expr(out, s->value);
-        buf_str(out, s->arms->braces ? " {}\n" : " :\n");
+        buf_str(out, s->arms->braces ? " {}" : " :");
+        end_stmt(out, s);
         print_stmts(out, &s->arms->then, depth + 1);
         if (!s->arms->has_else)
             break;
@@ -209,6 +238,8 @@ static void print_option(Buf *out, const AstOption *o)
     print_name(out, o->name);
     if (o->number || o->word) {
         buf_char(out, ' ');
+        if (o->number && o->word)
+            buf_printf(out, "%s ", o->word->text);
         print_source(out, o->value_span);
     }
     buf_char(out, '\n');
@@ -233,11 +264,53 @@ static void print_definition(Buf *out, const AstDefinition *d)
     buf_char(out, '\n');
 }
 
+static void print_data_setting(Buf *out, const AstDataSetting *s)
+{
+    buf_str(out, "  ");
+    print_name(out, s->word);
+    if (s->text) {
+        buf_char(out, ' ');
+        print_source(out, s->text_span);
+    }
+    if (s->value) {
+        buf_char(out, ' ');
+        print_name(out, s->value);
+    }
+    buf_char(out, '\n');
+}
+
+static void print_data_line(Buf *out, const AstDataLine *line)
+{
+    buf_str(out, line->is_compare ? "  @compare " : "  ");
+    print_name(out, line->element);
+    buf_str(out, line->is_compare ? " " : " = ");
+    print_source(out, line->column_span);
+    if (line->tolerance.span.src) {
+        buf_str(out, " tolerance ");
+        print_source(out, line->tolerance.span);
+    }
+    if (line->delay) {
+        buf_str(out, " delay ");
+        print_source(out, line->delay->span);
+    }
+    print_annotations(out, &line->annotations);
+    buf_char(out, '\n');
+}
+
+static void print_data(Buf *out, const AstData *d)
+{
+    for (int i = 0; i < AST_DATA_SLOTS; i++)
+        if (d->setting[i].word)
+            print_data_setting(out, &d->setting[i]);
+    for (size_t i = 0; i < d->line.n; i++)
+        print_data_line(out, &d->line.at[i]);
+}
+
 static void print_section(Buf *out, const AstSection *s)
 {
     static const char *const kind[] = {
         [AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_DEFINE] = "define", [AST_OPTIONS] = "options", [AST_REGION] = "region",
-        [AST_STATE] = "state", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
+        [AST_STATE] = "state", [AST_DATA] = "data", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
     static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
 
     buf_printf(out, "%s ", kind[s->kind]);
@@ -250,6 +323,8 @@ static void print_section(Buf *out, const AstSection *s)
         print_definition(out, &s->definitions.at[i]);
     for (size_t i = 0; i < s->options.n; i++)
         print_option(out, &s->options.at[i]);
+    if (s->data)
+        print_data(out, s->data);
     for (size_t i = 0; i < s->pins.n; i++)
         print_pin(out, &s->pins.at[i]);
     for (int i = 0; i < AST_LABEL_COUNT; i++)
@@ -258,6 +333,27 @@ static void print_section(Buf *out, const AstSection *s)
             print_stmts(out, &s->block[i].stmts, 2);
         }
     print_stmts(out, &s->items, 1);
+}
+
+// Prints a word and an operand after it, if there is one.
+static void print_operand(Buf *out, const char *word, const AstExpr *e)
+{
+    if (!e)
+        return;
+    buf_str(out, word);
+    print_expr(out, e);
+}
+
+static void print_requirement(Buf *out, const AstRequirement *r)
+{
+    const bool after = r->kind == AST_NEVER_AFTER;
+
+    buf_printf(out, "%s \"%s\" %s ", r->id->text, r->text->text, r->kind == AST_ALWAYS || r->kind == AST_LEADS_TO ? "always" : "never");
+    print_expr(out, r->a);
+    print_operand(out, after ? " after " : r->kind == AST_LEADS_TO ? " leads to " : " before ", r->b);
+    print_operand(out, " without ", r->c);
+    print_operand(out, " within ", r->within);
+    buf_char(out, '\n');
 }
 
 void ast_print(const AstFile *f, Buf *out)
@@ -273,4 +369,6 @@ void ast_print(const AstFile *f, Buf *out)
         ast_print_app(f->app, out);
     if (f->net)
         ast_print_net(f->net, out);
+    for (size_t i = 0; f->requirements && i < f->requirements->at.n; i++)
+        print_requirement(out, &f->requirements->at.at[i]);
 }

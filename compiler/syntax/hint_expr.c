@@ -66,6 +66,18 @@ static int find_function(Str name)
     return i;
 }
 
+// Whether the current word can follow a value in an item of a script or in a requirement.
+static bool is_at_word_after_value(const Parser *p)
+{
+    static const char *const words[] = {"within", "implies", "leads", "before", "after", "without"};
+    const size_t n = p->kind == FILE_RQ ? sizeof words / sizeof *words : p->kind == FILE_SS ? 1 : 0;
+
+    for (size_t i = 0; i < n; i++)
+        if (parser_is_word(p, words[i]))
+            return true;
+    return false;
+}
+
 // Reports a function without parentheses, as in `abs x`. The current token is x. This is an error even if an element is named `abs`, because
 // no operand can follow a name, but for the word `steps` (language.md 7.25).
 HintResult hint_report_missing_call(HintCase *c)
@@ -78,8 +90,8 @@ HintResult hint_report_missing_call(HintCase *c)
     uint32_t end;
     Diag *d;
 
-    if (p->ahead.kind == TOK_ASSIGN || fn == SM_FN_COUNT || parser_is_steps(p) || find_infix(p, &end) || hint_is_word(&p->tok, "then") ||
-        hint_is_word(&p->tok, "do") || hint_is_word(&p->tok, "between"))
+    if (p->ahead.kind == TOK_ASSIGN || fn == SM_FN_COUNT || parser_is_steps(p) || is_at_word_after_value(p) || find_infix(p, &end) ||
+        hint_is_word(&p->tok, "then") || hint_is_word(&p->tok, "do") || hint_is_word(&p->tok, "between"))
         return HINT_NONE;
     d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
                       ast_function_usage(&sm_builtin_info[fn]));

@@ -152,8 +152,8 @@ HintResult hint_read_state(Lexer *l, Token *t)
         p = hint_skip_spaces(l, hint_skip_spaces(l, p + 1) + 1);
     if (lexer_byte(l, p) == ':' || lexer_byte(l, p) == '{')
         p++;
-    if (!hint_ends_line(l, hint_skip_spaces(l, p)))
-        return HINT_NONE;
+    if (!hint_ends_line(l, hint_skip_spaces(l, p)) || (l->script && lexer_byte(l, p - 1) == '{'))
+        return HINT_NONE;                              // in a script `state Hold {` is a guard
     d = diag_report(l->diags, DIAG_foreign_word, lexer_span(l, t->at, t->len), lexer_text(l, t->at, t->at + t->len));
     written = format_in(l->diags->arena, "[%.*s]", (int)(end - from), l->src->text + from);
     diag_label(l->diags, d, DIAG_label_write, written);

@@ -44,6 +44,8 @@ typedef enum HintContext {
     HINT_AFTER_ELSE,          // expects : or { after `else`
     HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e, or of `else`: NULL
     HINT_AT_END,              // expects the end of a statement; general diagnostic
+    HINT_AFTER_WHEN,          // expects : or { after the guard by time e
+    HINT_AT_TO,               // expects `to` and a number after the guard by time e, which has only its first number
     HINT_AT_DECL,             // begins a declaration
     HINT_AFTER_DECL_NAME,     // has read the name of an element, variable or pin
     HINT_AFTER_DECL,          // expects annotations or the end of a declaration
@@ -71,6 +73,9 @@ void hint_init_index(HintIndex *index);
 // Called in `context` if the grammar does not allow the next tokens, or if another language gives them another meaning. Reports the
 // likeliest cause.
 HintResult hint_explain(struct Parser *p, HintContext context, struct AstExpr *e);
+
+// Whether the token is a word that another language has in place of an operator, with a value after it, as in `state is Burn`.
+bool hint_is_phrase(const struct Parser *p, const Token *word);
 
 // Returns the word of this language for a word of another one, such as I32 for int; NULL if none is known.
 typedef enum HintWords { HINT_TYPES, HINT_LABELS, HINT_OPTIONS, HINT_DIRECTIONS, HINT_UNITS } HintWords;

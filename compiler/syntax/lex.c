@@ -305,7 +305,7 @@ static bool lex_text(Lexer *l, Token *t)
     const uint32_t from = l->at + 1;
     uint32_t end = from;
 
-    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !may_be_remark(l)))
+    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !l->data && !may_be_remark(l)))
         return false;
     while (end < l->src->len && s[end] != '"' && s[end] != '\n')
         end++;
@@ -314,6 +314,21 @@ static bool lex_text(Lexer *l, Token *t)
     t->text = str_intern(l->strings, s + from, end - from);
     lexer_check_comment(l, from, end);
     lexer_finish_token(l, t, TOK_TEXT, end + 1);
+    return true;
+}
+
+// Reads the text after @unit on its line, up to a blank, a comment or another annotation. Returns false if there is none.
+static bool lex_unit(Lexer *l, Token *t)
+{
+    const char *s = l->src->text;
+    uint32_t end = l->at;
+
+    while (lexer_is_word(s[end]) || (s[end] && strchr("*/^().-+%", s[end])) || (unsigned char)s[end] >= 0x80)
+        end++;
+    if (t->first || end == l->at)
+        return false;
+    t->text = str_intern(l->strings, s + l->at, end - l->at);
+    lexer_finish_token(l, t, TOK_UNIT, end);
     return true;
 }
 
@@ -370,8 +385,11 @@ static bool lex_try_token(Lexer *l, Token *t)
 {
     const char c = l->src->text[l->at];
     const bool may_be_foreign = l->first_hint[(unsigned char)c] != 0 || l->last == TOK_ANNOTATION;
-    const HintResult foreign = may_be_foreign ? hint_read_foreign_text(l, t) : HINT_NONE;
+    const bool is_unit = l->last == TOK_ANNOTATION && l->unit && lex_unit(l, t);
+    const HintResult foreign = may_be_foreign && !is_unit ? hint_read_foreign_text(l, t) : HINT_NONE;
 
+    if (is_unit)
+        return true;
     if (foreign != HINT_NONE)
         return foreign == HINT_READ;
     if (lex_is_letter(c))
@@ -438,10 +456,16 @@ void lex_next(Lexer *l, Token *t)
         t->first = true;
     l->stores = (l->stores && !t->first) || t->kind == TOK_ASSIGN;
     l->annotated = (l->annotated && !t->first) || t->kind == TOK_ANNOTATION;
+    if (l->script && t->kind == TOK_HEADER)
+        l->data = strcmp(t->text->text, "data") == 0;
     if (l->script)
         l->texts = (l->texts && (!t->first || is_enclosed)) || precedes_text(t);
+    if (l->requirements)
+        l->texts = t->first ? t->kind == TOK_NAME && !is_enclosed : l->texts && t->kind != TOK_TEXT;
     l->first = false;
     l->last = t->kind;
+    if (t->kind == TOK_ANNOTATION)
+        l->unit = strcmp(t->text->text, "unit") == 0;
     l->allow = next_allow_state(l, t);
 }
 

@@ -69,8 +69,11 @@ typedef struct Lexer {
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
     bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print; deploy.T is one name
-    bool texts;               // in a script: quoted text can follow in this statement
+    bool requirements;        // a .rq: one quoted text can follow the name that begins a line
+    bool data;                // in a section [data] of a script: texts in quotes can follow anywhere
+    bool texts;               // in a script or a .rq: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
+    bool unit;                // the last token was @unit
     LexAllow allow;           // the current position relative to an @allow( )
 
     // Only the hints read these.

@@ -13,6 +13,7 @@ void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind,
     l.keep_comments = true;
     l.config = kind == FILE_IO || kind == FILE_APP || kind == FILE_NET;
     l.addresses = kind == FILE_NET;
+    l.requirements = kind == FILE_RQ;
     do {
         LineCol at;
         lex_next(&l, &t);

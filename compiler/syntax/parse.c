@@ -2,6 +2,7 @@
 // Parses a file: its sections, and the labels and blocks of a state.
 #include "compiler/syntax/ast_app.h"
 #include "compiler/syntax/ast_net.h"
+#include "compiler/syntax/ast_rq.h"
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 #include "compiler/syntax/parser_app.h"
@@ -329,7 +330,7 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
             return AST_OPTIONS;
         return is_section_named(s, "all_states") ? AST_ALL_STATES : AST_STATE;
     case FILE_IO: return is_section_named(s, "analog") || is_section_named(s, "digital") ? AST_PINS : AST_IGNORED;
-    case FILE_SS: case FILE_APP: case FILE_NET: case FILE_KINDS: break;
+    case FILE_SS: case FILE_APP: case FILE_NET: case FILE_RQ: case FILE_KINDS: break;
     }
     if (is_section_named(s, "options"))
         return AST_OPTIONS;
@@ -364,6 +365,13 @@ static void find_define_kind(Parser *p, AstSection *s)
 
     if (is_section_named(s, "define") && ((s->kind == AST_STATE && !is_state) || (s->kind == AST_SCRIPT_STATE && begins_definition)))
         s->kind = AST_DEFINE;
+}
+
+// Decides whether [data] of a script contains recorded data (language.md 8.54). Otherwise it belongs to a state of that name.
+static void find_data_kind(Parser *p, AstSection *s)
+{
+    if (s->kind == AST_SCRIPT_STATE && is_section_named(s, "data") && parser_at_data(p))
+        s->kind = AST_DATA;
 }
 
 // Whether the line at the next token declares a variable with an initial value.
@@ -436,6 +444,7 @@ static void parse_section(Parser *p, AstFile *f)
     vec_push(p->arena, &f->sections, s);
     parser_advance(p);
     find_define_kind(p, s);
+    find_data_kind(p, s);
     correct_section_kind(p, s);
     switch (s->kind) {
     case AST_STATE_VECTOR: case AST_LOCAL: case AST_REGION:
@@ -446,6 +455,9 @@ static void parse_section(Parser *p, AstFile *f)
         break;
     case AST_OPTIONS:
         parse_options(p, s);
+        break;
+    case AST_DATA:
+        parse_data(p, s);
         break;
     case AST_STATE:
         check_state_name(p, s);
@@ -498,7 +510,7 @@ static void parse_includes(Parser *p, AstFile *f)
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind)
 {
-    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app", ".net"};         // ending[FileKind]
+    static const char *const ending[] = {".sv", ".sm", ".ss", ".io", ".app", ".net", ".rq"};          // ending[FileKind]
     const size_t n = strlen(path);
 
     for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
@@ -523,6 +535,7 @@ static void init_parser(Parser *p, Arena *arena, StrPool *strings, Diags *diags,
     p->lex.config = kind == FILE_IO || kind == FILE_APP || kind == FILE_NET;
     p->lex.addresses = kind == FILE_NET;
     p->lex.script = kind == FILE_SS;
+    p->lex.requirements = kind == FILE_RQ;
     lex_next(&p->lex, &p->tok);
     lex_next(&p->lex, &p->ahead);
 }
@@ -534,7 +547,7 @@ static const char *const first_section[] = {
     [FILE_SS] = "options belong in [options], tests in a section with the name of a state, as [Idle]",
     [FILE_IO] = "pins belong in [analog] and [digital]",
     [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor",
-    [FILE_NET] = ""                                                    // has no sections
+    [FILE_NET] = "", [FILE_RQ] = ""                                    // have no sections
 };
 
 static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, const ScriptVisitor *v)
@@ -551,6 +564,11 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
     if (kind == FILE_NET) {
         f->net = ARENA_NEW(arena, AstNet);
         parse_net(&p, f->net);
+        return f;
+    }
+    if (kind == FILE_RQ) {
+        f->requirements = ARENA_NEW(arena, AstRequirements);
+        parse_requirements(&p, f->requirements);
         return f;
     }
     p.visitor = v;

@@ -3,11 +3,12 @@
 // and what it takes. The checker handles their effects.
 #include "compiler/syntax/parser.h"
 
-typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_FINDING } Arguments;
+typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_UNIT, TAKES_FINDING } Arguments;
 
 #define ON(target) (1u << AST_ON_##target)
 // The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
 #define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE) | ON(ALL_STATES) | ON(DEFINITION))
+#define ON_DATA ON(DATA)
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
 
 static const struct { const char *spelling; Arguments takes; unsigned where; } rows[] = {
@@ -32,7 +33,7 @@ static bool may_follow_target(int row, AstAnnotationTarget target) { return rows
 // there is none.
 static int find_annotation_row(Str word, AstAnnotationTarget target)
 {
-    const unsigned in_file = ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
+    const unsigned in_file = target == AST_ON_DATA ? ON_DATA : ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;
     int found = AST_ANNOTATION_COUNT;
 
     for (int i = AST_ANNOTATION_COUNT - 1; i >= 0; i--)
@@ -56,10 +57,7 @@ static void report_unknown_annotation(Parser *p, AstAnnotationTarget target)
     for (int i = 0; i < AST_ANNOTATION_COUNT; i++)
         if (may_follow_target(i, target))
             here[n++] = rows[i].spelling;
-    if (strncmp(p->tok.text->text, "unit", 4) == 0)
-        diag_label(p->diags, d, DIAG_label_unit_annotation);
-    else
-        parser_label_annotations(p, d, here, n);
+    parser_label_annotations(p, d, here, n);
     do
         parser_advance(p);
     while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_LABEL);
@@ -98,7 +96,10 @@ static bool check_annotation_target(Parser *p, const Annotated *o, const AstAnno
         parser_report(p, DIAG_annotation_in_sv, a->span, word);
     else
         parser_report(p, DIAG_annotation_on_local, a->span, word,
-                      a->kind == AST_ALLOW ? "machines and state vectors" : "elements of the state vector");
+                      a->kind == AST_ALLOW       ? "machines and state vectors"
+                      : a->kind == AST_PARAMETER ? "locals of a machine"
+                      : a->kind == AST_RANGE     ? "elements of the state vector and parameters"
+                                                 : "elements of the state vector");
     return false;
 }
 
@@ -108,7 +109,7 @@ static bool check_not_repeated(Parser *p, const Annotated *o, const AstAnnotatio
     Diag *d;
 
     for (size_t i = 0; rows[a->kind].takes != TAKES_FINDING && i < o->all->n; i++)
-        if (o->all->at[i].kind == a->kind) {
+        if (o->all->at[i].kind == a->kind && (a->kind != AST_REQ || o->all->at[i].name == a->name)) {
             d = parser_report(p, DIAG_annotation_repeated, a->span, rows[a->kind].spelling, o->name->text);
             diag_note(p->diags, d, o->all->at[i].span, DIAG_note_first_here);
             return false;
@@ -131,6 +132,20 @@ static void parse_annotation_name(Parser *p, AstAnnotation *a)
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
     parser_fail(p, DIAG_annotation_without_name, parser_missing_span(p), rows[a->kind].spelling, parser_describe_found(p));
+}
+
+// Parses the text of a unit, as in @unit m/s^2. The checker reads it.
+static void parse_unit(Parser *p, AstAnnotation *a)
+{
+    if (p->tok.kind == TOK_UNIT) {
+        a->name = p->tok.text;
+        a->name_span = parser_token_span(p);
+        parser_advance(p);
+        return;
+    }
+    if (p->tok.kind == TOK_ERROR)
+        p->failed = true;
+    parser_fail(p, DIAG_unit_missing, parser_missing_span(p), parser_describe_found(p));
 }
 
 // Parses the names after an annotation, on its line.
@@ -296,6 +311,7 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
             parse_bound(p, &a->hi, "highest");
         break;
     case TAKES_VALUE:   parse_annotation_value(p, a, true); break;
+    case TAKES_UNIT:    parse_unit(p, a); break;
     case TAKES_FINDING: parse_finding(p, a); break;
     }
 }
@@ -346,7 +362,7 @@ void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span ow
 {
     Annotated o = {target, owner, owner_span, into};
 
-    while (!p->failed && p->tok.kind == TOK_ANNOTATION)
+    while (!p->failed && p->tok.kind == TOK_ANNOTATION && !(target == AST_ON_DATA && p->tok.first))
         parse_annotation(p, &o);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the bindings of a machine: { fire = fireDrogue  armed = armed } (docs/config.md 10.35). Line ends count as blanks.
+// Parses the bindings of a machine: { fire = fireDrogue  armed = armed } (docs/config.md 10.29). Line ends count as blanks.
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser_app.h"
 

@@ -207,7 +207,7 @@ void parse_definitions(Parser *p, AstSection *s)
 
 // ---- options ----
 
-typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_NAME } OptionTakes;
+typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_COUNT, TAKES_NAME, TAKES_SETTING } OptionTakes;
 
 // in: by FileKind, whether a file of this kind can have the option.
 static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
@@ -224,20 +224,66 @@ static const char *const option_words[] = {
 
 // What is expected after an option, for a diagnostic, by OptionTakes.
 static const char *const expected_value[] = {
-    [TAKES_NOTHING] = "no value", [TAKES_TIME] = "a number without a sign", [TAKES_UNIT] = "us, ms or s", [TAKES_NAME] = "the name of a state"};
+    [TAKES_NOTHING] = "no value", [TAKES_TIME] = "a number without a sign", [TAKES_UNIT] = "us, ms or s",
+    [TAKES_COUNT] = "a number without a sign", [TAKES_NAME] = "the name of a state", [TAKES_SETTING] = "the name of a parameter and its value"};
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
+
+// Parses the value of a parameter: a number with or without a sign and a unit of time, true or false. Returns false if there is none.
+static bool parse_setting_value(Parser *p, AstOption *o)
+{
+    const uint32_t at = p->tok.at;
+    const bool minus = p->tok.kind == TOK_MINUS;
+
+    if (minus || p->tok.kind == TOK_PLUS)
+        parser_advance(p);
+    if (p->tok.kind != TOK_NUMBER && (p->tok.at != at || (p->tok.kind != TOK_TRUE && p->tok.kind != TOK_FALSE)))
+        return false;
+    o->number = parse_number(p);
+    if (minus) {
+        AstExpr *negative = ARENA_NEW(p->arena, AstExpr);
+        *negative = (AstExpr){.kind = AST_UNARY, .op = SM_OP_NEG, .depth = 2, .a = o->number};
+        o->number = negative;
+    }
+    o->number->span = parser_span_since(p, at);
+    o->value_span = o->number->span;
+    return true;
+}
+
+// Parses NAME VALUE after `set`, with or without a '=' between them.
+static bool parse_setting(Parser *p, AstOption *o)
+{
+    if (p->tok.kind != TOK_NAME || p->tok.first)
+        return false;
+    o->word = p->tok.text;
+    o->word_span = parser_token_span(p);
+    parser_advance(p);
+    if (p->tok.kind == TOK_ASSIGN) {
+        diag_edit(p->diags, parser_report(p, DIAG_option_sign, parser_token_span(p), parser_text(p, parser_token_span(p))), parser_token_span(p), "");
+        parser_advance(p);
+    }
+    return parse_setting_value(p, o);
+}
+
+// Whether the next token is `file` of `delta_t file`.
+static bool is_step_of_rows(const Parser *p, const AstOption *o)
+{
+    return p->kind == FILE_SS && strcmp(o->name->text, "delta_t") == 0 && !p->tok.first && strcmp(p->tok.text->text, "file") == 0;
+}
 
 // Parses what follows the word of an option. Returns false, and reports nothing, if the option does not take it.
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);
-    if (takes == TAKES_TIME && p->tok.kind == TOK_NUMBER) {
+    if (takes == TAKES_SETTING)
+        return parse_setting(p, o);
+    if ((takes == TAKES_TIME || takes == TAKES_COUNT) && p->tok.kind == TOK_NUMBER) {
         o->number = parse_number(p);
         o->value_span = o->number->span;
         return true;
     }
-    if (p->tok.kind != TOK_NAME || takes == TAKES_TIME || (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
+    if (p->tok.kind != TOK_NAME || (takes == TAKES_TIME && !is_step_of_rows(p, o)) || takes == TAKES_COUNT ||
+        (takes == TAKES_UNIT && !time_unit_counts(time_unit_find(p->tok.text->text))))
         return false;
     o->word = p->tok.text;
     parser_advance(p);

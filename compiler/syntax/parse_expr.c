@@ -5,6 +5,7 @@
 #include "compiler/syntax/parser.h"
 
 static AstExpr *parse_level(Parser *p, int least);
+static AstExpr *parse_enclosed(Parser *p);
 static AstExpr *parse_missing_value(Parser *p);
 
 // ---- nodes ----
@@ -113,7 +114,7 @@ static AstExpr *parse_paren(Parser *p)
 
     parser_advance(p);
     p->parens++;
-    e->a = parse_level(p, 1);
+    e->a = parse_enclosed(p);
     expect_close(p, open);
     e->span = parser_span_since(p, open.at);
     set_operator_span(e, e->span);
@@ -127,6 +128,8 @@ const char *ast_function_usage(const SmBuiltinInfo *fn)
 
     if (fn == &sm_builtin_info[SM_FN_held])
         return "(c, 30 ms)";
+    if (fn->most > fn->arguments)
+        return "(a, b, ...)";
     return fn->is_roll || fn == &sm_builtin_info[SM_FN_rate] ? "(x, n)" : usage[fn->arguments];
 }
 
@@ -164,7 +167,7 @@ static AstExpr *parse_call(Parser *p)
     parser_advance(p);
     p->parens++;
     while (p->tok.kind != TOK_RPAREN) {                // if there are no arguments, the checker reports how many are required
-        AstExpr *a = parse_steps(p, parse_level(p, 1));
+        AstExpr *a = parse_steps(p, parse_enclosed(p));
         vec_push(p->arena, e->args, a);
         if (a->depth >= e->depth)
             e->depth = a->depth + 1;
@@ -189,6 +192,8 @@ static AstExpr *parse_name(Parser *p)
 
     if (p->ahead.kind == TOK_LPAREN && (p->parens || !p->ahead.first))
         return parse_call(p);
+    if (parser_at_state(p))
+        return parse_state_value(p);
     e = new_expr(p, AST_NAME, parser_token_span(p));
     e->name = p->tok.text;
     parser_advance(p);
@@ -321,6 +326,37 @@ static AstExpr *parse_level(Parser *p, int least)
     }
     return e;
 }
+
+// ---- implications, in requirements ----
+
+static bool at_implies(const Parser *p)
+{
+    return p->kind == FILE_RQ && !p->failed && !is_at_line_end(p) && p->tok.kind == TOK_NAME && strcmp(p->tok.text->text, "implies") == 0;
+}
+
+// Parses `implies b` after `a`, if it follows (requirements.md 13.6).
+static AstExpr *parse_implication(Parser *p, AstExpr *a)
+{
+    AstExpr *e;
+
+    if (!at_implies(p))
+        return a;
+    e = new_expr(p, AST_IMPLIES, a->span);
+    set_operator_span(e, parser_token_span(p));
+    parser_advance(p);
+    e->a = a;
+    e->b = parse_right(p, 0);
+    e->span = parser_span_since(p, a->span.at);
+    if (at_implies(p))
+        diag_label(p->diags, parser_fail(p, DIAG_implies_chain, parser_token_span(p)), DIAG_label_write,
+                   format_in(p->arena, "%s and %s implies ...", parser_text(p, a->span), parser_text(p, e->b->span)));
+    return check_depth(p, check_depth(p, e, a), e->b);
+}
+
+// Parses an expression between parentheses.
+static AstExpr *parse_enclosed(Parser *p) { return parse_implication(p, parse_level(p, 1)); }
+
+AstExpr *parse_condition_of(Parser *p) { return parse_implication(p, parse_value_of(p, true)); }
 
 // Parses an expression from the next token on, on this line or a later one.
 AstExpr *parse_expr(Parser *p, bool is_guard)

@@ -236,6 +236,25 @@ static void parse_requirement(Parser *p, AstRemark *r)
     parser_advance(p);
 }
 
+// Parses `@req R7` after a statement of a machine, any number of times (requirements.md 13.19).
+static void parse_marks(Parser *p, const AstStmts *list)
+{
+    AstStmt *s = list->n ? list->at[list->n - 1] : NULL;
+
+    while (s && !p->failed && !p->tok.first && at_requirement(p)) {
+        parser_advance(p);
+        if (p->tok.first || p->tok.kind != TOK_NAME) {
+            parser_fail(p, DIAG_requirement_name, parser_missing_span(p), parser_describe_found(p));
+            return;
+        }
+        if (!s->marks)
+            s->marks = ARENA_NEW(p->arena, AstNames);
+        vec_push(p->arena, &s->marks->at, p->tok.text);
+        vec_push(p->arena, &s->marks->span, parser_token_span(p));
+        parser_advance(p);
+    }
+}
+
 // Reports a comma between an item and its text, as in other languages.
 static void skip_comma_before_text(Parser *p)
 {
@@ -296,8 +315,10 @@ static void parse_item(Parser *p, AstStmtKind kind, AstStmts *into)
     AstRemark r = {0};
 
     parser_advance(p);
+    p->is_expect = kind == AST_EXPECT;
     if (kind == AST_ASSERT || kind == AST_EXPECT)
         s->value = parse_value_of(p, true);
+    p->is_expect = false;
     if (kind == AST_EXPECT)
         parse_within(p, &r);
     if (kind == AST_PRINT)
@@ -429,37 +450,34 @@ static void parse_body(Parser *p, const AstStmt *s, AstStmts *into, bool *braces
     }
 }
 
-// Reports a nested or an empty conditional of a script, unless an error inside it has been reported.
-static void check_script_conditional(Parser *p, const AstStmt *s, size_t errors)
+// Reports an empty body of a script, unless an error inside it has been reported.
+static void check_script_body(Parser *p, const AstStmts *body, Span span, size_t errors)
 {
-    if (!in_script(p) || p->diags->errors > errors)
-        return;
-    if (p->nesting > 1)
-        diag_label(p->diags, parser_report(p, DIAG_script_nested, s->span), DIAG_label_join_conditions);
-    else if (s->arms->then.n == 0)
-        parser_report(p, DIAG_script_empty, s->span);
+    if (in_script(p) && p->diags->errors == errors && body->n == 0)
+        parser_report(p, DIAG_script_empty, span);
 }
 
 // Parses `else …` after s. Returns the conditional of an `else if`, whose guard comes next; else NULL.
 static AstStmt *parse_else(Parser *p, AstStmt *s)
 {
+    const size_t errors = p->diags->errors;
+
     if (p->tok.kind != TOK_ELSE)
         return NULL;
     s->arms->has_else = true;
     s->arms->else_span = parser_token_span(p);
-    if (in_script(p))
-        diag_label(p->diags, parser_report(p, DIAG_script_else, s->arms->else_span), DIAG_label_script_else);
     parser_advance(p);
     if (p->tok.kind == TOK_IF && !p->tok.first)
         return add_stmt(p, AST_IF, &s->arms->otherwise);
     parse_body(p, s, &s->arms->otherwise, &s->arms->else_braces, &s->arms->else_body_span);
+    check_script_body(p, &s->arms->otherwise, s->arms->else_span, errors);
     return NULL;
 }
 
 // Parses the guard, the body and every `else if` of a conditional. Each `else if` is one level deeper in the tree, so it counts as nesting.
 static void parse_branches(Parser *p, AstStmt *s)
 {
-    for (bool chained = false; s; chained = true) {
+    while (s) {
         size_t errors = p->diags->errors;
         if (!enter_nesting(p)) {
             s->kind = AST_STMT_ERROR;
@@ -470,14 +488,15 @@ static void parse_branches(Parser *p, AstStmt *s)
             parser_advance(p);
         if (p->has_if && (p->tok.first || p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE || parser_at_end_of_block(p)) && !s->value)
             parser_fail(p, DIAG_if_without_guard, parser_span(p, &p->last));
+        if (!s->value && parser_at_when(p))
+            s->value = parse_when(p);
         if (!s->value)
             s->value = p->has_if ? parse_value_of(p, true) : parse_expr(p, false);
         s->span = parser_span_since(p, s->span.at);
         if (p->failed)
             recover_guard(p);
         parse_body(p, s, &s->arms->then, &s->arms->braces, &s->arms->body_span);
-        if (!chained)
-            check_script_conditional(p, s, errors);
+        check_script_body(p, &s->arms->then, s->span, errors);
         s = parse_else(p, s);
     }
 }
@@ -530,7 +549,8 @@ static bool is_assignment_operator(TokenKind k)
     return k == TOK_ASSIGN || k == TOK_OP_ADD || k == TOK_OP_SUB || k == TOK_OP_MUL || k == TOK_OP_DIV;
 }
 
-static void parse_statement(Parser *p, AstStmts *into)
+// Parses a statement without the marks after it.
+static void parse_unmarked(Parser *p, AstStmts *into)
 {
     if (!in_script(p) && parser_is_allow(&p->tok)) {
         parse_allows(p, into);
@@ -541,6 +561,8 @@ static void parse_statement(Parser *p, AstStmts *into)
         p->failed = true;
     else if (parser_at_include(p))
         parser_report_late_include(p);
+    else if (parser_at_when(p))
+        parse_if(p, into, NULL);
     else if (hint_explain(p, HINT_AT_STATEMENT, NULL) == HINT_SKIPPED)
         return;
     else if (p->tok.kind == TOK_NAME && is_assignment_operator(p->ahead.kind) && !p->ahead.first)
@@ -557,4 +579,13 @@ static void parse_statement(Parser *p, AstStmts *into)
         parse_if(p, into, NULL);
     else
         parser_fail(p, DIAG_expected_statement, parser_token_span(p), parser_describe(p, &p->tok));
+}
+
+static void parse_statement(Parser *p, AstStmts *into)
+{
+    const size_t before = into->n;
+
+    parse_unmarked(p, into);
+    if (!in_script(p) && into->n > before)
+        parse_marks(p, into);
 }

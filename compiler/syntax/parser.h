@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files of the parser. parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions. These files contain only the
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_when.c: guards by time. These files contain only the
 // grammar. Where the source violates it, hints.h finds what the user meant.
 // Errors that follow from a reported error are not reported: parser_fail sets p->failed, which silences reports up to the next statement.
 #ifndef SMC_PARSER_H
@@ -31,6 +31,7 @@ typedef struct Parser {
     unsigned depth;               // depth of the recursion in the current expression
     unsigned parens;              // open parentheses in the current expression; inside them line ends count as spaces
     bool has_if;                  // the current condition begins with `if`
+    bool is_expect;               // the current expression is the condition of an @expect, which `within` ends
 
     // Only the hints use these fields.
     HintIndex hints;
@@ -72,11 +73,20 @@ void parser_label_annotations(Parser *p, Diag *d, const char *const *here, size_
 AstExpr *parse_expr(Parser *p, bool is_guard);          // parses an expression from the next token on, on this line or a later one
 AstExpr *parse_number(Parser *p);                       // the next token is a number, true or false; a unit of time can follow
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression that must begin on this line
+bool parser_at_when(const Parser *p);                   // whether the next tokens begin a guard by time, as in `at 5 s:`
+extern const char *const parser_when_words[AST_WHENS];
+AstWhen parser_find_when(const Token *t);               // the word that a guard by time begins with; AST_WHENS: it is another one
+bool parser_is_before_number(const Parser *p);          // whether a number follows the next token on its line, or a malformed one
+AstExpr *parse_when(Parser *p);                         // parses that guard
+bool parser_at_state(const Parser *p);                  // whether the next tokens are a value such as `state Burn`
+AstExpr *parse_state_value(Parser *p);                      // parses that value
 void parse_block(Parser *p, AstStmts *into);            // parses statements up to }, a label, a header or the end
 void parser_visit_items(Parser *p);                     // passes the parsed items to the visitor, and frees them
 void parse_decls(Parser *p, AstSection *s);
 void parse_definitions(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
+bool parser_at_data(const Parser *p);                   // whether the next line is one of [data]
+void parse_data(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);
 bool parse_signed_number(Parser *p, AstNumber *into);   // parses a number with or without a sign; false: there is none
@@ -90,6 +100,9 @@ void parser_report_annotation_before_decl(Parser *p);                 // reports
 void parser_report_annotation_in_block(Parser *p);                    // reports an annotation where a statement should begin
 void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
 void parse_net(Parser *p, struct AstNet *net);          // the whole file
+void parse_requirements(Parser *p, struct AstRequirements *into);     // the whole file
+AstExpr *parse_condition_of(Parser *p);                 // parses `e` or `a implies b`, which must begin on this line
+bool parser_is_word(const Parser *p, const char *word); // whether the current token is this name, on the line of the last token
 void parser_skip_section(Parser *p);                           // skips to the next line that begins with a header, without reading tokens
 void parser_skip_line(Parser *p);                              // skips to the next line, header or the end of the file
 

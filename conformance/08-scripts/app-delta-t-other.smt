@@ -1,4 +1,4 @@
-spec 8.81   Another delta_t is an error.
+spec 8.72   Another delta_t is an error.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.81   A script needs no delta_t; the one that follows from the periods is accepted.
+spec 8.72   A script needs no delta_t; the one that follows from the periods is accepted.
 
 -- rocket.app --
 [options]

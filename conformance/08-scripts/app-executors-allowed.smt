@@ -1,4 +1,4 @@
-spec 8.82   An executor accepts the order.
+spec 8.73   An executor accepts the order.
 
 -- rocket.app --
 [options]

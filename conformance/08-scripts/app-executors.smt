@@ -1,4 +1,4 @@
-spec 8.82   Executors run in the order of the .app, with a warning.
+spec 8.73   Executors run in the order of the .app, with a warning.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.92   A failure names the states of all machines.
+spec 8.83   A failure names the states of all machines.
 expect fail
 -- rocket.app --
 [options]

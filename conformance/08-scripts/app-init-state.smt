@@ -1,4 +1,4 @@
-spec 8.83   A script of an application has no init_state.
+spec 8.74   A script of an application has no init_state.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.84   A machine that is disabled at the start has its first step when it is enabled.
+spec 8.75   A machine that is disabled at the start has its first step when it is enabled.
 
 -- rocket.app --
 [options]

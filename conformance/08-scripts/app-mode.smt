@@ -1,4 +1,4 @@
-spec 8.84, 8.85   A machine steps only while its mode is 2; otherwise it keeps its state, its T and its samples.
+spec 8.75, 8.76   A machine steps only while its mode is 2; otherwise it keeps its state, its T and its samples.
 
 -- rocket.app --
 [options]

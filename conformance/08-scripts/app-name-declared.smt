@@ -1,4 +1,4 @@
-spec 8.88   A declared name has no dot.
+spec 8.79   A declared name has no dot.
 expect error
 -- rocket.app --
 [options]

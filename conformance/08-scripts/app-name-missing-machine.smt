@@ -1,4 +1,4 @@
-spec 8.87   S, T, locals and states need the name of a machine.
+spec 8.78   S, T, locals and states need the name of a machine.
 expect error
 -- rocket.app --
 [options]

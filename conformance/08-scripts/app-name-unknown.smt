@@ -1,4 +1,4 @@
-spec 8.87   The machine and its name exist.
+spec 8.78   The machine and its name exist.
 expect error
 -- rocket.app --
 [options]

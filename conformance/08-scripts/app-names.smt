@@ -1,4 +1,4 @@
-spec 8.86   An element has its own name; a machine has its names after a dot, aliases included.
+spec 8.77   An element has its own name; a machine has its names after a dot, aliases included.
 
 -- rocket.app --
 [options]

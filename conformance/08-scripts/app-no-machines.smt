@@ -1,4 +1,4 @@
-spec 8.80   An application without machines has nothing that a script could run.
+spec 8.71   An application without machines has nothing that a script could run.
 expect error
 -- rocket.app --
 [options]      #! E0797

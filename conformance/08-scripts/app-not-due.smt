@@ -1,4 +1,4 @@
-spec 8.84   A machine that is not due keeps its state, its T and its samples.
+spec 8.75   A machine that is not due keeps its state, its T and its samples.
 
 -- rocket.app --
 [options]

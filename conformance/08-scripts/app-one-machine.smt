@@ -1,4 +1,4 @@
-spec 8.87, 8.88   In the script of one machine, names stand alone.
+spec 8.78, 8.79   In the script of one machine, names stand alone.
 expect error
 
 -- app.sm --

@@ -1,4 +1,4 @@
-spec 8.82   The machine that is written first runs first, so that the other one sees its result one tick later.
+spec 8.73   The machine that is written first runs first, so that the other one sees its result one tick later.
 
 -- rocket.app --
 [options]

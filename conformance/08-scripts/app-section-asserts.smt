@@ -1,4 +1,4 @@
-spec 8.85   Asserts of a section are judged at the ticks of its machine.
+spec 8.76   Asserts of a section are judged at the ticks of its machine.
 
 -- rocket.app --
 [options]

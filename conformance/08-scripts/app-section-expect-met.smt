@@ -1,4 +1,4 @@
-spec 8.85   In [all_states] the same @expect is met.
+spec 8.76   In [all_states] the same @expect is met.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.85   A pending @expect of a section is judged at the ticks of its machine: `ready` is true only between two of them.
+spec 8.76   A pending @expect of a section is judged at the ticks of its machine: `ready` is true only between two of them.
 expect fail
 -- rocket.app --
 [options]

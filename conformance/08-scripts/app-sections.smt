@@ -1,4 +1,4 @@
-spec 8.85   A section of a state runs at the ticks of its machine, [all_states] at every tick.
+spec 8.76   A section of a state runs at the ticks of its machine, [all_states] at every tick.
 
 -- rocket.app --
 [options]

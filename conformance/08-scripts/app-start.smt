@@ -1,4 +1,4 @@
-spec 8.83   Values of [start] are set, machines start in the state of @state, and time counts from the value of G.
+spec 8.74   Values of [start] are set, machines start in the state of @state, and time counts from the value of G.
 
 -- rocket.app --
 [options]

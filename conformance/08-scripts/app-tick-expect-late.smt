@@ -1,4 +1,4 @@
-spec 8.81, 8.85   An @expect fails when no tick is left for it.
+spec 8.72, 8.76   An @expect fails when no tick is left for it.
 expect fail
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.81, 8.85   An @expect of an application whose ticks are no whole units apart.
+spec 8.72, 8.76   An @expect of an application whose ticks are no whole units apart.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.81   G is the time of the tick in whole units.
+spec 8.72   G is the time of the tick in whole units.
 
 -- rocket.app --
 [options]

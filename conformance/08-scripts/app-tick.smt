@@ -1,4 +1,4 @@
-spec 8.81   The ticks are the greatest common divisor of all periods apart, also of groups without machines; every group runs in the first.
+spec 8.72   The ticks are the greatest common divisor of all periods apart, also of groups without machines; every group runs in the first.
 
 -- rocket.app --
 [options]

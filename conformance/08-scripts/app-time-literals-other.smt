@@ -1,4 +1,4 @@
-spec 8.91   Without us, ms or s as its unit there are no times.
+spec 8.82   Without us, ms or s as its unit there are no times.
 expect error
 -- rocket.app --
 [options]

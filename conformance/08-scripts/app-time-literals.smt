@@ -1,4 +1,4 @@
-spec 8.91   Times are converted to the unit of the application.
+spec 8.82   Times are converted to the unit of the application.
 
 -- rocket.app --
 [options]

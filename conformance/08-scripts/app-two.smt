@@ -1,4 +1,4 @@
-spec 8.80, 8.82   Two machines run in each tick, in the order of the .app, over one state vector.
+spec 8.71, 8.73   Two machines run in each tick, in the order of the .app, over one state vector.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.90   Windows of a script take a sample at every tick.
+spec 8.81   Windows of a script take a sample at every tick.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.89   A script writes a local of a machine, which sees it at its next step.
+spec 8.80   A script writes a local of a machine, which sees it at its next step.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 8.89   G, and S and T of a machine, cannot be written.
+spec 8.80   G, and S and T of a machine, cannot be written.
 expect error
 -- rocket.app --
 [options]

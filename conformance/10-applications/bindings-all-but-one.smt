@@ -1,4 +1,4 @@
-spec 10.36   Only one machine of a file has no bindings.
+spec 10.30   Only one machine of a file has no bindings.
 
 -- rocket.app --
 [options]

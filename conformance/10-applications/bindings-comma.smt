@@ -1,4 +1,4 @@
-spec 10.35   Bindings are separated by blanks.
+spec 10.29   Bindings are separated by blanks.
 
 -- rocket.app --
 [options]

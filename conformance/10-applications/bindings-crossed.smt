@@ -1,4 +1,4 @@
-spec 10.35, 10.36   The right sides are elements of the state vector, not of the machine: bindings can cross, and never chain.
+spec 10.29, 10.30   The right sides are elements of the state vector, not of the machine: bindings can cross, and never chain.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.35   Braces contain at least one binding.
+spec 10.29   Braces contain at least one binding.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.35   The sides are not exchanged.
+spec 10.29   The sides are not exchanged.
 
 -- rocket.app --
 [options]

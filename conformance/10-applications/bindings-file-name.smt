@@ -1,4 +1,4 @@
-spec 10.37   The files of a machine with bindings have its name.
+spec 10.31   The files of a machine with bindings have its name.
 
 -- rocket.app --
 [options]

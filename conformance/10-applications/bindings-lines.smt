@@ -1,4 +1,4 @@
-spec 10.35   Bindings on lines of their own, with an alias, before and after annotations; words of the application are names.
+spec 10.29   Bindings on lines of their own, with an alias, before and after annotations; words of the application are names.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.35   A local is not bound.
+spec 10.29   A local is not bound.
 
 -- rocket.app --
 [options]

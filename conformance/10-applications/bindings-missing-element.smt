@@ -1,4 +1,4 @@
-spec 10.35   An element without a binding has its own name in the state vector.
+spec 10.29   An element without a binding has its own name in the state vector.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.35   A binding has a right side.
+spec 10.29   A binding has a right side.
 
 -- rocket.app --
 [options]

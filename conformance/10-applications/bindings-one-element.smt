@@ -1,4 +1,4 @@
-spec 10.36   Two elements of a machine are different elements.
+spec 10.30   Two elements of a machine are different elements.
 
 -- rocket.app --
 [options]

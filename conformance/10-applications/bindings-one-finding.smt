@@ -1,4 +1,4 @@
-spec 10.37   A finding names the machines in which it is true, unless these are all machines of the file.
+spec 10.31   A finding names the machines in which it is true, unless these are all machines of the file.
 warn flight
 
 -- rocket.app --

@@ -1,4 +1,4 @@
-spec 10.36   Each machine of a file has its own S.
+spec 10.30   Each machine of a file has its own S.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.35   The time of a machine is that of the application.
+spec 10.29   The time of a machine is that of the application.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.36   Also an element without a binding is another one.
+spec 10.30   Also an element without a binding is another one.
 
 -- rocket.app --
 [options]

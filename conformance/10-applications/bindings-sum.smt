@@ -1,4 +1,4 @@
-spec 10.35   An element is not bound to an expression.
+spec 10.29   An element is not bound to an expression.
 
 -- rocket.app --
 [options]

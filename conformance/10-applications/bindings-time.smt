@@ -1,4 +1,4 @@
-spec 10.35   T is not bound.
+spec 10.29   T is not bound.
 
 -- rocket.app --
 [options]

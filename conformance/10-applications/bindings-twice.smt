@@ -1,4 +1,4 @@
-spec 10.35   An element is bound once, whichever of its names is used.
+spec 10.29   An element is bound once, whichever of its names is used.
 
 -- rocket.app --
 [options]

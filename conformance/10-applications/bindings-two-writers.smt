@@ -1,4 +1,4 @@
-spec 10.18, 10.37   Writers are counted by the element that they write, not by its name in a file.
+spec 10.18, 10.31   Writers are counted by the element that they write, not by its name in a file.
 warn flight
 
 -- rocket.app --

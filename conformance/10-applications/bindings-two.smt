@@ -1,4 +1,4 @@
-spec 10.35, 10.36   One file is two machines, one of them with other elements.
+spec 10.29, 10.30   One file is two machines, one of them with other elements.
 
 -- rocket.app --
 [options]

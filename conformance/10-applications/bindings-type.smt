@@ -1,4 +1,4 @@
-spec 10.35   Both sides have the same type.
+spec 10.29   Both sides have the same type.
 
 -- rocket.app --
 [options]

@@ -1,4 +1,4 @@
-spec 10.35   Braces are closed.
+spec 10.29   Braces are closed.
 
 -- rocket.app --
 [options]

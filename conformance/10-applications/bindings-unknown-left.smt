@@ -1,4 +1,4 @@
-spec 10.35   On the left is an element of the machine.
+spec 10.29   On the left is an element of the machine.
 
 -- rocket.app --
 [options]

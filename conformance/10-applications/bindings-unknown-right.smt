@@ -1,4 +1,4 @@
-spec 10.35   On the right is an element of the state vector.
+spec 10.29   On the right is an element of the state vector.
 
 -- rocket.app --
 [options]

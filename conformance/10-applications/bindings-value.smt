@@ -1,4 +1,4 @@
-spec 10.35   An element is not bound to a value.
+spec 10.29   An element is not bound to a value.
 
 -- rocket.app --
 [options]

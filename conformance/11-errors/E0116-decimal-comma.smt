@@ -15,4 +15,4 @@ F64 pi = 3,14      #! E0116 write 3.14
     p > 60,000: x = 1       #! E0116 written 60.000, thousands are written 60000
     x = 0,125               #! E0116 write 0.125
     x = 1,234,567           #! E0116 thousands
-    x = min(p, 0,5)         #! E0116 written 0.5
+    x = min(p, 0,5)         #! W0460 written 0.5

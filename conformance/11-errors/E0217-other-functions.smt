@@ -10,10 +10,10 @@ F64 x
 .step
     x = sinh(p)                     #! E0217 outside the machine
     x = cosh(p) + tanh(p)           #! E0217 outside the machine #! E0217 outside the machine
-    x = random()                    #! E0217 outside the machine
+    x = random()                    #! E0766 a machine has no random numbers
     x = ln(p) + log2(p)             #! E0217 write log(x) #! E0217 write log(x) / log(2)
     x = sqr(p)                      #! E0217 multiply
-    x = average(p, 5)               #! E0217 write roll_avg(x, n)
+    x = mean(p, 5)                  #! E0217 write roll_avg(x, n)
     x = constrain(p, 0, 1)          #! E0217 write clamp(x, lo, hi)
     x = power(p, 2)                 #! E0217 write pow(x, y)
     x = flor(p)                     #! E0217 did you mean 'floor'?

@@ -11,8 +11,4 @@ delta_t 10
 dt 10                      #! E0371 delta_t
 [all]                      #! E0501 [all_states]
 G == 0: x = 1
-else: x = 2                #! E0381 not (...)
-G > 5 {
-    x > 3: x = 1           #! E0382 join the conditions with 'and'
-}
 G == 20: @stop

@@ -1,14 +1,6 @@
 # Ice blocks the bleed valve: the pressure of the first pulse does not leave. No second pulse, and after 20 s the end.
 
-[options]
-delta_t 50
-
-[all_states]
-G == 0 {
-    chill        = true
-    lineTemp     = 290
-    linePressure = 1
-}
+include "cold-start.ss"
 
 [Pulse]
 true: linePressure = 6

@@ -1,14 +1,8 @@
 # The valve opens, and the line does not get cold: after 60 pulses there is no 61st.
 
-[options]
-delta_t 50
+include "cold-start.ss"
 
 [all_states]
-G == 0 {
-    chill        = true
-    lineTemp     = 290
-    linePressure = 1
-}
 true: @assert pulses <= 60 and S != Flow
 
 [Abort]

@@ -4,12 +4,15 @@
 delta_t 50
 
 [all_states]
-G == 0: chill = true
+at 0: chill = true
 true {
     linePressure = 2
     lineTemp     = 96
 }
-T > 4000: lineTemp = 94 + 3 * (floor(G / 4000) * 4000 == G)      # never for five seconds on end
+T > 4000 {
+    lineTemp = 94
+    every 4 s: lineTemp = 97             # never for five seconds on end
+}
 G < 121000: @assert not lineReady and S != Abort
 true: @assert S != Ready
 

@@ -1,15 +1,10 @@
 # The pressure sensor dies in a pulse and reads 0. Nothing flows any more, and Abort does not end: 0 is not "no pressure".
 
-[options]
-delta_t 50
+include "cold-start.ss"
 
 [all_states]
-G == 0 {
-    chill        = true
-    lineTemp     = 290
-    linePressure = 2
-}
-G == 10000: chill = false
+at 0: linePressure = 2
+at 10 s: chill = false
 
 [Pulse]
 T == 100: linePressure = 0
@@ -19,10 +14,10 @@ T >= 100: @assert not chillValve
 true: @assert G < 5000 or G >= 5000 and not chillValve and bleedValve and not sensorFailed
 
 [all_states]
-G == 5000: @assert S == Abort
-G == 20000: @assert S == Abort
-G == 20000: linePressure = 1
-G == 20100 {
+at 5 s: @assert S == Abort
+at 20 s: @assert S == Abort
+at 20 s: linePressure = 1
+at 20.1 s {
     @assert S == Warm
     @stop
 }

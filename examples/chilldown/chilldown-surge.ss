@@ -5,7 +5,7 @@
 delta_t 50
 
 [all_states]
-G == 0: lineTemp = 290
+at 0: lineTemp = 290
 not chill and T >= 500: chill = true
 true: linePressure = 2
 linePressure <= 12: @assert not sensorFailed and bleedValve
@@ -47,6 +47,6 @@ T < 15000: @assert S == Abort
 true: @assert T <= 15000 and not chillValve and not lineReady and bleedValve
 
 [all_states]
-G == 10000: @assert S == Abort
-G == 30000: @assert S == Abort
-G == 140000: @stop
+at 10 s: @assert S == Abort
+at 30 s: @assert S == Abort
+at 140 s: @stop

@@ -5,7 +5,7 @@
 delta_t 50
 
 [all_states]
-G == 0: lineTemp = 290
+at 0: lineTemp = 290
 not chill and T >= 500: chill = true
 true: linePressure = 2
 
@@ -45,7 +45,7 @@ true: @assert T <= 10000
 G > 1000: @assert not sensorFailed and not chillValve and bleedValve
 
 [all_states]
-G == 10000: @assert S == Abort
-G == 21000: @assert S == Abort
-G == 68000: @assert S == Ready or S == Flow
-G == 78000: @stop
+at 10 s: @assert S == Abort
+at 21 s: @assert S == Abort
+at 68 s: @assert S == Ready or S == Flow
+at 78 s: @stop

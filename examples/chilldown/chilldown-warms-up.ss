@@ -4,7 +4,7 @@
 delta_t 50
 
 [all_states]
-G == 0 {
+at 0 {
     chill    = true
     lineTemp = 170
 }
@@ -33,5 +33,5 @@ T < 9000: @assert lineReady
 true: @assert T <= 9100
 
 [all_states]
-G == 20000: @assert S == Flow
-G == 30000: @stop
+at 20 s: @assert S == Flow
+at 30 s: @stop

@@ -5,7 +5,7 @@
 delta_t 50
 
 [all_states]
-G == 0: lineTemp = 290
+at 0: lineTemp = 290
 T >= 500 and not chill: chill = true
 true: linePressure = 2
 true: @assert not lineReady and S != Abort
@@ -33,4 +33,4 @@ true: @assert T <= 2000
 true: @assert not chillValve and bleedValve and pulses == 0
 
 [all_states]
-G == 60000: @stop
+at 60 s: @stop

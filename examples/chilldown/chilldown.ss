@@ -5,16 +5,20 @@
 delta_t 50
 
 [all_states]
-G == 0: lineTemp = 290
-G == 0: linePressure = 1
-G == 0: chillValve = true                # at power-on an element may hold anything
-G == 0: lineReady = true
-G == 1000: chill = true
-G == 500000: chill = false
-chillValve: lineTemp = max(91, lineTemp - 0.4)
-not chillValve: lineTemp = lineTemp + 0.005
-chillValve: linePressure = min(6, linePressure + 0.8)
-not chillValve: linePressure = max(1, linePressure - 0.2)
+at 0: lineTemp = 290
+at 0: linePressure = 1
+at 0: chillValve = true                # at power-on an element may hold anything
+at 0: lineReady = true
+at 1 s: chill = true
+at 500 s: chill = false
+chillValve {
+    lineTemp = max(91, lineTemp - 0.4)
+    linePressure = min(6, linePressure + 0.8)
+}
+else {
+    lineTemp = lineTemp + 0.005
+    linePressure = max(1, linePressure - 0.2)
+}
 true: @assert bleedValve and not sensorFailed and (S == Ready or not lineReady)
 
 [Warm]
@@ -43,10 +47,10 @@ T > 0 and chill: @assert lineReady and 90 < lineTemp < 98.5
 T > 1000 and lineTemp < 94: @assert not chillValve
 
 [all_states]
-G ==   900: @assert S == Warm
-G == 40000: @assert S == Pulse or S == Soak
-G == 400000: @assert S == Ready
-G == 500100 {
+at 900 ms: @assert S == Warm
+at 40 s: @assert S == Pulse or S == Soak
+at 400 s: @assert S == Ready
+at 500.1 s {
     @assert S == Warm and not chillValve and not lineReady
     @stop
 }

@@ -1,7 +1,7 @@
 # Sensor A wakes up late: the engine must start by the other two. After two seconds the flame goes out: the pressure falls to 5 bar. A dip of 90 ms before that is no flame-out.
 
 [all_states]
-G == 1 s: fire = true
+at 1 s: fire = true
 
 [Ignite]
 T == 100 ms: igniterLit = true

@@ -1,7 +1,7 @@
 # The chamber lights with a bang: far too much pressure within the first steps.
 
 [all_states]
-G == 1 s: fire = true
+at 1 s: fire = true
 true: @assert S != Burn
 
 [Ignite]

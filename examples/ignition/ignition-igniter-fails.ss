@@ -1,17 +1,17 @@
 # The igniter does not light: no propellant may flow.
 
 [all_states]
-G == 1 s: fire = true
+at 1 s: fire = true
 true: @assert not oxidizerValve and not fuelValve
-G == 10 s: fire = false
+at 10 s: fire = false
 
 [Ignite]
 T < 2 s: @assert igniter and abortReason == 0
 
 [Abort]
 true: @assert abortReason == 2 and not igniter and purgeValve
-G == 9.99 s: @assert S == Abort              # as long as the key is held
+at 9.99 s: @assert S == Abort              # as long as the key is held
 
 [Idle]
 G > 10 s: @assert not purgeValve and abortReason == 2
-G == 10.02 s: @stop
+at 10.02 s: @stop

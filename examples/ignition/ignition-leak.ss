@@ -5,6 +5,6 @@ true {
     pressureB = 3
     pressureC = 3
 }
-G == 1 s: fire = true
+at 1 s: fire = true
 true: @assert S == Idle and not igniter and not oxidizerValve and not fuelValve and not purgeValve
-G == 10 s: @stop
+at 10 s: @stop

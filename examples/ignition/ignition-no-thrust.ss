@@ -1,7 +1,7 @@
 # Both valves are open and the chamber does not light: 400 ms later everything is shut, before the stand is full of propellant.
 
 [all_states]
-G == 1 s: fire = true
+at 1 s: fire = true
 
 [Ignite]
 T == 100 ms: igniterLit = true

@@ -1,7 +1,7 @@
 # The pressure rises above what is allowed, in the middle of the burn.
 
 [all_states]
-G == 1 s: fire = true
+at 1 s: fire = true
 
 [Ignite]
 T == 100 ms: igniterLit = true

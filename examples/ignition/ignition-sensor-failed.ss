@@ -1,8 +1,8 @@
 # One of three pressure sensors fails, each in its own way and at a bad moment: the burn goes on as if nothing had been.
 
 [all_states]
-G == 0: pressureA = 50
-G == 1 s: fire = true
+at 0: pressureA = 50
+at 1 s: fire = true
 true: @assert abortReason == 0
 
 [Ignite]

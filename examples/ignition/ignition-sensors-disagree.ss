@@ -1,7 +1,7 @@
 # Two sensors fail, and no two of the three agree any more.
 
 [all_states]
-G == 1 s: fire = true
+at 1 s: fire = true
 
 [Ignite]
 T == 100 ms: igniterLit = true

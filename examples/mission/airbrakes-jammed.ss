@@ -6,7 +6,7 @@ true {
     velocity = 200
     altitude = 900
 }
-G == 5 s: mayBrake = false
+at 5 s: mayBrake = false
 
 [Braking]
 true: @assert T <= 900 ms
@@ -14,5 +14,5 @@ T < 800 ms: @assert brakeOrder == 1
 
 [Jammed]
 true: @assert G < 10 s and brakeOrder == 0
-G == 2 s: brakePosition = 1
-G == 9 s: @stop
+at 2 s: brakePosition = 1
+at 9 s: @stop

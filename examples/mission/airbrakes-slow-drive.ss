@@ -8,4 +8,4 @@ true {
 }
 true: brakePosition = brakePosition + clamp(brakeOrder - brakePosition, -0.012, 0.012)
 true: @assert S != Jammed
-G == 20 s: @stop
+at 20 s: @stop

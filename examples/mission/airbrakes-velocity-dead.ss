@@ -7,12 +7,12 @@ true {
     velocity      = 300
     brakePosition = brakeOrder
 }
-G >= 1 s: velocity = 0
+after 1 s: velocity = 0
 G < 3 s: @assert S == Retracted and brakeOrder == 0
-3 s <= G < 5 s: velocity = 200
-G == 4 s: @assert S == Braking and brakeOrder == 1
-G == 5 s: @assert brakeOrder == 0
-G == 6 s {
+from 3 s to 5 s: velocity = 200
+at 4 s: @assert S == Braking and brakeOrder == 1
+at 5 s: @assert brakeOrder == 0
+at 6 s {
     @assert S == Retracted and brakeOrder == 0
     @stop
 }

@@ -7,15 +7,15 @@ true {
     velocity = 300
     altitude = 900
 }
-G == 1 s: velocity = 0
-G == 1.01 s: velocity = 0
-G >= 3 s: velocity = 230
-G == 4 s: velocity = 250
+at 1 s: velocity = 0
+at 1.01 s: velocity = 0
+after 3 s: velocity = 230
+at 4 s: velocity = 250
 true: brakePosition = brakeOrder
 G < 3 s: @assert S == Retracted and brakeOrder == 0
-G == 3.03 s: @assert S == Braking and brakeOrder == 1
-G == 4 s: @assert S == Braking and brakeOrder == 0
-G == 4.01 s {
+at 3.03 s: @assert S == Braking and brakeOrder == 1
+at 4 s: @assert S == Braking and brakeOrder == 0
+at 4.01 s {
     @assert S == Retracted
     @stop
 }

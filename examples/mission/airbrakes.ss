@@ -4,9 +4,9 @@
 coming = altitude + velocity * velocity / 19.62     # m; the highest point without brakes
 
 [all_states]
-G == 0: brakeOrder = 0.5                   # at power-on an element may hold anything
-G == 500 ms: mayBrake = true
-G == 14 s: mayBrake = false
+at 0: brakeOrder = 0.5                   # at power-on an element may hold anything
+at 500 ms: mayBrake = true
+at 14 s: mayBrake = false
 true: velocity = 280 - 20 * G / 1000
 true: altitude = 300 + 270 * G / 1000 - 9.9 * G * G / 1000000
 # The drive follows its order, at full speed in half a second.
@@ -26,9 +26,9 @@ mayBrake and 2200 < coming < 2300: @assert brakeOrder < 0.5
 true: @assert G <= 14.01 s
 
 [all_states]
-G == 1.9 s: @assert S == Retracted
-G == 5 s: @assert S == Braking
-G == 14.1 s {
+at 1.9 s: @assert S == Retracted
+at 5 s: @assert S == Braking
+at 14.1 s {
     @assert S == Retracted
     @stop
 }

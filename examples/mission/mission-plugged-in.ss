@@ -4,7 +4,7 @@
 delta_t 10
 
 [all_states]
-G == 0: umbilical = true
+at 0: umbilical = true
 true: acceleration = 60
 true: @assert S == Pad and not mayBrake and not deployParachutes
-G == 60000: @stop
+at 60 s: @stop

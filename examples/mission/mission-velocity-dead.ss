@@ -4,20 +4,20 @@
 delta_t 10
 
 [all_states]
-2000 <= G < 6000 {
+from 2 s to 6 s {
     acceleration = 50
     velocity     = 40 * (G / 1000 - 2)
     altitude     = 20 * (G / 1000 - 2) * (G / 1000 - 2)
 }
-6000 <= G {
+after 6 s {
     acceleration = -5
     velocity     = 160 - 10.6 * (G / 1000 - 6)
     altitude     = max(40, 320 + 160 * (G / 1000 - 6) - 5.3 * (G / 1000 - 6) * (G / 1000 - 6))
 }
-G >= 8000: velocity = 0
-G == 8000: @assert S == Coast
+after 8 s: velocity = 0
+at 8 s: @assert S == Coast
 G < 21000: @assert not deployParachutes
-G == 21500 {
+at 21.5 s {
     @assert deployParachutes
     @stop
 }

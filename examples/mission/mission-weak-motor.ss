@@ -9,7 +9,7 @@ G < 2000 {
     velocity     = 20 * G / 1000
     altitude     = 10 * G * G / 1000000
 }
-G >= 2000 {
+after 2 s {
     acceleration = -1
     velocity     = 40 - 9.8 * (G / 1000 - 2)
     altitude     = max(0, 40 + 40 * (G / 1000 - 2) - 4.9 * (G / 1000 - 2) * (G / 1000 - 2))

@@ -4,27 +4,27 @@
 delta_t 10
 
 [all_states]
-G == 0 {
+at 0 {
     umbilical    = true
     acceleration = 9.8
 }
-G == 1000: umbilical = false
-G == 1500: acceleration = 60           # a knock at the rocket: 50 ms
-G == 1550: acceleration = 9.8
-2000 <= G < 6000 {
+at 1 s: umbilical = false
+at 1.5 s: acceleration = 60           # a knock at the rocket: 50 ms
+at 1.55 s: acceleration = 9.8
+from 2 s to 6 s {
     acceleration = 50
     velocity     = 40 * (G / 1000 - 2)
     altitude     = 20 * (G / 1000 - 2) * (G / 1000 - 2)
 }
-3000 <= G < 3500: acceleration = -5    # the motor coughs: half a second
-G == 5000: acceleration = -5           # and once more, for one sample
-6000 <= G < 21000 {
+from 3 s to 3.5 s: acceleration = -5    # the motor coughs: half a second
+at 5 s: acceleration = -5           # and once more, for one sample
+from 6 s to 21 s {
     acceleration = 0 - velocity / 20
     velocity     = 160 - 10.6 * (G / 1000 - 6)
     altitude     = 320 + 160 * (G / 1000 - 6) - 5.3 * (G / 1000 - 6) * (G / 1000 - 6)
 }
-G == 15000: velocity = -500            # the navigation filter jumps, once
-G >= 21000 {
+at 15 s: velocity = -500            # the navigation filter jumps, once
+after 21 s {
     velocity     = -20
     altitude     = max(40, altitude - 0.2)   # a hill, 40 m above the pad
     acceleration = 9.8
@@ -50,10 +50,10 @@ T == 0: @assert deployParachutes and not mayBrake and 21000 < G < 21150
 true: @assert altitude == 40 and not deployParachutes
 
 [all_states]
-G == 3600: @assert S == Powered
-G == 10000: @assert S == Coast
-G == 60000: @assert S == Descent
-G == 110000 {
+at 3.6 s: @assert S == Powered
+at 10 s: @assert S == Coast
+at 60 s: @assert S == Descent
+at 110 s {
     @assert S == Landed
     @stop
 }

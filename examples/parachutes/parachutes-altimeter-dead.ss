@@ -4,8 +4,11 @@
 [all_states]
 true: altitude = max(0, 60 * (G / 1000 - 1))
 G > 5.5 s: altitude = 0
-G == 19 s: @assert S == Ascent and not drogueCharge
-G == 20 s: @assert S == Drogue and drogueCharge
-G == 22.4 s: @assert S == Drogue and not mainCharge
-G == 22.7 s: @assert S == Main and mainCharge
-G == 23 s: @stop
+at 19 s: @assert S == Ascent and not drogueCharge
+at 20 s: @assert S == Drogue and drogueCharge
+at 22.4 s: @assert S == Drogue and not mainCharge
+at 22.7 s: @assert S == Main and mainCharge
+at 23.7 s {
+    @assert not mainCharge
+    @stop
+}

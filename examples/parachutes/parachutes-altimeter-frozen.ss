@@ -2,8 +2,8 @@
 
 [all_states]
 true: altitude = min(400, max(0, 60 * (G / 1000 - 1)))
-G == 19 s: @assert S == Ascent and not drogueCharge
-G == 20 s: @assert S == Drogue and drogueCharge
-G == 64 s: @assert S == Drogue and not mainCharge
-G == 65 s: @assert S == Main and mainCharge
-G == 90 s: @stop
+at 19 s: @assert S == Ascent and not drogueCharge
+at 20 s: @assert S == Drogue and drogueCharge
+at 64 s: @assert S == Drogue and not mainCharge
+at 65 s: @assert S == Main and mainCharge
+at 90 s: @stop

@@ -6,11 +6,12 @@ t      = G / 1000 - 15            # s, from the highest point on
 flight = 1000 - 5.1 * t * t       # a parabola around it
 
 [Pad]
-G <= 1 s: altitude = 0
 G > 1 s: altitude = flight
+else: altitude = 0
 
 [Ascent]
-true: altitude = flight + 2 - 4 * (floor(G / 20) * 20 == G)
+every 20 ms: altitude = flight - 2
+else: altitude = flight + 2
 
 # The drogue opens when the rocket has fallen 8 m, and no igniter has had current before.
 true {
@@ -34,11 +35,11 @@ T >= 1 s: @assert not mainCharge and not drogueCharge
 true: @assert altitude == 60 and beacon and not mainCharge
 
 [all_states]
-G == 500 ms: @assert S == Pad
-G == 8 s: @assert S == Ascent
-G == 30 s: @assert S == Drogue
-G == 70 s: @assert S == Main
-G == 110 s {
+at 500 ms: @assert S == Pad
+at 8 s: @assert S == Ascent
+at 30 s: @assert S == Drogue
+at 70 s: @assert S == Main
+at 110 s {
     @assert S == Landed
     @stop
 }

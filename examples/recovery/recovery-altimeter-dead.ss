@@ -6,9 +6,9 @@ t      = G / 1000 - 7.4             # s, from the highest point on
 flight = 200 - 4.905 * t * t
 
 [all_states]
-G < 4 s: altitude = max(0, flight)
-G >= 4 s: altitude = 0
-G == 4 s: @assert S == Ascent
+after 4 s: altitude = 0
+else: altitude = max(0, flight)
+at 4 s: @assert S == Ascent
 G < 12 s: @assert not drogueCharge
 true: @assert not mainCharge or S == Main
 

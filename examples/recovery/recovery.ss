@@ -5,12 +5,13 @@ t      = G / 1000 - 7.4             # s, from the highest point on
 flight = 200 - 4.905 * t * t
 
 [Pad]
-G <= 1 s: altitude = 0
 G > 1 s: altitude = flight
+else: altitude = 0
 G < 1 s: @assert not drogueCharge and not mainCharge
 
 [Ascent]
-true: altitude = flight + 0.5 - (floor(G / 20) * 20 == G)
+every 20 ms: altitude = flight - 0.5
+else: altitude = flight + 0.5
 true: @assert not drogueCharge and not mainCharge
 
 [Drogue]
@@ -29,7 +30,7 @@ true: altitude = max(altitude - 0.05, 0)
 true: @assert not mainCharge and not drogueCharge
 
 [all_states]
-G == 40 s {
+at 40 s {
     @assert S == Descent and altitude == 0
     @stop
 }

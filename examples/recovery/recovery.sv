@@ -1,10 +1,10 @@
 # The state vector of a small rocket's recovery computer.
 
 [Time]
-U64  time               # ms since power-on
+U64  time  @unit ms  # since power-on
 
 [Altimeter]
-F32  altitude @range -20 400  # m above the pad
+F32  altitude @range -20 400  @unit m  # above the pad
 
 [Recovery]
 U32  state

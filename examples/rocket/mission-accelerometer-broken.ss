@@ -4,14 +4,14 @@
 delta_t 10
 
 [all_states]
-G == 0: tankPressure = 40
-3000 <= G < 6000 {
+at 0: tankPressure = 40
+from 3 s to 6 s {
     velocity = 50
     altitude = altitude + 0.5
 }
 true: @assert S != Scrub
-G == 5000: @assert S == Powered
-G == 8000 {
+at 5 s: @assert S == Powered
+at 8 s {
     @assert S == Coast
     @stop
 }

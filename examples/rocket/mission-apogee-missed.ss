@@ -6,8 +6,8 @@ init_state Coast
 
 [all_states]
 true: velocity = 40
-G == 11900: @assert S == Coast and parachuteMode == 0
-G == 12050 {
+at 11.9 s: @assert S == Coast and parachuteMode == 0
+at 12.05 s {
     @assert S == Recovery
     @assert parachuteMode == 2
     @stop

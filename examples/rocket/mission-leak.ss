@@ -4,10 +4,10 @@
 delta_t 10
 
 [all_states]
-G == 0: tankPressure = 40
+at 0: tankPressure = 40
 G > 1000: tankPressure = max(0, 40 - (G - 1000) / 100)
-G == 1000: tankPressure = 10            # one wild sample
+at 1 s: tankPressure = 10            # one wild sample
 true: @assert engineMode == 1 and parachuteMode == 1 and not flying
-G == 1500: @assert S == Countdown
-G == 1700: @assert S == Scrub
-G == 20000: @stop
+at 1.5 s: @assert S == Countdown
+at 1.7 s: @assert S == Scrub
+at 20 s: @stop

@@ -5,20 +5,20 @@
 delta_t 10
 
 [all_states]
-G == 0 {
+at 0 {
     tankPressure = 40
     acceleration = 9.8
 }
-3000 <= G < 6000: acceleration = 36
-G >= 6000: acceleration = 0
-G == 3500: @assert engineMode == 2
-G == 7400: @assert S == Powered
-G == 7550 {
+from 3 s to 6 s: acceleration = 36
+after 6 s: acceleration = 0
+at 3.5 s: @assert engineMode == 2
+at 7.4 s: @assert S == Powered
+at 7.55 s {
     @assert S == Coast
     @assert engineMode == 1 and parachuteMode == 1
 }
-G == 11400: @assert S == Coast
-G == 11600 {
+at 11.4 s: @assert S == Coast
+at 11.6 s {
     @assert S == Recovery
     @assert parachuteMode == 2
     @stop

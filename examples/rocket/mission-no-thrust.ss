@@ -4,17 +4,17 @@
 delta_t 10
 
 [all_states]
-G == 0 {
+at 0 {
     tankPressure = 40
     acceleration = 9.8
 }
 true: @assert parachuteMode == 1
-G == 4000: @assert engineMode == 2
-G == 4050 {
+at 4 s: @assert engineMode == 2
+at 4.05 s {
     @assert S == Scrub
     @assert engineMode == 1 and not flying
 }
-G == 20000 {
+at 20 s {
     @assert S == Scrub
     @stop
 }

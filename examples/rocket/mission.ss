@@ -4,29 +4,28 @@
 delta_t 10
 
 [all_states]
-G == 0 {
+at 0 {
     tankPressure = 40
     acceleration = 9.8
 }
-3000 <= G < 6000 {
+from 3 s to 6 s {
     tankPressure = 40 - 19.5 * (G - 3000) / 3000
     acceleration = 36
     velocity     = 80 * (G - 3000) / 3000
     altitude     = altitude + velocity / 100
 }
-G >= 6000: tankPressure = 20
-6000 <= G < 14000 {
+after 6 s: tankPressure = 20
+from 6 s to 14 s {
     acceleration = 0
     velocity     = 80 - (G - 6000) / 100
     altitude     = altitude + velocity / 100
 }
-G >= 14000 {
+after 14 s {
     acceleration = 9.8
     velocity     = -10
     altitude     = max(0, altitude - 0.1)
 }
-G == 10000: velocity = -300             # the navigation jumps, for three steps
-10000 < G <= 10020: velocity = -300
+from 10 s to 10.03 s: velocity = -300    # the navigation jumps, for three steps
 true {
     @assert engineMode == 1 or S == Powered
     @assert parachuteMode == 1 or S == Recovery
@@ -50,10 +49,10 @@ T == 0: @assert parachuteMode == 2 and 14000 < G < 14100
 true: @assert altitude == 0 and parachuteMode == 1 and engineMode == 1
 
 [all_states]
-G == 5000: @assert S == Powered
-G == 10500: @assert S == Coast
-G == 20000: @assert S == Recovery
-G == 80000 {
+at 5 s: @assert S == Powered
+at 10.5 s: @assert S == Coast
+at 20 s: @assert S == Recovery
+at 80 s {
     @assert S == Landed
     @stop
 }

@@ -2,7 +2,7 @@
 # from step to step. So a log of it is a log of the whole flight, and who keeps it can go on after a restart.
 
 [Time]
-U64  time                 # ms since the start
+U64  time  @unit ms  # since the start
 
 [Raw]                     # as the converters deliver it; in this example the plant does
 U16  rawAcceleration      # 0.1 m/s2 a count, 2000 is zero
@@ -10,16 +10,16 @@ U16  rawAirPressure       # 2 Pa a count
 U16  rawTankPressure      # 0.01 bar a count
 
 [Sensors]                 # by the sensor task
-F32  acceleration         # m/s2 along the rocket, as it is felt: 9.8 on the pad, 0 in free fall
-F32  airPressure          # Pa
-F32  tankPressure         # bar
+F32  acceleration  @unit m/s^2  # along the rocket, as it is felt: 9.8 on the pad, 0 in free fall
+F32  airPressure   @unit Pa
+F32  tankPressure  @unit bar
 
 [Navigation]              # by the navigation task
-F64  altitude             # m above the pad
-F64  velocity             # m/s upwards
-F64  padPressure          # Pa; the air on the pad, averaged until lift-off
-U8   unbelieved           # measurements in a row that lay too far from what was expected
-U32  rejected             # how many altogether
+F64  altitude     @unit m    # above the pad
+F64  velocity     @unit m/s  # upwards
+F64  padPressure  @unit Pa   # the air on the pad, averaged until lift-off
+U8   unbelieved              # measurements in a row that lay too far from what was expected
+U32  rejected                # how many altogether
 
 [Mission]                 # by the mission machine
 U32  missionState
@@ -33,13 +33,13 @@ bool parachuteCharge      # by the parachute task: current through the charge th
 U16  chargeSteps          # for how many steps it has flowed
 
 [Health]                  # by the executor
-U32  overruns             # steps that began when the next one was due
-U32  late                 # microseconds that the last step began too late
+U32  overruns        # steps that began when the next one was due
+U32  late  @unit us  # that the last step began too late
 
 [World]                   # by the plant, which stands for rocket and air; nothing that flies reads it
-F64  trueAltitude         # m
-F64  trueVelocity         # m/s
-F64  propellant           # kg left
-F64  canopy               # how far the parachute is open, 0 to 1
-U64  noise                # state of the generator of random numbers
-U16  stepsAtRest          # since it landed
+F64  trueAltitude  @unit m
+F64  trueVelocity  @unit m/s
+F64  propellant    @unit kg  # left
+F64  canopy                  # how far the parachute is open, 0 to 1
+U64  noise                   # state of the generator of random numbers
+U16  stepsAtRest             # since it landed

@@ -5,13 +5,13 @@ delta_t    10
 init_state TankVentControl
 
 [all_states]
-G == 0 {
+at 0 {
     tankPressure = 600
     valveOpen    = false
 }
 valveOpen:  tankPressure = tankPressure - 1
 !valveOpen: tankPressure = tankPressure + 1
-G == 1000:  @stop
+at 1 s:  @stop
 
 [TankVentControl]
 true: @assert valveOpen == (tankPressure > 775)

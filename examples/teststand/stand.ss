@@ -1,28 +1,28 @@
 # A firing as it should be: key at 3 s, cold at 7 s, a burn of four seconds, the key let go at 15 s.
 
 [all_states]
-G == 0 {
+at 0 {
     chamberPressureA = 1
     chamberPressureB = 1
     tankPressure     = 40
     lineTemperature  = 293
 }
-G == 3 s: key = true
-3 s <= G < 7 s: lineTemperature = max(95, lineTemperature - 0.8)
+at 3 s: key = true
+from 3 s to 7 s: lineTemperature = max(95, lineTemperature - 0.8)
 igniter and T > 200 ms: flame = true
 fuelValve and T > 80 ms {
     chamberPressureA = 20
     chamberPressureB = 20.3
 }
 oxidizerValve: flow = 0.9
-not oxidizerValve: flow = 0
+else: flow = 0
 not fuelValve {
     chamberPressureA = 1
     chamberPressureB = 1
 }
 not fuelValve and not igniter: flame = false
-G == 9 s: chamberPressureB = 45             # one wild sample in the burn
-G == 15 s: key = false
+at 9 s: chamberPressureB = 45             # one wild sample in the burn
+at 15 s: key = false
 true {
     @assert abortReason == 0 and not ventValve
     @assert not fuelValve or oxidizerValve or S == Shutdown
@@ -50,9 +50,9 @@ T == 0: @assert not oxidizerValve and fuelValve
 T >= 100 ms: @assert not fuelValve and purgeValve
 
 [all_states]
-G == 9.5 s: @assert S == Burn
-G == 14 s: @assert S == Shutdown
-G == 16 s {
+at 9.5 s: @assert S == Burn
+at 14 s: @assert S == Shutdown
+at 16 s {
     @assert S == Idle and not purgeValve
     @stop
 }

@@ -2,18 +2,18 @@
 # what cannot be read reads 0 in a machine.
 
 [Time]
-U64  time                                # ms since the start
+U64  time  @unit ms  # since the start
 
 [Operator]
 bool key                                 # held: fire; letting go of it is the stop button
 
 [Sensors]                                # what they deliver while they are healthy is their range
-F32  chamberPressureA  @range 0.5 50     # bar
-F32  chamberPressureB  @range 0.5 50     # bar, a second one beside it
-F32  tankPressure      @range 0.5 55     # bar, of the oxidizer
-F32  lineTemperature   @range 60 350     # K, where the oxidizer enters the engine: a thermocouple
-F32  flow              @range -0.1 1.9   # kg/s of oxidizer
-bool flame                               # the igniter burns
+F32  chamberPressureA  @range 0.5 50    @unit bar
+F32  chamberPressureB  @range 0.5 50    @unit bar   # a second one beside it
+F32  tankPressure      @range 0.5 55    @unit bar   # of the oxidizer
+F32  lineTemperature   @range 60 350    @unit K     # where the oxidizer enters the engine: a thermocouple
+F32  flow              @range -0.1 1.9  @unit kg/s  # of oxidizer
+bool flame                                          # the igniter burns
 
 [Monitor]
 U32  monitorState
@@ -33,5 +33,5 @@ bool purgeValve                          # nitrogen through the chamber
 bool ventValve                           # the tank's, to the open air
 
 [Health]
-U32  overruns                            # steps that began when the next one was due
-U32  late                                # microseconds that the last step began too late
+U32  overruns        # steps that began when the next one was due
+U32  late  @unit us  # that the last step began too late

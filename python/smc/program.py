@@ -16,7 +16,8 @@ from .machine import Machine
 
 Source = Union[str, "os.PathLike[str]", Mapping[str, str]]
 
-_KINDS = {".sv": lib.SMC_KIND_SV, ".sm": lib.SMC_KIND_SM, ".ss": lib.SMC_KIND_SS, ".io": lib.SMC_KIND_IO}
+_KINDS = {".sv": lib.SMC_KIND_SV, ".sm": lib.SMC_KIND_SM, ".ss": lib.SMC_KIND_SS, ".io": lib.SMC_KIND_IO,
+          ".rq": lib.SMC_KIND_RQ}
 _ENGINES = {"vm": lib.SMC_ENGINE_VM, "ref": lib.SMC_ENGINE_REF, "vm-soft": lib.SMC_ENGINE_VM_SOFT}
 _OUTCOMES = {0: "none", 1: "passed", 2: "failed", 3: "endless", 4: "time over", 5: "broken", 6: "different"}
 _DIAGRAMS = {"svg": lib.SMC_DIAGRAM_SVG, "dot": lib.SMC_DIAGRAM_DOT, "mermaid": lib.SMC_DIAGRAM_MERMAID}

@@ -88,7 +88,7 @@ else
     head -20 log
 fi
 
-# Several machines of one file: as C and on the VM, in place and guarded.  clause 10.36 clause 10.38
+# Several machines of one file: as C and on the VM, in place and guarded.  clause 10.30 clause 10.32
 binds()
 {
     mkdir out

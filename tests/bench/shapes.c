@@ -299,6 +299,17 @@ static void script_steps(Buf *b, unsigned n)
     buf_printf(b, "[all_states]\nG == %u: @stop\n", (n - 1) * 10);
 }
 
+// Guards by time: of each step a few are true, and periods grow with the script.
+static void script_guards(Buf *b, unsigned n)
+{
+    buf_str(b, "[options]\ndelta_t 10\n[A]\n");
+    for (unsigned i = 0; i < n; i++) {
+        const unsigned g = i * 10;
+        buf_printf(b, "at %u { x = %u }\nelse if from %u to %u: p = noise(1)\nevery %u: p = 1\n", g, i, g + 20, g + 50, g + 10);
+    }
+    buf_printf(b, "[all_states]\nat %u: @stop\n", (n - 1) * 10);
+}
+
 static void script_windows(Buf *b, unsigned n)
 {
     buf_str(b, "[options]\ndelta_t 1\n[all_states]\n");
@@ -335,6 +346,7 @@ const Shape shapes[] = {
     {"script_items", one_state, 20000, NULL, script_items, 0},
     {"script_blocks", one_state, 20000, NULL, script_blocks, 0},
     {"script_steps", one_state, 3000, NULL, script_steps, 0},
+    {"script_guards", one_state, 3000, NULL, script_guards, 0},
     {"script_windows", one_state, 20000, NULL, script_windows, 0},
 };
 const size_t shapes_n = sizeof shapes / sizeof shapes[0];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Checks that every clause or chapter that the code cites exists.
-# Input: docs/language.md, docs/config.md and docs/swapping.md, then the names of the source files, one a line.
+# Input: docs/language.md, docs/config.md, docs/swapping.md and docs/requirements.md, then the names of the source files, one a line.
 #
 # A citation names the document: `language.md 7.4`, `config.md 9.4, 9.5`, `language.md 4.7 to 4.10`, or a chapter, `language.md 7`.
 # A comment of the product that cites a number without the document, as `// 9.4` or `(6.5)`, is refused.  In the documents themselves a
@@ -31,7 +31,7 @@ function check_comment(text, where,    name, rest) {
     if (where !~ /^tests\// && (text ~ /^\/\/ *[0-9][0-9]?\.[0-9][0-9]?([,:;]|\.? |\.?$)/ || text ~ /\([0-9][0-9]?\.[0-9][0-9]?(\)|[,;:] | to | and )/))
         complain(where ": a citation names its document, as in `language.md 7.4`:  " text)
     rest = text
-    while (match(rest, /(language|config|swapping)\.md( chapter)? [0-9]/)) {
+    while (match(rest, /(language|config|swapping|requirements)\.md( chapter)? [0-9]/)) {
         name = substr(rest, RSTART, index(substr(rest, RSTART), ".md") + 2)
         rest = substr(rest, RSTART + RLENGTH - 1)
         check_list(rest, name, where)

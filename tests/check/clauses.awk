@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Compares docs/language.md, docs/config.md and docs/swapping.md with their evidence, in both directions.
+# Compares docs/language.md, docs/config.md, docs/swapping.md and docs/requirements.md with their evidence, in both directions.
 # Input: the three, clauses.txt (those that a script cannot show), then the names of the test files, one a line.
 # A clause is a line of them that begins `**5.7** `.  Evidence is a .smt file whose header names the clause
 # (`spec 5.7, 5.8  Sentence.`), or, for clauses that clauses.txt lists, a C test that says `clause 5.7` in a comment.

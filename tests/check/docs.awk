@@ -4,6 +4,7 @@
 #   sv|sm|ss NAME [OTHER]   the source file NAME, without findings of smc check; OTHER `!`: it has mistakes; of a script:
 #                           the machine that it is run on, without a warning
 #   io NAME VECTOR          the pin file NAME, of elements of the .sv VECTOR, without findings of smc check
+#   rq NAME MACHINE         the requirements NAME of the machine, without findings of smc check
 #   sm NAME +               the section in the block replaces the section of that name in the file NAME, or is added
 #                           at the end; `+!`: the file has mistakes then
 #   sm PATH =               the lines stand so in that file of the tree
@@ -18,7 +19,7 @@
     split(substr($0, 4), word, " ")
     file = out "/" n ".block"
     printf "" >file
-    if (word[1] ~ /^(sv|sm|ss|smt|console)$/ || (word[1] == "io" && word[3] != "") || (word[1] ~ /^(c|app|make|sh|yaml)$/ && word[2] != ""))
+    if (word[1] ~ /^(sv|sm|ss|smt|console)$/ || (word[1] ~ /^(io|rq)$/ && word[3] != "") || (word[1] ~ /^(c|app|make|sh|yaml)$/ && word[2] != ""))
         printf "%d|%d|%s|%s|%s\n", n, FNR, word[1], word[2], word[3]
     delete word
     next

@@ -35,6 +35,7 @@ run_block() {                             # NUMBER KIND NAME OTHER, in the page'
     c|app|make|sh|yaml) cp "$block" "$3" ;;
     smt)     cp "$block" case.smt && "$smc" test case.smt ;;
     io)      cp "$block" "$3" && "$smc" check -Werror "$3" --sv "$4" ;;
+    rq)      cp "$block" "$3" && "$smc" check -Werror "$4" "$3" ;;
     ss)      cp "$block" "$3" && { [ -z "$4" ] || "$smc" test -Werror "$4" "$3"; } ;;
     *)       case $4 in
              =)  stands_in "$block" "$root/$3" ;;

@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked for a flight, with the
 # step of its options ("step 10 ms") or its comment ("Stepped every 10 ms"), and there must be no finding.  It is tested on every engine by its scripts
-# M.ss and M-*.ss; a state vector (.sv) in the folder is for all its machines.
+# M.ss and M-*.ss, and these judge all its requirements M.rq; a state vector (.sv) in the folder is for all its machines.
 # An application X.app with scripts X.ss and X-*.ss is tested by these, and so are its machines.
-# A script that belongs to no machine is a failure, as is a machine without a script or without a step.
+# A script that belongs to no machine, and that no other one includes, is a failure, as is a machine without a script or without a step.
 # So that silence means something, machines that have @safe or @allow are checked again without them: most must draw a finding.
 smc=$1
 shift
 out=${TMPDIR:-/tmp}/smc-examples.$$
 trap 'rm -f "$out" "$out".smb "$out".sm' EXIT
-passed=0 failed=0 machines=0 marked=0
+passed=0 failed=0 machines=0 marked=0 requirements=0
 
 # A test: its name, then the command, which must succeed; with quiet=1 it must print nothing either.
 expect() {
@@ -89,10 +89,18 @@ for folder; do
         for script; do
             expect test "$smc" test --engine=all -Werror ${sv:+"$sv"} "$machine" "$script"
         done
+        if [ -f "${machine%.sm}.rq" ]; then
+            requirements=$((requirements + 1))
+            expect requirements "$smc" test -Werror ${sv:+"$sv"} "$machine" "$@" "${machine%.sm}.rq"
+        fi
+    done
+    for script in "$folder"/*.ss; do
+        grep -q "^include \"${script##*/}\"" "$folder"/*.ss && seen=$((seen + 1))
     done
     # shellcheck disable=SC2012
     expect "a script of no machine in $folder" test "$(ls "$folder"/*.ss | wc -l)" -eq "$seen"
 done
 expect "ten machines, seven of them with findings without their marks" test "$machines" -ge 10 -a "$marked" -ge 7
+expect "three machines with requirements" test "$requirements" -ge 3
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -23,7 +23,7 @@ bool rng_percent(Rng *r, uint32_t percent) { return rng_below(r, 100) < percent;
 
 static const char *const odd_name[] = {
     "int", "while", "double", "errno", "NULL", "EOF", "m", "sv", "x", "X", "i", "self", "state", "step", "init",
-    "start", "stored", "max", "min", "abs", "roll_avg", "sqrt", "orbit", "note", "android", "iffy", "_x", "__y",
+    "start", "stored", "median", "average", "max", "min", "abs", "roll_avg", "sqrt", "orbit", "note", "android", "iffy", "_x", "__y",
     "_Z", "class", "new", "this", "union", "main", "bool_", "u8", "I9", "inf", "nan", "NAN", "INFINITY", "true_",
     "t", "g", "s", "flags", "sm_add", "sm_bits", "uint8_t", "size_t", "linux", "unix", "assert", "register",
     "entry", "exit", "slot", "count", "next", "window", "local", "all_states_", "delta_t", "lock", "a", "b", "c",
@@ -139,10 +139,40 @@ static SmBuiltin random_function_of_one(Gen *g)
     return of_one[rng_below(&g->rng, n)];
 }
 
+// Whether the value of e can change, so that it is no constant for median and average. Locals may be marked @read_only later.
+bool gen_can_vary(const GExpr *e)
+{
+    bool varies = e->kind == G_TIME || e->kind == G_ROLL || (e->kind == G_DEFINED && gen_can_vary(e->def->value)) || (e->kind == G_VAR && !e->var->is_local);
+
+    for (uint32_t i = 0; i < e->n && !varies; i++)
+        varies = gen_can_vary(e->arg[i]);
+    return varies;
+}
+
+// min, max, median or average, mostly of few values; often of variables alone, so that whole numbers and NaN-free values are frequent.
+static GExpr *random_list(Gen *g, const Reach *reach, uint32_t depth, SmBuiltin fn)
+{
+    const uint32_t most = rng_percent(&g->rng, 90) ? 5 : SM_LIST_MAX;
+    GExpr *e = gen_expr_new(g, G_CALL, 2 + rng_below(&g->rng, most - 1));
+    const bool of_variables = rng_percent(&g->rng, 50);
+
+    e->fn = reach->constant && fn == SM_FN_median ? SM_FN_min : reach->constant && fn == SM_FN_average ? SM_FN_max : fn;
+    for (uint32_t i = 0; i < e->n; i++) {
+        e->arg[i] = of_variables ? random_var(g, reach) : random_expr(g, reach, e->n > 5 ? 1 : depth - 1);
+        if ((e->fn == SM_FN_median || e->fn == SM_FN_average) && !gen_can_vary(e->arg[i]))
+            e->arg[i] = gen_expr_new(g, G_TIME, 0);
+    }
+    return e;
+}
+
 static GExpr *random_call(Gen *g, const Reach *reach, uint32_t depth)
 {
     const SmBuiltin fn = (SmBuiltin)rng_below(&g->rng, SM_FN_roll_avg);           // the pure ones come first
-    GExpr *e = gen_expr_new(g, G_CALL, sm_builtin_info[fn].arguments);
+    GExpr *e;
+
+    if (sm_builtin_info[fn].most == SM_LIST_MAX)
+        return random_list(g, reach, depth, fn);
+    e = gen_expr_new(g, G_CALL, sm_builtin_info[fn].arguments);
     e->fn = fn;
     for (uint32_t i = 0; i < e->n; i++)
         e->arg[i] = random_expr(g, reach, depth - 1);
@@ -454,6 +484,14 @@ static GVar *new_var(Gen *g, SmType type, const char *name)
     v->listed = true;
     v->region = rng_below(&g->rng, g->regions);
     vec_push(g->arena, &g->var, v);
+    return v;
+}
+
+GVar *gen_new_local(Gen *g, SmType type)
+{
+    GVar *v = new_var(g, type, gen_new_name(g));
+    v->is_local = true;
+    vec_push(g->arena, &g->order, v);
     return v;
 }
 

@@ -39,6 +39,9 @@ typedef struct GVar {
     bool removed;             // by the reducer
     uint32_t roll_size;       // local: its value, if it can be part of the size of a window; else 0
     struct GExpr *init;       // local
+    bool parameter;           // local: with these values
+    double lo, hi, standard, set;
+    bool is_set;              // an input sets it before the first step
 } GVar;
 
 typedef enum GExprKind {
@@ -64,7 +67,7 @@ struct GExpr {
     struct GState *state;     // STATE
     uint32_t samples;         // SPAN that is the size of a window: how many those are
     uint32_t n;
-    GExpr *arg[5];
+    GExpr *arg[SM_LIST_MAX];
 };
 
 typedef struct GStmt GStmt;
@@ -130,6 +133,8 @@ typedef struct Gen {
     GUnit unit;                       // of G
     bool writes_unit;                 // also where it is the default
     uint32_t step;                    // in units of G; 0: none
+    bool units;                       // printed with an @unit at many declarations
+    uint64_t units_printed;           // how many so far
     bool by_hand;                     // printed without additions, with the same meaning
     GExpr *last_roll;                 // for others that are nearly the same
     GExpr *last_guard;                // a variable, a relation and a number, likewise
@@ -145,6 +150,11 @@ typedef struct Gen {
 } Gen;
 
 Gen *gen_program(Arena *arena, uint64_t seed, uint32_t steps);
+GVar *gen_new_local(Gen *g, SmType type);     // the last one, without an initial value
+void gen_add_parameters(Gen *g);
+void gen_random_range(Gen *g, GVar *v);       // of a parameter, around its default
+bool gen_sets_parameter(const Gen *g);        // whether an input sets one to another value than its default
+uint64_t gen_parameter_cell(const GVar *v);   // the value to which an input sets it
 const char *gen_new_name(Gen *g);     // not used yet
 void gen_random_state(Gen *g, GState *s);     // fills its blocks
 void gen_random_stmts(Gen *g, GStmts *list, uint32_t n, uint32_t depth, bool may_leave);
@@ -165,6 +175,7 @@ void gen_print_inits(Gen *g, Buf *out);
 
 // ---- shapes that the optimiser searches (gen_shapes.c) ----
 
+bool gen_can_vary(const GExpr *e);                     // whether its value can change: it is then no constant for median and average
 GExpr *gen_expr_new(Gen *g, GExprKind kind, uint32_t n);
 GExpr *gen_shape(Gen *g);             // an expression that may stand anywhere in a machine's code
 GExpr *gen_plain_guard(Gen *g);

@@ -176,8 +176,11 @@ static void rewrite(Gen *g, GExpr **place, bool constant)
         rewrite(g, &e->arg[0], constant);
         rewrite_size(g, &e->arg[1]);
     } else {
-        for (uint32_t i = 0; i < e->n; i++)
+        for (uint32_t i = 0; i < e->n; i++) {
             rewrite(g, &e->arg[i], constant);
+            if (e->kind == G_CALL && (e->fn == SM_FN_median || e->fn == SM_FN_average) && !gen_can_vary(e->arg[i]))
+                e->arg[i] = gen_expr_new(g, G_TIME, 0);
+        }
     }
     if (rng_percent(&g->rng, e->n == 0 ? 2 : 10))
         define(g, place);
@@ -270,14 +273,16 @@ static void add_rules(Gen *g)
 static void rewrite_inits(Gen *g)
 {
     for (size_t i = 0; i < g->var.n; i++)
-        if (g->var.at[i]->init != NULL && g->var.at[i]->roll_size == 0)
+        if (g->var.at[i]->init != NULL && g->var.at[i]->roll_size == 0 && !g->var.at[i]->parameter)
             rewrite_copy(g, &g->var.at[i]->init, true);
 }
 
 void gen_add(Gen *g)
 {
+    gen_add_parameters(g);
     g->rng.state = rng_mix(g->seed, 12);
     g->additions = true;
+    g->units = g->layout % 2 == 0;
     g->unit = (GUnit)rng_below(&g->rng, UNIT_COUNT);
     g->writes_unit = rng_percent(&g->rng, 50);
     g->step = rng_percent(&g->rng, 70) ? 1 + rng_below(&g->rng, rng_percent(&g->rng, 60) ? 25 : 60) : 0;

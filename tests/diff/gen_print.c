@@ -9,6 +9,7 @@ typedef struct Printer {
     Gen *g;
     Buf *out;
     Rng rng;
+    Rng units;                // for units alone, so that a program without them has the same text
     uint32_t indent;
     uint32_t parens;          // number of enclosing ( )
     bool crlf;
@@ -17,6 +18,20 @@ typedef struct Printer {
 static bool chance(Printer *p, uint32_t percent) { return rng_percent(&p->rng, percent) && !p->g->plain; }
 
 static void put(Printer *p, const char *text) { buf_str(p->out, text); }
+
+// Appends an @unit to half of the declarations, in half of the programs with additions. It is any unit, so that most values do not fit.
+static void print_unit(Printer *p, SmType type)
+{
+    static const char *const unit[] = {
+        "m", "ft", "km", "m/s", "m/s^2", "s", "ms", "us", "bar", "psi", "Pa", "degC", "degF", "K", "deg", "rad", "percent", "1", "gn", "N", "lbf", "kg",
+        "J/(kg*K)", "V/Hz^0.5", "rpm", "Hz", "furlong",
+    };
+    const uint32_t which = rng_below(&p->units, sizeof unit / sizeof *unit);
+    if (!rng_percent(&p->units, 50) || !p->g->units || p->g->by_hand || type == SM_BOOL)
+        return;
+    buf_printf(p->out, " @unit %s", unit[which]);
+    p->g->units_printed++;
+}
 
 static void comment(Printer *p)
 {
@@ -421,6 +436,7 @@ static void print_definitions(Printer *p)
         put(p, "=");
         gap(p);
         print_expr(p, d->value, 1);
+        print_unit(p, SM_F64);
         line_end(p);
     }
 }
@@ -435,6 +451,7 @@ static void print_element(Printer *p, const GVar *v)
         buf_printf(p->out, "  @alias %s", v->alias);
     if (v->read_only && v->id > 1)
         put(p, " @read_only");
+    print_unit(p, v->type);
     if (chance(p, 10))
         put(p, " ");          // entries of a list may share a line
     else
@@ -446,14 +463,19 @@ static void print_local(Printer *p, const GVar *v)
     margin(p);
     buf_printf(p->out, "%s %s = ", sm_type_info[v->type].spelling, v->name);
     print_expr(p, v->init, 1);
-    if (v->read_only)
+    if (v->parameter && v->type != SM_BOOL)
+        buf_printf(p->out, " @parameter @range %.17g %.17g", v->lo, v->hi);
+    else if (v->parameter)
+        put(p, " @parameter");
+    else if (v->read_only)
         put(p, " @read_only");
+    print_unit(p, v->type);
     line_end(p);
 }
 
 static void start(Printer *p, Gen *g, Buf *out, uint64_t which)
 {
-    *p = (Printer){ .g = g, .out = out, .rng = { rng_mix(g->layout, which) } };
+    *p = (Printer){ .g = g, .out = out, .rng = { rng_mix(g->layout, which) }, .units = { rng_mix(g->layout, which + 100) } };
     p->crlf = chance(p, 10);
     if (chance(p, 3))
         put(p, "\xEF\xBB\xBF");

@@ -137,6 +137,8 @@ uint32_t gen_inputs(const Gen *g, uint32_t k, GInput *out)
         Rng r = { rng_mix(rng_mix(g->seed, 5 + v->id), k) };
         if (v->outside && !v->removed && (v->listed || v->is_local) && rng_percent(&r, k == 0 ? 80 : 25))
             out[n++] = (GInput){ v, input_cell(g, &r, v) };
+        if (v->parameter && v->is_set && !v->removed && k == 0)
+            out[n++] = (GInput){ v, gen_parameter_cell(v) };
     }
     return n;
 }

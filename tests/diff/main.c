@@ -50,8 +50,8 @@ typedef struct Tally {
     uint64_t next;                    // the block it works on, counted from 0
     uint64_t seed;                    // the program it works on
     uint64_t programs, steps, different, rejected, crashed;
-    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, impossible, finding, no_room;
-    uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, by_hand;       // programs that use each; compared
+    uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, covered, impossible, finding, no_room;
+    uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, units, parameter, by_hand;      // programs that use each; compared
 } Tally;
 
 // ---- one program ----
@@ -81,6 +81,8 @@ static void count_additions(Tally *t, const Gen *g)
     t->state_name += used[G_STATE];
     t->span += used[G_SPAN];
     t->steps_window += used[G_STEPS];
+    t->units += g->units_printed > 0;
+    t->parameter += gen_sets_parameter(g);
     t->window_in_time += in_time;
 }
 
@@ -127,6 +129,7 @@ static void run_seed(const Options *o, uint64_t seed, Tally *t)
     count(t, &r.met);
     t->steps += g->steps;
     t->change += how.change;
+    t->covered += how.cover;
     t->by_hand += how.change && how.what == CHANGE_BY_HAND;
     count_additions(t, g);
     t->different += r.verdict == VERDICT_DIFFERENT;
@@ -325,6 +328,7 @@ static void add_up(Tally *sum, const Tally *t)
     sum->refused += t->refused;
     sum->store += t->store;
     sum->change += t->change;
+    sum->covered += t->covered;
     sum->impossible += t->impossible;
     sum->finding += t->finding;
     sum->no_room += t->no_room;
@@ -335,6 +339,8 @@ static void add_up(Tally *sum, const Tally *t)
     sum->span += t->span;
     sum->window_in_time += t->window_in_time;
     sum->steps_window += t->steps_window;
+    sum->units += t->units;
+    sum->parameter += t->parameter;
     sum->by_hand += t->by_hand;
 }
 
@@ -361,6 +367,7 @@ static bool report_shares(const Options *o, const Tally *t)
     good &= share(o, t, "fill a window of 2 or more", t->full_window, 75);
     good &= share(o, t, "have a step refused", t->refusal, 95);
     good &= share(o, t, "were compared with a changed one", t->change, 20);
+    good &= share(o, t, "had their coverage compared", t->covered, 20);
     good &= share(o, t, "use additions to the language", t->additions, 40);
     good &= share(o, t, "have definitions", t->definition, 30);
     good &= share(o, t, "have rules for all states", t->rule, 15);
@@ -368,6 +375,8 @@ static bool report_shares(const Options *o, const Tally *t)
     good &= share(o, t, "have times", t->span, 30);
     good &= share(o, t, "have windows in time", t->window_in_time, 12);
     good &= share(o, t, "have windows in steps", t->steps_window, 10);
+    good &= share(o, t, "have units", t->units, 18);
+    good &= share(o, t, "read parameters that are set", t->parameter, 8);
     good &= share(o, t, "were compared with themselves by hand", t->by_hand, 8);
     return good;
 }

@@ -250,14 +250,16 @@ static void reduce_var(Reducer *r, GVar *v)
         try_bool(r, &v->removed, true);
     if (v->removed)
         return;
+    try_bool(r, &v->is_set, false);
     try_bool(r, &v->outside, false);
-    try_bool(r, &v->read_only, false);
+    if (!v->parameter)
+        try_bool(r, &v->read_only, false);
     if (alias != NULL) {
         v->alias = NULL;
         if (!still_fails(r))
             v->alias = alias;
     }
-    if (v->init != NULL && v->roll_size == 0)
+    if (v->init != NULL && v->roll_size == 0 && !v->parameter)
         reduce_expr(r, &v->init);
 }
 

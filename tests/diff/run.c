@@ -7,14 +7,16 @@
 #include <string.h>
 
 #include "tests/diff/batch.h"
+#include "tests/diff/cover_model.h"
 #include "tests/diff/engine_ir.h"
 #include "tests/diff/engine_task.h"
 #include "tests/diff/sound.h"
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-// The reference, every form twice, in the VM with soft numbers and as a task; the reference and one form of the changed program, likewise.
-enum { ENGINES_MAX = 2 + 4 * FORM_COUNT + 5 };
+// The reference, every form twice, in the VM with soft numbers and as a task; the reference and one form of the changed program, likewise;
+// coverage and its model.
+enum { ENGINES_MAX = 2 + 4 * FORM_COUNT + 5 + 2 };
 
 const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hidden" };
 
@@ -43,7 +45,7 @@ static void add_lane(Lanes *l, Subject *s, Engine *e, Form form)
 
 bool run_is_unknown(const Var *v, Form form)
 {
-    return form == FORM_HIDDEN && v->kind == VAR_LOCAL && !v->outside && !v->is_constant;
+    return form == FORM_HIDDEN && v->kind == VAR_LOCAL && !v->outside && !v->is_constant && !v->parameter;
 }
 
 IrMachine *run_machine(Subject *s, const Program *p, Form form)
@@ -225,7 +227,7 @@ RunOptions run_options_of(uint64_t seed)
     const uint64_t r = rng_mix(seed, 9), turn = r / 3 % 4;
     const bool by_hand = turn == 2 && gen_seed_has_additions(seed);
     return (RunOptions){
-        .forms = (1u << FORM_COUNT) - 1, .change_form = (Form)(r % 3), .change = turn == 0 || by_hand, .inits = turn == 1,
+        .forms = (1u << FORM_COUNT) - 1, .change_form = (Form)(r % 3), .change = turn == 0 || by_hand, .inits = turn == 1, .cover = r / 5 % 4 == 0,
         .what = by_hand ? CHANGE_BY_HAND : (GChange)(r / 12 % CHANGE_BY_HAND),
     };
 }
@@ -276,6 +278,16 @@ static const char *open_lanes(Lanes *l, Subject *s, unsigned forms, const Subjec
     return error;
 }
 
+// Coverage of the program, and what it must be by definition.
+static Cover *add_cover(Lanes *l, Subject *s, Engine **model)
+{
+    Cover *c = cover_new(&s->session.arena, s->program);
+    add_lane(l, s, cover_open_engine(c), FORM_O0);
+    *model = cover_model_open(&s->session.arena, s->program, c);
+    add_lane(l, s, *model, FORM_O0);
+    return c;
+}
+
 // The changed program; where the state vector is still the same and the name another, as second machine in an image with the first.
 static const char *open_changed(Lanes *l, Subject *s, Subject *plain, Gen *g, const RunOptions *o, Arena *arena)
 {
@@ -303,6 +315,8 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     static Subject plain, changed;
     Lanes lanes = { .n = 0 };
     RunResult r = { VERDICT_REJECTED, NULL, 0, { 0 } };
+    Cover *cover = NULL;
+    Engine *model = NULL;
     if (o->sound)
         return run_sound(g, arena);
     if (o->via != NULL)
@@ -311,6 +325,8 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     r.message = subject_compile(&plain, g, arena);
     if (r.message == NULL)
         r.message = open_lanes(&lanes, &plain, o->forms, NULL);
+    if (r.message == NULL && o->cover)
+        cover = add_cover(&lanes, &plain, &model);
     const bool more = r.message == NULL && o->change;
     if (more)
         r.message = open_changed(&lanes, &changed, &plain, g, o, arena);
@@ -319,6 +335,11 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     else
         r.message = format_in(arena, "%s", r.message);        // out of the session, which ends here
     note_watch(&r.met);
+    if (r.verdict == VERDICT_SAME && cover) {
+        cover_settle(cover);
+        if ((r.message = cover_model_compare(model, cover, arena)) != NULL)
+            r.verdict = VERDICT_DIFFERENT;
+    }
     if (r.verdict == VERDICT_SAME && o->inits && (r.message = check_inits(&plain, g, arena)) != NULL)
         r.verdict = VERDICT_DIFFERENT;
     close_all(&lanes, &plain, more ? &changed : NULL);

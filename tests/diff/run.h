@@ -33,6 +33,7 @@ typedef struct RunOptions {
     unsigned forms;           // 1u << Form of each that is run; every one is compared with the reference
     Form change_form;         // in which the changed program is run
     bool change;              // compare with a changed program, too
+    bool cover;               // compare the coverage with its definition (cover_model.h)
     bool sound;               // compare it with the results of the analyses, instead of comparing engines (sound.h)
     bool inits;               // work the initial values out a second time, when running
     GChange what;

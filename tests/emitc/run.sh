@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Emitted C under many compilers and options: it compiles without a warning, runs as the reference does or refuses to, and
-# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [recommended] [use] [foreign] [size] [readings] [wide] [straight] [cases]     (all but cases when none is named)
+# can be used as docs/embedding-c.md says.     run.sh SMC [matrix] [flags] [recommended] [use] [foreign] [size] [readings] [parameters] [wide] [straight] [cases]     (all but cases when none is named)
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
 here=$(cd "$(dirname "$0")" && pwd)
@@ -377,6 +377,16 @@ readings() {
     done
 }
 
+# ---- parameters: they are read and set through a struct ----
+
+parameters() {
+    for level in -O0 -O2; do
+        rm -f "$dir/deploy.c"
+        "$smc" build -w $level "$here/machines/deploy.sm" --emit=c -o "$dir/deploy.c" >"$dir/log" 2>&1
+        every_compiler build_and_run parameters "$here/parameters.c $dir/deploy.c"
+    done
+}
+
 # ---- wide: integers of 64 bits beyond 2^53, which no state script stores ----
 
 wide() {
@@ -420,7 +430,7 @@ cases() {
     done
 }
 
-for part in ${*:-matrix flags recommended use foreign size readings wide straight}; do
+for part in ${*:-matrix flags recommended use foreign size readings parameters wide straight}; do
     $part
 done
 echo "emitc: $passed passed, $failed failed, $skipped skipped"

@@ -71,7 +71,7 @@ static void trace(void *context, const ScriptStep *step)
 {
     Traced *t = context;
 
-    script_trace_row(t->out, "a script", step, t->order, t->p->var.n);
+    script_trace_row(t->out, "a script", step, t->order, t->p->var.n, NULL);
     script_trace_exact(t->out, step, t->order, t->p->var.n);
 }
 
@@ -88,7 +88,7 @@ static void run_script(Session *s, const Program *p, const Script *script, const
     o.max_steps = 30;
     o.after_step = trace;
     o.context = &traced;
-    script_trace_header(out, p, traced.order, p->var.n);
+    script_trace_header(out, p, traced.order, p->var.n, NULL);
     r = script_run(&s->arena, &s->diags, script, engine, engine[1] ? 2 : 1, &o);
     script_report(&r, p, out);
 }

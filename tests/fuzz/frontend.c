@@ -200,6 +200,26 @@ static void try_net(Session *s, const Source *src)
     FUZZ_CHECK(strlen(buf_text(&header)) == header.n && strlen(buf_text(&code)) == code.n);
 }
 
+// Requirements of the machine that scripts test, over which a monitor then runs.
+static void try_requirements(Session *s, const Source *src)
+{
+    const MachineInput machine = {source_new(&s->arena, "tested.sm", tested, sizeof tested - 1), NULL, NULL};
+    const Program *p = session_program(s, &machine);
+    const Requirements *r = session_requirements(s, &src, 1, p);
+    uint64_t *cell = ARENA_ARRAY(&s->arena, uint64_t, p->var.n);
+    Monitor *m;
+    void *situation;
+
+    FUZZ_CHECK((r != NULL) == (s->diags.errors == 0));
+    if (!r)
+        return;
+    m = monitor_new(&s->arena, r, 10);
+    situation = arena_alloc(&s->arena, m->size);
+    monitor_start(m, situation);
+    for (int i = 0; i < 3; i++, cell[p->g->index] += 10)
+        monitor_step(m, situation, cell);
+}
+
 unsigned long fuzz_reached;           // texts without a mistake
 const unsigned fuzz_floor = 2;
 
@@ -215,6 +235,8 @@ static void try_check(Session *s, const Source *src, FileKind kind)
         session_program(s, &machine);
     } else if (kind == FILE_NET) {
         try_net(s, src);
+    } else if (kind == FILE_RQ) {
+        try_requirements(s, src);
     } else if (kind == FILE_IO) {
         session_io(s, src, source_new(&s->arena, "wired.sv", wired, sizeof wired - 1));
     } else {
@@ -233,6 +255,7 @@ static FileKind kind_of(char letter)
     case 'p': return FILE_IO;
     case 'a': return FILE_APP;
     case 'n': return FILE_NET;
+    case 'r': return FILE_RQ;
     }
     return FILE_SM;
 }

@@ -36,20 +36,20 @@ every 10 ms:
 -- stderr --
 a.sm:4:7: error: unknown annotation '@slot' [E0360]
     4 | F64 x @slot
-      |       ^~~~~ allowed here: @read_only, @alias, @range, @command and @allow
+      |       ^~~~~ allowed here: @read_only, @alias, @range, @command, @unit and @allow
 a.sm:6:11: error: unknown annotation '@const' [E0360]
     6 | F64 y = 0 @const
-      |           ^~~~~~ allowed here: @read_only and @allow
+      |           ^~~~~~ allowed here: @read_only, @range, @parameter, @unit and @allow
 a.sm:7:8: error: unknown annotation '@initial' [E0360]
     7 | [Idle] @initial
-      |        ^~~~~~~~ allowed here: @allow, @abort, @safe and @swap
+      |        ^~~~~~~~ allowed here: @allow, @abort, @safe, @swap and @req
 a.sm:8:9: error: unknown annotation '@abrot' [E0360]
     8 | [Other] @abrot
       |         ^~~~~~ did you mean '@abort'?
 4 errors
 a.sv:3:7: error: unknown annotation '@slot' [E0360]
     3 | F64 x @slot
-      |       ^~~~~ allowed here: @range, @command and @allow
+      |       ^~~~~ allowed here: @range, @command, @unit and @allow
 a.io:2:7: error: unknown annotation '@filter' [E0360]
     2 | i 0 x @filter 3
       |       ^~~~~~~ allowed here: @allow, @scale, @offset and @hold

@@ -148,15 +148,12 @@ app.sm:26:
 app.sm:29:
   -     not|p| > 5 || |q| > 5: valve = true
   +     not abs(p) > 5 or abs(q) > 5: valve = true
-app.sm:35:
-  -     n = max(p, 1.5,2)
-  +     n = max(max(p, 1.5),2)
 app.sm:41:
   -     if (p = 7): valve = true
   -     (p = 8) and (q = 3): valve = true
   +     if (p == 7): valve = true
   +     (p == 8) and (q == 3): valve = true
-app.sm: 11 fixed
+app.sm: 10 fixed
 label.sm:8:
   -     entry:
   +     entry {
@@ -242,7 +239,7 @@ app.sm:31:7: error: unknown operator '-=' [E0326]
 app.sm:32:7: error: unknown operator '/=' [E0326]
    32 |     n /= max(p, q) # of both
       |       ^~ write n = n / ...
-app.sm:33:17: error: a number cannot contain a comma [E0116]
+app.sm:33:17: warning: this comma separates the numbers 0 and 5 [W0460 decimal-comma]
    33 |     n = min(p, 0,5)
       |                 ^ a decimal point is written 0.5; put a space after a comma that separates two values
 app.sm:34:16: error: ';' is written ',' here [E0107]
@@ -254,8 +251,11 @@ app.sm:36:10: error: the character '·' is allowed only in comments [E0102]
 app.sm:37:12: error: '=' assigns a value; use '==' to compare [E0324]
    37 |     n = (p = 9)
       |            ^ write ==
-and 5 more errors
-25 errors, 1 warning
+app.sm:38:12: error: '=' assigns a value; use '==' to compare [E0324]
+   38 |     if ((n = p) > 3): valve = true
+      |            ^ write ==
+and 4 more errors
+24 errors, 2 warnings
 label.sm:11:5: error: this value has no effect [E0327]
    11 |     entry
       |     ^~~~~ a statement is x = value, -> State, or condition: statement

@@ -51,9 +51,9 @@ app.sm: 4 fixed
 app.ss:4:
   - G == 0: @assert S == 1
   - G == 2 && S == 1: @stop
-  + G == 0: @assert S == Idle
+  + at 0: @assert S == Idle
   + G == 2 and S == Idle: @stop
-app.ss: 3 fixed
+app.ss: 4 fixed
 -- stderr --
 app.sm:10:16: warning: 2 is the number of the state 'Run' [W0440 state-number]
    10 | running = S == 2 or x > 9

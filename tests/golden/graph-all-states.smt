@@ -65,18 +65,18 @@ T > 100: @stop
     "/all1" [label="all states except Abort", style="filled", shape=box3d];
     "/all2" [label="all states except Idle and Abort\nstep valve = T < burn and S == Fill\l", style="filled", shape=box3d];
     "Idle" -> "Fill" [label="p > 5\ntaken once"];
-    "Fill" -> "Abort" [label="p > most and roll_max(p, 1 s) > 99\ntaken at most once"];
+    "Fill" -> "Abort" [label="p > most and roll_max(p, 1 s) > 99\nnever taken", style=dotted];
     "Fill" -> "Done" [label="T >= burn\nnever taken", style=dotted];
-    "/all1" -> "Abort" [label="stop\nor\nhigh\ntogether: taken 1 to 2 times"];
+    "/all1" -> "Abort" [label="stop\nor\nhigh\ntogether: taken 2 times"];
     classDef all fill:#fff,stroke:#46566b,stroke-width:4px,color:#1c2430,font-style:italic
     state "all states except Abort" as s5
     state "all states except Idle and Abort" as s6
     [*] --> s1
     s1 --> s2 : p #62; 5 (taken once)
-    s2 --> s4 : p #62; most and roll_max(p, 1 s) #62; 99 (taken at most once)
+    s2 --> s4 : p #62; most and roll_max(p, 1 s) #62; 99 (never taken)
     s2 --> s3 : T #62;= burn (never taken)
     s5 --> s4 : stop
-    s5 --> s4 : high (together: taken 1 to 2 times)
+    s5 --> s4 : high (together: taken 2 times)
     class s5 all
     class s6 all
 <desc>4 states, 5 transitions. The initial state is Idle.</desc>

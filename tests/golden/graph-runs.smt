@@ -59,7 +59,7 @@ digraph "tank" { // drawn by smc
     "Abort" [label="Abort\nentered once", style="filled", shape=octagon, color="#b5320f", fillcolor="#fdeae4", peripheries=2];
     "Done" [label="Done\nnever entered", style="filled,rounded,dotted", color="#0c7268", fillcolor="#e3f3f1", peripheries=2];
     "Idle" -> "Fill" [label="armed\ntaken once"];
-    "Fill" -> "Abort" [label="pressure > 800\nor\nT > 60\ntogether: taken once"];
+    "Fill" -> "Abort" [label="pressure > 800\nor\nT > 60\ntogether: taken once, never by line 15"];
     "Fill" -> "Done" [label="pressure > 500 and armed\nnever taken", style=dotted];
 }
 stateDiagram-v2
@@ -78,7 +78,7 @@ stateDiagram-v2
     [*] --> s1
     s1 --> s2 : armed (taken 2 times)
     s2 --> s3 : pressure #62; 800
-    s2 --> s3 : T #62; 60 (together: taken once)
+    s2 --> s3 : T #62; 60 (together: taken once, never by line 15)
     s2 --> s4 : pressure #62; 500 and armed (never taken)
     class s1 safe
     class s3 abort

@@ -2,8 +2,8 @@
 args test --help
 
 -- stdout --
-Usage: smc test M.sm|X.app SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
-  run state scripts, .smt cases and folders of them
+Usage: smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+  run state scripts and judge requirements; run .smt cases and folders of them
 
 Options:
   --help                   print help and exit
@@ -17,10 +17,17 @@ Options:
   --trace=FILE             write the values after every step as CSV: script, step, G, state, elements; - is standard output, and the result goes to standard error
   --trace-elements=NAMES   the columns of the trace after the state, as a,b,c (default: all that can change)
   --trace-format=FORMAT    csv (default), or exact: lines 'step element value' with every bit of every element
-  -v                       print the final state vector of failed scripts too, and of each of several
+  -v                       test: print the final state vector of failed scripts too, and of each of several; mutate: list every change
+  --set=NAME=VALUE         set a parameter of the machine, in place of its default and of what a script sets; can be repeated
   --max-steps=N            give up on a script after N steps (default 1000000)
+  --seed=N                 the seed of the scripts' random numbers, from 0 (default: that of each script, else 0)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
+  --coverage               measure which transitions, statements, guards, conditions, windows and states the scripts test
+  --coverage-data=FILE     write the counts to FILE, as .cov; later calls accept such files as arguments and add them
+  --coverage-json=FILE     write each place with its count as JSON
+  --coverage-lcov=FILE     write lines and branches for genhtml and CI servers, as lcov does
+  --min-coverage=LIST      fail below a percentage, as in transitions:100,conditions:90, and list what is missing
   --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
   --message-file=FILE      write the messages to FILE in that form, else as its name ends (.json, .sarif); standard error then has text
   --color=WHEN             auto (default), always or never

@@ -9,16 +9,20 @@ Usage:
       compile machines to bytecode, or to C with --emit=c; an application (.app) to C in a folder
   smc check FILE...|X.app [SCRIPT.ss...]
       report everything that can be found without running
-  smc test M.sm|X.app SCRIPT.ss... [--sv V.sv] [--engine=ENGINE]
-      run state scripts, .smt cases and folders of them
-  smc report M.sm [SCRIPT.ss...] [--sv V.sv] [--net X.net] [-o FILE.html]
+  smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+      run state scripts and judge requirements; run .smt cases and folders of them
+  smc report M.sm [SCRIPT.ss...] [R.rq...] [--sv V.sv] [--net X.net] [-o FILE.html]
       write one page about a machine for a design review
   smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
+  smc mutate M.sm SCRIPT.ss... [--sv V.sv] [--min-score=PERCENT]
+      change one number, operator, target or statement at a time, and list the changes that no script notices
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE
       run the device's own checks on an image
+  smc set IMAGE [NAME=VALUE... -o OUT]
+      list the parameters of an image, or set some of them
   smc sign IMAGE --key=FILE [--number=N] [-o OUT]
       put the code of a key and a number into an image, for boards that take no others
   smc key FILE

@@ -62,7 +62,7 @@ T > 100: @stop
   Transitions          5
   Step                 20 ms
   Unit of time         ms
-  Transitions covered  2 to 4 of 5
+  Transitions covered  3 of 5
 In all states
 -------------
 
@@ -166,16 +166,32 @@ Costs
 Transitions taken by the scripts
   From                     To     Times  Remark
   Idle                     Fill       1
-  Fill                     Abort      1  at least 0, the others may belong to another row
+  Fill                     Abort      0  never taken
   Fill                     Done       0  never taken
-  all states except Abort  Abort      2  in Idle and Fill; 2 transitions, counted together; at least 1, the others may belong to another row
+  all states except Abort  Abort      2  in Idle and Fill; 2 transitions
 
 Not covered by the scripts
-No script visits `Done`. No script takes a transition from `Fill` to `Done`.
+No script visits `Done`. No script takes a transition from `Fill` to `Abort` and from `Fill` to
+`Done`.
 
-If several transitions lead from one state to another, a run does not show which of them was taken:
-from `Fill` to `Abort` (lines 23, 27, 39), from all states except `Abort` to `Abort` (lines 23,
-27). Some of them may never have been taken.
+Coverage
+  Places       Covered  Of  Impossible
+  transitions        3   9           0
+  statements        11  13           0
+  guards             9  12           0
+  conditions        10  16           0
+  windows            1   2           0
+  states             5   7           0
+
+  Line  Not covered
+    23  `-> Abort` was never taken from Fill
+    27  `-> Abort` was never taken from Idle
+    32  `T < burn and S == Fill` was never false
+    39  `p > most and roll_max(p, 1 s) > 99` was never true
+    39  `p > most` was never false while it decided
+    39  `roll_max(p, 1 s)` was never full when its value mattered
+    40  `T >= burn` was never true
+    41  state Done was never entered
 
 a.ss [passed]
   Step    G  State entered       Duration

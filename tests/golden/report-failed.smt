@@ -145,6 +145,13 @@ States visited by the scripts
 Not covered by the scripts
 Nothing: the scripts visit every state and take every transition.
 
+Coverage
+  Places      Covered  Of  Impossible
+  statements        1   1           0
+  guards            2   2           0
+  conditions        2   2           0
+  states            1   1           0
+
 bad.ss [failed]
 assert failed after step 6 (G = 50, state Idle) [E0750]
 

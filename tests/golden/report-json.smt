@@ -50,9 +50,9 @@ bool valve    # lets "fuel" in
  "variables": {"title": "Inputs, outputs and parameters",
    "tables": {
     "elements": [
-      {"name": "G", "type": "U64", "role": "time", "range": "", "comment": "", "read": "", "written": ""},
-      {"name": "S", "type": "U32", "role": "state number", "range": "", "comment": "", "read": "", "written": ""},
-      {"name": "valve", "type": "bool", "role": "output, read back", "range": "", "comment": "lets \"fuel\" in", "read": "Idle", "written": "Idle"}
+      {"name": "G", "type": "U64", "unit": "", "role": "time", "range": "", "comment": "", "read": "", "written": ""},
+      {"name": "S", "type": "U32", "unit": "", "role": "state number", "range": "", "comment": "", "read": "", "written": ""},
+      {"name": "valve", "type": "bool", "unit": "", "role": "output, read back", "range": "", "comment": "lets \"fuel\" in", "read": "Idle", "written": "Idle"}
     ]}},
 ...
  "abort": {"title": "Abort matrix",

@@ -35,24 +35,46 @@ true: x = 9
 G == 100: @stop
 -- stdout --
   States covered       3 of 3
-  Transitions covered  3 to 6 of 6
-  Idle  Done     51  2 transitions, counted together
-  Done  Idle     50  3 transitions, counted together
+  Transitions covered  3 of 6
 Not covered by the scripts
-The scripts visit every state and go from each state to every state to which its transitions lead.
+Nothing: the scripts visit every state and take every transition.
 
-If several transitions lead from one state to another, a run does not show which of them was taken:
-from `Idle` to `Done` (lines 7, 8), from `Done` to `Idle` (lines 11, 13, 14). Some of them may
-never have been taken.
+Coverage
+  Places       Covered  Of  Impossible
+  transitions        3   6           0
+  statements         6  12           0
+  guards             4  12           0
+  conditions         4  12           0
+  states             5   5           0
+
+  Line  Not covered
+     7  `x > 5` was never false
+     8  `T > 5000` was never executed
+    12  `x < -8` was never false
+    13  `T > 10` was never executed
+    14  `x == 1` was never executed
 
 a.ss [passed]
   States covered       2 of 3
-  Transitions covered  2 to 5 of 6
+  Transitions covered  2 of 6
 Not covered by the scripts
 No script visits `Lost`. No script takes a transition from `Done` to `Lost`.
 
-If several transitions lead from one state to another, a run does not show which of them was taken:
-from `Idle` to `Done` (lines 7, 8), from `Done` to `Idle` (lines 11, 13, 14). Some of them may
-never have been taken.
+Coverage
+  Places       Covered  Of  Impossible
+  transitions        2   6           0
+  statements         4  12           0
+  guards             2  12           0
+  conditions         2  12           0
+  states             4   5           0
+
+  Line  Not covered
+     7  `x > 5` was never false
+     8  `T > 5000` was never executed
+    11  `x > 8` was never false
+    12  `x < -8` was never executed
+    13  `T > 10` was never executed
+    14  `x == 1` was never executed
+    15  state Lost was never entered
 
 b.ss [passed]

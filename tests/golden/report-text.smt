@@ -241,6 +241,22 @@ Transitions taken by the scripts
 Not covered by the scripts
 No script visits `Abort`. No script takes a transition from `Fill` to `Abort`.
 
+Coverage
+  Places       Covered  Of  Impossible
+  transitions        2   3           0
+  statements        10  13           0
+  guards             7  10           0
+  conditions         8  12           0
+  windows            1   1           0
+  states             5   6           0
+
+  Line  Not covered
+    17  `level < 10` was never false while it decided
+    28  `T > 60000` was never true
+    29  `T > 50000` was never true
+    31  `T < 40000` was never false
+    38  state Abort was never entered
+
 fill.ss [passed]
 A tank that fills.
 

@@ -343,7 +343,7 @@ static const char plain[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\n"
 static void check_counts(void)
 {
     const uint64_t states[] = {3, 0}, transitions[] = {2, 0, 0};
-    const DiagramCounts counts = {states, transitions};
+    const DiagramCounts counts = {states, transitions, true};
     const DiagramOptions o = {NULL, &counts, NULL}, none = {NULL, NULL, NULL};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
@@ -416,7 +416,7 @@ static void check_section_counts(void)
 {
     const uint64_t states[] = {3, 3, 3, 0};
     uint64_t taken[8] = {0};
-    const DiagramCounts counts = {states, taken};
+    const DiagramCounts counts = {states, taken, true};
     const DiagramOptions o = {NULL, &counts, NULL};
     Program *p = compile("sections.sm", sections, strlen(sections));
     Analysis a = analysed(p);

@@ -5,11 +5,11 @@
 //
 // A machine is a program of tests/diff. The application binds its elements to elements of its own, or to elements of earlier machines. The
 // reference compiles every machine alone, with a state vector of its own, and steps it on the reference interpreter in the order that
-// docs/language.md 8.80 to 8.90 prescribes; it shares no code with the script's run. After every tick, all elements, the locals and T of
+// docs/language.md 8.71 to 8.81 prescribes; it shares no code with the script's run. After every tick, all elements, the locals and T of
 // every machine, and how often the sections of the script have run must be equal.
 //
 // With FOLDER, writes each application there instead, with C tasks that play its script and the final values: tests/joint/sim.sh builds
-// them for the simulation.  clause 8.80 clause 8.81 clause 8.82 clause 8.84 clause 8.85 clause 8.89
+// them for the simulation.  clause 8.71 clause 8.72 clause 8.73 clause 8.75 clause 8.76 clause 8.80
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

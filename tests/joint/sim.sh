@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Random applications run in the simulation, as C and on the VM, and in smc test: at the end of simulated time without jitter, all elements
-# are the same.  A C task plays the script.  clause 8.80 clause 8.81 clause 8.82 clause 8.83 clause 8.84
+# are the same.  A C task plays the script.  clause 8.71 clause 8.72 clause 8.73 clause 8.74 clause 8.75
 #     sh tests/joint/sim.sh SMC RANDOM SIM.a CC COUNT
 smc=$1 random=$2 sim=$3 cc=$4 count=$5
 passed=0 failed=0

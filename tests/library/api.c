@@ -2,6 +2,7 @@
 // libsmc by its public header alone: what each function does, and what it returns for bad arguments.
 #include <locale.h>
 #include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "compiler/library/smc.h"
@@ -365,6 +366,25 @@ static void test_running_scripts(void)
     smc_close(s);
 }
 
+// Requirements are checked with the one machine, judged in the runs of its scripts, and a row of the report.
+static void test_requirements(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank), good = add(s, SMC_KIND_SS, "good.ss", script);
+    const uint32_t rq = add(s, SMC_KIND_RQ, "tank.rq", "R1 \"opens\" always p > 700 implies valve\n");
+    const char *text;
+    uint64_t size;
+
+    CHECK(smc_source_kind(s, rq) == SMC_KIND_RQ && smc_option_set(s, SMC_OPTION_REVIEW, 1) == SMC_OK && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_OK && smc_report(s, sm, SMC_REPORT_TEXT, &text, &size) == SMC_OK);
+    CHECK(strstr(text, "opens") != NULL && strstr(text, "tank.rq:1") != NULL);
+    CHECK(add(s, SMC_KIND_RQ, "more.rq", "R2 \"stays shut\" never valve\n") != rq && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_E_FAILED && smc_run_outcome(s, good) == SMC_OUTCOME_FAILED);
+    CHECK(smc_diag_count(s) > 0 && strstr(smc_diag_message(s, 0), "R2 violated") != NULL);
+    CHECK(add(s, SMC_KIND_RQ, "wrong.rq", "R2 \"twice\" never nosuch\n") > rq && smc_compile(s) == SMC_E_SOURCE);
+    smc_close(s);
+}
+
 // Two machines, each with a script of its own, and a script without a machine.
 static void test_running_scripts_of_several_machines(void)
 {
@@ -682,7 +702,7 @@ static void test_null_is_refused(void)
 
     CHECK(smc_open(NULL, 0, NULL) == SMC_E_ARGUMENT && smc_close(NULL) == SMC_E_HANDLE && smc_compile(NULL) == SMC_E_HANDLE);
     CHECK(smc_source_add(s, SMC_KIND_SM, NULL, "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", NULL, 1, &n) == SMC_E_ARGUMENT);
-    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 6, "a", "", 0, &n) == SMC_E_ARGUMENT);
+    CHECK(smc_source_add(s, SMC_KIND_SM, "a", "", 0, NULL) == SMC_E_ARGUMENT && smc_source_add(s, 8, "a", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, -1, "a", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "", "", 0, &n) == SMC_E_ARGUMENT);
     CHECK(smc_source_add(s, SMC_KIND_SM, "a\nb", "", 0, &n) == SMC_E_ARGUMENT && smc_source_add(s, SMC_KIND_SM, "a", "", UINT64_C(1) << 40, &n) == SMC_E_SIZE);
     CHECK(smc_source_replace(s, 0, "", 0) == SMC_E_INDEX && smc_source_kind(s, 0) == -1 && is_text(smc_source_name(s, 0), ""));
@@ -752,8 +772,61 @@ static void test_including_scripts(void)
     CHECK(smc_source_kind(s, sm) == SMC_KIND_SM && smc_close(s) == SMC_OK);
 }
 
+// A script finds its recorded data among the sources, and the library opens no file.
+static void test_recorded_data(void)
+{
+    static const char flight[] = "[options]\ndelta_t 10\n[data]\nfile \"../logs/flight.txt\"\ntime \"t\" ms\np = \"P\"\n"
+                                 "@compare valve \"V\" delay 10 ms\n[all_states]\nG == 40: @assert p == 790\nG == 40: @stop\n";
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "dir/tank.sm", tank), ss = add(s, SMC_KIND_SS, "dir/flight.ss", flight);
+    const uint32_t data = add(s, SMC_KIND_DATA, "logs/flight.txt", "t,P,V\n0,700,0\n20,790,1\n");
+    const char *report;
+    uint64_t size;
+    uint32_t added;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF, 0) == SMC_E_FAILED && smc_run_outcome(s, ss) == SMC_OUTCOME_FAILED);
+    CHECK(smc_source_replace(s, data, "t,P,V\n0,700,0\n20,790,1\n", 0) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_source_remove(s, data) == SMC_OK && smc_compile(s) == SMC_E_SOURCE && smc_diag_count(s) > 0);
+    CHECK(smc_source_add(s, SMC_KIND_DATA, "dir/../logs/flight.txt", "t,P,V\n0,790,1\n", 14, &added) == SMC_OK && smc_compile(s) == SMC_OK);
+    CHECK(smc_run(s, ss, SMC_ENGINE_VM | SMC_ENGINE_REF | SMC_ENGINE_VM_SOFT, 0) == SMC_OK && smc_run_asserts(s, ss) == 2);
+    CHECK(smc_report(s, sm, SMC_REPORT_TEXT, &report, &size) == SMC_E_STATE || strstr(report, "flight.txt: 1 rows read") != NULL);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
+// A parameter can be set before the first step, within its range, and is no column of inputs.
+static void test_setting_parameters(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "deploy.sm", "[state_vector]\nU64 G\nU32 S\nF64 x\n[local]\nF64 limit = 450 @parameter @range 150 1000\n"
+                                                         "U8 n = 3 @parameter @range 1 9\n[A]\n.step\nx = limit + n\n");
+    const double nan = (double)NAN, values[2] = {200, 300}, *column[1] = {values};
+    const uint64_t g[2] = {5, 6};
+    SmcMachine m = 0;
+    uint64_t done;
+    uint8_t byte = 12;
+    uint32_t limit, n;
+
+    CHECK(smc_compile(s) == SMC_OK && smc_machine_open(s, sm, &m) == SMC_OK);
+    limit = find_element(s, m, "limit");
+    n = find_element(s, m, "n");
+    CHECK(smc_machine_variable_kind(s, m, limit) == SMC_VARIABLE_LOCAL && get_number(s, m, "limit") == 450);
+    CHECK(smc_machine_set(s, m, limit, 149) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value is below the range"));
+    CHECK(smc_machine_set(s, m, limit, 1001) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value is above the range"));
+    CHECK(smc_machine_set(s, m, n, 2.5) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value of an integer must be a whole number"));
+    CHECK(smc_machine_write(s, m, limit, &nan, sizeof nan) == SMC_E_ARGUMENT && is_text(smc_error_text(s), "the value is not a number"));
+    CHECK(smc_machine_write(s, m, n, &byte, 1) == SMC_E_ARGUMENT && get_number(s, m, "n") == 3 && get_number(s, m, "limit") == 450);
+    byte = 9;
+    CHECK(smc_machine_set(s, m, limit, 300) == SMC_OK && smc_machine_write(s, m, n, &byte, 1) == SMC_OK);
+    CHECK(smc_machine_run(s, m, 2, g, 1, &limit, column, 0, NULL, NULL, NULL, &done) == SMC_E_ARGUMENT && done == 0);
+    CHECK(smc_machine_step(s, m, 10) == SMC_OK && get_number(s, m, "x") == 309);
+    CHECK(smc_machine_set(s, m, limit, 300) == SMC_E_ARGUMENT && smc_machine_step(s, m, 20) == SMC_OK && get_number(s, m, "limit") == 300);
+    CHECK(smc_machine_start(s, m, 1) == SMC_OK && get_number(s, m, "limit") == 450 && smc_machine_set(s, m, limit, 1000) == SMC_OK);
+    CHECK(smc_close(s) == SMC_OK);
+}
+
 int main(void)
 {
+    test_recorded_data();
     test_compiling();
     test_compiling_together();
     test_compiling_an_application();
@@ -768,10 +841,12 @@ int main(void)
     test_errors_are_utf8();
     test_allowed_warnings_are_kept();
     test_running_scripts();
+    test_requirements();
     test_including_scripts();
     test_running_scripts_of_several_machines();
     test_cancelling();
     test_running_machines();
+    test_setting_parameters();
     test_running_columns();
     test_wrong_columns_are_refused();
     test_opening_images();

@@ -73,6 +73,11 @@ writers()
         '-o @' 'graph tank.sm --format=mermaid' \
         '-o @' 'sign image.smb --key=rocket.key --number=7' \
         '--junit=@' 'test tank.sm tank.ss' \
+        '--coverage-data=@' 'test tank.sm tank.ss' \
+        '--coverage-json=@' 'test tank.sm tank.ss' \
+        '--coverage-lcov=@' 'test tank.sm tank.ss' \
+        '-o @' 'mutate tank.sm tank.ss' \
+        '-o @' 'mutate tank.sm tank.ss --format=json' \
         '--trace=@' 'test tank.sm tank.ss' \
         '--trace=@' 'test tank.sm tank.ss --trace-format=exact' \
         '--message-file=@' 'check tank.sm -Weverything' \

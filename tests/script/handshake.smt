@@ -1,4 +1,4 @@
-spec 8.80, 8.84, 8.85, 8.86   A handshake: the ground asks, the rocket answers at half the rate, and each waits for the other.
+spec 8.71, 8.75, 8.76, 8.77   A handshake: the ground asks, the rocket answers at half the rate, and each waits for the other.
 
 -- stand.app --
 [options]

@@ -85,6 +85,56 @@ static unsigned fate_of(SwapMachine *from, SwapMachine *to, SmvmSwapKind kind, c
     return found;
 }
 
+// ---- parameters ----
+
+#define PARAMETER(line) ELEMENTS "[local]\n" line "\n[A] @swap\n.step\nout = limit\n"
+
+// Returns `limit` after a swap from a machine in which it has been set to `value` to another one.
+static double limit_after(const char *old_text, const char *new_text, double value)
+{
+    SwapMachine old, new;
+    double x = -1;
+    uint32_t number;
+
+    compile_both(&old, &new, old_text, new_text);
+    if (smvm_find_parameter(&old.m, "limit", 5, &number))
+        CHECK(smvm_set_parameter((uint8_t *)(uintptr_t)old.image, &old.m, number, value) == 0);
+    run(&old, 2);
+    if (swap(&old, &new) == SM_OK && step(&new, 30, 0) == SM_OK)
+        x = number_at(AT_OUT);
+    free_both(&old, &new);
+    return x;
+}
+
+static void test_parameters(void)
+{
+    const char *const wide = PARAMETER("F64 limit = 450 @parameter @range 150 1000"), *const narrow = PARAMETER("F64 limit = 300 @parameter @range 200 500");
+    const char *const other = PARAMETER("F32 limit = 300 @parameter @range 150 1000"), *const local = PARAMETER("F64 limit = 7");
+    const char *const moved = PARAMETER("F64 first = 1 @parameter @range 0 2\nF64 limit = 300 @parameter @range 200 500");
+    SwapMachine old, new, third;
+
+    CHECK(limit_after(wide, narrow, 400) == 400 && limit_after(wide, narrow, 200) == 200 && limit_after(wide, narrow, 500) == 500);    // clause 12.55
+    CHECK(limit_after(wide, narrow, 501) == 300 && limit_after(wide, narrow, 199) == 300 && limit_after(wide, other, 400) == 300);
+    CHECK(limit_after(wide, moved, 400) == 400 && limit_after(wide, moved, 501) == 300 && limit_after(moved, wide, 250) == 250);
+    CHECK(limit_after(local, narrow, 0) == 300 && limit_after(wide, local, 400) == 7);             // clause 12.56
+    compile_both(&old, &new, wide, narrow);
+    machine_compile(&third, wide, NULL, 2, true);
+    CHECK(fate_of(&old, &new, SMVM_SWAP_LOCAL, "limit") == SMVM_SWAP_KEPT);
+    CHECK(smvm_set_parameter((uint8_t *)(uintptr_t)old.image, &old.m, 0, 480) == 0);
+    run(&old, 2);
+    CHECK(swap(&old, &new) == SM_OK && step(&new, 30, 0) == SM_OK && number_at(AT_OUT) == 480);
+    CHECK(swap(&new, &third) == SM_OK && step(&third, 40, 0) == SM_OK && number_at(AT_OUT) == 480);
+    CHECK(machine_start(&new, sv.byte, 1) == SM_OK && step(&new, 50, 0) == SM_OK && number_at(AT_OUT) == 300);        // clause 12.57
+    free_both(&old, &new);
+    machine_free(&third);
+    compile_both(&old, &new, wide, other);
+    CHECK(fate_of(&old, &new, SMVM_SWAP_LOCAL, "limit") == SMVM_SWAP_CHANGED);
+    free_both(&old, &new);
+    compile_both(&old, &new, wide, local);
+    CHECK(fate_of(&old, &new, SMVM_SWAP_LOCAL, "limit") == SMVM_SWAP_REMOVED || fate_of(&old, &new, SMVM_SWAP_LOCAL, "limit") == SMVM_SWAP_ADDED);
+    free_both(&old, &new);
+}
+
 // ---- what can be swapped ----
 
 #define COUNTER ELEMENTS "[local]\nU16 n = 0\nU16 other = 5\n[A] @swap\n.entry\nfired = true\n.step\nn = n + 1\nout = n\nmore = T\n"
@@ -413,6 +463,7 @@ int main(void)
 {
     test_boundary();
     test_layout();
+    test_parameters();
     test_marks();
     test_restart();
     test_states();

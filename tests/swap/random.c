@@ -60,7 +60,9 @@ static void edit_local(Gen *g, GVar *v)
 {
     if (rng_percent(&g->rng, 15))
         v->name = gen_new_name(g);
-    if (v->roll_size != 0)                // the size of a window
+    if (v->parameter && rng_percent(&g->rng, 50))
+        gen_random_range(g, v);
+    if (v->roll_size != 0 || v->parameter)            // the size of a window
         return;
     if (rng_percent(&g->rng, 15))
         v->type = (SmType)rng_below(&g->rng, SM_TYPE_COUNT);

@@ -353,7 +353,7 @@ static void test_command(void)
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart=Nowhere") == 1 && printed("no state of the name"));
     CHECK(command("swap other.sm -w --to=stand.sock --continue") == 1 && printed("those that can be swapped are: a"));
     CHECK(command("swap a=other.sm -w --to=stand.sock --continue") == 1 && printed("compiled for another state vector") && printed("--sv=stand.sv"));
-    // clause 10.38: the bindings of a machine, from the application or from --bind
+    // clause 10.32: the bindings of a machine, from the application or from --bind
     write_file("any.sm", "[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 p\nF64 x\n[A] @swap\n.step\n    x = p\n");
     write_file("stage.app", "[options]\nstate_vector \"stage.sv\"\ntime time 1 ms\n[e]\nevery 1 ms:\nmachine a \"any.sm\" { state = sa  x = out } @bytecode\n");
     CHECK(command("swap a=any.sm --app stage.app -w --to=stand.sock --restart --confirm") == 0);

@@ -34,6 +34,14 @@ static bool is_same_variable(const Var *a, const Var *b)
     return a->kind == b->kind && is_same_text(a->name, b->name) && (a->kind != VAR_LOCAL || a->type == b->type);
 }
 
+// Whether a local may have the value of another (swapping.md 12.55, 12.56): both are parameters or neither is, and the value is in the range.
+static bool may_keep(const Var *old, const Var *new, uint64_t cell)
+{
+    const double x = ref_read(new->type, cell);
+
+    return (!old->parameter && !new->parameter) || (old->parameter && new->parameter && new->parameter->lo <= x && x <= new->parameter->hi);
+}
+
 static bool has_same_operators(const Expr *a, const Expr *b)
 {
     const bool relations[2] = {a->kind == EX_CHAIN, b->kind == EX_CHAIN};
@@ -99,7 +107,7 @@ bool reference_continue(const RefEngine *from, RefEngine *to, const bool *from_h
     for (size_t i = 0; i < to->p->var.n; i++)
         for (size_t k = 0; k < from->p->var.n; k++) {
             const Var *v = to->p->var.at[i], *old = from->p->var.at[k];
-            if (v->kind == VAR_LOCAL && is_same_variable(old, v) && !v->is_constant && !old->is_constant)
+            if (v->kind == VAR_LOCAL && is_same_variable(old, v) && !v->is_constant && !old->is_constant && may_keep(old, v, from->cell[k]))
                 to->cell[i] = from->cell[k];
         }
     for (size_t i = 0; i < to->windows.n; i++)

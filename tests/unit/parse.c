@@ -167,8 +167,8 @@ static void test_wrong_lists(void)
     wrong(FILE_SV, "[A]\nF64 x @read_only\nF64 y @alias z\n.step\nx = 1\n", "E0363 E0363 E0307 E0352");
     wrong(FILE_SS, "[options]\ndelta_t = 5\ndelta_t -5\ndelta_t\ninit_state 3\nfoo bar\nlock\n5", "E0373 E0374 E0374 E0374 E0371 E0372 E0370");
     wrong(FILE_SS, "[all_states]\nx = 1\ny = 2\na: b: x = 1\na { }\na { @stop x = 1 }\n[local]\n x y z\n[B]\n.step\nx = 1\n",
-          "E0380 E0382 E0384 E0330 E0351 E0355 E0386 E0380");
-    wrong(FILE_SS, "[A]\na { @stop\nx = 1\ny = 1 }\nelse: x = 1\n-> A\n", "E0385 E0381 E0383");
+          "E0380 E0384 E0330 E0351 E0355 E0386 E0380");
+    wrong(FILE_SS, "[A]\na { @stop\nx = 1\ny = 1 }\nelse: x = 1\n-> A\n", "E0385 E0383");
     wrong(FILE_SM, "some text\n'quoted' && more;\n[A]\n", "E0301");
     wrong(FILE_SM, "[A\n[B c]\n[1]\n[if]\n[options]\n[all_states]\nits\n", "E0119 E0120 E0305 E0306 E0310");
 }

@@ -174,11 +174,48 @@ static void check_one_a_step(void)
     session_free(&s);
 }
 
+// A script with a conditional for each period, in a section that not every step visits: a step evaluates those of which it is a multiple.
+static void check_periods(void)
+{
+    enum { PERIODS = 200, STEPS = 2000 };
+    Session s;
+    Buf text;
+    const Program *p;
+    Script *script;
+    uint64_t *cell;
+    Schedule *h;
+    DueItems due = {0};
+
+    session_init(&s, host_alloc, NULL, &host_oom);
+    buf_init(&text, &s.arena);
+    buf_str(&text, "[options]\ndelta_t 1\n[A]\n");
+    for (unsigned i = 1; i <= PERIODS; i++)
+        buf_printf(&text, "every %u: @stop\n", i);
+    buf_str(&text, "from 50 to 60 { every 7: @stop }\n");
+    script = compile(&s, buf_text(&text), text.n, &p);
+    CHECK(script != NULL);
+    if (!script)
+        return;
+    cell = initial_cells(&s, p);
+    h = schedule_new(&s.arena, script, cell);
+    for (unsigned g = 0; g < STEPS; g += 1 + pick(3)) {
+        const bool in_range = g >= 50 && g <= 60;
+        size_t divisors = 0;
+        for (unsigned i = 1; i <= PERIODS; i++)
+            divisors += g % i == 0;
+        cell[p->g->index] = g;
+        schedule_find_due(h, p->state.at[pick(2)], cell, &due);
+        CHECK(due.n == 0 || (due.n >= divisors && due.n <= divisors + 2 * in_range));
+    }
+    session_free(&s);
+}
+
 int main(void)
 {
     host_check(setjmp(host_oom));
     for (int i = 0; i < SCRIPTS; i++)
         check_random_script();
     check_one_a_step();
+    check_periods();
     return test_end("schedule");
 }

@@ -300,11 +300,28 @@ static void test_unknown_optional_section_is_skipped(void)
     CHECK(smvm_verify(START, small_end - START, &v) == 0);
 }
 
+// A VM without parameters refuses images that have them, even an empty section: it would ignore what the image says about values.
+static void test_parameters_are_refused_where_the_vm_has_none(void)
+{
+    static const uint8_t id[] = {0x81, 0x82, 0x84};
+    uint8_t *image = small_flash + START;
+    SmvmVerdict v;
+    Build b;
+
+    make_random_machine(&b);
+    small_image = START;
+    small_end = START + build_sections(&b, 3, id, image);
+    image[12 + 2 * SMVM_SECTION_ENTRY + 1] = 1;
+    fix_crc(image);
+    CHECK(smvm_verify(START, small_end - START, &v) == SMVM_R_UNKNOWN);
+}
+
 int main(void)
 {
     test_random_images_are_safe();
     test_state_cannot_overwrite_time();
     test_image_too_large_for_the_target_is_refused();
     test_unknown_optional_section_is_skipped();
+    test_parameters_are_refused_where_the_vm_has_none();
     return test_end("vm_hostile");
 }

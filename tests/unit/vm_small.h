@@ -10,6 +10,7 @@
 #define SMVM_LONGEST 1
 #define SMVM_JOINS 2
 #define SMVM_FUNCTIONS UINT32_C(1)                    // exp alone
+#define SMVM_PARAMETERS 0
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) small_fetch((uint32_t)(image) + (at))
 

@@ -47,14 +47,29 @@ void bc_write_u24(Buf *out, uint32_t v)
 
 static uint32_t bytes_of_pool_type(uint32_t pool) { return pool == BC_RAW ? 8 : sm_type_info[pool].bytes; }
 
+// The parameters come first, so that they are one part of the locals, which no code writes.
+static void assign_parameter_offsets(BcMachine *m)
+{
+    const IrMachine *ir = m->ir;
+
+    for (uint32_t bytes = 8; bytes > 0; bytes /= 2)
+        for (size_t v = 0; v < ir->var.n; v++)
+            if (ir->var.at[v].parameter && sm_type_info[ir->var.at[v].type].bytes == bytes) {
+                m->local_at[v] = m->locals;
+                m->locals += bytes;
+            }
+    m->locals = (m->locals + 7) / 8 * 8;
+}
+
 static void assign_local_offsets(Arena *arena, BcMachine *m)
 {
     const IrMachine *ir = m->ir;
 
     m->local_at = ARENA_ARRAY(arena, uint32_t, ir->var.n);
+    assign_parameter_offsets(m);
     for (uint32_t bytes = 8; bytes > 0; bytes /= 2) {
         for (size_t v = 0; v < ir->var.n; v++)
-            if (ir->var.at[v].space == IR_LOCAL && sm_type_info[ir->var.at[v].type].bytes == bytes) {
+            if (ir->var.at[v].space == IR_LOCAL && !ir->var.at[v].parameter && sm_type_info[ir->var.at[v].type].bytes == bytes) {
                 m->local_at[v] = m->locals;
                 m->locals += bytes;
             }

@@ -198,7 +198,7 @@ static void add_init(ImageWriter *w, const BcMachine *m)
     buf_init(&b, w->arena);
     for (uint32_t v = 0; v < m->ir->var.n; v++) {
         const IrVar *var = &m->ir->var.at[v];
-        if (var->space != IR_LOCAL || var->init == 0)
+        if (var->space != IR_LOCAL || var->parameter || var->init == 0)
             continue;
         bc_write_u24(&b, bc_pack_location(m, v));
         for (uint32_t i = 0; i < sm_type_info[var->type].bytes; i++)
@@ -206,6 +206,50 @@ static void add_init(ImageWriter *w, const BcMachine *m)
     }
     if (b.n > 0)
         add_section(w, SMVM_S_INIT, SMVM_V_INIT, &b);
+}
+
+// ---- PARAMETERS ----
+
+static void write_cell(Buf *b, SmType type, uint64_t cell)
+{
+    for (uint32_t i = 0; i < sm_type_info[type].bytes; i++)
+        buf_char(b, (char)(cell >> 8 * i & 0xff));
+}
+
+static void write_text(Buf *b, const char *text)
+{
+    bc_write_varint(b, (uint32_t)strlen(text));
+    buf_put(b, text, strlen(text) + 1);
+}
+
+// Returns an end of a range as a cell.  A zero has the sign of `beyond`, because both zeros are in the range (docs/bytecode.md, rule 37).
+static uint64_t cell_of_end(SmType type, SmF64 end, SmF64 beyond)
+{
+    return sm_cell_from_f64(type, is_zero(end) ? sm_mul(sm_from_i32(0), beyond) : end);
+}
+
+// Adds the parameters in the order of their locals: by size, then as declared.
+static void add_parameters(ImageWriter *w, const BcMachine *m)
+{
+    Buf b;
+
+    buf_init(&b, w->arena);
+    for (uint32_t bytes = 8; bytes > 0; bytes /= 2)
+        for (uint32_t v = 0; v < m->ir->var.n; v++) {
+            const IrVar *var = &m->ir->var.at[v];
+            const Parameter *p = var->parameter;
+            if (!p || sm_type_info[var->type].bytes != bytes)
+                continue;
+            bc_write_u24(&b, bc_pack_location(m, v));
+            write_cell(&b, var->type, cell_of_end(var->type, p->lo, sm_from_i32(-1)));
+            write_cell(&b, var->type, cell_of_end(var->type, p->hi, sm_from_i32(1)));
+            write_cell(&b, var->type, p->standard);
+            write_cell(&b, var->type, var->init);
+            write_text(&b, var->name->text);
+            write_text(&b, "");
+        }
+    if (b.n > 0)
+        add_section(w, SMVM_S_PARAMETERS, SMVM_V_PARAMETERS, &b);
 }
 
 // ---- SAFE, SWAP, ABORT ----
@@ -268,6 +312,7 @@ static bool add_machine_sections(ImageWriter *w, const IrMachine *ir, bool debug
     add_machine(w, &m, code.n);
     add_section(w, SMVM_S_CODE, SMVM_V_CODE, &code);
     add_init(w, &m);
+    add_parameters(w, &m);
     add_marks(w, ir, SMVM_S_SAFE, SMVM_V_SAFE, is_safe);
     add_marks(w, ir, SMVM_S_SWAP, SMVM_V_SWAP, allows_swap);
     if (debug) {

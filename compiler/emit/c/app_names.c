@@ -89,6 +89,7 @@ static void claim_vector(CNameClaims *k)
 static void claim_machine(CNameClaims *k, const Program *p)
 {
     static const char *const functions[] = {"_init", "_step", "_state", "_T", "_state_name", "_size", "_sv_size", "_machine"};
+    static const char *const parameter_functions[] = {"_get_parameters", "_set_parameters"}, *const parameter_types[] = {"Parameters"};
     static const char *const types[] = {"", "Status", "Stored"};
     static const char *const numbers[] = {"_OK", "_REFUSED", "_NO_STATE", "_UNFIT", "_INITIAL_STATE", "_STATES"};
     const char *prefix = c_identifier(k->arena, p->name->text, p->name->len);
@@ -99,6 +100,10 @@ static void claim_machine(CNameClaims *k, const Program *p)
     CLAIM_NAMES(k, prefix, functions, o);
     CLAIM_NAMES(k, c_machine_type(k->arena, prefix, u.names.sv_type), types, o);
     CLAIM_NAMES(k, c_macro_name(k->arena, prefix), numbers, o);
+    if (!program_has_parameters(p))
+        return;
+    CLAIM_NAMES(k, prefix, parameter_functions, o);
+    CLAIM_NAMES(k, c_machine_type(k->arena, prefix, u.names.sv_type), parameter_types, o);
 }
 
 // Claims the names of the functions that the user writes for a task, and the static names that the application's file derives from its name.

@@ -182,11 +182,12 @@ static void write_window_member(const CUnit *u, size_t w, const char *call, Buf 
                call ? call : ir_stores_times(win) ? "times" : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
 }
 
-// Writes the members of the locals that blocks store, or of the others, below a comment.
-static void write_local_members(const CUnit *u, bool stored, const char *comment, Buf *out)
+// Writes the members of the parameters, of the locals that blocks store, or of the others, below a comment.
+static void write_local_members(const CUnit *u, bool parameters, bool stored, const char *comment, Buf *out)
 {
     for (size_t v = 0; v < u->m->var.n; v++) {
-        if (u->m->var.at[v].space != IR_LOCAL || u->m->var.at[v].writable != stored)
+        const IrVar *var = &u->m->var.at[v];
+        if (var->space != IR_LOCAL || (var->parameter != NULL) != parameters || var->writable != stored)
             continue;
         buf_str(out, comment);
         comment = "";
@@ -209,8 +210,9 @@ static void write_machine_struct(CUnit *u, Buf *out)
     write_member(out, "uint64_t", "start_", "time of the state's first step");
     if (u->track_stores)
         write_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
-    write_local_members(u, true, "\n    // [local]\n", out);
-    write_local_members(u, false, "\n    // [local], never stored: the code contains their values, and a change here has no defined effect\n", out);
+    write_local_members(u, true, false, format_in(u->arena, "\n    // parameters: set them with %s_set_parameters\n", u->names.prefix), out);
+    write_local_members(u, false, true, "\n    // [local]\n", out);
+    write_local_members(u, false, false, "\n    // [local], never stored: the code contains their values, and a change here has no defined effect\n", out);
     if (m->window.n)
         buf_str(out, "\n    // rolling windows\n");
     for (size_t w = 0; w < m->window.n; w++)
@@ -234,6 +236,9 @@ void c_write_machine_types(CUnit *u, Buf *out)
         c_write_window_sizes(u, out);
     }
     write_machine_struct(u, out);
+    if (c_has_parameters(u))
+        buf_char(out, '\n');
+    c_write_parameter_types(u, out);
 }
 
 void c_write_prototypes(const CUnit *u, Buf *out)
@@ -243,6 +248,7 @@ void c_write_prototypes(const CUnit *u, Buf *out)
     buf_printf(out, "// Starts the machine in a state: writes its number to the state vector, and the locals' initial values.  After any other\n"
                     "// status than %s_OK the machine refuses to step.\n", n->macro);
     buf_printf(out, "%sStatus %s_init(%s *m, %s *sv, uint32_t state);\n\n", n->type, n->prefix, n->type, n->sv_type);
+    c_write_parameter_prototypes(u, out);
     buf_printf(out, "// Runs one step.  Time, sv->%s, must have advanced since the last step that ran.\n", n->var[u->m->g]);
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv);\n\n", n->type, n->prefix, n->type, n->sv_type);
     buf_printf(out, "// The number of the state that the next step runs.\n");

@@ -371,6 +371,7 @@ void c_write_machine(CUnit *u, Buf *out)
     buf_str(out, buf_text(&code));
     buf_str(out, "// ---- the machine ----\n\n");
     write_init(u, out);
+    c_write_parameters(u, out);
     write_step(u, s, u->m->sample ? &sample : NULL, out);
     write_queries(u, out);
 }

@@ -250,7 +250,7 @@ void names_assign_runtime(Arena *arena, const CNames *names, const StateVec *sv,
 }
 
 // Reserves the members of the machine's struct that are not locals.
-static void reserve_machine_members(NameSet *s, const CNames *n)
+static void reserve_machine_members(NameSet *s, const CNames *n, bool has_parameters)
 {
     static const char *const own[] = { "T", "stored", "state_", "first_", "gate_", "left_", "start_" };
 
@@ -260,6 +260,8 @@ static void reserve_machine_members(NameSet *s, const CNames *n)
     try_take_name(s, n->sv_type);
     try_take_name(s, format_in(s->arena, "%sStored", n->type));
     try_take_name(s, format_in(s->arena, "%sStatus", n->type));
+    if (has_parameters)
+        try_take_name(s, format_in(s->arena, "%sParameters", n->type));
 }
 
 // Returns, by rolling window, the variable whose value it samples; IR_NONE if it samples another expression.
@@ -319,7 +321,7 @@ static void assign_variable_names(CUnit *u)
     NameSet s;
 
     name_set_init(&s, u->arena);
-    reserve_machine_members(&s, &u->names);
+    reserve_machine_members(&s, &u->names, c_has_parameters(u));
     u->names.var = ARENA_ARRAY(u->arena, const char *, m->var.n);
     for (size_t v = 0; v < m->var.n; v++) {
         switch (m->var.at[v].space) {

@@ -142,6 +142,10 @@ const char **remark_window_calls(CUnit *u);
 void c_write_vector_struct(const CUnit *u, Buf *out);
 // Writes the check of the struct's size, for the source file: foreign function interfaces read the header, and most cannot evaluate it.
 void c_write_vector_check(const CUnit *u, Buf *out);
+bool c_has_parameters(const CUnit *u);
+void c_write_parameter_types(CUnit *u, Buf *out);        // parameters.c: for a machine without parameters these three write nothing
+void c_write_parameter_prototypes(const CUnit *u, Buf *out);
+void c_write_parameters(CUnit *u, Buf *out);
 void c_write_machine_types(CUnit *u, Buf *out);
 void c_write_prototypes(const CUnit *u, Buf *out);
 const char *c_type_of(const CUnit *u, SmType type);       // the C type of a value of `type`

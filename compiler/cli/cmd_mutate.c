@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc mutate: changes a machine in one place at a time, and lists the changes that no script notices.
+#include <stdlib.h>
+
+#include "compiler/analysis/transitions.h"
+#include "compiler/base/json.h"
+#include "compiler/base/os_signal.h"
+#include "compiler/base/path.h"
+#include "compiler/cli/runs.h"
+#include "compiler/cover/mutate.h"
+
+enum { STEPS_MOST = 1000000 };
+
+typedef struct MutateRun {
+    Cli *c;
+    Arena *arena;
+    const Program *p;
+    Mutation *u;
+    VEC(const Script *) script;
+    uint32_t tried;
+    double least;             // --min-score
+} MutateRun;
+
+typedef struct Score { unsigned long all, noticed, unnoticed, equivalent; } Score;
+
+static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
+
+static Score count_verdicts(const MutateRun *r)
+{
+    Score s = {0, 0, 0, 0};
+    uint32_t n;
+    const Mutant *m = mutation_list(r->u, &n);
+
+    s.all = n;
+    for (uint32_t i = 0; i < n; i++) {
+        s.noticed += m[i].verdict == MUTANT_NOTICED;
+        s.unnoticed += m[i].verdict == MUTANT_UNNOTICED;
+        s.equivalent += m[i].verdict == MUTANT_EQUIVALENT;
+    }
+    return s;
+}
+
+static double percent_of(Score s) { return s.noticed + s.unnoticed ? 100 * (double)s.noticed / (double)(s.noticed + s.unnoticed) : 100; }
+
+// ---- text ----
+
+// The most dangerous ones first, then in the order of the source.
+static int compare_danger(const void *a, const void *b)
+{
+    const Mutant *x = *(const Mutant *const *)a, *y = *(const Mutant *const *)b;
+
+    if (x->danger != y->danger)
+        return x->danger > y->danger ? -1 : 1;
+    return x < y ? -1 : x > y;
+}
+
+static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
+{
+    static const char *const about[] = {"", "", ", an output", ", on the way to an @abort state"};
+    const LineCol at = source_position(m->span.src, m->span.at);
+
+    buf_printf(out, "  line %lu:%lu: `%s` ", (unsigned long)at.line, (unsigned long)at.col, source_text(r->arena, m->span));
+    if (m->text[0] == 'i')
+        buf_str(out, "removed");
+    else if (m->text[0] == '\0')
+        buf_str(out, "left out");
+    else
+        buf_printf(out, "changed to `%s`", m->text);
+    if (m->state)
+        buf_printf(out, " in %s", m->state->name->text);
+    buf_printf(out, "%s\n", about[m->danger]);
+}
+
+static void write_list(const MutateRun *r, MutantVerdict verdict, const char *title, Buf *out)
+{
+    uint32_t n, shown = 0;
+    const Mutant *m = mutation_list(r->u, &n), **order = arena_array(r->arena, n + 1, sizeof *order);
+
+    for (uint32_t i = 0; i < n; i++)
+        if (m[i].verdict == verdict)
+            order[shown++] = &m[i];
+    qsort(order, shown, sizeof *order, compare_danger);
+    if (shown)
+        buf_str(out, title);
+    for (uint32_t i = 0; i < shown; i++)
+        write_mutant(r, order[i], out);
+}
+
+static void write_text(const MutateRun *r, Buf *out)
+{
+    const Score s = count_verdicts(r);
+
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.noticed, s.noticed + s.unnoticed, percent_of(s));
+    if (s.equivalent)
+        buf_printf(out, ", and %lu make no difference", s.equivalent);
+    if (r->tried < s.all)
+        buf_printf(out, ", and %lu were not tried", s.all - r->tried);
+    buf_char(out, '\n');
+    write_list(r, MUTANT_UNNOTICED, "not noticed:\n", out);
+    if (r->c->given[OPT_VERBOSE]) {
+        write_list(r, MUTANT_NOTICED, "noticed:\n", out);
+        write_list(r, MUTANT_EQUIVALENT, "no difference:\n", out);
+    }
+}
+
+// ---- JSON ----
+
+static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
+{
+    static const char *const verdict[] = {"waiting", "noticed", "unnoticed", "equivalent"};
+    const LineCol at = source_position(m->span.src, m->span.at);
+
+    buf_printf(out, "{\"line\":%lu,\"column\":%lu,\"at\":%lu,\"length\":%lu,\"old\":", (unsigned long)at.line, (unsigned long)at.col,
+               (unsigned long)m->span.at, (unsigned long)m->span.len);
+    json_put_string(out, source_text(r->arena, m->span));
+    buf_str(out, ",\"new\":");
+    json_put_string(out, m->text);
+    buf_printf(out, ",\"danger\":\"%s\",\"verdict\":\"%s\"", mutant_danger_name[m->danger], verdict[m->verdict]);
+    if (m->verdict == MUTANT_NOTICED) {
+        buf_str(out, ",\"script\":");
+        json_put_string(out, path_portable_name(r->script.at[m->script]->src->name));
+    }
+    buf_char(out, '}');
+}
+
+static void write_json(const MutateRun *r, Buf *out)
+{
+    const Score s = count_verdicts(r);
+    uint32_t n;
+    const Mutant *m = mutation_list(r->u, &n);
+
+    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"noticed\":%lu,\"unnoticed\":%lu,\"equivalent\":%lu,\"mutants\":[\n", r->p->name->text,
+               s.noticed, s.unnoticed, s.equivalent);
+    for (uint32_t i = 0; i < n; i++) {
+        write_json_mutant(r, &m[i], out);
+        buf_str(out, i + 1 < n ? ",\n" : "\n");
+    }
+    buf_str(out, "]}\n");
+}
+
+// ---- running ----
+
+// Runs the mutants, until a signal asks to stop.
+static void run_mutants(MutateRun *r)
+{
+    os_signals_begin();
+    os_signals_delay();
+    while (!os_signal_waiting() && mutation_run_next(r->u))
+        r->tried++;
+}
+
+static int write_result(MutateRun *r, size_t format)
+{
+    OsOutput file = {r->c->given[OPT_OUTPUT] ? r->c->value[OPT_OUTPUT] : "-", NULL, 0};
+    Buf out;
+
+    buf_init(&out, r->arena);
+    if (format == 0)
+        write_text(r, &out);
+    else
+        write_json(r, &out);
+    file.bytes = buf_text(&out);
+    file.n = out.n;
+    return cli_write_outputs(r->c, &file, 1);
+}
+
+static int judge_score(MutateRun *r)
+{
+    const Score s = count_verdicts(r);
+
+    if (!r->c->given[OPT_MIN_SCORE] || percent_of(s) >= r->least)
+        return EXIT_OK;
+    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", percent_of(s)), format_in(r->arena, "%g %%", r->least));
+    return EXIT_PROBLEM;
+}
+
+static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
+{
+    uint32_t failing;
+    int code;
+
+    r->u = mutation_new(r->arena, r->p, r->script.at, r->script.n, max_steps);
+    failing = mutation_find_failing(r->u);
+    if (failing < r->script.n) {
+        cli_print_error(r->c, TEXT_mutate_fails, r->script.at[failing]->src->name);
+        mutation_end(r->u);
+        return EXIT_PROBLEM;
+    }
+    run_mutants(r);
+    code = write_result(r, format);
+    if (code == EXIT_OK)
+        code = judge_score(r);
+    if (r->tried < count_verdicts(r).all)
+        cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, count_verdicts(r).all);
+    mutation_end(r->u);
+    os_signals_resume();                  // ends the process if a signal has asked to stop
+    os_signals_end();
+    return code;
+}
+
+// ---- the command ----
+
+// Checks the scripts.  EXIT_OK, or EXIT_PROBLEM after their diagnostics.
+static int check_scripts(MutateRun *r, const CompileInput *in, const Compiled *made)
+{
+    for (size_t i = 0; i < in->n; i++)
+        if (in->at[i].kind == FILE_SS && !made->of[i].is_included) {
+            const Script *s = session_script(&r->c->session, in->at[i].text, r->p);
+            if (s)
+                vec_push(r->arena, &r->script, s);
+        }
+    return cli_print_diagnostics(r->c);
+}
+
+static int read_options(MutateRun *r, uint64_t *max_steps, size_t *format)
+{
+    Cli *c = r->c;
+    const char *end = "";
+
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format))
+        return EXIT_USAGE;
+    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], max_steps))
+        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (c->given[OPT_MIN_SCORE] && ((end = cli_read_percent(c->value[OPT_MIN_SCORE], &r->least)) == NULL || *end != '\0'))
+        return cli_usage_error(c, TEXT_min_score_form, c->value[OPT_MIN_SCORE]);
+    return EXIT_OK;
+}
+
+int cmd_mutate(Cli *c)
+{
+    MutateRun r = {.c = c, .arena = &c->session.arena};
+    uint64_t max_steps = STEPS_MOST;
+    size_t format;
+    CompileInput in;
+    CompileOptions o;
+    Compiled made;
+    int code;
+
+    if ((code = runs_check_arguments(c)) != EXIT_OK || (code = read_options(&r, &max_steps, &format)) != EXIT_OK)
+        return code;
+    if (c->files < 2)
+        return cli_usage_error(c, TEXT_mutate_script, c->file[0]);
+    if (!cli_compile_options(c, &o))
+        return EXIT_USAGE;
+    if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
+        return code;
+    o.scripts_later = true;
+    o.skip_analyses = true;
+    compile_sources(&c->session, &in, &o, &made);
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+        return code;
+    r.p = runs_find_machine(&in, &made)->scripted;
+    if ((code = check_scripts(&r, &in, &made)) != EXIT_OK)
+        return code;
+    return mutate(&r, max_steps, format);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cli/setting.h"
+
+#include <string.h>
+
+#include "compiler/syntax/number.h"
+
+// Whether text is a well-formed number without a sign: its characters are those of a number, and number_to_f64 needs no others.
+static bool is_number(const char *text)
+{
+    const bool is_hex = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    const char *at = is_hex ? text + 2 : text;
+    size_t digits = strspn(at, is_hex ? "0123456789abcdefABCDEF" : "0123456789");
+
+    at += digits;
+    if (!is_hex && *at == '.' && digits > 0) {
+        digits = strspn(at + 1, "0123456789");
+        at += 1 + digits;
+    }
+    if (!is_hex && (*at == 'e' || *at == 'E') && digits > 0) {
+        at += 1 + (at[1] == '+' || at[1] == '-');
+        digits = strspn(at, "0123456789");
+        at += digits;
+    }
+    return digits > 0 && *at == '\0';
+}
+
+static SmF64 read_value(const char *text)
+{
+    const bool minus = text[0] == '-';
+    const char *digits = text + (minus || text[0] == '+');
+    SmF64 x;
+
+    if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0)
+        return sm_from_i32(text[0] == 't');
+    if (!is_number(digits))
+        return sm_from_bits(UINT64_C(0x7ff8000000000000));
+    if (!number_to_f64(digits, strlen(digits), &x))
+        x = sm_from_bits(UINT64_C(0x7ff0000000000000));
+    return minus ? sm_neg(x) : x;
+}
+
+bool setting_parse(Cli *c, const char *word, Setting *s)
+{
+    const char *equals = strchr(word, '=');
+
+    if (!equals || equals == word || equals[1] == '\0') {
+        cli_usage_error(c, TEXT_setting_form, word);
+        return false;
+    }
+    s->name = word;
+    s->name_size = (uint32_t)(equals - word);
+    s->text = equals + 1;
+    s->value = read_value(s->text);
+    return true;
+}
+
+void setting_report_refused(Cli *c, const Setting *s, const char *reason)
+{
+    cli_print_error(c, TEXT_setting_refused, (int)s->name_size, s->name, s->text, reason);
+}

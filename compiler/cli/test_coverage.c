@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc test --coverage: measures while the scripts run, adds counts of earlier runs, and writes and judges the result.
+#include <string.h>
+
+#include "compiler/cli/test.h"
+#include "compiler/cover/cover.h"
+
+struct TestCoverage {
+    Cover *cover;
+    const Program *p;
+};
+
+typedef struct Demand { bool is_set; double percent; } Demand;       // of one kind, by --min-coverage
+
+bool test_coverage_is_wanted(const Cli *c)
+{
+    return c->given[OPT_COVERAGE] || c->given[OPT_MIN_COVERAGE] || c->given[OPT_COVERAGE_DATA] || c->given[OPT_COVERAGE_JSON] || c->given[OPT_COVERAGE_LCOV];
+}
+
+bool test_is_coverage_data(const char *path) { return has_suffix(path, ".cov"); }
+
+// ---- --min-coverage ----
+
+// Reads `kind:percent,kind:percent` into demand, by CoverKind.  Returns false if it has another form.
+static bool read_demands(const char *text, Demand *demand)
+{
+    for (;; text++) {
+        const size_t n = strcspn(text, ":");
+        int kind = 0;
+        while (kind < COVER_KIND_COUNT && (strlen(cover_kind_name[kind]) != n || strncmp(cover_kind_name[kind], text, n) != 0))
+            kind++;
+        if (kind == COVER_KIND_COUNT || text[n] != ':' || (text = cli_read_percent(text + n + 1, &demand[kind].percent)) == NULL)
+            return false;
+        demand[kind].is_set = true;
+        if (*text != ',')
+            return *text == '\0';
+    }
+}
+
+static const char *list_kinds(Cli *c)
+{
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    for (int k = 0; k < COVER_KIND_COUNT; k++)
+        buf_printf(&out, "%s%s", k == 0 ? "" : k + 1 < COVER_KIND_COUNT ? ", " : " and ", cover_kind_name[k]);
+    return buf_text(&out);
+}
+
+int test_coverage_check_options(Cli *c)
+{
+    Demand demand[COVER_KIND_COUNT] = {{false, 0}};
+
+    if (c->given[OPT_MIN_COVERAGE] && !read_demands(c->value[OPT_MIN_COVERAGE], demand))
+        return cli_usage_error(c, TEXT_min_coverage_form, list_kinds(c));
+    return EXIT_OK;
+}
+
+// Whether a total is below what is demanded.  A machine without places of a kind has covered them.
+static bool is_too_low(CoverTotal t, Demand d)
+{
+    return d.is_set && 100.0 * t.covered < d.percent * t.possible;
+}
+
+// Reports a kind whose coverage is too low, with a note for each place that is missing.
+static void report_too_low(TestRun *t, const Cover *c, int kind, double percent)
+{
+    Diags *d = &t->c->session.diags;
+    const CoverTotal total = cover_total(c, (CoverKind)kind);
+    const CoverGaps gaps = cover_list_gaps(c, 1u << kind);
+    const char *has = format_in(t->arena, "%lu of %lu", (unsigned long)total.covered, (unsigned long)total.possible);
+    Diag *low = NULL;
+
+    for (uint32_t i = 0; i < gaps.n && !gaps.at[i].is_impossible; i++) {
+        if (low == NULL)
+            low = diag_report(d, DIAG_coverage_too_low, gaps.at[i].span, cover_kind_name[kind], has, format_in(t->arena, "%.6g", percent));
+        diag_note(d, low, gaps.at[i].span, DIAG_note_not_covered, gaps.at[i].text);
+    }
+}
+
+static void judge(TestRun *t, const Cover *c, const char *machine)
+{
+    Demand demand[COVER_KIND_COUNT] = {{false, 0}};
+    TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
+
+    if (!t->c->given[OPT_MIN_COVERAGE])
+        return;
+    read_demands(t->c->value[OPT_MIN_COVERAGE], demand);
+    for (int k = 0; k < COVER_KIND_COUNT; k++)
+        if (is_too_low(cover_total(c, (CoverKind)k), demand[k]))
+            report_too_low(t, c, k, demand[k].percent);
+    r.code = test_report_diagnostics(t, &r.message);
+    if (r.code != EXIT_OK)
+        r.status = TEST_FAILED;
+    vec_push(t->arena, &t->result, r);
+}
+
+// ---- counts of earlier runs ----
+
+static int add_file(TestRun *t, Cover *c, const char *path)
+{
+    const Source *text = cli_read_source(t->c, path);
+    const char *wrong;
+
+    if (!text)
+        return EXIT_ENVIRONMENT;
+    if ((wrong = cover_add_data(c, text->text, text->len)) == NULL)
+        return EXIT_OK;
+    cli_print_error(t->c, TEXT_coverage_refused, cli_printable_name(t->arena, path), wrong);
+    return EXIT_PROBLEM;
+}
+
+int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage)
+{
+    TestCoverage *v = ARENA_NEW(t->arena, TestCoverage);
+    int code = EXIT_OK;
+
+    *coverage = NULL;
+    if (!test_coverage_is_wanted(t->c))
+        return EXIT_OK;
+    v->p = p;
+    v->cover = cover_new(t->arena, p);
+    for (size_t i = 0; i < t->c->files && code == EXIT_OK; i++)
+        if (test_is_coverage_data(t->c->file[i]))
+            code = add_file(t, v->cover, t->c->file[i]);
+    engines->at[engines->n++] = cover_open_engine(v->cover);
+    *coverage = v;
+    return code;
+}
+
+// ---- the end ----
+
+// Writes the files that options name.
+static int write_files(TestRun *t, const Cover *c)
+{
+    static const struct { OptionId id; void (*write)(const Cover *c, Buf *out); } form[] = {
+        {OPT_COVERAGE_DATA, cover_write_data}, {OPT_COVERAGE_JSON, cover_write_json}, {OPT_COVERAGE_LCOV, cover_write_lcov}};
+    OsOutput file[sizeof form / sizeof *form];
+    size_t n = 0;
+
+    for (size_t i = 0; i < sizeof form / sizeof *form; i++)
+        if (t->c->given[form[i].id]) {
+            Buf out;
+            buf_init(&out, t->arena);
+            form[i].write(c, &out);
+            file[n++] = (OsOutput){t->c->value[form[i].id], buf_text(&out), out.n};
+        }
+    return cli_write_outputs(t->c, file, n);
+}
+
+int test_coverage_finish(TestRun *t, TestCoverage *v, const char *machine)
+{
+    Buf out;
+    int code;
+
+    if (!v)
+        return EXIT_OK;
+    cover_settle(v->cover);
+    if ((code = write_files(t, v->cover)) != EXIT_OK)
+        return code;
+    buf_init(&out, t->arena);
+    if (t->c->given[OPT_COVERAGE])
+        cover_write_text(v->cover, &out);
+    if (!test_stdout_is_for_program(t->c) && !cli_print(t->c, test_result_fd(t->c), &out))
+        return EXIT_ENVIRONMENT;
+    judge(t, v->cover, machine);
+    return EXIT_OK;
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coverage: which parts of a machine its scripts have tested (docs/testing.md).  A part is a *place*: something of the source that a run
+// either does or does not do, such as "this guard was false".
+//
+//     Cover *c = cover_new(arena, p);                   // the places of a machine
+//     Engine *e = cover_open_engine(c);                 // counts while scripts run
+//     cover_settle(c);                                  // after the runs: derived counts, and what is impossible
+//     cover_write_text(c, &out);
+//
+// Places speak of the source as written.  A statement of [all_states] is one statement, whatever the number of its copies; only its
+// transitions count once for each state, because leaving one state is not leaving another.
+#ifndef SMC_COVER_H
+#define SMC_COVER_H
+
+#include "compiler/base/buf.h"
+#include "compiler/cover/flat.h"
+#include "compiler/script/engine.h"
+#include "compiler/sema/program.h"
+
+// The kinds of places: constant, its name in options and files, sentence.  A new kind is a row here, and code in plan.c that adds its places.
+#define COVER_KINDS(KIND) \
+    KIND(TRANSITION, "transitions", "each transition was taken; one of [all_states] from each state") \
+    KIND(STATEMENT,  "statements",  "each statement was executed") \
+    KIND(GUARD,      "guards",      "each guard, and each other decision, was true and was false") \
+    KIND(CONDITION,  "conditions",  "each condition was true and was false while it decided") \
+    KIND(WINDOW,     "windows",     "each window was full while what reads it decided") \
+    KIND(STATE,      "states",      "each state was entered, and left if it can be left")
+
+typedef enum CoverKind {
+#define KIND(constant, name, sentence) COVER_##constant,
+    COVER_KINDS(KIND)
+#undef KIND
+    COVER_KIND_COUNT
+} CoverKind;
+
+extern const char *const cover_kind_name[COVER_KIND_COUNT];
+
+typedef struct CoverPlace {
+    CoverKind kind;
+    bool value;               // GUARD, CONDITION: the outcome; STATE: entered, not left
+    Span span;                // what it is about, in the machine's own source
+    Span where;               // where to report it: `span`, or the use of the definition that contains it
+    const State *from, *to;   // TRANSITION; STATE: `from`
+    bool of_all_states;       // TRANSITION: a copy of one written in [all_states]
+    uint32_t part_of;         // the place without which this one cannot be covered, and which a report names instead; 0: none
+    uint32_t result;          // CONDITION: the place of the decision's outcome to which this value leads
+    bool assigned;            // GUARD: the decision is no guard
+    const char *impossible;   // why no run can cover it; NULL: it is not proved
+} CoverPlace;
+
+typedef VEC(CoverPlace) CoverPlaces;
+
+typedef struct CoverTotal { uint32_t covered, possible, impossible; } CoverTotal;
+
+typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // n places from `to` on have the counts of those from `from` on
+
+typedef struct Cover {
+    Arena *arena;
+    const Program *p;
+    uint64_t identity;        // of the machine and its state vector, as texts
+    CoverPlaces place;        // at[0] is no place, so that the number 0 means none
+    uint64_t *hits;           // by place: how often, or of conditions and windows at least once
+    const IrMachine *m;       // the machine before any pass
+    IrNotes notes;
+    const uint32_t *entry;    // by State.number - 1: the place of its entry
+    VEC(CoverShared) shared;
+    VEC(uint32_t) single;     // first places of decisions of one condition, whose counts are those of the result
+    FlatProbes probes;
+    FlatMachine *flat;
+} Cover;
+
+// Lists the places of a machine, as its scripts run it.
+Cover *cover_new(Arena *arena, const Program *p);
+// Opens the engine that counts.  It can run any number of scripts, one after another.
+Engine *cover_open_engine(Cover *c);
+// Completes the counts after the runs, and finds the places that are impossible.
+void cover_settle(Cover *c);
+CoverTotal cover_total(const Cover *c, CoverKind kind);
+
+// Opens an engine on a flat machine, for runs in lock step.
+Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f);
+
+// ---- impossible.c ----
+
+// Sets CoverPlace.impossible where facts prove that no run covers the place, from whatever state the machine starts.
+void cover_find_impossible(Cover *c);
+
+// ---- cover_list.c: what is missing, in words ----
+
+typedef struct CoverGap {
+    Span span;
+    uint32_t place;
+    const char *text;         // "`pressure > 400` was never false while it decided"
+    bool is_impossible;       // then the text has the reason
+} CoverGap;
+typedef VEC(CoverGap) CoverGaps;
+
+// Lists the places of the kinds in `kinds` (1u << CoverKind) that are not covered, in the order of the source.  Leaves out places whose cause is
+// listed, such as the statements after a guard that was never true.
+CoverGaps cover_list_gaps(const Cover *c, unsigned kinds);
+// Appends the totals and the gaps.
+void cover_write_text(const Cover *c, Buf *out);
+
+// ---- cover_file.c ----
+
+void cover_write_data(const Cover *c, Buf *out);      // counts, for a later cover_add_data
+void cover_write_json(const Cover *c, Buf *out);
+void cover_write_lcov(const Cover *c, Buf *out);
+// Adds the counts of a file that cover_write_data has written.  Returns NULL, or why the file is refused, as a phrase after its name.
+const char *cover_add_data(Cover *c, const char *text, size_t n);
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Coverage as files: counts that later runs add, JSON, and the tracefile format of lcov.
+//
+// A file of counts has the name and the identity of its machine, and then the count of each place, in the order of Cover.place:
+//
+//     smc-coverage 1
+//     machine tank 0123456789abcdef
+//     places 3
+//     12
+//     0
+//     7
+#include <inttypes.h>
+#include <string.h>
+
+#include "compiler/analysis/transitions.h"
+#include "compiler/base/json.h"
+#include "compiler/base/path.h"
+#include "compiler/cover/cover.h"
+
+static const char head[] = "smc-coverage 1\nmachine ";
+
+static uint32_t line_of(const CoverPlace *p) { return source_position(p->where.src, p->where.at).line; }
+
+// ---- counts ----
+
+void cover_write_data(const Cover *c, Buf *out)
+{
+    buf_printf(out, "%s%s %016" PRIx64 "\nplaces %lu\n", head, c->p->name->text, c->identity, (unsigned long)c->place.n - 1);
+    for (uint32_t i = 1; i < c->place.n; i++)
+        buf_printf(out, "%" PRIu64 "\n", c->hits[i]);
+}
+
+typedef struct Reader { const char *at, *end; } Reader;
+
+static bool read_text(Reader *r, const char *text)
+{
+    const size_t n = strlen(text);
+
+    if ((size_t)(r->end - r->at) < n || memcmp(r->at, text, n) != 0)
+        return false;
+    r->at += n;
+    return true;
+}
+
+// Reads a decimal number and the end of its line.  Saturates.
+static bool read_number(Reader *r, uint64_t *x)
+{
+    const char *begin = r->at;
+
+    *x = 0;
+    for (; r->at < r->end && *r->at >= '0' && *r->at <= '9'; r->at++)
+        *x = *x > (UINT64_MAX - 9) / 10 ? UINT64_MAX : *x * 10 + (uint64_t)(*r->at - '0');
+    return r->at > begin && read_text(r, "\n");
+}
+
+// Reads the line with the machine.  Returns NULL if it is this one, or a phrase.
+static const char *check_machine_line(const Cover *c, Reader *r)
+{
+    const char *own = format_in(c->arena, "%016" PRIx64 "\n", c->identity), *name = r->at;
+    size_t n = 0;
+
+    while (r->at < r->end && *r->at != ' ' && *r->at != '\n')
+        r->at++;
+    n = (size_t)(r->at - name);
+    if (!read_text(r, " "))
+        return "is damaged: the name of its machine is missing";
+    if (n != c->p->name->len || memcmp(name, c->p->name->text, n) != 0)
+        return format_in(c->arena, "has the coverage of the machine '%.*s', not of '%s'", (int)n, name, c->p->name->text);
+    if (!read_text(r, own))
+        return format_in(c->arena, "has the coverage of another version of '%s': run its scripts again", c->p->name->text);
+    return NULL;
+}
+
+const char *cover_add_data(Cover *c, const char *text, size_t n)
+{
+    Reader r = {text, text + n};
+    uint64_t *count = ARENA_ARRAY(c->arena, uint64_t, c->place.n), places;
+    const char *wrong;
+
+    if (!read_text(&r, head))
+        return "is no file that --coverage-data has written";
+    if ((wrong = check_machine_line(c, &r)) != NULL)
+        return wrong;
+    if (!read_text(&r, "places ") || !read_number(&r, &places) || places != c->place.n - 1)
+        return "is damaged: its number of places is wrong";
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (!read_number(&r, &count[i]))
+            return "is damaged: it has too few counts";
+    if (r.at != r.end)
+        return "is damaged: it has too many counts";
+    for (uint32_t i = 1; i < c->place.n; i++)
+        c->hits[i] = c->hits[i] > UINT64_MAX - count[i] ? UINT64_MAX : c->hits[i] + count[i];
+    return NULL;
+}
+
+// ---- JSON ----
+
+static void write_json_place(const Cover *c, uint32_t i, Buf *out)
+{
+    const CoverPlace *p = &c->place.at[i];
+    const LineCol at = source_position(p->where.src, p->where.at);
+
+    buf_printf(out, "{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu,\"text\":", cover_kind_name[p->kind], (unsigned long)at.line, (unsigned long)at.col);
+    json_put_string(out, source_text(c->arena, p->span));
+    if (p->kind == COVER_TRANSITION)
+        buf_printf(out, ",\"from\":\"%s\",\"to\":\"%s\"", p->from->name->text, p->to->name->text);
+    if (p->kind == COVER_GUARD || p->kind == COVER_CONDITION)
+        buf_printf(out, ",\"outcome\":%s", p->value ? "true" : "false");
+    if (p->kind == COVER_STATE)
+        buf_printf(out, ",\"event\":\"%s\"", p->value ? "entered" : "left");
+    buf_printf(out, ",\"count\":%" PRIu64, c->hits[i]);
+    if (p->impossible) {
+        buf_str(out, ",\"impossible\":");
+        json_put_string(out, p->impossible);
+    }
+    buf_char(out, '}');
+}
+
+void cover_write_json(const Cover *c, Buf *out)
+{
+    buf_printf(out, "{\"smc-coverage\":1,\"machine\":\"%s\",\"identity\":\"%016" PRIx64 "\",\"file\":", c->p->name->text, c->identity);
+    json_put_string(out, path_portable_name(c->p->src->name));
+    buf_str(out, ",\n\"totals\":{");
+    for (int k = 0; k < COVER_KIND_COUNT; k++) {
+        const CoverTotal t = cover_total(c, (CoverKind)k);
+        buf_printf(out, "%s\"%s\":{\"covered\":%lu,\"possible\":%lu,\"impossible\":%lu}", k ? "," : "", cover_kind_name[k], (unsigned long)t.covered,
+                   (unsigned long)t.possible, (unsigned long)t.impossible);
+    }
+    buf_str(out, "},\n\"places\":[\n");
+    for (uint32_t i = 1; i < c->place.n; i++) {
+        write_json_place(c, i, out);
+        buf_str(out, i + 1 < c->place.n ? ",\n" : "\n");
+    }
+    buf_str(out, "]}\n");
+}
+
+// ---- lcov: states are functions, statements are lines, outcomes of decisions are branches ----
+
+static void write_lcov_states(const Cover *c, Buf *out)
+{
+    unsigned long found = 0, hit = 0;
+
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (c->place.at[i].kind == COVER_STATE && c->place.at[i].value)
+            buf_printf(out, "FN:%lu,%s\n", (unsigned long)line_of(&c->place.at[i]), c->place.at[i].from->name->text);
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (c->place.at[i].kind == COVER_STATE && c->place.at[i].value) {
+            buf_printf(out, "FNDA:%" PRIu64 ",%s\n", c->hits[i], c->place.at[i].from->name->text);
+            found++;
+            hit += c->hits[i] > 0;
+        }
+    buf_printf(out, "FNF:%lu\nFNH:%lu\n", found, hit);
+}
+
+// Writes the outcomes of decisions, which are in pairs: true, false.  Impossible ones are left out.
+static void write_lcov_branches(const Cover *c, Buf *out)
+{
+    unsigned long found = 0, hit = 0;
+
+    for (uint32_t i = 1; i + 1 < c->place.n; i++) {
+        const CoverPlace *p = &c->place.at[i];
+        const bool evaluated = c->hits[i] || c->hits[i + 1];
+        if (p->kind != COVER_GUARD || !p->value)
+            continue;
+        for (uint32_t k = 0; k < 2; k++) {
+            if (c->place.at[i + k].impossible)
+                continue;
+            buf_printf(out, "BRDA:%lu,%lu,%lu,", (unsigned long)line_of(p), (unsigned long)p->where.at, (unsigned long)k);
+            buf_printf(out, evaluated ? "%" PRIu64 "\n" : "-\n", c->hits[i + k]);
+            found++;
+            hit += c->hits[i + k] > 0;
+        }
+    }
+    buf_printf(out, "BRF:%lu\nBRH:%lu\n", found, hit);
+}
+
+// Writes for each line with statements how often the one that was executed most was executed.
+static void write_lcov_lines(const Cover *c, Buf *out)
+{
+    const uint32_t lines = c->p->src->lines;
+    uint64_t *count = ARENA_ARRAY(c->arena, uint64_t, lines + 1);
+    bool *has = arena_alloc(c->arena, lines + 1);
+    unsigned long found = 0, hit = 0;
+
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (c->place.at[i].kind == COVER_STATEMENT && !c->place.at[i].impossible) {
+            const uint32_t line = line_of(&c->place.at[i]);
+            has[line] = true;
+            count[line] = c->hits[i] > count[line] ? c->hits[i] : count[line];
+        }
+    for (uint32_t line = 1; line <= lines; line++)
+        if (has[line]) {
+            buf_printf(out, "DA:%lu,%" PRIu64 "\n", (unsigned long)line, count[line]);
+            found++;
+            hit += count[line] > 0;
+        }
+    buf_printf(out, "LF:%lu\nLH:%lu\n", found, hit);
+}
+
+void cover_write_lcov(const Cover *c, Buf *out)
+{
+    buf_printf(out, "TN:smc\nSF:%s\n", c->p->src->name);
+    write_lcov_states(c, out);
+    write_lcov_branches(c, out);
+    write_lcov_lines(c, out);
+    buf_str(out, "end_of_record\n");
+}

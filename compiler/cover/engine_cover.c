@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine that measures coverage: a flat machine with probes.  It runs in lock step with the engines of a test, so every value that it
+// computes is compared with theirs, bit for bit.
+#include "compiler/cover/cover.h"
+
+#include <string.h>
+
+typedef struct CoverEngine {
+    Engine engine;
+    FlatMachine *flat;
+    void *run;                // the state of the run
+    const Program *p;
+} CoverEngine;
+
+// Copies the state of the machine to *out; returns `status`.
+static EngineStatus fill_result(const CoverEngine *c, EngineStatus status, EngineStep *out)
+{
+    const FlatState *s = c->run;
+    const uint64_t *cell = flat_cells(c->flat, c->run);
+
+    out->status = status;
+    out->next_state = s->state;
+    out->next_is_first = s->first;
+    for (size_t i = 0; i < c->p->var.n; i++) {
+        const Var *v = c->p->var.at[i];
+        const uint32_t at = c->flat->m->var_of[v->index];
+        out->cell[i] = at == IR_NONE ? v->init : cell[at];
+        out->stored[i] = at != IR_NONE && v->kind == VAR_ELEMENT && c->flat->stored[at];
+    }
+    return status;
+}
+
+static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    CoverEngine *c = e->self;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t at = c->flat->m->var_of[write[i].var];
+        if (at != IR_NONE)
+            flat_cells(c->flat, c->run)[at] = write[i].cell;
+    }
+    return fill_result(c, flat_step(c->flat, c->run) ? ENGINE_OK : ENGINE_REFUSED, out);
+}
+
+static EngineStatus cover_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    CoverEngine *c = e->self;
+
+    memset(c->flat->stored, 0, c->flat->m->var.n);
+    flat_start(c->flat, c->run, state);
+    return fill_result(c, ENGINE_OK, out);
+}
+
+static void cover_close(Engine *e) { (void)e; }       // all its memory belongs to the arena
+
+Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f)
+{
+    CoverEngine *c = ARENA_NEW(arena, CoverEngine);
+
+    c->p = p;
+    c->flat = f;
+    c->run = arena_alloc(arena, f->size);
+    c->engine.name = "coverage";
+    c->engine.program = p;
+    c->engine.self = c;
+    c->engine.init = cover_init;
+    c->engine.step = cover_step;
+    c->engine.close = cover_close;
+    return &c->engine;
+}

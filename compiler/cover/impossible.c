@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds places that no run can cover, by facts (facts.h).  The facts assume that the machine can be started in any state, as a script can do
+// it, and that elements and locals that scripts write have any value.  A place with several copies is impossible only if all of them are.
+#include <math.h>
+
+#include "compiler/analysis/transitions.h"
+#include "compiler/cover/cover.h"
+#include "compiler/facts/facts.h"
+
+typedef struct Finder {
+    Cover *c;
+    FactMachine *facts;
+    bool *possible;           // by place
+    uint32_t decision;        // the next decision of the order of the code
+    const IrFn *fn;           // the current function, and its facts
+    FactFlow flow;
+} Finder;
+
+static void allow(Finder *k, uint32_t place) { k->possible[place] = true; }
+
+// ---- reasons ----
+
+static void append_bounds(Buf *out, Arena *arena, Fact f)
+{
+    if (isinf(f.lo) && isinf(f.hi))
+        buf_str(out, "a number");
+    else if (f.lo == f.hi)
+        buf_printf(out, "always %s", const_text(arena, f.lo));
+    else if (isinf(f.hi))
+        buf_printf(out, "at least %s", const_text(arena, f.lo));
+    else if (isinf(f.lo))
+        buf_printf(out, "at most %s", const_text(arena, f.hi));
+    else
+        buf_printf(out, "from %s to %s", const_text(arena, f.lo), const_text(arena, f.hi));
+}
+
+// Appends what is known about an operand, unless it is a number of the source.
+static void append_operand(const Finder *k, Buf *out, IrRef ref)
+{
+    const IrIns *i = &k->fn->ins.at[ref];
+    const Fact f = k->flow.of[ref];
+
+    if (i->op == IR_const || (isinf(f.lo) && isinf(f.hi)))
+        return;
+    buf_printf(out, "%s`%s` is ", out->n ? " and " : "", source_text(k->c->arena, i->span));
+    append_bounds(out, k->c->arena, f);
+}
+
+// Returns why a condition never has the value `value`.
+static const char *reason_for(const Finder *k, IrRef ref, bool value)
+{
+    const IrIns *i = &k->fn->ins.at[ref];
+    Buf out;
+
+    buf_init(&out, k->c->arena);
+    if (ir_op_info[i->op].types == IR_T_COMPARE) {
+        append_operand(k, &out, i->a);
+        append_operand(k, &out, i->b);
+    }
+    return out.n ? buf_text(&out) : value ? "it is never true" : "it is always true";
+}
+
+// ---- decisions ----
+
+static bool can_be(const Finder *k, IrRef ref, bool value)
+{
+    const Fact f = k->flow.of[ref];
+
+    return value ? f.hi > 0 : f.lo <= 0 || f.nan;
+}
+
+// The possible values of a node, and whether some run lets it decide.
+typedef struct NodeFact { bool value[2], decides; } NodeFact;
+
+static void judge_values(const Finder *k, const FlatDecision *d, NodeFact *fact)
+{
+    for (uint32_t n = 0; n < d->nodes; n++) {
+        const FlatNode *node = &d->node[n];
+        const bool is_and = node->kind == NODE_AND;
+        for (int v = 0; v < 2; v++)
+            switch (node->kind) {
+            case NODE_CONDITION: fact[n].value[v] = can_be(k, d->condition[node->a], v); break;
+            case NODE_NOT: fact[n].value[v] = fact[node->a].value[!v]; break;
+            case NODE_AND:
+            case NODE_OR:
+                fact[n].value[v] = (bool)v == is_and ? fact[node->a].value[v] && fact[node->b].value[v] : fact[node->a].value[v] || fact[node->b].value[v];
+                break;
+            }
+    }
+}
+
+// An operand of `and` decides only while the other one is true, an operand of `or` only while the other one is false.
+static void judge_deciding(const FlatDecision *d, NodeFact *fact)
+{
+    fact[d->nodes - 1].decides = true;
+    for (uint32_t n = d->nodes; n-- > 0; ) {
+        const FlatNode *node = &d->node[n];
+        const bool needed = node->kind == NODE_AND;
+        if (node->kind == NODE_CONDITION)
+            continue;
+        fact[node->a].decides = fact[n].decides && (node->kind == NODE_NOT || fact[node->b].value[needed]);
+        if (node->kind != NODE_NOT)
+            fact[node->b].decides = fact[n].decides && fact[node->a].value[needed];
+    }
+}
+
+// Marks a place as possible, or stores why it is not.
+static void judge_place(Finder *k, uint32_t place, bool possible, const char *reason)
+{
+    if (possible)
+        allow(k, place);
+    else
+        k->c->place.at[place].impossible = reason;
+}
+
+static void judge_decision(Finder *k, const FlatDecision *d)
+{
+    NodeFact *fact = arena_array(k->c->arena, d->nodes, sizeof *fact);
+    const bool single = d->nodes == 1;
+
+    judge_values(k, d, fact);
+    judge_deciding(d, fact);
+    for (int v = 0; v < 2; v++)
+        judge_place(k, d->hit + !v, fact[d->nodes - 1].value[v] && can_be(k, d->value, v),
+                    single ? reason_for(k, d->condition[0], v) : v ? "it is never true" : "it is always true");
+    for (uint32_t n = 0; n < d->nodes; n++)
+        for (int v = 0; d->node[n].kind == NODE_CONDITION && v < 2; v++) {
+            const uint32_t c = d->node[n].a;
+            judge_place(k, d->hit + 2 + 2 * c + !v, fact[n].value[v] && fact[n].decides,
+                        fact[n].value[v] ? "the other conditions always decide" : reason_for(k, d->condition[c], v));
+        }
+}
+
+// ---- functions ----
+
+static void judge_block(Finder *k, const IrBlk *b)
+{
+    const FlatProbes *p = &k->c->probes;
+
+    for (uint32_t i = 0; i < b->ins.n; i++) {
+        const IrRef ref = b->ins.at[i];
+        allow(k, p->stmt[k->fn->ins.at[ref].stmt]);
+        for (; k->decision < p->decisions && p->decision[k->decision].fn == k->fn && p->decision[k->decision].value == ref; k->decision++)
+            judge_decision(k, &p->decision[k->decision]);
+    }
+    if (b->jump.kind == IR_GOTO) {
+        allow(k, p->stmt[b->jump.stmt]);
+        allow(k, p->transition[b->jump.stmt]);
+    }
+}
+
+static void skip_block(Finder *k, const IrBlk *b)
+{
+    const FlatProbes *p = &k->c->probes;
+
+    for (uint32_t i = 0; i < b->ins.n; i++)
+        while (k->decision < p->decisions && p->decision[k->decision].fn == k->fn && p->decision[k->decision].value == b->ins.at[i])
+            k->decision++;
+}
+
+static void judge_function(Finder *k, const IrFn *f, const Env *begin)
+{
+    k->fn = f;
+    k->flow = facts_of_function(k->facts, f, begin);
+    for (uint32_t b = 0; b < f->blk.n; b++)
+        if (k->flow.reached[b])
+            judge_block(k, &f->blk.at[b]);
+        else
+            skip_block(k, &f->blk.at[b]);
+}
+
+// Gives the counts of shared windows the same verdicts.
+static void copy_shared(Finder *k)
+{
+    for (uint32_t i = 0; i < k->c->shared.n; i++)
+        for (uint32_t n = 0; n < k->c->shared.at[i].n; n++) {
+            const CoverShared s = k->c->shared.at[i];
+            k->possible[s.to + n] = k->possible[s.to + n] || k->possible[s.from + n];
+            k->c->place.at[s.to + n].impossible = k->c->place.at[s.from + n].impossible;
+        }
+}
+
+static bool is_judged(CoverKind kind) { return kind == COVER_TRANSITION || kind == COVER_STATEMENT || kind == COVER_GUARD || kind == COVER_CONDITION; }
+
+void cover_find_impossible(Cover *c)
+{
+    Finder k = {.c = c, .facts = facts_of_machine(c->arena, c->m), .possible = arena_alloc(c->arena, c->place.n)};
+
+    if (c->m->sample)
+        judge_function(&k, c->m->sample, facts_at_begin_of_sample(k.facts));
+    for (size_t s = 0; s < c->m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (c->m->state.at[s].block[b])
+                judge_function(&k, c->m->state.at[s].block[b], facts_at_begin(k.facts, s, b));
+    copy_shared(&k);
+    for (uint32_t i = 1; i < c->place.n; i++) {
+        CoverPlace *p = &c->place.at[i];
+        if (!is_judged(p->kind) || k.possible[i] || c->hits[i] > 0)
+            p->impossible = NULL;
+        else if (!p->impossible)
+            p->impossible = "no run reaches it";
+    }
+}

@@ -1,0 +1,521 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cover/mutate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/cover/cover.h"
+#include "compiler/passes/pass.h"
+#include "stdlib/convert.h"
+
+const char *const mutant_danger_name[] = {"other", "transition", "output", "abort"};
+
+// What one copy of a mutant changes, and what it was before.
+struct MutantEdit {
+    enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_NOT, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
+    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT
+    Stmt *stmt;               // GUARD, TARGET, DELETE
+    Var *var;                 // INITIAL
+    uint32_t link;            // LINK: which operator of the chain
+    SmOperator op;            // OPERATOR, LINK: the new operator
+    double number;            // NUMBER, GUARD, INITIAL: the new number
+    State *target;            // TARGET
+    const MutantEdit *next;
+};
+
+struct Mutation {
+    Arena *arena, work;       // `work` is emptied before every mutant
+    const Program *p;
+    const Script *const *script;
+    uint32_t scripts;
+    uint64_t *most;           // by script: the steps that a mutant may take
+    uint8_t **reached;        // by script: by Stmt.number, whether it was executed
+    uint32_t failing;
+    uint32_t last;            // the script that has noticed the last mutant: it is tried first
+    VEC(Mutant) mutant;
+    uint32_t next;
+    const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
+    uint64_t *initial;        // by Var.index: the initial value as it was
+    // The current place, while mutants are listed:
+    const State *state;
+    uint32_t stmt;
+    MutantDanger danger;
+};
+
+// ---- listing ----
+
+static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at, s.len}; }
+
+// Adds an edit as a mutant, or to the mutant of another copy of the same source that is changed in the same way.
+static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
+{
+    MutantEdit *copy;
+    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, u->stmt, MUTANT_WAITING, 0};
+
+    for (uint32_t i = 0; i < u->mutant.n; i++) {
+        Mutant *same = &u->mutant.at[i];
+        if (same->span.at != span.at || same->span.len != span.len || strcmp(same->text, text) != 0)
+            continue;
+        edit.next = same->edit;
+        same->edit = arena_copy(u->arena, &edit, sizeof edit);
+        same->state = same->state == u->state ? same->state : NULL;
+        same->stmt = same->state ? same->stmt : 0;
+        same->danger = same->danger > u->danger ? same->danger : u->danger;
+        return;
+    }
+    copy = arena_copy(u->arena, &edit, sizeof edit);
+    m.edit = copy;
+    vec_push(u->arena, &u->mutant, m);
+}
+
+// Returns the length of the decimal number at the start of the text: digits, with or without a point.  0: it begins with none.
+static uint32_t number_length(const char *at, uint32_t len)
+{
+    uint32_t n = 0;
+
+    while (n < len && ((at[n] >= '0' && at[n] <= '9') || (at[n] == '.' && n > 0)))
+        n++;
+    return n < len && (at[n] == 'e' || at[n] == 'E' || at[n] == 'x' || at[n] == '_' || at[n] == 'b') ? 0 : n;
+}
+
+// Adds the mutants of a number: about a tenth more and a tenth less, and at least 1 if it is whole.  A number with a unit has to be whole.
+static void add_numbers(Mutation *u, Span span, double value, MutantEdit edit)
+{
+    const uint32_t n = span.src ? number_length(span.src->text + span.at, span.len) : 0;
+    const bool whole = n > 0 && !memchr(span.src->text + span.at, '.', n), plain = n == span.len;
+    double written = 0, unit;
+
+    if (n == 0 || n > 15 || (!whole && !plain))
+        return;
+    for (uint32_t i = 0; whole && i < n; i++)
+        written = written * 10 + (span.src->text[span.at + i] - '0');
+    written = whole ? written : value;
+    unit = plain || written == 0 ? 1 : value / written;
+    if (unit < 1 || unit != (double)(uint64_t)unit || written * unit != value)
+        return;
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        double by = whole ? (double)(uint64_t)(written / 10) : written / 10;
+        Buf text;
+        by = whole && by < 1 ? 1 : by;
+        if (written + sign * by < 0)
+            continue;
+        buf_init(&text, u->arena);
+        format_number_shortest(&text, written + sign * by);
+        edit.number = (written + sign * by) * unit;
+        add_mutant(u, (Span){span.src, span.at, n}, buf_text(&text), edit);
+    }
+}
+
+// Returns the position of the operator between two operands; an empty span if it is not found.
+static Span find_operator(Span left, Span right, const char *spelling)
+{
+    const uint32_t n = (uint32_t)strlen(spelling), end = right.at;
+    const char *text = left.src->text;
+    bool comment = false;
+
+    for (uint32_t at = left.at + left.len; at + n <= end; at++) {
+        comment = text[at] == '#' || (comment && text[at] != '\n');
+        if (!comment && memcmp(text + at, spelling, n) == 0)
+            return (Span){left.src, at, n};
+    }
+    return (Span){NULL, 0, 0};
+}
+
+typedef struct OtherOperators { SmOperator op, other[2]; } OtherOperators;      // SM_OP_COUNT: none
+
+static const OtherOperators others[] = {
+    {SM_OP_LT, {SM_OP_LE, SM_OP_GE}}, {SM_OP_LE, {SM_OP_LT, SM_OP_GT}}, {SM_OP_GT, {SM_OP_GE, SM_OP_LE}}, {SM_OP_GE, {SM_OP_GT, SM_OP_LT}},
+    {SM_OP_EQ, {SM_OP_NE, SM_OP_COUNT}}, {SM_OP_NE, {SM_OP_EQ, SM_OP_COUNT}}, {SM_OP_AND, {SM_OP_OR, SM_OP_COUNT}},
+    {SM_OP_OR, {SM_OP_AND, SM_OP_COUNT}}, {SM_OP_ADD, {SM_OP_SUB, SM_OP_COUNT}}, {SM_OP_SUB, {SM_OP_ADD, SM_OP_COUNT}},
+    {SM_OP_MUL, {SM_OP_DIV, SM_OP_COUNT}}, {SM_OP_DIV, {SM_OP_MUL, SM_OP_COUNT}}};
+
+// Whether op, written in place of `was`, has operands that the parser groups in the same way.
+static bool keeps_grouping(SmOperator was, SmOperator op, bool alone)
+{
+    return alone || (was != SM_OP_AND && was != SM_OP_OR) || op == was;
+}
+
+static void add_operators(Mutation *u, Expr *e, uint32_t link, SmOperator was, Span left, Span right, bool alone)
+{
+    const Span at = find_operator(left, right, sm_op_info[was].spelling);
+
+    for (size_t i = 0; at.src && i < sizeof others / sizeof *others; i++)
+        for (int k = 0; k < 2 && others[i].op == was; k++) {
+            const SmOperator op = others[i].other[k];
+            if (op != SM_OP_COUNT && keeps_grouping(was, op, alone))
+                add_mutant(u, at, sm_op_info[op].spelling, (MutantEdit){.kind = e->kind == EX_CHAIN ? EDIT_LINK : EDIT_OPERATOR, .e = e, .link = link, .op = op});
+        }
+}
+
+static bool same_span(Span a, Span b) { return a.at == b.at && a.len == b.len; }
+
+// Whether a binary operator is in the source as it is in the program: its operands are on both sides of it.
+static bool is_written(const Expr *e, uint32_t i) { return e->arg[i]->span.at < e->arg[i + 1]->span.at && e->arg[i]->span.src == e->arg[i + 1]->span.src; }
+
+static bool is_join(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR); }
+
+// Whether the source has parentheses around e, or e is the whole of `outer`.  `and` and `or` in a row would be grouped in another way.
+static bool has_other_join(const Expr *e, const Expr *outer)
+{
+    return (outer && is_join(outer)) || is_join(e->arg[0]) || is_join(e->arg[1]);
+}
+
+static void list_expression(Mutation *u, Expr *e, const Expr *outer)
+{
+    switch (e->kind) {
+    case EX_NUMBER:
+        add_numbers(u, e->span, e->number, (MutantEdit){.kind = EDIT_NUMBER, .e = e});
+        return;
+    case EX_UNARY:
+        if (e->op == SM_OP_NOT && !same_span(e->span, e->arg[0]->span) && e->span.len > 4 && memcmp(e->span.src->text + e->span.at, "not", 3) == 0)
+            add_mutant(u, (Span){e->span.src, e->span.at, 3}, "", (MutantEdit){.kind = EDIT_DROP_NOT, .e = e});
+        break;
+    case EX_BINARY:
+        if (is_written(e, 0))
+            add_operators(u, e, 0, e->op, e->arg[0]->span, e->arg[1]->span, !has_other_join(e, outer));
+        break;
+    case EX_CHAIN:
+        for (uint32_t i = 0; i + 1 < e->n; i++)
+            if (is_written(e, i))
+                add_operators(u, e, i, expr_ops(e)[i], e->arg[i]->span, e->arg[i + 1]->span, true);
+        break;
+    case EX_VAR: case EX_CALL: case EX_ROLL: case EX_EVERY: case EX_RANDOM: break;
+    }
+    for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
+        list_expression(u, e->arg[i], e);
+}
+
+// ---- statements ----
+
+// Returns the most dangerous thing that the statements do.
+static MutantDanger danger_of(const Stmts *list)
+{
+    MutantDanger most = DANGER_OTHER;
+
+    for (size_t i = 0; i < list->n; i++) {
+        const Stmt *s = list->at[i];
+        const MutantDanger then = danger_of(&s->then), otherwise = danger_of(&s->otherwise);
+        MutantDanger own = DANGER_OTHER;
+        if (s->kind == ST_TRANSITION)
+            own = s->target->is_abort ? DANGER_ABORT : DANGER_TRANSITION;
+        else if (s->kind == ST_ASSIGN && s->var->kind == VAR_ELEMENT)
+            own = DANGER_OUTPUT;
+        own = then > own ? then : own;
+        own = otherwise > own ? otherwise : own;
+        most = own > most ? own : most;
+    }
+    return most;
+}
+
+// Adds a transition to another state: the next one of the file that is neither its own state nor its target.
+static void add_target(Mutation *u, Stmt *s)
+{
+    const size_t n = u->p->state.n;
+    const Span name = {s->span.src, s->span.at + s->span.len - s->target->name->len, s->target->name->len};
+
+    for (size_t i = 0; i < n && !s->span.src->written; i++) {
+        State *other = u->p->state.at[(s->target->number + i) % n];
+        if (other == s->target || other == u->state)
+            continue;
+        add_mutant(u, name, other->name->text, (MutantEdit){.kind = EDIT_TARGET, .stmt = s, .target = other});
+        return;
+    }
+}
+
+static void list_statements(Mutation *u, const Stmts *list);
+
+static void list_statement(Mutation *u, Stmt *s)
+{
+    const Stmts only = {&s, 1, 1};
+
+    u->stmt = s->number;
+    u->danger = danger_of(&only);
+    switch (s->kind) {
+    case ST_ASSIGN:
+        list_expression(u, s->value, NULL);
+        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE, .stmt = s});
+        break;
+    case ST_TRANSITION:
+        add_target(u, s);
+        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE, .stmt = s});
+        break;
+    case ST_IF:
+        list_expression(u, s->value, NULL);
+        add_mutant(u, s->value->span, "0", (MutantEdit){.kind = EDIT_GUARD, .stmt = s, .number = 0});
+        add_mutant(u, s->value->span, "1", (MutantEdit){.kind = EDIT_GUARD, .stmt = s, .number = 1});
+        list_statements(u, &s->then);
+        list_statements(u, &s->otherwise);
+        break;
+    }
+}
+
+static void list_statements(Mutation *u, const Stmts *list)
+{
+    for (size_t i = 0; i < list->n; i++)
+        list_statement(u, list->at[i]);
+}
+
+// What windows sample is computed at every step; the danger of its changes is not known.
+static void list_windows(Mutation *u)
+{
+    u->stmt = 0;
+    u->state = NULL;
+    u->danger = DANGER_TRANSITION;
+    for (size_t i = 0; i < u->p->window.n; i++)
+        list_expression(u, u->p->window.at[i].sample, NULL);
+}
+
+static bool sizes_a_window(const Program *p)
+{
+    for (size_t i = 0; i < p->var.n; i++)
+        if (p->var.at[i]->sizes)
+            return true;
+    return false;
+}
+
+// Initial values that are numbers.  If a window's size depends on some local, they are left out, because windows are not built again.
+static void list_initial_values(Mutation *u)
+{
+    u->danger = DANGER_TRANSITION;
+    for (size_t i = 0; i < u->p->var.n && !sizes_a_window(u->p); i++) {
+        Var *v = u->p->var.at[i];
+        if (v->kind == VAR_LOCAL && v->init_value && v->init_value->kind == EX_NUMBER)
+            add_numbers(u, v->init_value->span, v->init_value->number, (MutantEdit){.kind = EDIT_INITIAL, .var = v});
+    }
+}
+
+static int compare_mutants(const void *a, const void *b)
+{
+    const Mutant *x = a, *y = b;
+
+    if (x->span.at != y->span.at)
+        return x->span.at < y->span.at ? -1 : 1;
+    if (x->span.len != y->span.len)
+        return x->span.len < y->span.len ? -1 : 1;
+    return strcmp(x->text, y->text);
+}
+
+static void list_mutants(Mutation *u)
+{
+    for (size_t s = 0; s < u->p->state.n; s++) {
+        u->state = u->p->state.at[s];
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            list_statements(u, &u->p->state.at[s]->block[b]);
+    }
+    list_windows(u);
+    list_initial_values(u);
+    if (u->mutant.n)
+        qsort(u->mutant.at, u->mutant.n, sizeof *u->mutant.at, compare_mutants);
+}
+
+// ---- changing the program ----
+
+typedef struct Undo {
+    Expr e;                   // NUMBER, OPERATOR: as it was
+    Stmt stmt;                // GUARD, TARGET, DELETE: as it was
+    SmOperator op;            // LINK
+} Undo;
+
+// Computes the initial values of all locals again, in their order.
+static void compute_initial_values(Mutation *u)
+{
+    for (size_t i = 0; i < u->p->var.n; i++) {
+        Var *v = u->p->var.at[i];
+        if (v->kind == VAR_LOCAL && v->init_value)
+            v->init = sm_cell_from_f64(v->type, expr_constant_value(v->init_value));
+    }
+}
+
+static void restore_initial_values(Mutation *u)
+{
+    for (size_t i = 0; i < u->p->var.n; i++)
+        u->p->var.at[i]->init = u->initial[i];
+}
+
+static Expr *new_number(Mutation *u, double x)
+{
+    Expr *e = ARENA_NEW(&u->work, Expr);
+
+    e->kind = EX_NUMBER;
+    e->number = x;
+    return e;
+}
+
+static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
+{
+    if (d->e)
+        undo->e = *d->e;
+    if (d->stmt)
+        undo->stmt = *d->stmt;
+    switch (d->kind) {
+    case EDIT_NUMBER: d->e->number = d->number; break;
+    case EDIT_OPERATOR: d->e->op = d->op; break;
+    case EDIT_LINK:
+        undo->op = expr_ops(d->e)[d->link];
+        expr_ops(d->e)[d->link] = d->op;
+        break;
+    case EDIT_DROP_NOT: d->e->op = SM_OP_PLUS; break;
+    case EDIT_GUARD: d->stmt->value = new_number(u, d->number); break;
+    case EDIT_TARGET: d->stmt->target = d->target; break;
+    case EDIT_DELETE:
+        d->stmt->kind = ST_IF;
+        d->stmt->value = new_number(u, 0);
+        memset(&d->stmt->then, 0, sizeof d->stmt->then);
+        memset(&d->stmt->otherwise, 0, sizeof d->stmt->otherwise);
+        break;
+    case EDIT_INITIAL:
+        undo->e = *d->var->init_value;
+        d->var->init_value->number = d->number;
+        compute_initial_values(u);
+        break;
+    }
+}
+
+static void undo_edit(Mutation *u, const MutantEdit *d, const Undo *undo)
+{
+    if (d->kind == EDIT_LINK)
+        expr_ops(d->e)[d->link] = undo->op;
+    else if (d->e)
+        *d->e = undo->e;
+    if (d->stmt)
+        *d->stmt = undo->stmt;
+    if (d->kind == EDIT_INITIAL) {
+        *d->var->init_value = undo->e;
+        restore_initial_values(u);
+    }
+}
+
+// Undoes the edits of a list, the last one first, because two of them can change one expression.
+static void undo_edits(Mutation *u, const MutantEdit *list, const Undo *undo)
+{
+    if (!list)
+        return;
+    undo_edits(u, list->next, undo + 1);
+    undo_edit(u, list, undo);
+}
+
+static uint32_t count_edits(const Mutant *m)
+{
+    uint32_t n = 0;
+
+    for (const MutantEdit *d = m->edit; d; d = d->next)
+        n++;
+    return n;
+}
+
+// ---- running ----
+
+// Whether the script passes on the current program.
+static bool script_passes(Mutation *u, Engine *e, uint32_t script, uint64_t max_steps, uint64_t *steps)
+{
+    const ScriptOptions o = {.max_steps = max_steps, .is_silent = true, .is_compared = true};
+    Diags unused;
+    ScriptResult r;
+
+    diags_init(&unused, &u->work);
+    unused.muted = true;
+    r = script_run(&u->work, &unused, u->script[script], &e, 1, &o);
+    *steps = r.steps;
+    return r.outcome == SCRIPT_PASSED;
+}
+
+static const char *optimised_text(Mutation *u, Arena *arena)
+{
+    const PassOptions o = {2, NULL, false, false, NULL, NULL};
+    IrMachine *m = ir_build(&u->work, u->p);
+    Buf out;
+
+    passes_run(&u->work, m, &o);
+    buf_init(&out, arena);
+    ir_print(m, &out);
+    return buf_text(&out);
+}
+
+// Whether the script executes the statement of the mutant without the change.  Otherwise it cannot notice the change.
+static bool can_notice(const Mutation *u, const Mutant *m, uint32_t script) { return m->stmt == 0 || u->reached[script][m->stmt]; }
+
+// Returns the first script that fails on the current program, or `scripts`.  The one that noticed the last mutant is tried first.
+static uint32_t find_noticing(Mutation *u, const Mutant *m)
+{
+    FlatMachine *f = flat_new(&u->work, ir_build(&u->work, u->p), NULL);
+    Engine *e = engine_flat_open(&u->work, u->p, f);
+    uint64_t steps;
+
+    for (uint32_t i = 0; i <= u->scripts; i++) {
+        const uint32_t script = i == 0 ? u->last : i - 1;
+        if (can_notice(u, m, script) && (i == 0 || script != u->last) && !script_passes(u, e, script, u->most[script], &steps))
+            return script;
+    }
+    return u->scripts;
+}
+
+bool mutation_run_next(Mutation *u)
+{
+    Mutant *m;
+    Undo *undo;
+    uint32_t n = 0, noticing;
+
+    if (u->next == u->mutant.n)
+        return false;
+    arena_reset(&u->work);
+    m = &u->mutant.at[u->next++];
+    undo = arena_array(&u->work, count_edits(m), sizeof *undo);
+    for (const MutantEdit *d = m->edit; d; d = d->next)
+        apply_edit(u, d, &undo[n++]);
+    noticing = find_noticing(u, m);
+    m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0 ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
+    m->script = noticing;
+    u->last = noticing < u->scripts ? noticing : u->last;
+    undo_edits(u, m->edit, undo);
+    return true;
+}
+
+// Runs a script without a change, and stores which statements it executes.
+static void run_original(Mutation *u, uint32_t script)
+{
+    Cover *c;
+    uint64_t steps;
+
+    arena_reset(&u->work);
+    c = cover_new(&u->work, u->p);
+    if (!script_passes(u, cover_open_engine(c), script, u->most[script], &steps) && u->failing == u->scripts)
+        u->failing = script;
+    u->most[script] = steps < UINT64_MAX / 8 ? 4 * steps + 1000 : steps;
+    for (uint32_t s = 0; s <= u->p->stmts; s++)
+        u->reached[script][s] = c->hits[c->probes.stmt[s]] > 0;
+}
+
+Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps)
+{
+    Mutation *u = ARENA_NEW(arena, Mutation);
+
+    u->arena = arena;
+    arena_init(&u->work, arena->alloc, arena->context, arena->oom);
+    u->p = p;
+    u->script = script;
+    u->scripts = u->failing = scripts;
+    u->most = ARENA_ARRAY(arena, uint64_t, scripts);
+    u->reached = arena_array(arena, scripts, sizeof *u->reached);
+    u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
+    for (size_t i = 0; i < p->var.n; i++)
+        u->initial[i] = p->var.at[i]->init;
+    for (uint32_t i = 0; i < scripts; i++) {
+        u->most[i] = max_steps;
+        u->reached[i] = arena_alloc(arena, p->stmts + 1);
+        run_original(u, i);
+    }
+    arena_reset(&u->work);
+    u->original = optimised_text(u, arena);
+    list_mutants(u);
+    return u;
+}
+
+uint32_t mutation_find_failing(const Mutation *u) { return u->failing; }
+
+const Mutant *mutation_list(const Mutation *u, uint32_t *n)
+{
+    *n = (uint32_t)u->mutant.n;
+    return u->mutant.at;
+}
+
+void mutation_end(Mutation *u) { arena_free(&u->work); }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mutation: changes one number, operator, target or statement of a machine at a time, and finds the changes that no script notices
+// (docs/testing.md).  A change is made in the checked program and undone after its runs, so nothing is parsed again.
+//
+//     Mutation *u = mutation_new(arena, p, script, scripts);
+//     while (mutation_run_next(u)) ;
+//
+// Every change is also an edit of the source: `old` at `span` becomes `text`.
+#ifndef SMC_MUTATE_H
+#define SMC_MUTATE_H
+
+#include "compiler/script/script.h"
+
+typedef enum MutantVerdict {
+    MUTANT_WAITING,           // it has not been run
+    MUTANT_NOTICED,           // a script fails
+    MUTANT_UNNOTICED,         // every script passes as before
+    MUTANT_EQUIVALENT         // the compiler makes the same program of it
+} MutantVerdict;
+
+// How dangerous a change is that no script notices, by what it can affect.
+typedef enum MutantDanger { DANGER_OTHER, DANGER_TRANSITION, DANGER_OUTPUT, DANGER_ABORT } MutantDanger;
+
+extern const char *const mutant_danger_name[];        // by MutantDanger: "other", "transition", "output", "abort"
+
+typedef struct MutantEdit MutantEdit;
+
+typedef struct Mutant {
+    Span span;                // the changed piece of the source
+    const char *text;         // what replaces it
+    MutantDanger danger;
+    const State *state;       // in which it is; NULL: in several, or in none
+    const MutantEdit *edit;   // a list: one edit for each copy in the program
+    uint32_t stmt;            // Stmt.number of a copy of its statement; 0: of none
+    MutantVerdict verdict;
+    uint32_t script;          // NOTICED: the index of the script
+} Mutant;
+
+typedef struct Mutation Mutation;
+
+// Lists the changes, and runs every script without a change.  Expressions and statements of p are changed while a mutant runs, and are as
+// before afterwards.
+Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps);
+// Returns the index of a script that fails without any change; `scripts` if all pass.
+uint32_t mutation_find_failing(const Mutation *u);
+// Runs the next mutant.  Returns false if there is none.
+bool mutation_run_next(Mutation *u);
+// Returns the mutants, in the order of the source.
+const Mutant *mutation_list(const Mutation *u, uint32_t *n);
+// Frees working memory.
+void mutation_end(Mutation *u);
+
+#endif

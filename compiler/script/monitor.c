@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/script/monitor.h"
+
+#include <string.h>
+
+// What a requirement has seen.
+typedef struct Memory {
+    uint64_t since;           // AFTER: G of the last step with b; LEADS_TO: G of the step with a that b has not followed
+    bool seen;                // BEFORE, AFTER: a step has had b
+    bool open;                // AFTER: no step since the last with b has had c; LEADS_TO: undecided
+} Memory;
+
+// The part of a RefWindow that a step changes, without its samples.
+typedef struct WindowMemory {
+    uint64_t last;
+    uint32_t next, filled;
+    bool ran;
+} WindowMemory;
+
+// A situation is a Memory for each requirement, a WindowMemory for each window, and the samples.
+static Memory *memories(void *situation) { return situation; }
+static WindowMemory *window_memories(const Monitor *m, void *situation) { return (WindowMemory *)(memories(situation) + m->what->at.n); }
+
+Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
+{
+    Monitor *m = ARENA_NEW(arena, Monitor);
+
+    m->what = what;
+    m->step = delta_t ? delta_t : 1;
+    m->result = arena_alloc(arena, what->at.n);
+    m->samples_at = ARENA_ARRAY(arena, size_t, what->window.n);
+    m->size = what->at.n * sizeof(Memory) + what->window.n * sizeof(WindowMemory);
+    ref_windows_init_unplaced(&m->windows, arena, &what->window);
+    for (size_t i = 0; i < what->window.n; i++) {
+        m->samples_at[i] = m->size;
+        m->size += ref_window_samples(&what->window.at[i]) * sizeof(uint64_t);
+    }
+    return m;
+}
+
+void monitor_start(const Monitor *m, void *situation) { memset(situation, 0, m->size); }
+
+// ---- the windows of a situation ----
+
+static void load_windows(Monitor *m, void *situation)
+{
+    for (size_t i = 0; i < m->windows.n; i++) {
+        const WindowMemory *from = &window_memories(m, situation)[i];
+        RefWindow *w = &m->windows.at[i];
+        ref_window_place(w, (char *)situation + m->samples_at[i]);
+        w->last = from->last;
+        w->ran = from->ran;
+        w->next = from->next;
+        w->filled = from->filled;
+    }
+}
+
+static void store_windows(const Monitor *m, void *situation)
+{
+    for (size_t i = 0; i < m->windows.n; i++) {
+        const RefWindow *w = &m->windows.at[i];
+        WindowMemory *to = &window_memories(m, situation)[i];
+        to->last = w->last;
+        to->ran = w->ran;
+        to->next = w->next;
+        to->filled = w->filled;
+    }
+}
+
+// ---- a step ----
+
+static MonitorResult decide(bool met) { return met ? MONITOR_JUDGED : MONITOR_VIOLATED; }
+
+// never a before b: no step has a unless an earlier one had b (requirements.md 13.10).
+static MonitorResult judge_before(Memory *mem, bool a, bool b)
+{
+    const MonitorResult result = a ? decide(mem->seen) : MONITOR_IDLE;
+
+    mem->seen = mem->seen || b;
+    return result;
+}
+
+// never a after b without c: no step has a if no step between it and the last earlier one with b had c (requirements.md 13.11).
+static MonitorResult judge_after(Memory *mem, bool a, bool b, bool c, uint64_t g)
+{
+    const MonitorResult result = a && mem->seen ? decide(!mem->open) : MONITOR_IDLE;
+
+    if (b && result != MONITOR_VIOLATED)              // `since` is only for the message
+        mem->since = g;
+    mem->seen = mem->seen || b;
+    mem->open = b || (mem->open && !c);
+    return result;
+}
+
+// always a leads to b within t: the oldest step with a that b has not followed is undecided (requirements.md 13.12).
+static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool b, uint64_t within, uint64_t g)
+{
+    uint64_t passed;
+
+    if (!mem->open && a) {
+        mem->open = true;
+        mem->since = g;
+    }
+    if (!mem->open)
+        return MONITOR_IDLE;
+    passed = g - mem->since;
+    if (passed < within && !b && within - passed >= m->step)
+        return MONITOR_IDLE;
+    mem->open = false;
+    return decide(b && passed <= within);
+}
+
+static MonitorResult judge(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
+{
+    const bool a = r->a && ref_true(ref_eval(r->a, cell, &m->windows)), b = r->b && ref_true(ref_eval(r->b, cell, &m->windows));
+
+    switch (r->kind) {
+    case REQUIREMENT_NEVER:    return decide(!a);
+    case REQUIREMENT_ALWAYS:   return r->a && !a ? MONITOR_IDLE : decide(b);
+    case REQUIREMENT_BEFORE:   return judge_before(mem, a, b);
+    case REQUIREMENT_AFTER:    return judge_after(mem, a, b, ref_true(ref_eval(r->c, cell, &m->windows)), g);
+    case REQUIREMENT_LEADS_TO: return judge_leads_to(m, mem, a, b, r->within, g);
+    }
+    return MONITOR_IDLE;
+}
+
+bool monitor_step(Monitor *m, void *situation, const uint64_t *cell)
+{
+    const uint64_t g = cell[m->what->program->g->index];
+    bool violated = false;
+
+    load_windows(m, situation);
+    ref_windows_sample(&m->windows, cell);
+    store_windows(m, situation);
+    for (size_t i = 0; i < m->what->at.n; i++) {
+        m->result[i] = (uint8_t)judge(m, &m->what->at.at[i], &memories(situation)[i], cell, g);
+        violated = violated || m->result[i] == MONITOR_VIOLATED;
+    }
+    return violated;
+}
+
+bool monitor_is_open(const Monitor *m, const void *situation, size_t requirement, uint64_t *since)
+{
+    const Memory *mem = (const Memory *)situation + requirement;
+
+    *since = mem->since;
+    return m->what->at.at[requirement].kind == REQUIREMENT_LEADS_TO && mem->open;
+}

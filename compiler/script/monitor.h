@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Judges the requirements of a machine after each of its steps (requirements.md 13), whatever runs the machine.
+//
+// A situation is the complete state of all requirements in one block of memory: what their conditions have sampled, and what each of them
+// has seen.  It contains no pointers, so a search can copy it with memcpy, beside the situation of the machine, and return to it.  A step
+// allocates nothing.
+//
+//     Monitor *m = monitor_new(arena, requirements, delta_t);
+//     void *s = arena_alloc(arena, m->size);
+//     monitor_start(m, s);
+//     monitor_step(m, s, cell);                 // after each step of the machine; m->result has the results
+#ifndef SMC_MONITOR_H
+#define SMC_MONITOR_H
+
+#include "compiler/script/ref.h"
+#include "compiler/sema/requirements.h"
+
+// What one step has decided about a requirement.
+typedef enum MonitorResult {
+    MONITOR_IDLE,             // nothing: the step could not violate it, or it is still undecided
+    MONITOR_JUDGED,           // it could have been violated, and was not
+    MONITOR_VIOLATED
+} MonitorResult;
+
+typedef struct Monitor {
+    const Requirements *what;
+    uint64_t step;            // the least by which G advances from a step to the next; at least 1
+    size_t size;              // bytes of a situation
+    size_t *samples_at;       // by window: offset of its samples in a situation
+    RefWindows windows;       // the windows of the situation of the last step
+    uint8_t *result;          // by requirement: the MonitorResult of the last step
+} Monitor;
+
+// delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.
+Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t);
+// Initialises a situation: no step has run.
+void monitor_start(const Monitor *m, void *situation);
+// Judges the step after which the variables of the machine have these cells.  Returns whether it violates a requirement.
+bool monitor_step(Monitor *m, void *situation, const uint64_t *cell);
+// Whether a `leads to` is undecided.  Sets *since to the G at which its time began; for `after` to the G of the last step with B.
+bool monitor_is_open(const Monitor *m, const void *situation, size_t requirement, uint64_t *since);
+
+#endif

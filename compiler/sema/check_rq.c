@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks requirements (docs/requirements.md): binds their names to those of a machine, and compares the ids with the marks @req.
+#include "compiler/sema/sema.h"
+
+#include "compiler/syntax/ast_rq.h"
+#include "stdlib/convert.h"
+#include "stdlib/math.h"
+
+// ---- conditions ----
+
+// Builds the condition that a step has run the state. S and the number have no position, because the source does not contain them.
+static Expr *new_state_operand(Sema *s, const State *state, Span span)
+{
+    Expr *e = expr_new(s, EX_BINARY, span, 2);
+
+    e->op = SM_OP_EQ;
+    e->arg[0] = expr_new(s, EX_VAR, (Span){0}, 0);
+    e->arg[0]->var = s->p->s;
+    e->arg[1] = expr_new(s, EX_NUMBER, (Span){0}, 0);
+    e->arg[1]->number = sm_from_u32(state->number);
+    s->knows_a_name = true;
+    return e;
+}
+
+// Reports a name without parentheses that is a variable or a definition, not a state.
+static void report_variable_operand(Sema *s, const AstExpr *name)
+{
+    Diag *d = diag_report(s->diags, DIAG_requirement_variable, name->span, name->name->text);
+
+    diag_label(s->diags, d, DIAG_label_write, format_in(s->arena, "(%s)", name->name->text));
+    diag_edit(s->diags, d, (Span){name->span.src, name->span.at, 0}, "(");
+    diag_edit(s->diags, d, (Span){name->span.src, name->span.at + name->span.len, 0}, ")");
+}
+
+// Checks an operand of before, after or without: the name of a state, true in each step that ran it, or an expression in parentheses
+// (requirements.md 13.9).
+static Expr *check_operand(Sema *s, const AstExpr *in)
+{
+    const bool is_variable = in->kind == AST_NAME && (scope_find_variable(s, in->name) || map_find(&s->defines, in->name));
+    State *state;
+
+    if (in->kind != AST_NAME)
+        return in->kind == AST_PAREN ? check_expr(s, in) : NULL;      // the parser has reported anything else
+    state = map_find(&s->p->state_by_name, in->name);
+    if (!state && is_variable) {
+        report_variable_operand(s, in);
+        return NULL;
+    }
+    if (state && is_variable)
+        scope_note_declared(s, diag_report(s->diags, DIAG_requirement_state_or_variable, in->span, in->name->text, in->name->text), in->name);
+    if (!state)
+        state = scope_find_state(s, s->p, in->name, in->span);
+    return state ? new_state_operand(s, state, in->span) : NULL;
+}
+
+static const AstExpr *without_parens(const AstExpr *e)
+{
+    while (e->kind == AST_PAREN)
+        e = e->a;
+    return e;
+}
+
+// Checks `always b` or `always a implies b`.
+static bool check_always(Sema *s, const AstExpr *in, Requirement *out)
+{
+    const AstExpr *e = without_parens(in);
+
+    if (e->kind != AST_IMPLIES)
+        return (out->b = check_expr(s, in)) != NULL;
+    out->a = check_expr(s, e->a);
+    out->b = check_expr(s, e->b);
+    return out->a && out->b;
+}
+
+// Returns the time after `within`, in units of G; 0 after a report.
+static uint64_t check_within(Sema *s, const AstExpr *in)
+{
+    const Expr *e = check_expr(s, in);
+    const bool is_constant = e && expr_is_constant(e);
+
+    if (e && (!is_constant || !sm_le(sm_from_i32(0), expr_constant_value(e))))
+        diag_report(s->diags, DIAG_within_value, in->span);
+    return is_constant ? sm_to_u64(expr_constant_value(e)) : 0;
+}
+
+static bool check_conditions(Sema *s, const AstRequirement *in, Requirement *out)
+{
+    switch (in->kind) {
+    case AST_NEVER:  return (out->a = check_expr(s, in->a)) != NULL;
+    case AST_ALWAYS: return check_always(s, in->a, out);
+    case AST_LEADS_TO:
+        out->a = check_expr(s, in->a);
+        out->b = check_expr(s, in->b);
+        out->within = check_within(s, in->within);
+        return out->a && out->b;
+    case AST_NEVER_BEFORE: case AST_NEVER_AFTER:
+        out->a = check_operand(s, in->a);
+        out->b = check_operand(s, in->b);
+        out->c = in->c ? check_operand(s, in->c) : NULL;
+        return out->a && out->b && (out->c || !in->c);
+    }
+    return false;
+}
+
+// ---- requirements that cannot fail, or cannot be met ----
+
+static bool is_constant_true(const Expr *e) { return expr_is_constant(e) && sm_to_bool(expr_constant_value(e)); }
+static bool is_constant_false(const Expr *e) { return expr_is_constant(e) && !sm_to_bool(expr_constant_value(e)); }
+
+// Returns what a constant or repeated condition decides, as a predicate of the requirement; NULL: nothing.
+static const char *find_verdict(const Requirement *r)
+{
+    switch (r->kind) {
+    case REQUIREMENT_NEVER:
+        return is_constant_true(r->a) ? "violated in every step" : is_constant_false(r->a) ? "never violated" : NULL;
+    case REQUIREMENT_ALWAYS:
+        if ((r->a && is_constant_false(r->a)) || is_constant_true(r->b) || (r->a && expr_equal(r->a, r->b, NULL)))
+            return "never violated";
+        return is_constant_false(r->b) ? r->a ? "violated whenever its premise is true" : "violated in every step" : NULL;
+    case REQUIREMENT_BEFORE:
+        return expr_equal(r->a, r->b, NULL) ? "violated whenever its first condition is true" : is_constant_false(r->a) ? "never violated" : NULL;
+    case REQUIREMENT_AFTER:
+        return is_constant_false(r->a) || is_constant_false(r->b) ? "never violated" : NULL;
+    case REQUIREMENT_LEADS_TO:
+        return is_constant_false(r->a) || is_constant_true(r->b) || expr_equal(r->a, r->b, NULL) ? "never violated" : NULL;
+    }
+    return NULL;
+}
+
+static void warn_of_verdict(Sema *s, const Requirement *r)
+{
+    const char *verdict = find_verdict(r);
+
+    if (verdict)
+        diag_report(s->diags, DIAG_requirement_decided, r->span, r->id->text, verdict);
+}
+
+// ---- the files ----
+
+// Checks a requirement; a second one with the same id is reported, and checked too.
+static void check_requirement(Sema *s, Requirements *out, const AstRequirement *in)
+{
+    static const RequirementKind kinds[] = {[AST_NEVER] = REQUIREMENT_NEVER,
+                                            [AST_ALWAYS] = REQUIREMENT_ALWAYS,
+                                            [AST_NEVER_BEFORE] = REQUIREMENT_BEFORE,
+                                            [AST_NEVER_AFTER] = REQUIREMENT_AFTER,
+                                            [AST_LEADS_TO] = REQUIREMENT_LEADS_TO};
+    Requirement r = {.kind = kinds[in->kind], .id = in->id, .text = in->text, .span = in->id_span};
+    const Span *first = map_find(&out->by_id, in->id);
+
+    s->searched_left = NULL;
+    if (first)
+        diag_note(s->diags, diag_report(s->diags, DIAG_requirement_twice, in->id_span, in->id->text), *first, DIAG_note_first_here);
+    else
+        map_put(&out->by_id, in->id, arena_copy(s->arena, &in->id_span, sizeof in->id_span));
+    if (!check_conditions(s, in, &r))
+        return;
+    warn_of_verdict(s, &r);
+    vec_push(s->arena, &out->at, r);
+}
+
+// Adds a note to the first unknown name if the files use no name of the machine.
+static void note_other_machine(Sema *s)
+{
+    if (s->unknown && !s->knows_a_name && s->unknown_name.n + s->unknown_state.n > 1)
+        diag_note(s->diags, s->unknown, (Span){0}, DIAG_note_requirements_of_other_machine, s->p->src->name);
+}
+
+// Checks the requirements of n files, which are those of one machine.
+Requirements *check_requirements(CheckContext *c, const AstFile *const *file, size_t n, const Program *p)
+{
+    const size_t errors = c->diags->errors_seen;
+    Requirements *out = ARENA_NEW(c->arena, Requirements);
+    HiddenNames *hidden = ARENA_NEW(c->arena, HiddenNames);
+    Sema s;
+
+    hidden->word.arena = c->arena;
+    out->program = p;
+    out->by_id.arena = c->arena;
+    sema_init(&s, c, hidden, p, &out->window);
+    s.in_script = true;
+    s.step = p->step;
+    add_definitions_of_machine(&s);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < file[i]->requirements->at.n; k++)
+            check_requirement(&s, out, &file[i]->requirements->at.at[k]);
+    note_other_machine(&s);
+    return c->diags->errors_seen > errors ? NULL : out;
+}
+
+// ---- marks ----
+
+static void add_mark(Sema *s, Str requirement, const State *state, bool is_statement, Span span)
+{
+    const RequirementMark m = {requirement, state, is_statement, span};
+
+    vec_push(s->arena, &s->building->mark, m);
+}
+
+void add_section_marks(Sema *s, const AstSection *section, const State *state)
+{
+    for (size_t i = 0; i < section->annotations.n; i++) {
+        const AstAnnotation *a = &section->annotations.at[i];
+        if (a->kind == AST_REQ)
+            add_mark(s, a->name, state, false, a->name_span);
+    }
+}
+
+void add_stmt_marks(Sema *s, const AstStmt *stmt)
+{
+    for (size_t i = 0; i < stmt->marks->at.n; i++)
+        add_mark(s, stmt->marks->at.at[i], s->state, true, stmt->marks->span.at[i]);
+}
+
+// Warns of an @req whose requirement no file has.
+static void check_mark(CheckContext *c, const Requirements *r, unsigned *guesses, Map *reported, Str id, Span span)
+{
+    Guess g = guess_init(id);
+    Diag *d;
+
+    if (map_find(&r->by_id, id) || map_find(reported, id))
+        return;
+    map_put(reported, id, (void *)id);
+    d = diag_report(c->diags, DIAG_requirement_unknown, span, id->text);
+    if (*guesses == 0)
+        return;
+    --*guesses;
+    for (size_t i = 0; i < r->at.n; i++)
+        guess_consider(&g, r->at.at[i].id);
+    guess_add_label(c->diags, d, &g);
+}
+
+void check_requirement_marks(CheckContext *c, const Requirements *r)
+{
+    Map reported = {c->arena, NULL, NULL, 0, 0};
+    unsigned guesses = 30;
+
+    for (size_t i = 0; i < r->program->mark.n; i++)
+        check_mark(c, r, &guesses, &reported, r->program->mark.at[i].requirement, r->program->mark.at[i].span);
+}
+
+void check_requirements_of_script(CheckContext *c, const Requirements *r, const Script *script)
+{
+    Map reported = {c->arena, NULL, NULL, 0, 0};
+    unsigned guesses = 30;
+
+    for (size_t i = 0; i < script->section.n; i++)
+        for (size_t k = 0; k < script->section.at[i].item.n; k++) {
+            const ScriptItem *item = script->section.at[i].item.at[k];
+            for (size_t n = 0; n < item->asserts.n; n++) {
+                const ScriptRemark *m = item->asserts.at[n].remark;
+                if (m && m->requirement)
+                    check_mark(c, r, &guesses, &reported, m->requirement, m->span);
+            }
+        }
+}

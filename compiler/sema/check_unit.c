@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// @unit of elements, locals and definitions (language.md 2.24 to 2.27).
+#include "compiler/sema/sema.h"
+
+// Reports a name that is no unit. Its value then has no unit, and is compared with nothing.
+static void warn_of_unknown(const CheckContext *c, const AstAnnotation *a, const MeasureError *error)
+{
+    const Span span = {a->name_span.src, a->name_span.at + error->at, error->len};
+    Diag *d = diag_report(c->diags, DIAG_unit_not_known, span, format_in(c->arena, "%.*s", (int)error->len, a->name->text + error->at));
+
+    if (error->near[0])
+        diag_label(c->diags, d, DIAG_label_did_you_mean, error->near);
+    if (error->is_certain)
+        diag_edit(c->diags, d, span, error->near);
+}
+
+// Returns the @unit among the annotations; NULL if there is none, or it is no unit, which is reported. `is_bool`: what has it is a bool.
+const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool)
+{
+    for (size_t i = 0; i < all->n; i++) {
+        const AstAnnotation *a = &all->at[i];
+        Measure unit;
+        MeasureError error;
+        MeasureFlaw flaw;
+        if (a->kind != AST_UNIT)
+            continue;
+        if (is_bool) {
+            diag_report(c->diags, DIAG_unit_of_bool, a->span, name->text);
+            return NULL;
+        }
+        flaw = measure_parse(a->name->text, &unit, &error);
+        if (flaw == MEASURE_MALFORMED)
+            diag_report(c->diags, DIAG_unit_malformed, (Span){a->name_span.src, a->name_span.at + error.at, error.len}, a->name->text, error.expected);
+        else if (flaw == MEASURE_UNKNOWN)
+            warn_of_unknown(c, a, &error);
+        return flaw == MEASURE_GOOD ? arena_copy(c->arena, &unit, sizeof unit) : NULL;
+    }
+    return NULL;
+}
+
+static Span unit_span(const AstAnnotations *all)
+{
+    for (size_t i = 0; i < all->n; i++)
+        if (all->at[i].kind == AST_UNIT)
+            return all->at[i].span;
+    return (Span){0};
+}
+
+// Sets the unit of v, which a machine lists, to that of the .sv if the machine gives none. Warns if they differ.
+void set_listed_unit(Sema *s, Var *v, const AstDecl *decl, bool from_machine)
+{
+    const Measure *own = v->unit, *shared = v->element ? v->element->unit : NULL;
+
+    if (v->element && from_machine)
+        v->element->unit = own;
+    else if (!own)
+        v->unit = shared;
+    else if (shared && (!measure_is_same_kind(own, shared) || !measure_is_same_scale(own, shared)))
+        diag_note(s->diags, diag_report(s->diags, DIAG_unit_elsewhere, unit_span(&decl->annotations), v->name->text, measure_text(s->arena, own),
+                                        measure_text(s->arena, shared)), v->element->span, DIAG_note_declared_here, v->name->text);
+    s->has_units |= v->unit != NULL;
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Typed requirements (docs/requirements.md) of a machine: the checker's output for files without errors.  Conditions are expressions over the
+// variables of the machine, and sample after its step.  Nothing changes them after the check.
+#ifndef SMC_REQUIREMENTS_H
+#define SMC_REQUIREMENTS_H
+
+#include "compiler/sema/program.h"
+
+typedef enum RequirementKind {
+    REQUIREMENT_NEVER,        // never a
+    REQUIREMENT_ALWAYS,       // always b; with a: always a implies b
+    REQUIREMENT_BEFORE,       // never a before b
+    REQUIREMENT_AFTER,        // never a after b without c
+    REQUIREMENT_LEADS_TO      // always a leads to b within `within`
+} RequirementKind;
+
+typedef struct Requirement {
+    RequirementKind kind;
+    Str id, text;
+    Span span;                // position of the id
+    Expr *a, *b, *c;          // as above; those that the kind does not have are NULL
+    uint64_t within;          // LEADS_TO: in units of G
+} Requirement;
+
+typedef struct Requirements {
+    const Program *program;
+    VEC(Requirement) at;      // of all files, in their order
+    Map by_id;                // id to Requirement
+    Windows window;           // of the calls in all conditions that sample
+} Requirements;
+
+#endif

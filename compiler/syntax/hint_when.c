@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hints about guards by time, which only scripts have: at 5 s, from 1 s to 2 s, after 5 s, every 10 ms.
+#include "compiler/syntax/hint_rules.h"
+#include "compiler/syntax/hint_words.h"
+
+// Returns the same condition as a comparison, which can be joined to others; NULL if there is none. `hi`: NULL without `to`.
+static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo, const AstExpr *hi)
+{
+    const char *a = parser_text(p, lo->span);
+
+    if (when == AST_FROM && hi)
+        return format_in(p->arena, "%s <= G < %s", a, parser_text(p, hi->span));
+    if (when == AST_FROM || when == AST_EVERY)
+        return NULL;
+    return format_in(p->arena, "G %s %s", when == AST_AT ? "==" : ">=", a);
+}
+
+// Reports a condition that is joined to a guard by time, as in `at 5 s and x > 3:`.
+HintResult hint_report_joined_when(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
+    const char *comparison = format_comparison(p, e->when, e->a, e->b);
+    Diag *d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
+
+    e->kind = AST_ERROR;
+    if (!comparison) {
+        diag_label(p->diags, d, DIAG_label_when_nest, parser_text(p, e->span));
+        return HINT_SKIPPED;
+    }
+    diag_label(p->diags, d, DIAG_label_write, comparison);
+    diag_edit(p->diags, d, e->span, comparison);
+    return HINT_SKIPPED;
+}
+
+// Reports a second time after `at 5 s` or `after 5 s`, as in `after 5 s to 6 s:`.
+HintResult hint_report_second_time(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
+    Diag *d;
+
+    if (e->when != AST_AT && e->when != AST_AFTER)
+        return HINT_NONE;
+    d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "from %s to %s", parser_text(p, e->a->span), parser_text(p, parser_span(p, &p->ahead))));
+    diag_edit(p->diags, d, ast_op_span(e), "from");
+    e->kind = AST_ERROR;
+    return HINT_SKIPPED;
+}
+
+// Reports `from 5 s` without `to` and a number.
+HintResult hint_report_no_to(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
+    Diag *d = parser_fail(p, DIAG_from_without_to, parser_missing_span(p), parser_text(p, e->a->span), parser_describe_found(p));
+
+    e->kind = AST_ERROR;
+    if (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) {
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "after %s", parser_text(p, e->a->span)));
+        diag_edit(p->diags, d, ast_op_span(e), "after");
+    } else if (p->tok.kind == TOK_NAME && parser_is_before_number(p) && (hint_is_word(&p->tok, "until") || hint_is_word(&p->tok, "till"))) {
+        diag_label(p->diags, d, DIAG_label_write, "to");
+        diag_edit(p->diags, d, parser_token_span(p), "to");
+    }
+    return HINT_SKIPPED;
+}
+
+// Reports a guard by time that is part of another condition, as in `x > 3 and at 5 s:`. The name e is its word, and a number follows it.
+HintResult hint_report_when_inside(HintCase *c)
+{
+    Parser *p = c->p;
+    const AstWhen when = c->e->kind == AST_NAME ? parser_find_when(&p->last) : AST_WHENS;
+    AstExpr *lo, *hi = NULL;
+    const char *comparison;
+    Span written;
+    Diag *d;
+
+    if (p->kind != FILE_SS || when == AST_WHENS || p->last.at != c->e->span.at)
+        return HINT_NONE;
+    lo = parse_number(p);
+    if (when == AST_FROM && p->tok.kind == TOK_NAME && !p->tok.first && hint_is_word(&p->tok, "to") && p->ahead.kind == TOK_NUMBER) {
+        parser_advance(p);
+        hi = parse_number(p);
+    }
+    written = parser_span_since(p, c->e->span.at);
+    comparison = format_comparison(p, when, lo, hi);
+    d = parser_fail(p, DIAG_when_joined, written, parser_text(p, written));
+    if (comparison) {
+        diag_label(p->diags, d, DIAG_label_write, comparison);
+        diag_edit(p->diags, d, written, comparison);
+    } else {
+        diag_label(p->diags, d, DIAG_label_when_nest, parser_text(p, written));
+    }
+    return HINT_SKIPPED;
+}
+
+// Reports something else than a number after the word of a guard by time, as in `at burnout:` and `at T + 5:`.
+HintResult hint_report_when_without_number(HintCase *c)
+{
+    Parser *p = c->p;
+    const AstWhen when = parser_find_when(&p->tok);
+    const bool is_variable = p->ahead.kind == TOK_NAME && (when == AST_AT || when == AST_AFTER);
+    const bool in_state = is_variable && strcmp(p->ahead.text->text, "T") == 0, is_time = is_variable && strcmp(p->ahead.text->text, "G") == 0;
+    Diag *d;
+
+    if (p->kind != FILE_SS || when == AST_WHENS || hint_is_operator_word(p->lex.src->text, p->ahead.at))
+        return HINT_NONE;
+    d = parser_fail(p, DIAG_when_without_number, parser_token_span(p), parser_when_words[when], parser_describe(p, &p->ahead));
+    if (in_state)
+        diag_label(p->diags, d, DIAG_label_when_in_state, when == AST_AT ? "T == 5 s" : "T >= 5 s", when == AST_AT ? "at 5 s" : "after 5 s");
+    else if (is_variable && !is_time)
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "G %s %s", when == AST_AT ? "==" : ">=", p->ahead.text->text));
+    else
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, when == AST_FROM ? "from 5 s to 6 s" : "%s 5 s", parser_when_words[when]));
+    return HINT_SKIPPED;
+}
+
+// Other words that users write before a time, and the guard that is meant; %s is the time.
+static const struct { const char *word, *guard; bool certain; } time_words[] = {
+    {"since", "after %s", true}, {"starting", "after %s", true}, {"each", "every %s", true},   {"on", "at %s", true},
+    {"once", "at %s", false},    {"when", "at %s", true},        {"until", "from 0 to %s", false}, {"till", "from 0 to %s", false},
+    {"before", "from 0 to %s", true}, {"during", "from 0 to %s", false}, {"between", "from %s to ...", false}, {"for", "from 0 to %s", false},
+    {"while", "from 0 to %s", false}, {"wait", "after %s", false}, {"delay", "after %s", false}};
+
+// Reports another word before a time at the start of a guard, as in `until 5 s:`.
+static HintResult report_time_word(Parser *p, const char *guard, bool certain)
+{
+    const Span word = parser_token_span(p);
+    Diag *d = parser_report(p, DIAG_foreign_word, word, p->tok.text->text);
+    const AstExpr *time;
+    const char *text;
+
+    parser_advance(p);
+    time = parse_number(p);
+    text = format_in(p->arena, guard, parser_text(p, time->span));
+    diag_label(p->diags, d, DIAG_label_write, text);
+    if (certain && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE))
+        diag_edit(p->diags, d, parser_span_since(p, word.at), text);
+    p->failed = true;
+    return HINT_SKIPPED;
+}
+
+HintResult hint_report_time_word(HintCase *c)
+{
+    Parser *p = c->p;
+
+    for (size_t i = 0; p->kind == FILE_SS && i < sizeof time_words / sizeof *time_words; i++)
+        if (hint_is_word(&p->tok, time_words[i].word))
+            return report_time_word(p, time_words[i].guard, time_words[i].certain);
+    if (p->kind == FILE_SM && parser_find_when(&p->tok) != AST_WHENS) {
+        parser_fail(p, DIAG_when_in_machine, parser_token_span(p), p->tok.text->text);
+        return HINT_SKIPPED;
+    }
+    return HINT_NONE;
+}
+
+// ---- after `state` ----
+
+// Whether a value follows the word.
+static bool is_before_value(const Parser *p, const Token *word)
+{
+    const char *text = p->lex.src->text;
+    uint32_t at = word->at + word->len;
+
+    while (text[at] == ' ' || text[at] == '\t')
+        at++;
+    return lex_is_letter(text[at]) || lex_is_digit(text[at]) || text[at] == '-' || text[at] == '.' || text[at] == '(';
+}
+
+bool hint_is_phrase(const Parser *p, const Token *word)
+{
+    return hint_is_operator_word(p->lex.src->text, word->at) && is_before_value(p, word);
+}

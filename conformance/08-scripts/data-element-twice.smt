@@ -1,0 +1,30 @@
+spec 8.64  A variable has at most one column.
+expect error
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x @read_only
+F64 y @read_only
+bool b @read_only
+U8 n @read_only
+bool out
+F64 seen
+[Run]
+.step
+    out = b
+    seen = x + y + n
+-- d.csv --
+t,P,Q
+0,1,2
+-- app.ss --
+[options]
+delta_t 10
+[data]
+file "d.csv"
+time "t" ms
+x = "P"
+x = "Q"    #! E0776 two columns
+[all_states]
+true: @stop

@@ -1,0 +1,29 @@
+spec 8.65  @stop is still required.
+expect error
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x @read_only
+F64 y @read_only
+bool b @read_only
+U8 n @read_only
+bool out
+F64 seen
+[Run]
+.step
+    out = b
+    seen = x + y + n
+-- d.csv --
+t,P
+0,1
+-- app.ss --
+[options]   #! E0703
+delta_t 10
+[data]
+file "d.csv"
+time "t" ms
+x = "P"
+[all_states]
+G == 10: @assert x == 1

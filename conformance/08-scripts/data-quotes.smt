@@ -1,0 +1,32 @@
+spec 8.56  A cell in quotes can contain separators, quotes and line ends.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x @read_only
+F64 y @read_only
+bool b @read_only
+U8 n @read_only
+bool out
+F64 seen
+[Run]
+.step
+    out = b
+    seen = x + y + n
+-- d.csv --
+t,"P","a ""note"", long"
+0,"1","line
+one"
+
+10,2,"x,y"
+-- app.ss --
+[options]
+delta_t 10
+[data]
+file "d.csv"
+time "t" ms
+x = "P"
+[all_states]
+G == 10: @assert x == 2
+G == 10: @stop

@@ -1,0 +1,32 @@
+spec 8.70  Rows are read one row ahead of the step.
+
+-- app.sm --
+[state_vector]
+U64 G
+U32 S
+F64 x @read_only
+F64 y @read_only
+bool b @read_only
+U8 n @read_only
+bool out
+F64 seen
+[Run]
+.step
+    out = b
+    seen = x + y + n
+-- d.csv --
+t,P
+0,1
+10,2
+20,3
+x,y
+-- app.ss --
+[options]
+delta_t 1
+[data]
+file "d.csv"
+time "t" ms
+x = "P"
+[all_states]
+G == 19: @assert x == 2
+G == 19: @stop

@@ -1,0 +1,41 @@
+spec 13.2  Ids are unique in all files.
+
+-- app.sm --
+[options]
+step 10 ms
+
+[state_vector]
+U64 time @alias G
+U32 state @alias S
+F64 p @read_only
+F64 q @read_only
+bool on
+
+[define]
+high = p > 10
+
+[A]
+.step
+    on = false
+    p == 1: -> B
+    p == 2: -> C
+
+[B]
+.step
+    on = true
+    p == 0: -> A
+    p == 2: -> C
+
+[C]
+.step
+    on = true
+    p == 0: -> A
+    p == 1 and not high: -> B
+
+-- app.rq --
+R1 "a" never p > 90
+R2 "b" never p > 91
+R1 "c" never p > 92        #! E1307 a second requirement 'R1'
+
+-- more.rq --
+R2 "d" never q > 9         #! E1307

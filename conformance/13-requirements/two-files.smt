@@ -1,0 +1,45 @@
+spec 13.1, 13.15  All files are judged.
+expect fail
+-- app.sm --
+[options]
+step 10 ms
+
+[state_vector]
+U64 time @alias G
+U32 state @alias S
+F64 p @read_only
+F64 q @read_only
+bool on
+
+[define]
+high = p > 10
+
+[A]
+.step
+    on = false
+    p == 1: -> B
+    p == 2: -> C
+
+[B]
+.step
+    on = true
+    p == 0: -> A
+    p == 2: -> C
+
+[C]
+.step
+    on = true
+    p == 0: -> A
+    p == 1 and not high: -> B
+
+-- app.rq --
+R1 "a" never p > 90
+
+-- more.rq --
+R2 "b" never p == 3      #! E1310 requirement R2
+
+-- app.ss --
+[all_states]
+G == 0: p = 0
+G == 10: p = 3
+G == 10: @stop

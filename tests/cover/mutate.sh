@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+# smc mutate against the slow way: every change is made in the text of the machine, and smc test runs the scripts on it in a process of its own.
+#     sh tests/cover/mutate.sh SMC
+# Machines: those of the folder, with scripts of the same stem, and examples.
+smc=$1
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+passed=0 failed=0
+
+fail() { echo "$1"; failed=$((failed + 1)); }
+
+# Compares all mutants of machine $1 with the scripts after it.
+compare() {
+    machine=$1
+    shift
+    name=$(basename "$machine")
+    if ! "$smc" mutate -w "$machine" "$@" --format=json -o "$dir/list.json" --force 2>"$dir/errors"; then
+        fail "$machine: mutate: $(head -n 1 "$dir/errors")"
+        return
+    fi
+    # at, length, verdict, then the text, which can be empty.
+    sed -n 's/.*"at":\([0-9]*\),"length":\([0-9]*\),.*,"new":"\(.*\)","danger":.*"verdict":"\([a-z]*\)".*/\1 \2 \4 \3/p' "$dir/list.json" >"$dir/list"
+    test -s "$dir/list" || fail "$machine: no mutants"
+    while read -r at length verdict text; do
+        { head -c "$at" "$machine"; printf %s "$text"; tail -c +$((at + length + 1)) "$machine"; } >"$dir/$name"
+        "$smc" test -w "$dir/$name" "$@" >"$dir/out" 2>&1
+        code=$?
+        case $verdict in
+        noticed) wanted=1 ;;
+        *) wanted=0 ;;
+        esac
+        if test $code = $wanted; then
+            passed=$((passed + 1))
+        else
+            fail "$machine: byte $at, '$text': $verdict, but smc test exits $code: $(grep -m 1 error "$dir/out")"
+        fi
+    done <"$dir/list"
+}
+
+compare examples/tank/tank.sm examples/tank/tank.ss
+compare examples/recovery/recovery.sm examples/recovery/recovery.ss
+for machine in tests/cover/*.sm; do
+    compare "$machine" "${machine%.sm}"*.ss
+done
+echo "mutation: $passed passed, $failed failed"
+test "$failed" -eq 0

@@ -1,0 +1,41 @@
+# A trace has a last column with the requirements that the step has violated.
+args test --trace=o.csv a.sm a.ss a.rq >/dev/null 2>&1; head -1 o.csv; tail -2 o.csv
+
+-- a.sm --
+[options]
+step 10 ms
+[state_vector]
+U64 time @alias G
+U32 state @alias S
+F64 p @read_only
+bool drogue
+bool main
+[Pad] @req R1
+.step
+    p > 100: -> Drogue @req R3
+[Drogue]
+.entry
+    drogue = true @req R4
+.step
+    if T > 50 { -> Main } @req R3
+[Main] @safe
+.entry
+    main = true
+-- a.ss --
+[all_states]
+G == 0: p = 0
+G == 100: p = 200
+G == 300 {
+    @assert main @req R2
+    @stop
+}
+-- a.rq --
+R1 "low pressure"   never S == Drogue and roll_max(p, 3 steps) > 10
+R2 "main first"     never Drogue before Main
+R3 "main in time"   always p > 100 leads to main within 40 ms
+R4 "through main"   never Drogue after Pad without Main
+R5 "main goes off"  always main leads to not main within 10 s
+-- stdout --
+script,step,G,state,T,drogue,main,p,violated
+a.ss,11,100,Pad,100,0,0,200,
+a.ss,12,110,Drogue,0,1,0,200,R1 R2 R4
