@@ -2,7 +2,7 @@
 args test --help
 
 -- stdout --
-Usage: smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+Usage: smc test M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
   run state scripts and judge requirements; run .smt cases and folders of them
 
 Options:

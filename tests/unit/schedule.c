@@ -204,7 +204,7 @@ static void check_periods(void)
         for (unsigned i = 1; i <= PERIODS; i++)
             divisors += g % i == 0;
         cell[p->g->index] = g;
-        schedule_find_due(h, p->state.at[pick(2)], cell, &due);
+        schedule_find_due(h, (const State *const *)&p->state.at[pick(2)], 1, cell, &due);
         CHECK(due.n == 0 || (due.n >= divisors && due.n <= divisors + 2 * in_range));
     }
     session_free(&s);

@@ -29,7 +29,7 @@ static Source *text(Session *s, const char *name, const char *t)
 
 static Program *compile(Session *s, const char *sm)
 {
-    MachineInput in = {NULL, NULL, NULL, NULL};
+    MachineInput in = {0};
 
     session_init(s, host_alloc, NULL, &oom);
     in.sm = text(s, "dir/tank.v2.sm", sm);
