@@ -126,6 +126,7 @@ N    ?= 20000
 SEED ?= 1
 J    ?= 2
 DIFF_OBJ = $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/diff/*.c))
+GEN_OBJ  = $(B)/obj/tests/diff/subject.o $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/diff/gen*.c))     # random programs alone
 $(B)/diff/difftest: $(DIFF_OBJ) $(B)/libsmc.a $(B)/runtime/sim.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
@@ -154,13 +155,13 @@ net-campaign: $(B)/net/hostile_san $(B)/net/hostile_stream_san
 # tests/swap: machines that are replaced while they run.  `make swap-campaign N=100000 SEED=1` swaps random pairs.
 SWAP_OBJ = $(B)/obj/tests/swap/machine.o $(B)/obj/tests/swap/reference.o
 $(B)/swap/clauses $(B)/swap/hostile: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(SWAP_OBJ) $(B)/libsmc.a
-$(B)/swap/random: $(B)/obj/tests/swap/random.o $(SWAP_OBJ) $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_parameters.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+$(B)/swap/random: $(B)/obj/tests/swap/random.o $(SWAP_OBJ) $(GEN_OBJ) $(B)/libsmc.a
 $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # tests/joint: scripts of random applications, against a slow reference.  `make joint-campaign N=100000 SEED=1` runs more of them.
-$(B)/joint/random: $(B)/obj/tests/joint/random.o $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+$(B)/joint/random: $(B)/obj/tests/joint/random.o $(GEN_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 joint-campaign: $(B)/joint/random
@@ -208,7 +209,7 @@ swap-campaign: $(B)/swap/random $(B)/swap/hostile
 .PHONY: swap-campaign
 
 # tests/requirements: random requirements over the runs of random machines.  `make requirements-campaign N=100000 SEED=1`.
-$(B)/requirements/random: $(B)/obj/tests/requirements/random.o $(filter %/subject.o %/gen.o %/gen_additions.o %/gen_bias.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o,$(DIFF_OBJ)) $(B)/libsmc.a
+$(B)/requirements/random: $(B)/obj/tests/requirements/random.o $(GEN_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
@@ -248,7 +249,7 @@ COST_FLAGS = -DSMVM_CONFIG='"tests/cost/config.h"'
 COST_SRC   = tests/cost/run.c $(filter-out $(VM_FAST) $(VM_TEXT),$(VM))
 $(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a
 	@mkdir -p $(@D)
-	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(filter %/gen.o %/gen_additions.o %/gen_parameters.o %/gen_change.o %/gen_print.o %/gen_shapes.o %/gen_values.o %/subject.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(GEN_OBJ) $(B)/libsmc.a
 
 # tests/emitc
 ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(OS_FILES))

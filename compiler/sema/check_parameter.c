@@ -31,6 +31,14 @@ static bool store_end(Sema *s, const Var *v, const AstNumber *written, SmF64 *en
     return false;
 }
 
+// Sets both ends, so that each is reported that the type cannot store.
+static bool store_ends(Sema *s, const Var *v, const AstAnnotation *range, Parameter *p)
+{
+    const bool lo = store_end(s, v, &range->lo, &p->lo), hi = store_end(s, v, &range->hi, &p->hi);
+
+    return lo && hi;
+}
+
 // Sets the range of a parameter.  Without a valid one the parameter accepts every number, so that nothing else is reported.
 static void set_range(Sema *s, const Var *v, const AstAnnotation *range, Parameter *p)
 {
@@ -48,7 +56,7 @@ static void set_range(Sema *s, const Var *v, const AstAnnotation *range, Paramet
     } else if (sm_lt(range->hi.value, range->lo.value)) {
         diag_report(s->diags, DIAG_range_empty, range->span, v->name->text, const_text(s->arena, range->lo.value),
                     const_text(s->arena, range->hi.value));
-    } else if (!store_end(s, v, &range->lo, &p->lo) | !store_end(s, v, &range->hi, &p->hi)) {
+    } else if (!store_ends(s, v, range, p)) {
         p->lo = sm_neg(highest);
         p->hi = highest;
     }

@@ -147,7 +147,8 @@ static void explain_unknown(const char *name, size_t n, MeasureError *error)
 
 // ---- grammar: term { (* | /) term }; term: (1 | name | '(' unit ')') [ ^ [-] number ] ----
 
-enum { DEPTH_MAX = 8, POWER_MAX = 99 };
+enum { DEPTH_MAX = 8 };
+static const double power_max = 99;
 
 typedef struct MeasureReader {
     const char *text;
@@ -182,12 +183,12 @@ static bool read_power(MeasureReader *r, double *power)
     r->at += minus;
     if (!is_digit(r->text[r->at]))
         return expect(r, "a number");
-    for (; is_digit(r->text[r->at]) && x <= POWER_MAX; r->at++)
+    for (; is_digit(r->text[r->at]) && x <= power_max; r->at++)
         x = x * 10 + (r->text[r->at] - '0');
     if (r->text[r->at] == '.' && is_digit(r->text[r->at + 1]))
         for (r->at++; is_digit(r->text[r->at]); r->at++)
             x += (r->text[r->at] - '0') * (digit /= 10);
-    if (x > POWER_MAX)
+    if (x > power_max)
         return expect(r, "a number of at most 99");
     *power = minus ? -x : x;
     return true;
@@ -283,7 +284,7 @@ static double power_of(double x, double n)
 {
     double out = 1;
 
-    if (n != sm_floor(n) || size_of(n) > POWER_MAX)
+    if (n != sm_floor(n) || size_of(n) > power_max)
         return sm_pow(x, n);
     for (double i = size_of(n); i > 0; i--)
         out *= x;
