@@ -153,7 +153,7 @@ void artefacts_emit_app(Compilation *c, const App *a)
         if (!a->machine.at[i]->bytecode) {
             const Program *p = a->machine.at[i]->program;
             stem = p->name->text;
-            e = app_c_options(c, stem, stem, ".sm");
+            e = app_c_options(c, stem, p->stem->text, ".sm");
             code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
             session_emit_c(c->s, session_ir(c->s, p, c->o->opt_level), &e, header, code);
         }

@@ -75,7 +75,9 @@ static size_t machine_of_source(const Compilation *c, size_t i)
 // Returns the index of the machine that source i is a script of; SIZE_MAX: it is no script, or has no machine.
 static size_t machine_of_script(const Compilation *c, size_t i)
 {
-    return c->in->at[i].kind != FILE_SS || c->out->of[i].is_included ? SIZE_MAX : machine_of_source(c, i);
+    if (c->in->at[i].kind != FILE_SS || c->out->of[i].is_included)
+        return SIZE_MAX;
+    return c->in->app ? 0 : machine_of_source(c, i);
 }
 
 // Adds the locals that the scripts of machine m, which has the program p, write to `written`.  If the option `step` is 0, the session's step
@@ -118,7 +120,7 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 static void compile_machine(Compilation *c, size_t i)
 {
     CompiledSource *of = &c->out->of[i];
-    MachineInput m = {c->in->at[i].text, c->in->vector, NULL};
+    MachineInput m = {c->in->at[i].text, c->in->vector, NULL, c->in->instance};
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;
@@ -224,10 +226,24 @@ static void check_app_limits(Compilation *c, const App *a)
     c->s->locals = LOCALS_READ;
 }
 
+// Joins the machines of an application for its scripts, and compiles these.
+static void compile_scripts_of_app(Compilation *c, const App *a)
+{
+    Map written = {&c->s->arena, NULL, NULL, 0, 0};
+
+    for (size_t i = 0; i < c->in->n; i++)
+        if (machine_of_script(c, i) == 0)
+            session_script_writes(c->s, c->in->at[i].text, TIME_NONE, &written);
+    c->out->of[0].scripted = session_join(c->s, a, &c->in->app->files, &written);
+    if (!c->o->scripts_later)
+        compile_scripts(c);
+}
+
 static void compile_app(Compilation *c)
 {
     const App *a = session_app(c->s, c->in->app->tree, &c->in->app->files);
 
+    mark_included_scripts(c);
     c->out->app = a;
     if (!a)
         return;
@@ -235,6 +251,8 @@ static void compile_app(Compilation *c)
         check_app_limits(c, a);
     if (c->o->emit == EMIT_C && c->s->diags.errors == 0)
         artefacts_emit_app(c, a);
+    if (c->in->n > 1)
+        compile_scripts_of_app(c, a);
 }
 
 // Parses an application, and lists the files that it names in out->files.  The caller then reads each of them.

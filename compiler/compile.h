@@ -31,7 +31,8 @@ typedef struct CompileInput {
     const Source *vector;         // the state vector of every machine, of all pins and messages; or NULL
     const Source *pins;           // the pins that the image contains; or NULL
     const Source *messages;       // messages that a report lists, and that nothing else reads; or NULL
-    CompileApp *app;              // the application if at[0] is one, which is then the only source; or NULL
+    const MachineInstance *instance;      // the bindings of the only machine, with `vector`; or NULL
+    CompileApp *app;              // the application if at[0] is one; every other source is then a script of it; or NULL
 } CompileInput;
 
 typedef enum CompileEmit {
@@ -60,7 +61,8 @@ typedef struct CompileOptions {
 // The results for one source.  A field is NULL if it does not apply to the kind of the source, was not requested, or had errors.
 typedef struct CompiledSource {
     const Program *program;       // a machine as it will fly, without scripts
-    const Program *scripted;           // the same machine as its scripts run it (session_program_for_scripts)
+    const Program *scripted;           // the same machine as its scripts run it (session_program_for_scripts); of an application, its machines
+                                  // joined (session_join), if it has scripts
     IrMachine *ir;                // the optimised IR of `program`
     const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine
     StateVec *vector;

@@ -10,6 +10,7 @@
 #include "compiler/emit/c/app.h"
 #include "compiler/passes/pass.h"
 #include "compiler/script/replay.h"
+#include "compiler/sema/join.h"
 #include "compiler/source_files.h"
 #include "compiler/syntax/parse.h"
 
@@ -98,7 +99,7 @@ Program *session_program(Session *s, const MachineInput *in)
     CheckContext c = make_check_context(s);
     StateVec *sv = in->sv ? session_state_vector(s, in->sv) : NULL;
     AstFile *sm = parse(s, in->sm, FILE_SM);
-    Program *p = check_machine(&c, sm, sv, in->written_outside);
+    Program *p = check_machine(&c, sm, sv, in->written_outside, in->instance);
 
     arena_free(&s->tree);
     s->diags.known |= in->sv ? 1u << DIAG_JUDGED_VECTOR : 0;
@@ -153,12 +154,13 @@ static const Source *find_source(const AppFiles *files, FileKind kind)
 }
 
 // Compiles a machine of an application.  If sv is NULL because the state vector has errors, only syntax errors are reported.
-static const Program *app_program(Session *s, const Source *sm, StateVec *sv)
+static const Program *app_program(Session *s, const Source *sm, StateVec *sv, const AstAppTask *task)
 {
     size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     AstFile *f = parse(s, sm, FILE_SM);
-    Program *p = sv ? check_machine(&c, f, sv, NULL) : NULL;
+    const MachineInstance instance = {task->name.text, task->name.span, task->bindings.at, task->bindings.n, false};
+    Program *p = sv ? check_machine(&c, f, sv, NULL, task->bindings.n ? &instance : NULL) : NULL;
 
     arena_free(&s->tree);
     return s->diags.errors_seen > errors ? NULL : p;
@@ -178,16 +180,56 @@ static uint64_t time_per_step(const App *a, const AppMachine *m)
     return 0;
 }
 
+// Sets which machine the following reports are about, where several are of one file.
+static void begin_instance(Session *s, const AppFiles *files, const AppInstance *m)
+{
+    s->diags.machine = files->at[m->file].machines > 1 ? m->task->name.text->text : NULL;
+}
+
+// Checks every machine of the application. A second one of a file without bindings, which is an error, is the first one again.
+static void check_instances(Session *s, AppFiles *files, StateVec *sv)
+{
+    for (size_t i = 0; i < files->instances; i++) {
+        AppInstance *m = &files->instance[i];
+        const AppFile *f = &files->at[m->file];
+        begin_instance(s, files, m);
+        if (m->task->bindings.n == 0 && f->unbound != i + 1)
+            m->program = files->instance[f->unbound - 1].program;
+        else if (f->src)
+            m->program = app_program(s, f->src, sv, m->task);
+    }
+    s->diags.machine = NULL;
+}
+
+// Adds to each report about some of the machines of a file which ones these are.
+static void name_machines(Session *s, const AppFiles *files)
+{
+    for (size_t i = 0; i < s->diags.list.n; i++) {
+        Diag *d = s->diags.list.at[i];
+        const char *list = "";
+        size_t file = 0;
+        while (file < files->n && files->at[file].src != d->span.src)
+            file++;
+        if (d->machines.n == 0 || file == files->n || d->machines.n == files->at[file].machines)
+            continue;
+        for (size_t m = 0; m < d->machines.n; m++)
+            list = format_in(&s->arena, "%s%s'%s'", list, m == 0 ? "" : m + 1 < d->machines.n ? ", " : " and ", d->machines.at[m]);
+        diag_note(&s->diags, d, (Span){0}, DIAG_note_in_machines, list);
+    }
+}
+
 // Analyses each machine at its rate, and then all machines together.
-static void analyse_app(Session *s, const App *a)
+static void analyse_app(Session *s, const App *a, const AppFiles *files)
 {
     const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
 
     for (size_t i = 0; i < a->machine.n; i++) {
         p[i] = a->machine.at[i]->program;
         s->step = time_per_step(a, a->machine.at[i]);
+        begin_instance(s, files, &files->instance[i]);
         session_analyse(s, p[i]);
     }
+    s->diags.machine = NULL;
     s->step = 0;
     s->diags.known |= 1u << DIAG_JUDGED_VECTOR | 1u << DIAG_JUDGED_APP;
     analyse_shared_vector(&s->arena, &s->diags, p, a->machine.n);
@@ -208,15 +250,46 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     Network *network = net && sv ? check_net(&c, net, sv) : NULL;
     App *a;
 
-    for (size_t i = 0; i < files->n; i++)
-        if (files->at[i].kind == FILE_SM && files->at[i].src)
-            files->at[i].program = app_program(s, files->at[i].src, sv);
+    check_instances(s, files, sv);
     a = check_app(&c, app, sv, map, network, files);
-    if (!a || s->diags.errors_seen > errors)
+    if (!a || s->diags.errors_seen > errors) {
+        name_machines(s, files);
         return NULL;
+    }
     emit_c_check_app_names(&s->arena, &s->diags, a);
-    analyse_app(s, a);
+    analyse_app(s, a, files);
+    name_machines(s, files);
     return s->diags.errors_seen > errors ? NULL : a;
+}
+
+// Adds to `own` the names in `written` that begin with the machine's name and a dot, without these.
+static void add_names_of_machine(Session *s, Str machine, const Map *written, Map *own)
+{
+    for (size_t i = 0; i < written->cap; i++) {
+        const Str name = written->key[i];
+        if (name && name->len > machine->len + 1 && name->text[machine->len] == '.' && memcmp(name->text, machine->text, machine->len) == 0) {
+            const Str rest = str_c(&s->strings, name->text + machine->len + 1);
+            map_put(own, rest, (void *)rest);
+        }
+    }
+}
+
+const Program *session_join(Session *s, const App *a, const AppFiles *files, const Map *written)
+{
+    const CheckContext c = make_check_context(s);
+    const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
+
+    for (size_t i = 0; i < a->machine.n; i++) {
+        const AppMachine *m = a->machine.at[i];
+        const AstAppTask *task = files->instance[i].task;
+        const MachineInstance instance = {task->name.text, task->name.span, task->bindings.at, task->bindings.n, false};
+        Map own = {&s->arena, NULL, NULL, 0, 0};
+        const MachineInput in = {files->at[m->file].src, find_source(files, FILE_SV), &own, task->bindings.n ? &instance : NULL};
+        add_names_of_machine(s, m->name, written, &own);
+        if ((p[i] = session_program_for_scripts(s, &in, m->program)) == NULL)
+            return NULL;
+    }
+    return join_machines(&c, a, p);
 }
 
 // ---- scripts: their items are parsed, checked and freed one after the other ----

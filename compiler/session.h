@@ -60,6 +60,7 @@ typedef struct MachineInput {
     const Source *sm;
     const Source *sv;             // the state vector, or NULL
     const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
+    const MachineInstance *instance;      // its bindings, only with sv; or NULL
 } MachineInput;
 
 // Functions that parse or check return NULL after errors, which are then in s->diags.
@@ -78,6 +79,9 @@ const Program *session_program_for_scripts(Session *s, const MachineInput *in, c
 // Compiles an application and everything that it names, analyses included. app_list_files of its tree lists the required files; the caller
 // supplies their contents. Returns NULL if any of them had errors.
 App *session_app(Session *s, const AstFile *app, AppFiles *files);
+// Joins the machines of an application, compiled by session_app, for its scripts, which write the names of `written` (language.md 8.71 to
+// 8.83). Returns NULL after an error: the application has no machines.
+const Program *session_join(Session *s, const App *a, const AppFiles *files, const Map *written);
 // Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
 // none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written);

@@ -4,6 +4,7 @@
 #   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
+#     FROM=channel.sm: the machine is in this file.  SMC_APP has the state vector, and the bindings of the machine.
 # Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
 # SMCFLAGS to further options, SMC to where the command is if not in PATH.
 #   rocket from rocket.app: a program.  Set before the include
@@ -56,9 +57,9 @@ flash-%: %.smb
 	$(SMC_WANT)
 	$(SMC) flash $< --port=$(or $(PORT),$(error PORT=/dev/ttyACM0 says where the board is))
 # The command compiles it, with names.  Of the options it takes those for warnings and the optimiser.
-swap-%: %.sm $(SMC_SV)
+swap-%: $(or $(FROM),%.sm) $(SMC_SV)
 	$(SMC_WANT)
-	$(SMC) swap $< $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV)) --to=$(or $(TO),$(error TO=stand.sock says where the application listens)) \
+	$(SMC) swap $*=$< $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_APP),--app=$(SMC_APP).app,$(if $(SMC_SV),--sv=$(SMC_SV))) --to=$(or $(TO),$(error TO=stand.sock says where the application listens)) \
 	    --$(or $(MODE),$(error MODE=continue or MODE=restart says how the machine goes on))
 SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))

@@ -160,6 +160,14 @@ $(B)/swap/clauses $(B)/swap/hostile $(B)/swap/random:
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
+# tests/joint: scripts of random applications, against a slow reference.  `make joint-campaign N=100000 SEED=1` runs more of them.
+$(B)/joint/random: $(B)/obj/tests/joint/random.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+joint-campaign: $(B)/joint/random
+	$(B)/joint/random $(SEED) $(N)
+.PHONY: joint-campaign
+
 # Swaps in an application that runs, in the simulation.
 $(B)/swap/running $(B)/swap/storing: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(patsubst %,$(B)/obj/tests/swap/%.o,stage machine) $(B)/runtime/sim.a $(B)/libsmc.a
 	@mkdir -p $(@D)
@@ -851,6 +859,8 @@ $(call test, swap-reach,           thorough, $(B)/swap/reach $(B)/smc, $(B)/swap
 $(call test, swap-killed,          thorough, $(B)/swap/killed, $(B)/swap/killed)
 $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/threads)
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
+$(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/random 1 300)
+$(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)

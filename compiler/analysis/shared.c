@@ -100,6 +100,15 @@ void analyse_shared_vector(Arena *arena, Diags *diags, const Program *const *p, 
 
 // ---- a machine and pins ----
 
+// Returns the variable of p that is this element of the state vector; NULL: p does not list it. Each machine can have its own StateVec.
+static const Var *find_variable(const Program *p, const Element *e)
+{
+    for (size_t v = 0; v < p->var.n; v++)
+        if (p->var.at[v]->kind == VAR_ELEMENT && p->var.at[v]->element->name == e->name)
+            return p->var.at[v];
+    return NULL;
+}
+
 void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Program *p)
 {
     const Span *first = first_assignments(arena, p);
@@ -107,10 +116,10 @@ void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Prog
     for (size_t i = 0; i < io->pin.n; i++) {
         const Pin *pin = &io->pin.at[i];
         const char *element = pin->element->name->text, *machine = p->name->text;
-        const Var *v = map_find(&p->by_name, pin->element->name);
+        const Var *v = pin_is_output(pin) ? NULL : find_variable(p, pin->element);
         Diag *d;
-        if (pin_is_output(pin) || !v || v->kind != VAR_ELEMENT || v->element->name != pin->element->name)
-            continue;                                 // `v` may be another variable whose alias is the element's name
+        if (!v)
+            continue;
         if (v == p->g || v == p->s) {
             d = diag_report(diags, v == p->g ? DIAG_input_of_time : DIAG_input_of_state, pin->span, element, machine);
             diag_note(diags, d, v->span, DIAG_note_listed_there, machine);

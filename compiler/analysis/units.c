@@ -252,7 +252,7 @@ static Quantity quantity_of_variable(UnitCheck *k, const Var *v)
 {
     Quantity q;
 
-    if (v == k->p->g || v == k->p->t) {
+    if (v == k->p->g || v->kind == VAR_TIME) {
         q = quantity_of_time(k->p);
         q.scaled = k->script != NULL;                     // an input can be a ramp: `pressure = T` is 1 bar per ms
         return q;

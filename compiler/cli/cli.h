@@ -49,6 +49,7 @@ struct Cli {
     VEC(const Source *) included;         // those of them that no argument names
     VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
+    Buf bindings;                         // the values of all --bind, one on each line
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
     PlainMessages plain;                  // the other messages printed so far, for the same document
     Buf message_file;                     // what --message-file will contain, unless that is SARIF
@@ -143,6 +144,10 @@ Source *cli_read_source(Cli *c, const char *path);
 // Reads every file that the command line names, and those of --sv and --io.  An application's own files are read too; a missing one is
 // reported when it is checked.  "-" is a machine.  EXIT_OK, or EXIT_ENVIRONMENT after a message.
 int cli_read_inputs(Cli *c, CompileInput *in);
+// Reads the files that the application in->at[0] names, and sets in->app. One that cannot be read is reported when the application is checked.
+void cli_load_app(Cli *c, CompileInput *in);
+// Reads --bind for the only machine of `machines` that the call compiles; *out is NULL without it. EXIT_OK, or the exit code after a message.
+int cli_read_bindings(Cli *c, size_t machines, const MachineInstance **out);
 // Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
 bool cli_compile_options(Cli *c, CompileOptions *o);
 // Checks that the names of all files have the suffix of a source ("-" is accepted if `standard_input`); false after a message.

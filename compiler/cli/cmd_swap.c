@@ -5,6 +5,7 @@
 
 #include "bytecode-vm/swap.h"
 #include "compiler/base/os_serial.h"
+#include "compiler/base/path.h"
 #include "compiler/cli/app_view.h"
 #include "compiler/device/sign.h"
 
@@ -54,8 +55,68 @@ static int check_arguments(Cli *c)
     return EXIT_OK;
 }
 
+// What the machines that are compiled share.
+typedef struct Surroundings {
+    const Source *vector;             // or NULL
+    const MachineInstance *bindings;  // of --bind; or NULL
+    const CompileApp *app;            // of --app: it has the bindings of each machine; or NULL
+} Surroundings;
+
+// Reads the application that --app names, and its state vector.
+static int read_app(Cli *c, Surroundings *around)
+{
+    CompileApp *app = ARENA_NEW(&c->session.arena, CompileApp);
+    const char *path = c->value[OPT_APP];
+    const Source *src = cli_read_source(c, path);
+    int code;
+
+    if (!src)
+        return EXIT_ENVIRONMENT;
+    compile_open_app(&c->session, src, app);
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+        return code;
+    around->app = app;
+    for (size_t i = 0; i < app->files.n; i++)
+        if (app->files.at[i].kind == FILE_SV)
+            around->vector = cli_read_source(c, path_beside(&c->session.arena, path, app->files.at[i].name.text->text));
+    return around->vector ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+static int read_surroundings(Cli *c, Surroundings *out)
+{
+    *out = (Surroundings){NULL, NULL, NULL};
+    if (c->given[OPT_APP])
+        return c->given[OPT_SV] || c->given[OPT_BIND] ? cli_usage_error(c, TEXT_swap_app_alone) : read_app(c, out);
+    if (c->given[OPT_SV] && !(out->vector = cli_read_source(c, c->value[OPT_SV])))
+        return EXIT_ENVIRONMENT;
+    return cli_read_bindings(c, c->files, &out->bindings);
+}
+
+// Finds the bindings that the application has for machine `name`; *out is NULL if there are none.
+static int find_bindings(Cli *c, const Surroundings *around, const char *name, const MachineInstance **out)
+{
+    const AppFiles *files = around->app ? &around->app->files : NULL;
+    MachineInstance *instance = ARENA_NEW(&c->session.arena, MachineInstance);
+    const char *names = "";
+
+    *out = around->bindings;
+    if (!files)
+        return EXIT_OK;
+    for (size_t i = 0; i < files->instances; i++) {
+        const AstAppTask *task = files->instance[i].task;
+        names = format_in(&c->session.arena, "%s%s%s", names, *names ? ", " : "", task->name.text->text);
+        if (strcmp(task->name.text->text, name) != 0)
+            continue;
+        *instance = (MachineInstance){task->name.text, task->name.span, task->bindings.at, task->bindings.n, false};
+        *out = task->bindings.n ? instance : NULL;
+        return EXIT_OK;
+    }
+    cli_print_error(c, TEXT_swap_app_machine, cli_printable_name(&c->session.arena, c->value[OPT_APP]), name, *names ? names : "none");
+    return EXIT_PROBLEM;
+}
+
 // Compiles a machine to an image with names: without names it could not continue.
-static int compile_machine(Cli *c, const char *path, const Source *vector, ApplicationChange *out)
+static int compile_machine(Cli *c, const char *path, const Surroundings *around, ApplicationChange *out)
 {
     CompileInput in = {0};
     CompileSource source = {0};
@@ -64,12 +125,14 @@ static int compile_machine(Cli *c, const char *path, const Source *vector, Appli
     bool ok;
     int code;
 
+    if ((code = find_bindings(c, around, out->machine, &in.instance)) != EXIT_OK)
+        return code;
     if ((source.text = cli_read_source(c, path)) == NULL)
         return EXIT_ENVIRONMENT;
     source.kind = FILE_SM;
     in.at = &source;
     in.n = 1;
-    in.vector = vector;
+    in.vector = around->vector;
     if (!cli_compile_options(c, &o))
         return EXIT_USAGE;
     o.emit = EMIT_BYTECODE;
@@ -95,20 +158,20 @@ static int load_image(Cli *c, const char *path, ApplicationChange *out)
     return EXIT_OK;
 }
 
-static int load_change(Cli *c, const char *file, bool is_named, const Source *vector, ApplicationChange *out)
+static int load_change(Cli *c, const char *file, bool is_named, const Surroundings *around, ApplicationChange *out)
 {
     if (is_named && strcmp(file, built_in) == 0)
         return EXIT_OK;
     if (has_suffix(file, ".sm"))
-        return compile_machine(c, file, vector, out);
+        return compile_machine(c, file, around, out);
     return has_suffix(file, ".smb") ? load_image(c, file, out) : cli_usage_error(c, TEXT_swap_file, file);
 }
 
 // Reads or compiles every file that the command line names.
 static int load_changes(Cli *c, Changes *all)
 {
-    const Source *vector = c->given[OPT_SV] ? cli_read_source(c, c->value[OPT_SV]) : NULL;
-    int code = c->given[OPT_SV] && !vector ? EXIT_ENVIRONMENT : EXIT_OK;
+    Surroundings around;
+    int code = read_surroundings(c, &around);
 
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++) {
         ApplicationChange change = {0};
@@ -116,7 +179,7 @@ static int load_changes(Cli *c, Changes *all)
         change.machine = split_name(c, c->file[i], &file);
         change.mode = c->given[OPT_CONTINUE] ? SM_SWAP_CONTINUE : SM_SWAP_RESTART;
         change.state = c->given[OPT_RESTART] ? c->value[OPT_RESTART] : NULL;
-        code = load_change(c, file, file != c->file[i], vector, &change);
+        code = load_change(c, file, file != c->file[i], &around, &change);
         vec_push(&c->session.arena, all, change);
     }
     return code == EXIT_OK ? check_names(c, all) : code;
@@ -220,7 +283,7 @@ static int report_refused(BoardLine *b, const ApplicationSwap *s)
         cli_print_error(b->c, TEXT_swap_refused_machine, m.name, application_reason_text(s->reason));
     else
         cli_print_error(b->c, TEXT_swap_refused, application_reason_text(s->reason));
-    if (s->reason == SM_SWAP_NO_LAYOUT && !b->c->given[OPT_SV])
+    if (s->reason == SM_SWAP_NO_LAYOUT && !b->c->given[OPT_SV] && !b->c->given[OPT_APP])
         cli_print_error(b->c, TEXT_swap_vector);
     return EXIT_PROBLEM;
 }

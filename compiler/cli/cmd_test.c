@@ -144,7 +144,7 @@ bool test_is_script(const Cli *c, const char *path)
     if (strcmp(path, "-") != 0)
         return has_suffix(path, ".ss");
     for (size_t i = 0; i < c->files; i++)
-        has_machine |= has_suffix(c->file[i], ".sm");
+        has_machine |= has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app");
     return has_machine;
 }
 
@@ -158,7 +158,7 @@ static Files classify_files(const Cli *c)
 
     for (size_t i = 0; i < c->files; i++) {
         const bool standard = strcmp(c->file[i], "-") == 0, script = test_is_script(c, c->file[i]), data = test_is_coverage_data(c->file[i]);
-        const bool machine = !script && !data && (standard || has_suffix(c->file[i], ".sm"));
+        const bool machine = !script && !data && (standard || has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app"));
         f.standard_inputs += standard;
         f.machines += machine;
         f.scripts += script;
@@ -170,7 +170,7 @@ static Files classify_files(const Cli *c)
     return f;
 }
 
-static const char accepted[] = "a machine (.sm), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases";
+static const char accepted[] = "a machine (.sm) or an application (.app), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases";
 
 static int check_kinds(Cli *c)
 {
@@ -178,8 +178,10 @@ static int check_kinds(Cli *c)
         const char *path = c->file[i];
         if (has_suffix(path, ".sv"))
             return cli_usage_error(c, TEXT_vector_with_sv, path);
-        if (!has_suffix(path, ".sm") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") && !test_is_requirements(path) &&
-            !test_is_coverage_data(path) && strcmp(path, "-") != 0 && !os_is_folder(path))
+        if (has_suffix(path, ".app") && c->given[OPT_SV])
+            return cli_usage_error(c, TEXT_app_names_vector, path);
+        if (!has_suffix(path, ".sm") && !has_suffix(path, ".app") && !has_suffix(path, ".ss") && !has_suffix(path, ".smt") &&
+            !test_is_requirements(path) && !test_is_coverage_data(path) && strcmp(path, "-") != 0 && !os_is_folder(path))
             return cli_usage_error(c, TEXT_test_kind, path, accepted);
     }
     return EXIT_OK;
@@ -213,6 +215,10 @@ static int check_arguments(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_set_of_case);
     if (f->requirements && !f->machines)
         return cli_usage_error(c, TEXT_test_requirements_alone);
+    if (f->requirements && has_suffix(f->machine, ".app"))
+        return cli_usage_error(c, TEXT_test_requirements_of_app, f->machine);
+    if (test_coverage_is_wanted(c) && has_suffix(f->machine, ".app"))
+        return cli_usage_error(c, TEXT_coverage_of_app, f->machine);
     for (size_t i = 0; i < sizeof other / sizeof *other && c->given[OPT_TAP]; i++)
         if (cli_is_standard_output(c, other[i].id))
             return cli_usage_error(c, TEXT_both_to_stdout, "--tap", other[i].spelling);

@@ -104,7 +104,7 @@ Source *cli_read_source(Cli *c, const char *path)
 
 // Reads the files that an application names. Their paths are relative to its folder. A file that cannot be read is reported when the
 // application is checked.
-static void load_app(Cli *c, CompileInput *in)
+void cli_load_app(Cli *c, CompileInput *in)
 {
     const char *app = in->at[0].text->name;
 
@@ -123,9 +123,32 @@ static void load_app(Cli *c, CompileInput *in)
     }
 }
 
+int cli_read_bindings(Cli *c, size_t machines, const MachineInstance **out)
+{
+    MachineInstance *instance = ARENA_NEW(&c->session.arena, MachineInstance);
+    AstBindings all = {0};
+
+    *out = NULL;
+    if (!c->given[OPT_BIND])
+        return EXIT_OK;
+    if (machines != 1)
+        return cli_usage_error(c, TEXT_bind_one_machine);
+    if (!c->given[OPT_SV])
+        return cli_usage_error(c, TEXT_bind_needs_vector);
+    parse_bindings(&c->session.arena, &c->session.strings, &c->session.diags,
+                   source_new(&c->session.arena, "--bind", buf_text(&c->bindings), c->bindings.n), &all);
+    instance->binding = all.at;
+    instance->bindings = all.n;
+    instance->lost = c->session.diags.errors > 0;
+    *out = instance;
+    return EXIT_OK;
+}
+
 // Reads every file that the command line names, and those of --sv, --io and --net.
 int cli_read_inputs(Cli *c, CompileInput *in)
 {
+    size_t machines = 0;
+
     memset(in, 0, sizeof *in);
     in->at = ARENA_ARRAY(&c->session.arena, CompileSource, c->files);
     for (size_t i = 0; i < c->files; i++) {
@@ -139,9 +162,17 @@ int cli_read_inputs(Cli *c, CompileInput *in)
         (c->given[OPT_NET] && (in->messages = cli_read_source(c, c->value[OPT_NET])) == NULL) ||
         (c->given[OPT_IO] && (in->pins = cli_read_source(c, c->value[OPT_IO])) == NULL))
         return EXIT_ENVIRONMENT;
-    if (in->n == 1 && in->at[0].kind == FILE_APP)
-        load_app(c, in);
-    return EXIT_OK;
+    for (size_t i = 1; i < in->n; i++)
+        if (in->at[i].kind == FILE_APP && in->at[0].kind != FILE_APP) {
+            const CompileSource first = in->at[0];
+            in->at[0] = in->at[i];
+            in->at[i] = first;
+        }
+    if (in->n > 0 && in->at[0].kind == FILE_APP)
+        cli_load_app(c, in);
+    for (size_t i = 0; i < in->n; i++)
+        machines += in->at[i].kind == FILE_SM;
+    return cli_read_bindings(c, machines, &in->instance);
 }
 
 // Checks that the names of all files have the suffix of a source ("-" is accepted if `standard_input`); false after a message.

@@ -88,6 +88,8 @@ static bool store_option(Cli *c, OptionId id, const char *arg, const char *value
         return cli_usage_error(c, TEXT_option_empty, o->spelling, o->value + has_joined_value(o)), false;
     c->given[id] = true;
     c->value[id] = value;
+    if (id == OPT_BIND)
+        buf_printf(&c->bindings, "%s\n", value);
     if (id == OPT_SET)
         vec_push(&c->session.arena, &c->set, value);
     if (id == OPT_WARN)
@@ -146,6 +148,7 @@ bool options_parse(Cli *c, int argc, char **argv)
     bool ended = false;
 
     c->file = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
+    buf_init(&c->bindings, &c->session.arena);
     c->warn.word = ARENA_ARRAY(&c->session.arena, const char *, (size_t)argc + 1);
     for (int i = 0; i < argc; i++) {
         const char *arg = argv[i], *value;

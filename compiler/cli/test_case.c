@@ -67,7 +67,7 @@ static void parse_and_compile(TestCase *c, const char *path, size_t n)
         return;
     }
     case_compile(&c->smt, opt_level);
-    if (c->smt.has_runs && c->which & (1u << ENGINE_C | 1u << ENGINE_C_SOFT))
+    if (c->smt.has_runs && !c->smt.p->joint && c->which & (1u << ENGINE_C | 1u << ENGINE_C_SOFT))
         c->ir = session_ir(&c->s, c->smt.p, opt_level);
 }
 

@@ -177,14 +177,20 @@ static int read_settings(MachineTest *m)
 static int read_inputs(MachineTest *m, const char *path, CompileInput *in)
 {
     Cli *c = m->t->c;
+    const bool is_app = has_suffix(path, ".app");
+    int code;
 
     memset(in, 0, sizeof *in);
     in->at = ARENA_ARRAY(m->t->arena, CompileSource, c->files + 1);
     m->problem = ARENA_ARRAY(m->t->arena, const char *, c->files);
     m->ss = ARENA_ARRAY(m->t->arena, const Source *, c->files);
-    in->at[in->n++] = (CompileSource){.text = cli_read_source(c, path), .kind = FILE_SM};
+    in->at[in->n++] = (CompileSource){.text = cli_read_source(c, path), .kind = is_app ? FILE_APP : FILE_SM};
     if (!in->at[0].text || (c->given[OPT_SV] && (in->vector = cli_read_source(c, c->value[OPT_SV])) == NULL))
         return EXIT_ENVIRONMENT;
+    if ((code = cli_read_bindings(c, !is_app, &in->instance)) != EXIT_OK)
+        return code;
+    if (is_app)
+        cli_load_app(c, in);
     for (size_t i = 0; i < c->files; i++)
         if (test_is_requirements(c->file[i])) {
             in->at[in->n] = (CompileSource){.text = cli_read_source(c, c->file[i]), .kind = FILE_RQ};

@@ -79,7 +79,7 @@ static void choose_all_columns(TestTrace *t)
     const Var **order = report_order(&t->c->session.arena, t->p);
 
     for (size_t i = 0; i < t->p->var.n; i++)
-        if (t->is_exact || (order[i] != t->p->g && order[i] != t->p->s && !order[i]->is_constant))
+        if (t->is_exact || (order[i] != t->p->g && !order[i]->state_of && !order[i]->is_constant))
             add_column(t, order[i]);
 }
 

@@ -59,6 +59,21 @@ static Engine *open_engine(EngineKind kind, Session *s, const Program *p, int op
     return NULL;
 }
 
+// Opens one engine for each machine of an application, and joins them.
+static Engine *open_app_engine(EngineKind kind, Session *s, const Program *p, int opt_level, const char **error)
+{
+    const size_t n = engine_machines(p);
+    Engine **machine = ARENA_ARRAY(&s->arena, Engine *, n);
+
+    for (size_t i = 0; i < n; i++)
+        if ((machine[i] = open_engine(kind, s, p->joint->member.at[i].program, opt_level, error)) == NULL) {
+            while (i-- > 0)
+                machine[i]->close(machine[i]);
+            return NULL;
+        }
+    return engine_app_open(&s->arena, p, machine);
+}
+
 // Opens the engines of `which`.  After a failure returns false, and the set contains the engines opened before.
 bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level)
 {
@@ -66,7 +81,7 @@ bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, 
         const char *error = "";
         if (!(which & 1u << i))
             continue;
-        if ((set->at[set->n] = open_engine((EngineKind)i, s, p, opt_level, &error)) == NULL) {
+        if ((set->at[set->n] = (p->joint ? open_app_engine : open_engine)((EngineKind)i, s, p, opt_level, &error)) == NULL) {
             set->error = format_in(&s->arena, "engine %s: %s", engine_name[i], error);
             return false;
         }

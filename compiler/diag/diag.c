@@ -114,6 +114,13 @@ static void add_state(Diags *d, Diag *x, const char *state)
         vec_push(d->arena, &x->states, state);
 }
 
+// Records that x is true for the current machine. The reports for one machine follow each other.
+static void add_machine(Diags *d, Diag *x)
+{
+    if (d->machine && (x->machines.n == 0 || x->machines.at[x->machines.n - 1] != d->machine))
+        vec_push(d->arena, &x->machines, d->machine);
+}
+
 // Replaces the copy of a source by the source itself.
 static Span written_source(Span span)
 {
@@ -135,6 +142,8 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
         d->first = span.src && d->position_cap ? find_position(d, span.src, span.at, code)->diag : NULL;
         if (d->first && state)
             add_state(d, d->first, state);
+        if (d->first)
+            add_machine(d, d->first);
         if (!d->dropped) {                    // all dropped reports share one Diag, so that many of them need no memory
             d->dropped = ARENA_NEW(d->arena, Diag);
             d->dropped->text = "";
@@ -150,6 +159,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
     x->text = fill_arguments(d->arena, diag_info[code].message, args);
     if (state)
         add_state(d, x, state);
+    add_machine(d, x);
     while (file > 0 && d->files.at[file - 1] != span.src)
         file--;
     if (file == 0)

@@ -83,6 +83,7 @@ typedef struct Diag {
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // all edits together are one proposed fix
     VEC(const char *) states;             // the states for which it was reported, where its statement belongs to several (Source.written)
+    VEC(const char *) machines;           // the machines for which it was reported while Diags.machine was set
     VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
     bool allow_checked;                   // an earlier call of diags_apply_allows has examined it
     const char *allowed;                  // the reason of the @allow that covers it; else NULL
@@ -98,6 +99,7 @@ typedef struct Diags {
     unsigned known;                       // what this run knows besides the machine: a set of 1u << DiagJudged
     unsigned analysed;                    // the groups whose warnings have all been reported, because analyses have run: a set of 1u << DiagGroup
     bool muted;                           // while set, reports are dropped
+    const char *machine;                  // the machine that is being compiled, where several are of one file; NULL: none
     Diag *dropped;                        // returned for every report that is not in the list; its fields are meaningless
     Diag *first;                          // the diagnostic in the list that the last dropped report repeats; NULL: none
     VEC(const Source *) files;            // sources of reports, in the order of their first report

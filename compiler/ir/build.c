@@ -189,7 +189,7 @@ static void build_vars(Builder *b)
         out.writable = v->written;
         out.outside = v->outside;
         if (v->element)
-            out.offset = v->element->offset;
+            out.offset = v->element->offset, out.element = v->element->name;
         b->var[v->index] = v->is_constant ? IR_NONE : (uint32_t)b->m->var.n;
         if (!v->is_constant)
             vec_push(b->arena, &b->m->var, out);

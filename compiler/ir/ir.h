@@ -116,6 +116,7 @@ typedef enum IrSpace { IR_ELEMENT, IR_LOCAL, IR_TIME } IrSpace;
 typedef struct IrVar {
     IrSpace space;
     Str name;                         // name of the variable, unique in the machine
+    Str element;                      // ELEMENT: its name in the state vector; NULL: it is `name`
     SmType type;
     uint32_t offset;                  // ELEMENT: bytes from the start of the state vector
     uint64_t init;                    // LOCAL: its initial value, as a bit cell

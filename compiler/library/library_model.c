@@ -122,14 +122,17 @@ static void list_uses(Session *c, LibraryModel *m)
 
 // ---- all machines ----
 
-// Returns the program of a source that is a machine, also of an application; NULL: it is none, or has errors.
+// Returns the program of a source that is a machine, also of an application: of several machines of one file, that of the first. NULL: it is
+// none, or has errors.
 static const Program *program_of(const LibraryResults *of, uint32_t source)
 {
     if (of->input[source])
         return of->made.of[of->input[source] - 1].program;
-    for (size_t f = 0; of->in.app && of->made.app && f < of->in.app->files.n; f++)
-        if (of->text[source] && of->in.app->files.at[f].src == of->text[source])
-            return of->in.app->files.at[f].program;
+    for (size_t i = 0; of->in.app && of->made.app && i < of->in.app->files.instances; i++) {
+        const AppInstance *m = &of->in.app->files.instance[i];
+        if (of->text[source] && of->in.app->files.at[m->file].src == of->text[source])
+            return m->program;
+    }
     return NULL;
 }
 

@@ -104,6 +104,14 @@ static const char *numbers_text(Arena *arena, SmF64 lo, SmF64 hi)
                      report_format_number(arena, trace_cell_value(SM_F64, sm_bits(hi))));
 }
 
+// Returns the names of an element: that of the machine, its alias, and that of the state vector if a binding makes it another one.
+static const char *names_of_element(Arena *arena, const Var *v)
+{
+    const char *name = v->alias ? format_in(arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text;
+
+    return v->element->name != v->name ? format_in(arena, "%s = %s", name, v->element->name->text) : name;
+}
+
 static const char *range_text(Arena *arena, const Var *v) { return v->range ? numbers_text(arena, v->range->lo, v->range->hi) : ""; }
 
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
@@ -115,7 +123,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
         const Var *v = p->var.at[i];
         if (v->kind != VAR_ELEMENT)
             continue;
-        doc_add_code_cell(t, v->alias ? format_in(r->arena, "%s (%s)", v->name->text, v->alias->text) : v->name->text);
+        doc_add_code_cell(t, names_of_element(r->arena, v));
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, role_text(p, v));

@@ -38,9 +38,9 @@ bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most
 // Appends the value of e in the format of diagnostics.
 void run_append_value(ScriptRun *r, const Expr *e, const RefWindows *w, Buf *out)
 {
-    const Program *p = r->s->program;
+    const Program *p = e->kind == EX_VAR ? e->var->state_of : NULL;
 
-    if (e->kind == EX_VAR && e->var == p->s && r->cell[e->var->index] - 1 < p->state.n)
+    if (p && r->cell[e->var->index] - 1 < p->state.n)
         buf_printf(out, "%s, number %lu", p->state.at[r->cell[e->var->index] - 1]->name->text, (unsigned long)r->cell[e->var->index]);
     else if (e->kind == EX_VAR)
         format_cell_shortest(out, e->var->type, r->cell[e->var->index]);
@@ -89,7 +89,7 @@ static const char *number_text(const ScriptRun *r, uint64_t n) { return format_i
 
 static Diag *report_failed(const ScriptRun *r, const ScriptAssert *a)
 {
-    const char *step = number_text(r, r->result.steps), *g = number_text(r, r->g), *state = r->state->name->text, *remark = remark_text(r, a);
+    const char *step = number_text(r, r->result.steps), *g = number_text(r, r->g), *state = run_state_text(r), *remark = remark_text(r, a);
 
     if (a->kind == SCRIPT_FAIL)
         return diag_report(r->diags, DIAG_fail_reached, a->remark->span, step, g, state, remark);
@@ -167,11 +167,13 @@ static void fail_pending(ScriptRun *r, const PendingExpect *e)
 // Whether no later step can meet an @expect: the next one is after its time.
 static bool is_expired(const ScriptRun *r, const PendingExpect *e)
 {
-    const uint64_t passed = r->g - e->since, within = e->item->asserts.at[e->assert].remark->within;
-    const uint64_t next = run_time_to_next_step(r);
+    const uint64_t next = run_next_g(r, e->item->machine);
 
-    return passed >= within || next == 0 || within - passed < next;
+    return next == UINT64_MAX || next - e->since > e->item->asserts.at[e->assert].remark->within;
 }
+
+// Whether the asserts of an item count in this step: in the script of an application, those of a machine's state count at its own ticks.
+static bool counts_now(const ScriptRun *r, const ScriptItem *item) { return item->machine == 0 || r->machine[item->machine - 1].is_due; }
 
 // Evaluates a pending @expect.  Returns whether it stays pending.
 static bool check_pending(ScriptRun *r, const PendingExpect *e)
@@ -195,7 +197,7 @@ static void check_all_pending(ScriptRun *r)
 
     for (size_t i = 0; i < r->pending.n; i++) {
         const PendingExpect e = r->pending.at[i];
-        if (r->ended || check_pending(r, &e))
+        if (r->ended || !counts_now(r, e.item) || check_pending(r, &e))
             r->pending.at[left++] = e;
     }
     r->pending.n = (uint32_t)left;

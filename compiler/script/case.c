@@ -66,6 +66,7 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
     const bool has_app = case_has_part_of_kind(f, ".app");
     const bool vector_is_shared = case_has_part_of_kind(f, ".sm") || case_has_part_of_kind(f, ".io") ||
                                   case_has_part_of_kind(f, ".net");
+    size_t scripts = 0;
 
     memset(out, 0, sizeof *out);
     s->finder = (SourceFinder){find_included, find_data, out};
@@ -81,14 +82,16 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
         if (!testfile_is_source(p) || !file_kind(p->name, &kind))
             continue;
         out->src[i] = source_new(&s->arena, p->name, p->text, p->n);
-        if (has_app ? kind != FILE_APP : vector_is_shared && kind == FILE_SV) {
+        if (has_app ? kind != FILE_APP && kind != FILE_SS : vector_is_shared && kind == FILE_SV) {
             if (!has_app && !out->in.vector)
                 out->in.vector = out->src[i];
             continue;
         }
-        out->input[i] = out->in.n;
-        out->in.at[out->in.n++] = (CompileSource){.text = out->src[i], .kind = kind};
+        out->input[i] = has_app && kind == FILE_SS ? ++scripts : out->in.n;           // the application is the first source
+        out->in.at[out->input[i]] = (CompileSource){.text = out->src[i], .kind = kind};
+        out->in.n += !has_app || kind == FILE_APP;
     }
+    out->in.n += scripts;
     if (has_app)
         supply_app_files(s, f, out);
 }
@@ -108,7 +111,9 @@ static const char *find_wrong_parts(const TestFile *f)
     const size_t nets = count_parts(f, ".net");
 
     if (case_has_part_of_kind(f, ".app"))
-        return count_parts(f, ".app") > 1 || scripts ? "a case has at most one .app, and no script beside it" : NULL;
+        return count_parts(f, ".app") > 1             ? "a case has at most one .app"
+               : case_has_part_of_kind(f, ".rq") ? "requirements are judged in scripts of one machine, not of an application"
+                                                 : NULL;
     if (machines > 1 || vectors > 1 || pins > 1 || nets > 1)
         return "a case has at most one .sm, one .sv, one .io and one .net";
     if (nets && !vectors)
@@ -177,7 +182,7 @@ void case_compile(SmtCase *c, int opt_level)
     compile_sources(c->s, &c->sources.in, &o, &made);
     c->script = ARENA_ARRAY(&c->s->arena, const Script *, f->part.n);
     for (size_t i = 0; i < f->part.n; i++)
-        if (testfile_has_suffix(&f->part.at[i], ".sm"))
+        if (testfile_has_suffix(&f->part.at[i], c->sources.in.app ? ".app" : ".sm"))
             c->p = made.of[c->sources.input[i]].scripted, c->requirements = made.of[c->sources.input[i]].requirements;
         else if (testfile_has_suffix(&f->part.at[i], ".ss"))
             c->script[i] = made.of[c->sources.input[i]].script;

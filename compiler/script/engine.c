@@ -13,6 +13,7 @@ void engine_step_init(EngineStep *s, Arena *arena, const Program *p)
     s->status = ENGINE_OK;
     s->next_state = 0;
     s->next_is_first = true;
+    s->machine = p->joint ? ARENA_ARRAY(arena, EngineNext, engine_machines(p)) : NULL;
     s->cell = ARENA_ARRAY(arena, uint64_t, p->var.n);
     s->stored = arena_alloc(arena, p->var.n);
 }
@@ -59,12 +60,14 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
             append_value(&text, b, v->type, of_b->cell[i]);
             return buf_text(&text);
         }
-    if (of_a->next_state != of_b->next_state)
-        return format_in(arena, "next state: %s goes to %s, %s to %s", a->name, state_text(p, of_a->next_state), b->name,
-                         state_text(p, of_b->next_state));
-    if (of_a->next_is_first != of_b->next_is_first)
-        return format_in(arena, "%s makes a transition in this step, %s does not", of_a->next_is_first ? a->name : b->name,
-                         of_a->next_is_first ? b->name : a->name);
+    for (size_t i = 0; i < engine_machines(p); i++) {
+        const EngineNext x = engine_next(of_a, i), y = engine_next(of_b, i);
+        if (x.state != y.state)
+            return format_in(arena, "next state: %s goes to %s, %s to %s", a->name, state_text(p, x.state), b->name, state_text(p, y.state));
+        if (x.is_first != y.is_first)
+            return format_in(arena, "%s makes a transition in this step, %s does not", x.is_first ? a->name : b->name,
+                             x.is_first ? b->name : a->name);
+    }
     for (size_t i = 0; i < p->var.n; i++)
         if (p->var.at[i]->kind == VAR_ELEMENT && !of_a->stored[i] != !of_b->stored[i])
             return format_in(arena, "%s: %s stored it in this step, %s did not", p->var.at[i]->report_name->text,

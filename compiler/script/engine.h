@@ -20,10 +20,18 @@ typedef enum EngineStatus {
     ENGINE_BROKEN             // the engine itself failed; `error` is the reason
 } EngineStatus;
 
+// What one machine of an application did in a tick, and does next.
+typedef struct EngineNext {
+    uint32_t state;           // number of the state that its next step runs, among those of all machines
+    bool is_first;            // its next step is a first step
+    bool ran;                 // it ran a step in this tick; false after init
+} EngineNext;
+
 typedef struct EngineStep {
     EngineStatus status;
     uint32_t next_state;      // number of the state that the next step runs
     bool next_is_first;       // the next step is a first step: after init and after a transition, even to the same state
+    EngineNext *machine;      // of an application: by machine; it replaces the two above.  Otherwise NULL
     uint64_t *cell;           // every variable after the step; program->var.n of them
     uint8_t *stored;          // by variable: 1 for each element that the step stored
 } EngineStep;
@@ -45,10 +53,24 @@ struct Engine {
 
 // Allocates the result of an engine that runs p.
 void engine_step_init(EngineStep *s, Arena *arena, const Program *p);
+// Returns what machine i does next: the only one, or one of an application.
+static inline EngineNext engine_next(const EngineStep *s, size_t i)
+{
+    return s->machine ? s->machine[i] : (EngineNext){s->next_state, s->next_is_first, true};
+}
 // Returns NULL if two engines gave bit-identical results; otherwise a sentence in `arena` that names the first difference.
 const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b);
 
-// Opens the reference interpreter.
+// Returns how many machines p has: 1, or those of an application.
+static inline size_t engine_machines(const Program *p) { return p->joint ? p->joint->member.n : 1; }
+
+// Joins one engine for each machine of an application, in the order of p->joint->member, to an engine for p (language.md 8.71 to 8.83).
+// Closing it closes them.
+Engine *engine_app_open(Arena *arena, const Program *p, Engine *const *machine);
+// Returns the engine of machine i; e itself if it is no engine of an application.
+Engine *engine_app_machine(Engine *e, size_t i);
+
+// Opens the reference interpreter. p can be an application.
 Engine *engine_ref_open(Arena *arena, const Program *p);
 // Returns the transition that the last step of the reference interpreter took; NULL if none.
 const Stmt *engine_ref_transition(const Engine *ref);

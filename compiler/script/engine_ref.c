@@ -120,7 +120,7 @@ const Stmt *engine_ref_transition(const Engine *e) { return ((const RefEngine *)
 
 static void ref_close(Engine *e) { (void)e; }         // all its memory belongs to the arena
 
-Engine *engine_ref_open(Arena *arena, const Program *p)
+static Engine *open_machine(Arena *arena, const Program *p)
 {
     RefEngine *r = ARENA_NEW(arena, RefEngine);
 
@@ -138,3 +138,14 @@ Engine *engine_ref_open(Arena *arena, const Program *p)
     r->engine.close = ref_close;
     return &r->engine;
 }
+
+static Engine *open_app(Arena *arena, const Program *p)
+{
+    Engine **machine = ARENA_ARRAY(arena, Engine *, engine_machines(p));
+
+    for (size_t i = 0; i < engine_machines(p); i++)
+        machine[i] = engine_ref_open(arena, p->joint->member.at[i].program);
+    return engine_app_open(arena, p, machine);
+}
+
+Engine *engine_ref_open(Arena *arena, const Program *p) { return p->joint ? open_app(arena, p) : open_machine(arena, p); }

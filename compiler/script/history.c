@@ -15,7 +15,7 @@ enum {
 
 typedef struct PastStep {
     uint64_t number, g;
-    const State *state;
+    const char *state;                // of an application: the states of all machines
     const char *value[COLUMNS];       // by column: the value as text
 } PastStep;
 
@@ -53,16 +53,25 @@ static void add_columns(History *h, const Expr *e)
 
 // ---- the second run ----
 
+// Records the transition that a machine took in a step; NULL: none.
+static void record_transition(History *h, const ScriptStep *step, const State *from, const Stmt *transition)
+{
+    if (!transition)
+        return;
+    if (h->transitions == TRANSITIONS)
+        memmove(h->transition, h->transition + 1, --h->transitions * sizeof *h->transition);
+    h->transition[h->transitions++] = (PastTransition){step->number, step->g, from, transition};
+}
+
 // Called after each step of the second run: records the step if it is one of the last, and the transition that it took.
 static void record_after_step(void *context, const ScriptStep *step)
 {
     History *h = context;
     ScriptRun *r = &h->run;
-    const Stmt *transition = engine_ref_transition(r->engine[0]);
 
     if (step->number + STEPS > h->failed->result.steps) {
         PastStep *s = &h->step[h->steps++];
-        *s = (PastStep){step->number, step->g, step->state, {NULL}};
+        *s = (PastStep){step->number, step->g, run_state_text(r), {NULL}};
         for (size_t i = 0; i < h->columns; i++) {
             Buf text;
             buf_init(&text, r->arena);
@@ -70,11 +79,9 @@ static void record_after_step(void *context, const ScriptStep *step)
             s->value[i] = buf_text(&text);
         }
     }
-    if (!transition)
-        return;
-    if (h->transitions == TRANSITIONS)
-        memmove(h->transition, h->transition + 1, --h->transitions * sizeof *h->transition);
-    h->transition[h->transitions++] = (PastTransition){step->number, step->g, step->state, transition};
+    for (size_t i = 0; i < r->machines; i++)
+        if (engine_next(&r->answer[0], i).ran)
+            record_transition(h, step, r->machine[i].state, engine_ref_transition(engine_app_machine(r->engine[0], i)));
 }
 
 // Whether a second run would take too long.  The reference interpreter reads every sample of every rolling window in each step.
@@ -82,8 +89,11 @@ static bool is_replay_too_slow(const ScriptRun *r)
 {
     uint64_t work = 1;
 
-    for (size_t i = 0; i < r->p->window.n; i++)
-        work += r->p->window.at[i].size;
+    for (size_t m = 0; m < r->machines; m++) {
+        const Windows *w = r->p->joint ? &r->p->joint->member.at[m].program->window : &r->p->window;
+        for (size_t i = 0; i < w->n; i++)
+            work += w->at[i].size;
+    }
     for (size_t i = 0; i < r->s->window.n; i++)
         work += r->s->window.at[i].size;
     for (size_t i = 0; r->o->requirements && i < r->o->requirements->window.n; i++)
@@ -147,7 +157,7 @@ static void add_step_table(History *h, Diag *d)
     for (size_t i = 0; i < h->steps; i++) {
         steps = max_size(steps, strlen(count_text(arena, h->step[i].number)));
         gs = max_size(gs, strlen(count_text(arena, h->step[i].g)));
-        states = max_size(states, h->step[i].state->name->len);
+        states = max_size(states, strlen(h->step[i].state));
     }
     buf_char(&table, '\n');
     append_right_aligned(&table, "step", steps);
@@ -163,7 +173,7 @@ static void add_step_table(History *h, Diag *d)
         buf_char(&table, '\n');
         append_right_aligned(&table, count_text(arena, h->step[i].number), steps);
         append_right_aligned(&table, count_text(arena, h->step[i].g), gs + 2);
-        buf_printf(&table, "  %-*s", (int)states, h->step[i].state->name->text);
+        buf_printf(&table, "  %-*s", (int)states, h->step[i].state);
         for (size_t c = 0; c < h->columns; c++)
             append_right_aligned(&table, h->step[i].value[c], column_width(h, c) + 2);
     }
@@ -182,19 +192,20 @@ static void add_transition_notes(History *h, Diag *d)
                   t->from->name->text, t->stmt->target->name->text);
     }
     if (h->transitions == 0 && r->failed)
-        diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, r->s->init_state->name->text);
+        diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, run_state_text(r));
 }
 
-// Adds a note with the current state of the machine and the step in which it was entered, for a run that did not stop.
-static void add_state_note(const ScriptRun *r, Diag *d)
+// Adds a note with the current state of a machine and the step in which it was entered, for a run that did not stop.
+static void add_state_note(const ScriptRun *r, size_t machine, Diag *d)
 {
-    const bool is_new = r->answer[0].next_is_first;
-    const uint64_t step = is_new ? r->result.steps + 1 : r->start_step;
-    const State *state = r->p->state.at[r->answer[0].next_state - 1];
+    const EngineNext next = engine_next(&r->answer[0], machine);
+    const bool is_new = next.is_first;
+    const uint64_t step = is_new ? r->result.steps + 1 : r->machine[machine].start_step;
+    const State *state = r->p->state.at[next.state - 1];
 
     if (step > 1 && !(is_new && r->result.outcome != SCRIPT_ENDLESS))         // otherwise G has no value for the next step
         diag_note(r->diags, d, (Span){0}, DIAG_note_state_since, state->name->text, count_text(r->arena, step),
-                  count_text(r->arena, is_new ? r->g : r->start));
+                  count_text(r->arena, is_new ? r->g : r->machine[machine].start));
     else if (step == 1)
         diag_note(r->diags, d, (Span){0}, DIAG_note_no_transition, state->name->text);
 }
@@ -239,7 +250,8 @@ void history_add(ScriptRun *failed, Diag *d)
         add_columns(h, stop->guard);
     if (!failed->failed) {
         add_stop_notes(failed, d);
-        add_state_note(failed, d);
+        for (size_t i = 0; i < failed->machines; i++)
+            add_state_note(failed, i, d);
     }
     if (is_replay_too_slow(failed)) {
         diag_note(failed->diags, d, (Span){0}, DIAG_note_too_long);

@@ -89,7 +89,7 @@ static void report_violation(ScriptRun *r, const Requirement *what, uint64_t sin
 {
     const Expr *e = deciding_condition(what);
     Diag *d = diag_report(r->diags, DIAG_requirement_violated, e->span, what->id->text, number_text(r, r->result.steps), number_text(r, r->g),
-                          r->state->name->text, what->text->text);
+                          run_state_text(r), what->text->text);
 
     run_label_operands(r, d, e, &r->monitor->windows);
     add_reason(r, d, what, since);

@@ -170,6 +170,7 @@ typedef struct Group {
 struct Schedule {
     Arena *arena;
     const Var *time[TIMES];
+    bool grows;               // G is another one in each step
     Group all_states;
     Group **of_state;         // by State.number - 1; NULL: the script has no section for it
 };
@@ -183,7 +184,7 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
     const Periodic p = {item, 0, item->guard->kind == EX_EVERY ? (uint64_t)item->guard->number : 0};
 
     // The guards around an item with a period may limit it, too.  Unless they end, its period is the shorter search.
-    if (p.period && !by_t && of_g.to == always.to) {
+    if (p.period && h->grows && !by_t && of_g.to == always.to) {
         vec_push(h->arena, &g->periodic, p);
         return;
     }
@@ -235,7 +236,8 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
 
     h->arena = arena;
     h->time[BY_G] = s->program->g;
-    h->time[BY_T] = s->program->t;
+    h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has a T for each machine
+    h->grows = s->delta_t > 0 || s->by_rows;                                  // otherwise the ticks of an application are no whole units apart
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
     reserve_items(h, &h->all_states, count_items_of_all_states(s));
     for (size_t i = 0; i < s->section.n; i++) {
@@ -266,17 +268,21 @@ static bool is_sorted(const DueItems *due)
     return true;
 }
 
-// Replaces `due` by the items of [all_states] and of the state's section whose guards can be true, in source order.
-void schedule_find_due(Schedule *h, const State *state, const uint64_t *cell, DueItems *due)
+static void add_due(const Schedule *h, Group *g, const uint64_t *cell, DueItems *due)
 {
-    Group *const group[] = {&h->all_states, h->of_state[state->number - 1]};
+    for (int k = 0; g && k < TIMES; k++)
+        add_containing(h->arena, g->by[k].at, 0, g->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
+    if (g)
+        add_periodic(h->arena, &g->periodic, cell[h->time[BY_G]->index], due);
+}
 
+// Replaces `due` by the items of [all_states] and of the sections of n states whose guards can be true, in source order.
+void schedule_find_due(Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due)
+{
     due->n = 0;
-    for (int i = 0; i < 2 && group[i]; i++) {
-        for (int k = 0; k < TIMES; k++)
-            add_containing(h->arena, group[i]->by[k].at, 0, group[i]->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
-        add_periodic(h->arena, &group[i]->periodic, cell[h->time[BY_G]->index], due);
-    }
+    add_due(h, &h->all_states, cell, due);
+    for (size_t i = 0; i < n; i++)
+        add_due(h, h->of_state[state[i]->number - 1], cell, due);
     if (!is_sorted(due))
         qsort(due->at, due->n, sizeof *due->at, compare_items);
 }

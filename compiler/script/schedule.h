@@ -14,8 +14,8 @@ typedef VEC(const ScriptItem *) DueItems;
 
 // cell: the initial values; only those of constant locals are used.
 Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell);
-// Replaces `due` by the items of [all_states] and of the state's section whose guards can be true, in source order.  Every other guard
-// of these sections is false.  cell: the values before the step, with its G and T; G grows from call to call.
-void schedule_find_due(Schedule *h, const State *state, const uint64_t *cell, DueItems *due);
+// Replaces `due` by the items of [all_states] and of the sections of n states whose guards can be true, in source order.  Every other guard
+// of these sections is false.  cell: the values before the step, with its G and T; G never decreases from call to call.
+void schedule_find_due(Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due);
 
 #endif

@@ -27,17 +27,36 @@ static void write_input(ScriptRun *r, const Var *v, uint64_t cell)
         vec_push(r->arena, &r->write, w);
 }
 
-// Sets G, T and S to their values in the next step, because guards and inputs may read them.
+// Whether the mode of a machine lets it run when a step begins.
+static bool is_enabled(const ScriptRun *r, const ScriptMachine *m)
+{
+    enum { ENABLED = 2 };             // config.md 10.16
+
+    return !m->mode || r->cell[m->mode->index] == ENABLED;
+}
+
+// Sets S and T of a machine to their values in the step that it is about to run.
+static void update_machine(ScriptRun *r, ScriptMachine *m, EngineNext next)
+{
+    m->state = r->p->state.at[next.state - 1];
+    if (next.is_first)
+        m->start = r->g, m->start_step = r->result.steps + 1;
+    if (!m->is_due)
+        return;
+    r->cell[m->t->index] = r->g - m->start;
+    r->cell[m->s->index] = next.state - m->first;
+    r->active[r->actives++] = m->state;
+}
+
+// Sets G, and T and S of each machine that is due, to their values in the next step, because guards and inputs may read them.
 static void update_time_and_state(ScriptRun *r)
 {
-    const EngineStep *last = &r->answer[0];
-
-    r->state = r->p->state.at[last->next_state - 1];
-    if (last->next_is_first)
-        r->start = r->g, r->start_step = r->result.steps + 1;
+    r->actives = 0;
     write_input(r, r->p->g, r->g);
-    r->cell[r->p->t->index] = r->g - r->start;
-    r->cell[r->p->s->index] = last->next_state;
+    for (size_t i = 0; i < r->machines; i++) {
+        r->machine[i].is_due = r->machine[i].wait == 0 && is_enabled(r, &r->machine[i]);
+        update_machine(r, &r->machine[i], engine_next(&r->answer[0], i));
+    }
 }
 
 // Sets the parameters before the first step.  The caller's setting of a parameter replaces that of the script.
@@ -94,9 +113,11 @@ static bool is_reached(const ScriptRun *r, const ScriptItem *item)
 // Executes the items whose section and guard match: writes their inputs, and notes their asserts.
 static void run_sections(ScriptRun *r)
 {
-    r->ran[r->state->number - 1] = r->result.steps + 1;
-    r->ran_at[r->state->number - 1] = r->g;
-    schedule_find_due(r->schedule, r->state, r->cell, &r->due);
+    for (size_t i = 0; i < r->actives; i++) {
+        r->ran[r->active[i]->number - 1] = r->result.steps + 1;
+        r->ran_at[r->active[i]->number - 1] = r->g;
+    }
+    schedule_find_due(r->schedule, r->active, r->actives, r->cell, &r->due);
     for (size_t i = 0; i < r->due.n; i++) {
         const ScriptItem *item = r->due.at[i];
         if (is_reached(r, item) && ref_true(ref_eval(item->guard, r->cell, &r->windows))) {
@@ -136,8 +157,9 @@ static void check_answers(ScriptRun *r)
     }
     if (!r->ended && r->answer[0].status == ENGINE_REFUSED)
         report_broken_engine(r, r->engine[0], "refused a step although G advanced");
-    if (!r->ended && (r->answer[0].next_state < 1 || r->answer[0].next_state > r->p->state.n))
-        report_broken_engine(r, r->engine[0], "is in a state that the machine does not have");
+    for (size_t i = 0; i < r->machines && !r->ended; i++)
+        if (engine_next(&r->answer[0], i).state - 1 >= r->p->state.n)
+            report_broken_engine(r, r->engine[0], "is in a state that the machine does not have");
 }
 
 static void init_engines(ScriptRun *r)
@@ -146,8 +168,18 @@ static void init_engines(ScriptRun *r)
         r->answer[i].status = r->engine[i]->init(r->engine[i], r->s->init_state->number, &r->answer[i]);
     check_answers(r);
     memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+    if (r->p->joint)
+        r->g = r->cell[r->p->g->index];               // [start] can set it
     for (size_t i = 0; i < r->s->local.n; i++)
         r->cell[r->s->local.at[i]->index] = r->s->local.at[i]->init;
+}
+
+// Sets the start of the state of each machine that ran: T is the time since then.
+static void update_starts(ScriptRun *r)
+{
+    for (size_t i = 0; r->p->joint && i < r->machines; i++)
+        if (engine_next(&r->answer[0], i).ran)
+            r->machine[i].start = r->g - r->cell[r->machine[i].t->index];
 }
 
 static void step_engines(ScriptRun *r)
@@ -156,14 +188,20 @@ static void step_engines(ScriptRun *r)
         r->answer[i].status = r->engine[i]->step(r->engine[i], r->write.at, r->write.n, &r->answer[i]);
     r->result.steps++;
     check_answers(r);
-    if (!r->ended)
-        memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+    if (r->ended)
+        return;
+    memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
+    update_starts(r);
 }
 
 static void call_after_step(ScriptRun *r)
 {
-    const ScriptStep step = {r->result.steps, r->g, r->state, r->cell, r->monitor ? r->monitor->result : NULL, r->replay ? replay_recorded(r->replay) : NULL};
+    const ScriptStep step = {.number = r->result.steps, .g = r->g, .state = r->machine[0].state, .cell = r->cell,
+                             .results = r->monitor ? r->monitor->result : NULL, .recorded = r->replay ? replay_recorded(r->replay) : NULL,
+                             .states = r->p->joint ? r->states : NULL, .program = r->p};
 
+    for (size_t i = 0; i < r->machines; i++)
+        r->states[i] = r->machine[i].state;
     if (r->o->after_step)
         r->o->after_step(r->o->context, &step);
 }
@@ -174,23 +212,43 @@ static void compare_with_data(ScriptRun *r)
         run_finish(r, SCRIPT_NO_DATA);
 }
 
-uint64_t run_time_to_next_step(const ScriptRun *r)
+// Adds n ticks of an application to the time at which G is *g and *rest nanoseconds have passed since. Returns false if G would reach 2^64-1.
+static bool add_ticks(const Joint *j, uint64_t n, uint64_t *g, uint64_t *rest)
 {
-    uint64_t next = 0;
+    const uint64_t period = n * j->tick, part = *rest + period % j->unit;         // a period is at most an hour
+    const uint64_t units = period / j->unit + part / j->unit;
 
+    if (*g >= UINT64_MAX - units)
+        return false;
+    *g += units;
+    *rest = part % j->unit;
+    return true;
+}
+
+uint64_t run_next_g(const ScriptRun *r, uint32_t machine)
+{
+    uint64_t g = r->g, rest = r->rest;
+
+    if (r->p->joint)
+        return add_ticks(r->p->joint, machine ? r->machine[machine - 1].every : 1, &g, &rest) ? g : UINT64_MAX;
     if (r->s->by_rows)
-        return replay_find_next_time(r->replay, &next) ? next - r->g : 0;
-    return r->g < UINT64_MAX - r->s->delta_t ? r->s->delta_t : 0;         // G cannot overflow, or reach 2^64-1
+        return replay_find_next_time(r->replay, &g) ? g : UINT64_MAX;
+    return r->g < UINT64_MAX - r->s->delta_t ? r->g + r->s->delta_t : UINT64_MAX;
 }
 
 static void advance_time(ScriptRun *r)
 {
-    const uint64_t by = run_time_to_next_step(r);
+    const uint64_t next = run_next_g(r, 0);
 
-    r->data_ended = by == 0 && r->s->by_rows;
-    if (by == 0)
+    r->data_ended = next == UINT64_MAX && r->s->by_rows;
+    if (next == UINT64_MAX)
         run_finish(r, r->data_ended ? SCRIPT_NO_DATA : SCRIPT_TIME_OVERFLOW);
-    r->g += by;
+    else if (r->p->joint)
+        add_ticks(r->p->joint, 1, &r->g, &r->rest);
+    else
+        r->g = next;
+    for (size_t i = 0; i < r->machines; i++)
+        r->machine[i].wait = r->machine[i].wait ? r->machine[i].wait - 1 : r->machine[i].every - 1;
 }
 
 static void run_step(ScriptRun *r)
@@ -243,6 +301,19 @@ static ScriptTotals count_script_items(const Script *s)
     return t;
 }
 
+static void allocate_machines(ScriptRun *r)
+{
+    r->machines = engine_machines(r->p);
+    r->machine = ARENA_ARRAY(r->arena, ScriptMachine, r->machines);
+    r->active = ARENA_ARRAY(r->arena, const State *, r->machines);
+    r->states = ARENA_ARRAY(r->arena, const State *, r->machines);
+    r->machine[0] = (ScriptMachine){.s = r->p->s, .t = r->p->t, .every = 1};
+    for (size_t i = 0; r->p->joint && i < r->machines; i++) {
+        const Member *m = &r->p->joint->member.at[i];
+        r->machine[i] = (ScriptMachine){.s = m->s, .t = m->t, .mode = m->mode, .every = m->every, .first = m->first};
+    }
+}
+
 static void allocate_run(ScriptRun *r)
 {
     ScriptTotals t = count_script_items(r->s);
@@ -260,6 +331,16 @@ static void allocate_run(ScriptRun *r)
     r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);
     r->ran = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
     r->ran_at = ARENA_ARRAY(r->arena, uint64_t, r->p->state.n);
+    allocate_machines(r);
+}
+
+const char *run_state_text(const ScriptRun *r)
+{
+    const char *text = "";
+
+    for (size_t i = 0; i < r->machines; i++)
+        text = format_in(r->arena, "%s%s%s", text, i ? ", " : "", r->machine[i].state->name->text);
+    return text;
 }
 
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section)

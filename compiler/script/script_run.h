@@ -21,6 +21,19 @@ typedef struct PendingExpect {
     uint64_t since;           // G of the step in which its guard was true
 } PendingExpect;
 
+// A machine of a run.
+typedef struct ScriptMachine {
+    const Var *s, *t;
+    const Var *mode;          // the element of its @mode; or NULL
+    uint32_t first;           // its states are numbered from first + 1 on
+    uint64_t every;           // it is due once in this many ticks
+    uint64_t wait;            // ticks until it is due
+    bool is_due;              // this step is one of its own: it is due, and enabled when the step begins
+    const State *state;       // the state that its next step runs
+    uint64_t start;           // G of the first step of its state
+    uint64_t start_step;      // number of that step
+} ScriptMachine;
+
 typedef struct ScriptRun {
     Arena *arena;
     Diags *diags;
@@ -35,9 +48,13 @@ typedef struct ScriptRun {
     RefWindows windows;       // the rolling windows of the script itself, not those of the machine
     Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
     bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
-    uint64_t g, start;        // G of this step; G of the first step of its state
-    uint64_t start_step;      // number of the first step of its state
-    const State *state;       // the state that this step runs
+    uint64_t g;               // G of this step
+    uint64_t rest;            // of an application: nanoseconds since G was reached
+    ScriptMachine *machine;   // the machine, or those of the application
+    size_t machines;
+    const State **active;     // the states of the machines at whose ticks this step is, `actives` of them
+    size_t actives;
+    const State **states;     // by machine: its state, for ScriptStep
     Schedule *schedule;
     DueItems due;             // the items of this step whose guards can be true
     VEC(EngineWrite) write;   // the inputs that this step writes before the machine runs
@@ -61,14 +78,17 @@ typedef struct ScriptRun {
     bool ended;               // then result.outcome is the reason
 } ScriptRun;
 
+// Returns G of the next step in which an assert of a section counts: `machine` as in ScriptItem. UINT64_MAX: there is none, because G would
+// overflow or reach 2^64-1, or because the recorded data ends.
+uint64_t run_next_g(const ScriptRun *r, uint32_t machine);
+// Returns the state in which the machine is in this step; of an application, those of all machines.
+const char *run_state_text(const ScriptRun *r);
 // Ends the run.
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s);
 // Returns the last step in which a section ran, 0: none; of [all_states], which runs in each step: 1.
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
-// Returns how much G advances after this step; 0: it cannot.
-uint64_t run_time_to_next_step(const ScriptRun *r);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
 

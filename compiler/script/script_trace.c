@@ -6,20 +6,25 @@
 #include "compiler/script/script.h"
 
 // Whether a variable has the name of a column that the trace has beside the variables.
-static bool is_fixed_column_name(const Var *v, bool has_requirements)
+static bool is_fixed_column_name(const Program *p, const Var *v, bool has_requirements)
 {
     const char *name = v->report_name->text;
 
+    for (size_t i = 0; p->joint && i < p->joint->member.n; i++)
+        if (strcmp(name, p->joint->member.at[i].name->text) == 0)
+            return true;
     return strcmp(name, "script") == 0 || strcmp(name, "step") == 0 || strcmp(name, "state") == 0 ||
            (has_requirements && strcmp(name, "violated") == 0);
 }
 
 void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n, const Requirements *rq)
 {
-    buf_str(out, "script,step,G,state");
+    buf_str(out, p->joint ? "script,step,G" : "script,step,G,state");
+    for (size_t i = 0; p->joint && i < p->joint->member.n; i++)
+        buf_printf(out, ",%s", p->joint->member.at[i].name->text);
     for (size_t i = 0; i < n; i++) {
         buf_char(out, ',');
-        if (is_fixed_column_name(column[i], rq != NULL)) {
+        if (is_fixed_column_name(p, column[i], rq != NULL)) {
             buf_str(out, p->name->text);
             buf_char(out, '.');
         }
@@ -44,6 +49,17 @@ static void append_csv_field(Buf *out, const char *text)
     buf_char(out, '"');
 }
 
+// Appends the state of the machine, or those of the machines of an application.
+static void append_states(Buf *out, const ScriptStep *step)
+{
+    const Program *p = step->program;
+
+    if (!step->states)
+        buf_printf(out, ",%s", step->state->name->text);
+    for (size_t i = 0; step->states && i < p->joint->member.n; i++)
+        buf_printf(out, ",%s", step->states[i]->name->text + p->joint->member.at[i].name->len + 1);
+}
+
 // Appends the ids of the requirements that the step has violated, with spaces between them.
 static void append_violated(Buf *out, const Requirements *rq, const uint8_t *results)
 {
@@ -61,7 +77,8 @@ static void append_violated(Buf *out, const Requirements *rq, const uint8_t *res
 void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n, const Requirements *rq)
 {
     append_csv_field(out, script);
-    buf_printf(out, ",%" PRIu64 ",%" PRIu64 ",%s", step->number, step->g, step->state->name->text);
+    buf_printf(out, ",%" PRIu64 ",%" PRIu64, step->number, step->g);
+    append_states(out, step);
     for (size_t i = 0; i < n; i++) {
         const uint64_t cell = step->cell[column[i]->index];
         size_t start;

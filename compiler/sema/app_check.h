@@ -15,8 +15,8 @@ typedef struct AppCheck {
     const IoMap *pins;            // NULL if there are none, or they have errors
     const Network *net;           // likewise
     unsigned guesses;             // how many more unknown names may be compared with all known ones
-    Map file_index;               // a machine's file name as written, to 1 + its index in files->at
-    Map machine_file;             // a machine's file name as written, to the Span of its first use
+    Map machine_file;             // the file name as written of a machine without bindings, to the Span of its first use
+    Map machine_state;            // "FILE ELEMENT" of a machine: the number of its file and its S, to the AppMachine
     Map task, executor;           // the name of a task or executor, to the Span of its first use
     Map statistic;                // the name of an element that an executor writes, to a description of its content (const char *)
     Map start;                    // the name of an element in [start], to the Span of its first value

@@ -64,7 +64,8 @@ typedef struct AppSwapAt {
     Str key;                  // the file of its key; or NULL
 } AppSwapAt;
 
-typedef struct App {
+typedef struct App App;
+struct App {
     Str name;                 // the file's stem: "rocket" of rocket.app
     const Source *src;
     const StateVec *sv;
@@ -88,7 +89,7 @@ typedef struct App {
     VEC(AppExecutor *) executor;
     VEC(AppTask *) task;
     VEC(AppMachine *) machine;
-} App;
+};
 
 // AppFiles lists each file that an application names once: the state vector first, then the pins, the messages, then machines in file order.
 typedef struct AppFile {
@@ -97,10 +98,23 @@ typedef struct AppFile {
     bool wrong_kind;          // its name has the wrong extension, so it need not be opened
     const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
     const char *problem;      // set by the caller if src is NULL: why the file cannot be read
-    const Program *program;   // the program of a machine, set after its check
+    size_t machines;          // how many machines of the application are of this file
+    size_t unbound;           // 1 + the index in AppFiles.instance of the first one without bindings; 0: none
 } AppFile;
 
-typedef struct AppFiles { AppFile *at; size_t n; } AppFiles;
+// A machine of an application: a line `machine NAME "FILE"`.
+typedef struct AppInstance {
+    const AstAppTask *task;
+    size_t file;              // index of its file in AppFiles.at
+    const Program *program;   // set after its check; NULL if it has errors
+} AppInstance;
+
+typedef struct AppFiles {
+    AppFile *at;
+    size_t n;
+    AppInstance *instance;    // in file order
+    size_t instances;
+} AppFiles;
 
 const char *app_time_text(Arena *arena, uint64_t ns);         // the time with a unit: "10 ms"
 

@@ -23,7 +23,17 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 // `sv` may be NULL: then the machine's own [state_vector] section is the whole vector.  `written_outside` names the locals that
 // code outside the machine (a state script) writes.  Read-only locals among them are treated as variables, not constants.  Pass
 // NULL if there are none.
-Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside);
+// How a machine that is used under another name differs from its file.
+typedef struct MachineInstance {
+    Str name;                 // names its program and the files generated from it; NULL: the file's stem does
+    Span span;                // position of its name in the application; or zeroed
+    const AstBinding *binding;        // which elements it uses (config.md 10.29)
+    size_t bindings;
+    bool lost;                // a binding is missing, because an error was reported
+} MachineInstance;
+
+// `instance`: NULL, or only with `sv`.
+Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance);
 
 // Checks a script of n files: those that it includes in the order of their sections, and the script itself as the last.
 Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program);

@@ -8,7 +8,7 @@
 static void read_excepted(Sema *s, const AstAnnotation *except, bool *excepted)
 {
     for (size_t i = 0; i < except->names->at.n; i++) {
-        const State *state = scope_find_state(s, except->names->at.at[i], except->names->span.at[i]);
+        const State *state = scope_find_state(s, s->p, except->names->at.at[i], except->names->span.at[i]);
         if (!state)
             continue;
         if (excepted[state->number])

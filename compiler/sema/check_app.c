@@ -27,6 +27,17 @@ static void add_file(FileListing *l, FileKind kind, const AstWord *name)
     l->out->n++;
 }
 
+// Adds the machine of a task. Its file has been added.
+static void add_instance(FileListing *l, const AstAppTask *task)
+{
+    AppFile *f = map_find(&l->seen[FILE_SM], task->file.text);
+
+    f->machines++;
+    if (f->unbound == 0 && task->bindings.n == 0)
+        f->unbound = l->out->instances + 1;
+    l->out->instance[l->out->instances++] = (AppInstance){task, (size_t)(f - l->out->at), NULL};
+}
+
 static size_t count_tasks(const AstApp *ast)
 {
     size_t n = 0;
@@ -56,8 +67,9 @@ void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
     l.out = out;
     for (size_t i = 0; i < sizeof l.seen / sizeof *l.seen; i++)
         l.seen[i].arena = arena;
-    out->n = 0;
+    out->n = out->instances = 0;
     out->at = ARENA_ARRAY(arena, AppFile, count_tasks(f->app) + 3);
+    out->instance = ARENA_ARRAY(arena, AppInstance, count_tasks(f->app));
     if (sv)
         add_file(&l, FILE_SV, &sv->file);
     if (io)
@@ -68,12 +80,14 @@ void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
         const AstAppExecutor *executor = f->app->executors.at[e];
         for (size_t r = 0; r < executor->rates.n; r++)
             for (size_t t = 0; t < executor->rates.at[r].tasks.n; t++)
-                if (executor->rates.at[r].tasks.at[t].kind == AST_TASK_machine)
+                if (executor->rates.at[r].tasks.at[t].kind == AST_TASK_machine) {
                     add_file(&l, FILE_SM, &executor->rates.at[r].tasks.at[t].file);
+                    add_instance(&l, &executor->rates.at[r].tasks.at[t]);
+                }
     }
 }
 
-// Reports files that cannot be read, and completes file_index.
+// Reports files that cannot be read.
 static void check_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins", [FILE_NET] = "file of messages"};
@@ -84,8 +98,6 @@ static void check_files(AppCheck *k)
             diag_report(k->c->diags, DIAG_app_file_kind, f->name.span, f->name.text->text, what[f->kind], suffix[f->kind]);
         else if (!f->src)
             diag_report(k->c->diags, DIAG_app_file, f->name.span, f->name.text->text, f->problem);
-        if (f->kind == FILE_SM)
-            map_put(&k->file_index, f->name.text, (void *)(i + 1));
     }
 }
 
@@ -329,8 +341,8 @@ static void check_start_section(AppCheck *k)
 // Reports element e, which an executor writes, if a machine or an input pin also writes it.
 static void check_other_writers(AppCheck *k, const AstAppAnnotation *a, const Element *e)
 {
-    for (size_t i = 0; i < k->files->n; i++) {
-        const Program *p = k->files->at[i].program;
+    for (size_t i = 0; i < k->files->instances; i++) {
+        const Program *p = k->files->instance[i].program;
         for (size_t v = 0; p && v < p->var.n; v++)
             if (p->var.at[v]->element == e && p->var.at[v]->written)
                 diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_two_writers, a->word.span, "the executor", e->name->text,
@@ -476,7 +488,7 @@ App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMa
     k.pins = pins;
     k.net = net;
     k.guesses = GUESSES;
-    k.file_index.arena = k.machine_file.arena = k.task.arena = k.executor.arena = k.statistic.arena = k.start.arena = c->arena;
+    k.machine_file.arena = k.machine_state.arena = k.task.arena = k.executor.arena = k.statistic.arena = k.start.arena = c->arena;
     k.app = ARENA_NEW(c->arena, App);
     k.app->name = sema_file_stem(c->strings, f->src);
     k.app->src = f->src;

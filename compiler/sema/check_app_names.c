@@ -71,30 +71,39 @@ static void check_stem(AppCheck *k, const char *stem, Span span)
                     diag_text(k->c->diags, includable ? DIAG_part_reserved_name : DIAG_part_not_includable));
 }
 
-// Returns the files of machines that are emitted as C.  A machine with @bytecode becomes an array in the application's file instead.
-static Map files_emitted_as_c(AppCheck *k)
+static bool has_annotation_kind(const AstAppTask *task, AstAppAnnotationKind kind)
 {
-    Map files = {k->c->arena, NULL, NULL, 0, 0};
+    for (size_t a = 0; a < task->annotations.n; a++)
+        if (task->annotations.at[a].kind == kind)
+            return true;
+    return false;
+}
 
-    for (size_t e = 0; e < k->ast->executors.n; e++)
-        for (size_t r = 0; r < k->ast->executors.at[e]->rates.n; r++)
-            for (size_t t = 0; t < k->ast->executors.at[e]->rates.at[r].tasks.n; t++) {
-                AstAppTask *task = &k->ast->executors.at[e]->rates.at[r].tasks.at[t];
-                bool bytecode = false;
-                for (size_t a = 0; a < task->annotations.n; a++)
-                    bytecode = bytecode || task->annotations.at[a].kind == AST_ON_bytecode;
-                if (task->kind == AST_TASK_machine && !bytecode)
-                    map_put(&files, task->file.text, task);
-            }
-    return files;
+// Adds the C file of each machine. Machines with @bytecode become arrays in the application's file instead. The file of a machine with
+// bindings has the machine's name. A second machine of a file without bindings has been reported.
+static void add_machine_files(AppCheck *k, Map *seen)
+{
+    Map unbound = {k->c->arena, NULL, NULL, 0, 0};
+
+    for (size_t i = 0; i < k->files->instances; i++) {
+        const AstAppTask *task = k->files->instance[i].task;
+        const bool bound = task->bindings.n > 0;
+        if (has_annotation_kind(task, AST_ON_bytecode) || (!bound && map_find(&unbound, task->file.text)))
+            continue;
+        if (!bound)
+            map_put(&unbound, task->file.text, (void *)(size_t)task);
+        add_generated_file(k, seen, bound ? task->name.text->text : app_file_stem(k, task->file.text)->text,
+                           format_in(k->c->arena, "a machine '%s'", bound ? task->name.text->text : task->file.text->text),
+                           bound ? task->name.span : task->file.span);
+    }
 }
 
 // Reports generated files with equal names, and names that runtime-c reserves.
 void check_app_products(AppCheck *k)
 {
-    static const char *const end[] = {[FILE_SV] = "", [FILE_SM] = "", [FILE_IO] = "_io", [FILE_NET] = "_net"};
-    static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_SM] = "a machine", [FILE_IO] = "the pins", [FILE_NET] = "the messages"};
-    Map seen = {k->c->arena, NULL, NULL, 0, 0}, to_c = files_emitted_as_c(k);
+    static const char *const end[] = {[FILE_SV] = "", [FILE_IO] = "_io", [FILE_NET] = "_net"};
+    static const char *const what[] = {[FILE_SV] = "the state vector", [FILE_IO] = "the pins", [FILE_NET] = "the messages"};
+    Map seen = {k->c->arena, NULL, NULL, 0, 0};
 
     check_stem(k, k->app->name->text, (Span){k->app->src, 0, 0});
     add_generated_file(k, &seen, format_in(k->c->arena, "%s_app", k->app->name->text), "the application", (Span){k->app->src, 0, 0});
@@ -102,11 +111,11 @@ void check_app_products(AppCheck *k)
         const AppFile *f = &k->files->at[i];
         const char *stem = app_file_stem(k, f->name.text)->text;
         check_stem(k, stem, f->name.span);
-        if (f->kind == FILE_SM && !map_find(&to_c, f->name.text))
-            continue;
-        add_generated_file(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
-                    format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);
+        if (f->kind != FILE_SM)
+            add_generated_file(k, &seen, format_in(k->c->arena, "%s%s", stem, end[f->kind]),
+                               format_in(k->c->arena, "%s '%s'", what[f->kind], f->name.text->text), f->name.span);
     }
+    add_machine_files(k, &seen);
 }
 
 // ---- files of the running application ----

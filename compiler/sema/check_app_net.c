@@ -11,8 +11,8 @@ static void check_other_writers(AppCheck *k, const Element *e, Span span, const 
         if (k->pins->pin.at[i].element == e && !pin_is_output(&k->pins->pin.at[i]))
             diag_note(k->c->diags, diag_report(k->c->diags, DIAG_net_two_writers, span, e->name->text, what, "an input"),
                       k->pins->pin.at[i].span, DIAG_note_input_here);
-    for (size_t i = 0; i < k->files->n; i++) {
-        const Program *p = k->files->at[i].program;
+    for (size_t i = 0; i < k->files->instances; i++) {
+        const Program *p = k->files->instance[i].program;
         for (size_t v = 0; p && v < p->var.n; v++)
             if (p->var.at[v]->element == e && (p->var.at[v]->written || p->var.at[v] == p->s))
                 diag_note(k->c->diags, diag_report(k->c->diags, DIAG_net_two_writers, span, e->name->text, what,

@@ -112,22 +112,44 @@ static void check_swap(AppCheck *k, const AstAppTask *in, const AppMachine *m)
         diag_report(k->c->diags, DIAG_swap_without_state, a->span, m->name->text);
 }
 
-static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in, uint64_t period)
+// Checks a machine whose file other machines have, too: at most one is without bindings, and each has an S of its own.
+static void check_same_file(AppCheck *k, const AstAppTask *in, const AppMachine *m)
 {
     const Span *first = map_find(&k->machine_file, in->file.text);
+    const Program *p = m->program;
+    const AppMachine *other;
+    Str key;
+
+    if (in->bindings.n == 0 && first) {
+        Diag *d = diag_report(k->c->diags, DIAG_machine_twice, in->file.span, in->file.text->text);
+        diag_label(k->c->diags, d, DIAG_label_bind);
+        diag_note(k->c->diags, d, *first, DIAG_note_first_here);
+        return;
+    }
+    if (in->bindings.n == 0)
+        map_put(&k->machine_file, in->file.text, (void *)(size_t)&in->file.span);
+    if (!p || !p->s || !p->s->element)
+        return;
+    key = str_c(k->c->strings, format_in(k->c->arena, "%lu %s", (unsigned long)m->file, p->s->element->name->text));
+    if ((other = map_find(&k->machine_state, key)) == NULL)
+        map_put(&k->machine_state, key, (void *)(size_t)m);
+    else
+        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_machines_one_state, in->name.span, other->name->text, m->name->text, p->s->name->text,
+                                           p->s->element->name->text),
+                  p->s->span, DIAG_note_declared_here, p->s->name->text);
+}
+
+static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in, uint64_t period)
+{
     AppMachine *m = ARENA_NEW(k->c->arena, AppMachine);
 
     m->name = in->name.text;
-    m->file = (uint32_t)((size_t)map_find(&k->file_index, in->file.text) - 1);
-    m->program = k->files->at[m->file].program;
+    m->file = (uint32_t)k->files->instance[k->app->machine.n].file;
+    m->program = k->files->instance[k->app->machine.n].program;
     m->number = (uint16_t)k->app->machine.n;
     vec_push(k->c->arena, &k->app->machine, m);
-    if (first)                    // two tasks with the same machine would both write its elements, including S
-        diag_note(k->c->diags, diag_report(k->c->diags, DIAG_machine_twice, in->file.span, in->file.text->text), *first,
-                  DIAG_note_first_here);
-    else
-        map_put(&k->machine_file, in->file.text, (void *)(size_t)&in->file.span);
     check_machine_time(k, in, m->program);
+    check_same_file(k, in, m);
     for (size_t i = 0; i < in->annotations.n; i++) {
         const AstAppAnnotation *a = &in->annotations.at[i];
         m->bytecode = m->bytecode || a->kind == AST_ON_bytecode;

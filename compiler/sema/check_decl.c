@@ -15,6 +15,7 @@ typedef struct Declarations {
     Program *p;
     StateVec *sv;                 // without a .sv: filled with the elements that the machine declares
     const Map *written_outside;
+    const MachineInstance *instance;      // or NULL
     VEC(LocalDecl) local;
     Str time;                     // the interned name "T"
     const AstSection *list;       // the machine's [state_vector] section, or NULL
@@ -168,9 +169,13 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
     Element *e = map_find(&k->sv->by_name, decl->name);
     Diag *d;
 
+    if (!e && k->instance && k->instance->lost)
+        return NULL;                  // a binding of the element may be missing
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
         suggest_element(k->s->diags, d, &k->s->guesses, k->sv, decl->name);
+        if (k->instance && k->instance->span.src)
+            diag_note(k->s->diags, d, k->instance->span, DIAG_note_bind_it, k->instance->name->text, decl->name->text);
     } else if (e->type != decl->type && is_known_type(decl->type) && !e->untyped) {
         d = diag_report(k->s->diags, DIAG_element_other_type, decl->type_span, e->name->text,
                         sm_type_info[e->type].spelling, sm_type_info[decl->type].spelling);
@@ -200,9 +205,10 @@ static Element *add_element(Declarations *k, const AstDecl *decl)
 
 static void declare_element(Declarations *k, const AstDecl *decl)
 {
+    const AstBinding *bound = find_binding(k->instance, decl);
     Var *v = sema_new_var(k->s, VAR_ELEMENT, decl);
 
-    v->element = k->sv->from_machine ? add_element(k, decl) : find_element(k, decl);
+    v->element = k->sv->from_machine ? add_element(k, decl) : bound ? find_bound_element(k->s, k->sv, decl, bound) : find_element(k, decl);
     declare_name(k, v, v->name, v->span);
     set_range(k, v, decl);
     set_listed_unit(k->s, v, decl, k->sv->from_machine);
@@ -312,6 +318,8 @@ static void find_g_and_s(Declarations *k)
     if (any && k->list) {
         k->p->g = find_g_or_s(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);
         k->p->s = find_g_or_s(k, "S", SM_U32, DIAG_no_state_element, DIAG_state_element_type);
+        if (k->p->s)
+            k->p->s->state_of = k->p;
     } else if (!k->s->lost->names) {
         k->s->no_elements = true;
         diag_report(k->s->diags, DIAG_no_elements, k->list ? k->list->header : (Span){k->p->src, 0, 0});
@@ -321,7 +329,7 @@ static void find_g_and_s(Declarations *k)
 // ---- entry points ----
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
-void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside)
+void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance)
 {
     Declarations k;
 
@@ -330,6 +338,7 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
     k.p = p;
     k.sv = sv;
     k.written_outside = written_outside;
+    k.instance = instance;
     k.time = str_c(s->strings, "T");
     for (size_t i = 0; i < sm->sections.n; i++) {
         const AstSection *section = sm->sections.at[i];
@@ -347,4 +356,6 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
             declare_definitions(s, sm->sections.at[i], &p->define);
     compute_initial_values(&k);
     find_g_and_s(&k);
+    if (instance)
+        check_bindings(s, p, instance);
 }

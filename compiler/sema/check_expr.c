@@ -96,7 +96,7 @@ static Expr *check_name(Sema *s, const AstExpr *e)
     if (!s->in_script)
         v->read = true;
     s->varies |= v->kind != VAR_LOCAL;
-    s->knows_a_name |= v != s->p->g && v != s->p->s && v != s->p->t;
+    s->knows_a_name |= v != s->p->g && !v->state_of && v->kind != VAR_TIME;
     if (scope_is_doubtful(s, e->name) || (s->at == EXPR_IN_INITIAL && !check_use_in_initial(s, v, e)) ||
         (s->at == EXPR_IN_SIZE && !check_use_in_size(s, v, e)))
         return NULL;
@@ -249,21 +249,25 @@ static const AstExpr *without_parens(const AstExpr *e)
     return e;
 }
 
-// Whether e is S, by any of its names.
-static bool is_state_element(const Sema *s, const AstExpr *e)
+// Returns the machine whose S is e, by any of its names; NULL if e is no S.
+static const Program *machine_of_state(const Sema *s, const AstExpr *e)
 {
+    const Var *v;
+
     e = without_parens(e);
-    return e->kind == AST_NAME && s->p->s && scope_find_variable(s, e->name) == s->p->s;
+    v = e->kind == AST_NAME ? scope_find_variable(s, e->name) : NULL;
+    return v ? v->state_of : NULL;
 }
 
-// Returns the name in e if it can only be the name of a state. Warns of a name that is also that of a variable, as which it is read.
-static const AstExpr *name_of_state(Sema *s, const AstExpr *e)
+// Returns the name in e if it can only be the name of a state of machine m. Warns of a name that is also that of a variable, as which it is
+// read.
+static const AstExpr *name_of_state(Sema *s, const Program *m, const AstExpr *e)
 {
     const State *state;
     Diag *d;
 
     e = without_parens(e);
-    state = e->kind == AST_NAME ? map_find(&s->p->state_by_name, e->name) : NULL;
+    state = e->kind == AST_NAME ? map_find(&m->state_by_name, e->name) : NULL;
     if (e->kind != AST_NAME || (!scope_find_variable(s, e->name) && !map_find(&s->defines, e->name)))
         return state ? e : NULL;
     if (state) {
@@ -277,18 +281,19 @@ static const AstExpr *name_of_state(Sema *s, const AstExpr *e)
 // Builds `S == Run` or `S != Run`, where the number of the state is the value of its name. Returns NULL if e is no such comparison.
 static Expr *check_state_comparison(Sema *s, const AstExpr *e)
 {
-    const bool first = is_state_element(s, e->a);
+    const bool first = machine_of_state(s, e->a) != NULL;
+    const Program *m = machine_of_state(s, first ? e->a : e->b);
     const AstExpr *name;
     Expr *out, *number;
 
-    if (operator_class(e) != SM_CLASS_EQUALITY || (!first && !is_state_element(s, e->b)) || !(name = name_of_state(s, first ? e->b : e->a)))
+    if (operator_class(e) != SM_CLASS_EQUALITY || !m || !(name = name_of_state(s, m, first ? e->b : e->a)))
         return NULL;
     sema_record_operator(s, e->op);
     s->knows_a_name = true;
     out = expr_new(s, EX_BINARY, e->span, 2);
     out->op = e->op;
     number = expr_new(s, EX_NUMBER, name->span, 0);
-    number->number = sm_from_u32(((const State *)map_find(&s->p->state_by_name, name->name))->number);
+    number->number = sm_from_u32(((const State *)map_find(&m->state_by_name, name->name))->number);
     out->arg[first] = number;
     out->arg[!first] = check_expr(s, first ? e->a : e->b);
     return out->arg[!first] ? out : NULL;
@@ -297,15 +302,17 @@ static Expr *check_state_comparison(Sema *s, const AstExpr *e)
 // Warns of `S == 3`, and proposes the name of the state with that number, unless the name means something else there.
 static void warn_of_state_number(Sema *s, const AstExpr *e)
 {
-    const AstExpr *number = is_state_element(s, e->a) ? without_parens(e->b) : is_state_element(s, e->b) ? without_parens(e->a) : NULL;
+    const bool first = machine_of_state(s, e->a) != NULL;
+    const Program *m = machine_of_state(s, first ? e->a : e->b);
+    const AstExpr *number = m ? without_parens(first ? e->b : e->a) : NULL;
     const State *state;
     Diag *d;
 
     if (!number || number->kind != AST_NUMBER || number->unit != TIME_NONE || !sm_eq(sm_trunc(number->number), number->number) ||
-        sm_lt(number->number, sm_from_i32(1)) || sm_lt(sm_from_u32((uint32_t)s->p->state.n), number->number))
+        sm_lt(number->number, sm_from_i32(1)) || sm_lt(sm_from_u32((uint32_t)m->state.n), number->number))
         return;
-    state = s->p->state.at[sm_to_u32(number->number) - 1];
-    if (scope_find_variable(s, state->name) || map_find(&s->defines, state->name) || map_find(&s->p->state_by_name, state->name) != state)
+    state = m->state.at[sm_to_u32(number->number) - 1];
+    if (scope_find_variable(s, state->name) || map_find(&s->defines, state->name) || map_find(&m->state_by_name, state->name) != state)
         return;
     d = diag_report(s->diags, DIAG_state_number, number->span, sema_quote_source(s, number->span), state->name->text);
     diag_label(s->diags, d, DIAG_label_write, state->name->text);
@@ -317,7 +324,7 @@ static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
 {
     if (!comparison)
         return NULL;
-    return is_state_element(s, comparison->a) ? comparison->a : is_state_element(s, comparison->b) ? comparison->b : NULL;
+    return machine_of_state(s, comparison->a) ? comparison->a : machine_of_state(s, comparison->b) ? comparison->b : NULL;
 }
 
 // Reports B in `S == A or B`, where it has no value: the user means `S == A or S == B`. With another operator, or another left side, what the
@@ -325,7 +332,7 @@ static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
 static void report_state_as_condition(Sema *s, const AstExpr *e)
 {
     const AstExpr *before = operator_class(e) == SM_CLASS_LOGIC ? comparison_before(e->a) : NULL;
-    const AstExpr *element = state_element_in(s, before), *name = element ? name_of_state(s, e->b) : NULL;
+    const AstExpr *element = state_element_in(s, before), *name = element ? name_of_state(s, machine_of_state(s, element), e->b) : NULL;
     const char *start;
     Diag *d;
 
@@ -341,8 +348,8 @@ static void report_state_as_condition(Sema *s, const AstExpr *e)
 static void report_negated_state(Sema *s, const AstExpr *e)
 {
     const bool is_negated = operator_class(e) == SM_CLASS_EQUALITY && e->a->kind == AST_UNARY && e->a->op == SM_OP_NOT &&
-                            is_state_element(s, e->a->a);
-    const AstExpr *name = is_negated ? name_of_state(s, e->b) : NULL;
+                            machine_of_state(s, e->a->a);
+    const AstExpr *name = is_negated ? name_of_state(s, machine_of_state(s, e->a->a), e->b) : NULL;
     const char *text;
     Diag *d;
 
@@ -357,13 +364,14 @@ static void report_negated_state(Sema *s, const AstExpr *e)
 // Reports an unknown name beside S in a comparison as that of a state. Returns false if the name is known, or there is none.
 static bool report_unknown_state(Sema *s, const AstExpr *e)
 {
-    const bool is_equality = operator_class(e) == SM_CLASS_EQUALITY, first = is_equality && is_state_element(s, e->a);
+    const bool is_equality = operator_class(e) == SM_CLASS_EQUALITY, first = is_equality && machine_of_state(s, e->a);
+    const Program *m = is_equality ? machine_of_state(s, first ? e->a : e->b) : NULL;
     const AstExpr *name = without_parens(first ? e->b : e->a);
 
-    if (!is_equality || (!first && !is_state_element(s, e->b)) || name->kind != AST_NAME || scope_find_variable(s, name->name) ||
+    if (!m || name->kind != AST_NAME || scope_find_variable(s, name->name) ||
         map_find(&s->defines, name->name) || map_find(&s->lost->word, name->name))
         return false;
-    scope_find_state(s, name->name, name->span);
+    scope_find_state(s, m, name->name, name->span);
     return true;
 }
 

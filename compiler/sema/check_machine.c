@@ -79,13 +79,14 @@ static StateVec *new_own_state_vector(CheckContext *c, Program *p)
 
 // Builds the typed program of a machine; NULL if there were errors.  `sv` may be NULL: the machine's own [state_vector] section is then the
 // whole vector.
-Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside)
+Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance)
 {
     size_t errors = c->diags->errors_seen;
     Program *p = ARENA_NEW(c->arena, Program);
     Sema s;
 
-    p->name = sema_file_stem(c->strings, sm->src);
+    p->stem = sema_file_stem(c->strings, sm->src);
+    p->name = instance && instance->name ? instance->name : p->stem;
     p->src = sm->src;
     p->by_name.arena = p->state_by_name.arena = c->arena;
 
@@ -95,7 +96,7 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     p->sv = sv ? sv : new_own_state_vector(c, p);
     check_time_options(&s, p, sm);
     add_states(&s, p, sm);
-    check_declarations(&s, p, sm, p->sv, written_outside);
+    check_declarations(&s, p, sm, p->sv, written_outside, instance);
     find_all_states(&s, p, sm);
     check_states(&s, p, sm);
     warn_of_skipped_all_states(&s, p);

@@ -49,7 +49,7 @@ static Expr *check_operand(Sema *s, const AstExpr *in)
     if (state && is_variable)
         scope_note_declared(s, diag_report(s->diags, DIAG_requirement_state_or_variable, in->span, in->name->text, in->name->text), in->name);
     if (!state)
-        state = scope_find_state(s, in->name, in->span);
+        state = scope_find_state(s, s->p, in->name, in->span);
     return state ? new_state_operand(s, state, in->span) : NULL;
 }
 

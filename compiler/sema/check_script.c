@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks a state script (language.md 8) and builds a Script: options, sections of existing states, conditionals with their
 // items.
+#include "compiler/sema/application.h"
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -33,6 +34,26 @@ static void check_declared_step(ScriptCheck *k, const AstOption *o)
     d = diag_report(k->s.diags, DIAG_delta_t_differs, o->value_span, format_in(k->s.arena, "%llu", (unsigned long long)k->script->delta_t),
                     format_in(k->s.arena, "%llu", (unsigned long long)p->step));
     diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
+}
+
+// Checks an option in the script of an application, whose ticks follow from the periods of the .app.
+static void check_app_option(ScriptCheck *k, const AstOption *o)
+{
+    const Joint *j = k->s.p->joint;
+    const char *text = format_in(k->s.arena, "%.*s", (int)o->value_span.len, o->value_span.src ? o->value_span.src->text + o->value_span.at : "");
+
+    if (o->name == k->init_state && o->word)
+        diag_report(k->s.diags, DIAG_app_init_state, o->name_span);
+    if (o->name == k->delta_t && o->word)
+        diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the ticks of an application follow from its periods");
+    if (o->name != k->delta_t || !o->number)
+        return;
+    if (o->number->unit != TIME_NONE && k->s.p->time_unit == TIME_NONE)
+        diag_report(k->s.diags, DIAG_app_time_literal, o->value_span, text, app_time_text(k->s.arena, j->unit));
+    else if (k->s.p->step == 0 || option_step(o, k->s.p->time_unit) != k->s.p->step)
+        diag_report(k->s.diags, DIAG_app_delta_t, o->value_span, text, app_time_text(k->s.arena, j->tick));
+    else
+        k->script->delta_t_span = o->value_span;
 }
 
 static void check_seed(ScriptCheck *k, const AstOption *o)
@@ -74,7 +95,13 @@ static void check_setting(ScriptCheck *k, const AstOption *o)
 
 static void check_option(ScriptCheck *k, const AstOption *o)
 {
-    if (o->name == k->delta_t) {
+    if (o->name == k->seed) {
+        check_seed(k, o);
+    } else if (o->name == k->set) {
+        check_setting(k, o);
+    } else if (k->s.p->joint) {
+        check_app_option(k, o);
+    } else if (o->name == k->delta_t) {
         k->has_delta_t = true;
         k->script->delta_t_span = o->value_span;
         k->script->by_rows = o->word != NULL;
@@ -87,13 +114,9 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         check_declared_step(k, o);
         k->s.step = k->script->delta_t;
     } else if (o->name == k->init_state) {
-        State *state = o->word ? scope_find_state(&k->s, o->word, o->value_span) : NULL;
+        State *state = o->word ? scope_find_state(&k->s, k->s.p, o->word, o->value_span) : NULL;
         if (state)
             k->script->init_state = state;
-    } else if (o->name == k->seed) {
-        check_seed(k, o);
-    } else if (o->name == k->set) {
-        check_setting(k, o);
     }
 }
 
@@ -160,6 +183,7 @@ static ScriptItem *add_item(ScriptCheck *k, Span span, const ScriptItem *parent,
     item->otherwise = otherwise;
     item->number = k->items++;
     item->first_assert = k->asserts;
+    item->machine = section->machine;
     vec_push(k->s.arena, &section->item, item);
     return item;
 }
@@ -280,13 +304,15 @@ static void open_section(ScriptCheck *k, const AstSection *in)
     memset(&section, 0, sizeof section);
     if (!in->all_states && in->name->len > 0 && !report_misspelt_section(k, in)) {
         const Span *first = map_find(&k->section, in->name);
-        section.state = scope_find_state(&k->s, in->name, in->name_span);
+        section.state = scope_find_state(&k->s, k->s.p, in->name, in->name_span);
         if (first)
             diag_note(k->s.diags, diag_report(k->s.diags, DIAG_script_section_twice, in->name_span, in->name->text), *first,
                       DIAG_note_first_here);
         else
             map_put(&k->section, in->name, arena_copy(k->s.arena, &in->name_span, sizeof in->name_span));
     }
+    if (section.state && k->s.p->joint)
+        section.machine = 1 + joint_machine_of(k->s.p->joint, section.state->number);
     vec_push(k->s.arena, &k->script->section, section);
 }
 
@@ -337,11 +363,22 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
     }
 }
 
+// Whether G is a multiple of delta_t in every step. In an application, [start] can set another G.
+static bool has_regular_times(const ScriptCheck *k)
+{
+    const Joint *j = k->s.p->joint;
+
+    for (size_t i = 0; j && i < j->start.n; i++)
+        if (j->start.at[i].var == k->s.p->g && j->start.at[i].cell != 0)
+            return false;
+    return k->script->delta_t > 0;
+}
+
 // Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts is never true, the run itself reports its
 // asserts as unevaluated.
 static void check_guard_times(ScriptCheck *k)
 {
-    for (size_t i = 0; k->script->delta_t > 0 && i < k->script->section.n; i++)
+    for (size_t i = 0; has_regular_times(k) && i < k->script->section.n; i++)
         for (size_t n = 0; n < k->script->section.at[i].item.n; n++) {
             const ScriptItem *item = k->script->section.at[i].item.at[n];
             if (item->by_time)
@@ -368,7 +405,7 @@ static void begin_check(ScriptCheck *k, CheckContext *c, const AstFile *const *f
     k->script->init_state = program->state.at[0];
     k->script->delta_t = program->step;
     k->script->delta_t_span = program->step_span;
-    k->has_delta_t = program->step > 0;
+    k->has_delta_t = program->step > 0 || program->joint;
     sema_init(&k->s, c, hidden, program, &k->script->window);
     k->s.in_script = true;
     k->s.random = &k->script->random;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // [local] of a script: its variables (language.md 8.23 to 8.26).
-#include "compiler/sema/sema.h"
+#include "compiler/sema/member.h"
+
+#include <string.h>
 
 #include "stdlib/convert.h"
 
@@ -38,7 +40,9 @@ static void declare_local(Sema *s, Script *script, size_t n, const AstDecl *decl
     v->is_constant = v->read_only;
     v->index = (uint32_t)(s->p->var.n + n);
     vec_push(s->arena, &script->local, v);
-    if (s->p->t->name == v->name)
+    if (report_dotted_declaration(s, v->name, v->span))
+        map_put(&s->script_local, v->name, v);
+    else if (strcmp(v->name->text, "T") == 0)
         diag_report(s->diags, DIAG_time_declared, v->span);
     else if (meaning)
         note_first(s, diag_report(s->diags, DIAG_name_taken, v->span, v->name->text, meaning), v->name);

@@ -66,22 +66,25 @@ Expr *check_when(Sema *s, const AstExpr *e)
 
 Expr *check_state_value(Sema *s, const AstExpr *e)
 {
-    const State *state = scope_find_state(s, e->name, ast_op_span(e));
+    const State *state = scope_find_state(s, s->p, e->name, ast_op_span(e));
+    const Joint *j = s->p->joint;
+    const Member *m = state && j ? &j->member.at[joint_machine_of(j, state->number)] : NULL;
     Expr *number;
 
     if (!state)
         return NULL;
     number = expr_new(s, EX_NUMBER, ast_op_span(e), 0);
-    number->number = sm_from_u32(state->number);
-    return new_comparison(s, SM_OP_EQ, new_variable(s, s->p->s, (Span){e->span.src, e->span.at, 0}), number, e->span);
+    number->number = sm_from_u32(state->number - (m ? m->first : 0));
+    return new_comparison(s, SM_OP_EQ, new_variable(s, m ? m->s : s->p->s, (Span){e->span.src, e->span.at, 0}), number, e->span);
 }
 
 bool report_compared_state_value(Sema *s, const AstExpr *e)
 {
     const AstExpr *name = e->a->kind == AST_STATE_NAME ? e->a : e->b, *other = name == e->a ? e->b : e->a;
+    const Var *v = name->kind == AST_STATE_NAME && other->kind == AST_NAME ? scope_find_variable(s, other->name) : NULL;
     Diag *d;
 
-    if (name->kind != AST_STATE_NAME || other->kind != AST_NAME || scope_find_variable(s, other->name) != s->p->s)
+    if (!v || !v->state_of)
         return false;
     d = diag_report(s->diags, DIAG_state_compared, name->span, sema_quote_source(s, name->span));
     diag_label(s->diags, d, DIAG_label_write, name->name->text);

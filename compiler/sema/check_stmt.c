@@ -29,7 +29,7 @@ static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 // @read_only can only be assigned by a script, unless they are its own.
 static bool check_writable(Sema *s, const Var *v, Str name, Span span)
 {
-    bool never_assigned = v == s->p->g || v == s->p->s || v == s->p->t || v->of_script;
+    bool never_assigned = v == s->p->g || v->state_of || v->kind == VAR_TIME || v->of_script;
     Diag *d;
 
     if (scope_is_doubtful(s, name))
@@ -40,11 +40,11 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
     }
     if (!v->read_only || (s->in_script && !never_assigned))
         return true;
-    if (v == s->p->t) {
+    if (v->kind == VAR_TIME) {
         d = diag_report(s->diags, DIAG_write_time, span);
     } else if (v == s->p->g) {
         d = diag_report(s->diags, DIAG_write_global_time, span, name->text);
-    } else if (v == s->p->s) {
+    } else if (v->state_of) {
         d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
         if (!s->in_script)
             diag_label(s->diags, d, DIAG_label_change_state);
@@ -137,7 +137,7 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
 {
     Stmt *out = stmt_new(s, ST_TRANSITION, in);
 
-    out->target = scope_find_state(s, in->name, in->name_span);
+    out->target = scope_find_state(s, s->p, in->name, in->name_span);
     if (s->block == BLOCK_EXIT) {
         diag_report(s->diags, DIAG_transition_in_exit, in->span);
         return NULL;

@@ -23,6 +23,8 @@ SmF64 check_time_literal(Sema *s, const AstExpr *e)
 
     if (s->building)
         s->building->uses_time_unit = true;
+    if (s->p->joint && s->p->time_unit == TIME_NONE)
+        diag_report(s->diags, DIAG_app_time_literal, e->span, sema_quote_source(s, e->span), app_time_text(s->arena, s->p->joint->unit));
     if (!literal_value(e, s->p->time_unit, &value))
         diag_report(s->diags, DIAG_number_too_large, e->span, sema_quote_source(s, e->span));
     return value;

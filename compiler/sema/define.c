@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Definitions, the lines of [define] (language.md 5.61 to 5.66). A use of a definition is checked as its expression would be at that place, so
 // a definition that is valid in a step can be an error in an initial value.
-#include "compiler/sema/sema.h"
+#include "compiler/sema/member.h"
 
 enum { EXPANDED_MAX = 100000 };       // the most nodes that the uses of definitions in a file can have together
 
@@ -44,9 +44,11 @@ static bool check_name_is_free(Sema *s, const AstDefinition *in)
     const Var *v = scope_find_variable(s, in->name);
     Diag *d;
 
+    if (s->in_script && report_dotted_declaration(s, in->name, in->name_span))
+        return false;
     if (!first && !v)
         return true;
-    if (v == s->p->t && v)
+    if (v && v->kind == VAR_TIME)
         diag_report(s->diags, DIAG_time_declared, in->name_span);
     else if (first)
         diag_note(s->diags, diag_report(s->diags, DIAG_name_taken, in->name_span, in->name->text, "a definition"), first->span,

@@ -85,6 +85,7 @@ typedef struct Parameter {
 } Parameter;
 
 typedef struct Expr Expr;
+struct Program;
 
 typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only this kind has
     VarKind kind;
@@ -107,6 +108,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool read;                // the machine reads it
     bool sizes;               // LOCAL: the size of a window depends on it
     bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
+    const struct Program *state_of;   // ELEMENT: the machine whose S it is; NULL: none
     Span span;                // position of its name in the list or declaration
 } Var;
 
@@ -229,6 +231,28 @@ typedef struct AllStates {
     uint32_t copies;          // for how many states its statements have been checked
 } AllStates;
 
+// A machine of an application, in the Program that joins all of them for a script.
+typedef struct Member {
+    Str name;
+    const struct Program *program;
+    const Var **var;          // by Var.index of `program`: the variable in the joined Program
+    Var *s, *t;               // its S and T there
+    uint32_t first;           // its states are the entries of Program.state from index `first` on
+    const State *initial;     // of `program`
+    const Var *mode;          // the element of its @mode in the joined Program; or NULL
+    uint64_t every;           // it steps once in this many ticks
+} Member;
+
+typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
+
+// How the machines of an application run in one script (language.md 8.71 to 8.83).
+typedef struct Joint {
+    VEC(Member) member;       // in the order in which they step in a tick
+    VEC(MemberStart) start;   // the values of [start]
+    uint64_t tick, unit;      // nanoseconds: from tick to tick; 1 in G
+    const struct App *app;
+} Joint;
+
 // @req on a state or a statement: it implements a requirement (requirements.md 13.19).  Only reports read it.
 typedef struct RequirementMark {
     Str requirement;          // its id
@@ -238,7 +262,8 @@ typedef struct RequirementMark {
 } RequirementMark;
 
 typedef struct Program {
-    Str name;                 // the file's stem: "tank" of dir/tank.sm
+    Str stem;                 // the file's: "tank" of dir/tank.sm
+    Str name;                 // the stem; of a machine with bindings, its name in the application
     const Source *src;
     StateVec *sv;
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
@@ -259,6 +284,8 @@ typedef struct Program {
     VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
+    const Joint *joint;       // of an application as its scripts see it; NULL: a machine.  s and t are then NULL, and variables and states of
+                              // a machine have names such as `deploy.T`
 } Program;
 
 // ---- the script ----
@@ -299,11 +326,13 @@ struct ScriptItem {
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
     bool stop;                // the item's body ends with @stop
+    uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
     Span stop_span;
 };
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
+    uint32_t machine;         // as in its items
     VEC(ScriptItem *) item;
 } ScriptSection;
 
@@ -368,6 +397,9 @@ typedef struct Script {
     ScriptRandoms random;     // by number of the call, from 0
     uint64_t seed;            // of its random numbers
 } Script;
+
+// Returns the index of the machine that has state `number` of a joined Program.
+uint32_t joint_machine_of(const Joint *j, uint32_t number);
 
 // ---- parameters ----
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names in scope: finds what a name refers to.  Reports an unknown name once, with the most similar known one.
-#include "compiler/sema/sema.h"
+#include "compiler/sema/member.h"
 
 #include <string.h>
 
@@ -206,6 +206,8 @@ void scope_report_unknown(Sema *s, Str name, Span span)
 
     if (s->no_elements || map_find(&s->lost->word, name) || has_foreign_letter(name) || !add_reported_name(&s->unknown_name, name))
         return;
+    if (s->in_script && report_member_name(s, name, span, false))
+        return;
     if (fn && !unlisted) {
         diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, ast_function_usage(fn));
         return;
@@ -225,22 +227,24 @@ void scope_report_unknown(Sema *s, Str name, Span span)
 // ---- states ----
 
 // Returns the state, or NULL after reporting the name; once per name.
-State *scope_find_state(Sema *s, Str name, Span span)
+State *scope_find_state(Sema *s, const Program *m, Str name, Span span)
 {
-    State *state = map_find(&s->p->state_by_name, name);
+    State *state = map_find(&m->state_by_name, name);
     Str similar;
     Diag *d;
 
     s->knows_a_name |= state != NULL;
     if (state || map_find(&s->lost->word, name) || !add_reported_name(&s->unknown_state, name))
         return state;
+    if (s->in_script && m == s->p && report_member_name(s, name, span, true))
+        return NULL;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
     record_first_unknown(s, d);
     if (s->guesses == 0)
         return NULL;
-    similar = suggest_state(s->diags, d, &s->guesses, s->p, name);
+    similar = suggest_state(s->diags, d, &s->guesses, m, name);
     if (similar)
-        diag_note(s->diags, d, ((State *)map_find(&s->p->state_by_name, similar))->span, DIAG_note_declared_here, similar->text);
+        diag_note(s->diags, d, ((State *)map_find(&m->state_by_name, similar))->span, DIAG_note_declared_here, similar->text);
     else if (!s->in_script && !scope_find_variable(s, name))
         diag_label(s->diags, d, DIAG_label_add_section, name->text);
     return NULL;

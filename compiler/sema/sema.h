@@ -87,7 +87,7 @@ bool scope_is_doubtful(const Sema *s, Str name);        // whether the name was 
 // Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span);
 // Returns the state, or NULL after reporting the name; once per name.
-State *scope_find_state(Sema *s, Str name, Span span);
+State *scope_find_state(Sema *s, const Program *machine, Str name, Span span);
 const SmBuiltinInfo *scope_find_function(const Sema *s, Str name);
 void scope_report_unknown_function(Sema *s, Str name, Span span);
 // Adds a note that points at the declaration of a name of the machine.
@@ -116,7 +116,7 @@ Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl);
 void check_script_locals(Sema *s, Script *script, const AstFile *const *file, size_t files);
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
-void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside);
+void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance);
 // check_expr and check_assignment return NULL after an error, which they have reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
 // Calls that sample their first argument (check_sampled.c); NULL after an error, too.
@@ -153,6 +153,14 @@ static inline Span sema_span(const Sema *s, Span written)
         written.src = s->copy;
     return written;
 }
+
+// ---- check_binding.c: elements of the state vector under the names of a machine ----
+
+// Returns the binding of a listed element, by its name or its alias; NULL: it keeps its name.
+const AstBinding *find_binding(const MachineInstance *instance, const AstDecl *decl);
+// Returns the element to which the declaration is bound; NULL after a report.
+Element *find_bound_element(Sema *s, const StateVec *sv, const AstDecl *decl, const AstBinding *b);
+void check_bindings(Sema *s, Program *p, const MachineInstance *instance);       // call it when the machine's variables are complete
 
 // ---- check_parameter.c: parameters ----
 

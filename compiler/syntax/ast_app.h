@@ -55,10 +55,21 @@ typedef enum AstAppTaskKind {
     AST_APP_TASK_COUNT
 } AstAppTaskKind;
 
+// A binding of a machine: `fire = fireDrogue`. Its right side is a name, or a value.
+typedef struct AstBinding {
+    AstWord name;             // of the machine
+    AstWord element;          // of the state vector; absent: a value
+    AstExpr *value;           // the right side, whatever it is
+    Span span;
+} AstBinding;
+
+typedef VEC(AstBinding) AstBindings;
+
 typedef struct AstAppTask {
     AstAppTaskKind kind;
     AstWord name;             // of a task without a name: its word, such as "log"
     AstWord file;
+    AstBindings bindings;     // of a machine: the braces after its file; empty: none
     AstAppAnnotations annotations;
 } AstAppTask;
 

@@ -37,6 +37,13 @@ static void print_task(Buf *out, const AstAppTask *t)
     if (t->kind == AST_TASK_task || t->kind == AST_TASK_machine)
         print_source_if_present(out, t->name.span);
     print_source_if_present(out, t->file.span);
+    for (size_t i = 0; i < t->bindings.n; i++) {
+        buf_str(out, i == 0 ? " {" : "");
+        print_source_if_present(out, t->bindings.at[i].name.span);
+        buf_str(out, " =");
+        print_source_if_present(out, t->bindings.at[i].value->span);
+        buf_str(out, i + 1 == t->bindings.n ? " }" : "");
+    }
     print_annotations(out, &t->annotations);
 }
 

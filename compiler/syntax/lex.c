@@ -137,9 +137,19 @@ void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end)
     l->at = end;
 }
 
+// Returns the end of the name of a machine's variable, such as deploy.T, whose first part ends at `end`; `end` if it is no such name.
+static uint32_t skip_member(const Lexer *l, uint32_t end)
+{
+    const Str machine = str_intern(l->strings, l->src->text + l->at, end - l->at);
+
+    if (!l->script || lexer_byte(l, end) != '.' || !lex_is_letter(lexer_byte(l, end + 1)) || find_reserved(machine))
+        return end;
+    return lexer_skip_word(l, end + 1);
+}
+
 void lexer_read_word(Lexer *l, Token *t)
 {
-    uint32_t end = lexer_skip_word(l, l->at);
+    uint32_t end = skip_member(l, lexer_skip_word(l, l->at));
     const Word *w;
 
     if ((unsigned char)lexer_byte(l, end) >= 0x80)
@@ -213,6 +223,13 @@ static bool lex_address(Lexer *l, Token *t)
     return true;
 }
 
+bool lex_is_member(const char *s, size_t n)
+{
+    const char *dot = memchr(s, '.', n);
+
+    return dot && lex_is_identifier(s, (size_t)(dot - s)) && lex_is_identifier(dot + 1, n - 1 - (size_t)(dot - s));
+}
+
 bool lex_is_header_name(const char *s, size_t n)
 {
     for (size_t i = 0; i < n; i++)
@@ -254,7 +271,7 @@ static void lex_header(Lexer *l, Token *t)
     while (from < to && (s[from] == ' ' || s[from] == '\t'))
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
-    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
+    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && !(l->script && lex_is_member(s + l->at + 1, end - l->at - 1)) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
         hint_report_malformed_token(l, t, TOK_HEADER, end);
     lexer_finish_token(l, t, TOK_HEADER, end + 1);
 }

@@ -68,7 +68,7 @@ typedef struct Lexer {
     bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
-    bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print
+    bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print; deploy.T is one name
     bool requirements;        // a .rq: one quoted text can follow the name that begins a line
     bool data;                // in a section [data] of a script: texts in quotes can follow anywhere
     bool texts;               // in a script or a .rq: quoted text can follow in this statement
@@ -98,6 +98,7 @@ const char *lex_token_name(TokenKind kind);
 bool lex_find_reserved(Str word, TokenKind *kind);
 
 bool lex_is_header_name(const char *s, size_t n);
+bool lex_is_member(const char *s, size_t n);    // whether it is a machine's name, a dot and a name, as in deploy.T
 
 bool lex_is_letter(char c);                     // whether c is A-Z, a-z or _
 bool lex_is_digit(char c);

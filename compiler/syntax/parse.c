@@ -5,6 +5,7 @@
 #include "compiler/syntax/ast_rq.h"
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
+#include "compiler/syntax/parser_app.h"
 
 // ---- tokens ----
 
@@ -410,7 +411,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
 
-    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header
+    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header, or it is that of a machine's state
         return;
     if (lex_find_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
@@ -605,6 +606,16 @@ AstFile *parse_script_includes(Arena *arena, StrPool *strings, Diags *diags, con
     init_parser(&p, arena, strings, diags, src, FILE_SS);
     parse_includes(&p, f);
     return f;
+}
+
+void parse_bindings(Arena *arena, StrPool *strings, Diags *diags, const Source *src, AstBindings *into)
+{
+    Parser p;
+
+    init_parser(&p, arena, strings, diags, src, FILE_APP);
+    while (p.tok.kind != TOK_END && app_parse_binding(&p, into))
+        if (p.tok.kind == TOK_COMMA)
+            parser_advance(&p);
 }
 
 // Parses a script.  The sections of the returned tree have no items, because `v` has received them.

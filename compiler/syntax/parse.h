@@ -7,6 +7,7 @@
 
 #include "compiler/diag/diag.h"
 #include "compiler/syntax/ast.h"
+#include "compiler/syntax/ast_app.h"
 
 // Always returns a tree. Where the source has errors the tree contains error nodes, and the errors are in `diags`. The tree is allocated
 // in `arena`; names are interned in `strings`.
@@ -26,6 +27,9 @@ AstFile *parse_script(Arena *arena, StrPool *strings, Diags *diags, const Source
 
 // Parses only the includes at the start of a script. The returned tree has no sections.
 AstFile *parse_script_includes(Arena *arena, StrPool *strings, Diags *diags, const Source *src);
+
+// Parses bindings such as `fire = fireDrogue, armed = drogueArmed`, with commas, blanks or line ends between them.
+void parse_bindings(Arena *arena, StrPool *strings, Diags *diags, const Source *src, AstBindings *into);
 
 // Prints the tokens of a source, one per line, comments included: --emit=tokens.
 void lex_print(StrPool *strings, Diags *diags, const Source *src, FileKind kind, Buf *out);

@@ -168,6 +168,10 @@ static void parse_task(Parser *p, AstApp *app, AstAppTaskKind kind, AstAppRate *
     if (tasks[kind].file && !app_parse_file(p, &t.file, tasks[kind].example))
         return;
     app_parse_annotations(p, tasks[kind].target, t.name.text->text, at, &t.annotations, app);
+    if (kind == AST_TASK_machine && !p->failed && p->tok.kind == TOK_LBRACE) {
+        app_parse_bindings(p, &t.bindings);
+        app_parse_annotations(p, tasks[kind].target, t.name.text->text, at, &t.annotations, app);
+    }
     if (!p->failed && r)
         vec_push(p->arena, &r->tasks, t);
 }

@@ -23,6 +23,11 @@ bool app_match_option(const Parser *p, AstAppOptionKind *kind);      // the next
 bool app_match_task(const Parser *p, AstAppTaskKind *kind);          // the next word begins a task of a rate group
 bool app_is_at_rate(const Parser *p);                                // the next tokens begin a rate, with `every` or `at`
 
+// Parses the braces of a machine, { fire = fireDrogue }. The next token is the opening brace.
+void app_parse_bindings(Parser *p, AstBindings *into);
+// Parses `fire = fireDrogue`, of which the next token is the first; adds it to `into`. Returns false after reporting an error.
+bool app_parse_binding(Parser *p, AstBindings *into);
+
 // Parses all annotations that follow; `owner` is the name of the annotated line. Each @allow among them covers the source from `from` on.
 void app_parse_annotations(Parser *p, AppAnnotationTarget target, const char *owner, uint32_t from, AstAppAnnotations *into, AstApp *app);
 

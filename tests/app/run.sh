@@ -88,6 +88,47 @@ else
     head -20 log
 fi
 
+# Several machines of one file: as C and on the VM, in place and guarded.  clause 10.30 clause 10.32
+binds()
+{
+    mkdir out
+    if "$smc" build channels.app -Werror -o out 2>log && $cc -std=c99 -O1 $warn -I"$root" -Iout -o run out/*.c tasks.c "$sim" 2>>log &&
+       ./run >trace 2>>log && diff "$here/channels/expected.txt" trace >>log; then
+        good
+    else
+        bad "$1"
+        head -20 log
+    fi
+}
+
+channels() { mkdir "$dir/$1" && cd "$dir/$1" && cp "$here"/channels/* . || exit 1; }
+channels bound;          binds "machines of one file"
+if test -f out/drogue.c && test -f out/spare.c && test -f out/channel.c; then good; else bad "a file of C for each machine"; fi
+channels bound-bytecode; sed -i.old 's/"channel.sm"/& @bytecode/' channels.app; binds "machines of one file on the VM"
+channels bound-guarded;  printf '[options]\nlock\n' | cat - channels.sv >new && mv new channels.sv; binds "machines of one file, guarded"
+channels bound-both;     printf '[options]\nlock\n' | cat - channels.sv >new && mv new channels.sv
+sed -i.old 's/"channel.sm" {/"channel.sm" @bytecode {/' channels.app; binds "machines of one file, guarded, some on the VM"
+
+# --bind compiles one of them alone: the C differs only in the names that begin with that of the machine.
+cd "$dir/bound" || exit 1
+if "$smc" build channel.sm --sv channels.sv --bind fire=fireDrogue,go=apogee --bind 'state = drogueState' --emit=c --runtime --prefix=drogue -o alone.c &&
+   sed 's/alone/drogue/g; s/state machine channel/state machine drogue/' alone.c | diff out/drogue.c - >log; then good; else bad "--bind"; head -5 log; fi
+for bad in 'fire=nosuch:1:E0204' 'fire=time:1:E1221' 'nosuch=fire:1:E1222' 'fire fireDrogue:1:E1020' 'fire=apogee,S=:1:E0312'; do
+    bindings=${bad%%:*} code=${bad#*:}
+    "$smc" check channel.sm --sv channels.sv --bind "$bindings" 2>log
+    if test $? = "${code%:*}" && grep -q "^--bind:1:.*\[${code#*:}\]" log; then good; else bad "--bind $bindings"; head -5 log; fi
+done
+"$smc" check channel.sm --bind fire=fireDrogue 2>log
+if test $? = 2 && grep -q -- '--bind requires --sv' log; then good; else bad "--bind without --sv"; cat log; fi
+"$smc" check channels.app --bind fire=fireDrogue 2>log
+if test $? = 2 && grep -q -- '--bind is for one machine' log; then good; else bad "--bind of an application"; cat log; fi
+printf '[options]\ndelta_t 10\n[Idle]\nT == 0 {\narmed = true\ngo = true\n}\n[Fire]\nT == 10: @assert fire\n[Done]\ntrue: @stop\n' >alone.ss
+if "$smc" test channel.sm alone.ss --sv channels.sv --bind fire=fireDrogue,S=drogueState >trace 2>log && grep -q '1 assert passed' trace; then good; else bad "--bind of a test"; cat log trace; fi
+
+if "$smc" report channel.sm --sv channels.sv --bind fire=fireDrogue,S=drogueState --format=text 2>log >report && grep -q 'state (S) = drogueState' report && grep -q 'fire = fireDrogue' report
+then good; else bad "--bind of a report"; cat log; fi
+if "$smc" graph channel.sm --sv channels.sv --bind fire=fireDrogue,S=drogueState -o graph.svg 2>log && grep -q Fire graph.svg; then good; else bad "--bind of a graph"; cat log; fi
+
 # Other compilers take the sources without a word, C++ the header.
 for other in gcc clang clang-19; do
     if command -v $other >/dev/null 2>&1; then

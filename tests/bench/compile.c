@@ -22,7 +22,7 @@ typedef struct Cost { double seconds; unsigned lines; size_t memory; } Cost;
 
 static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     ImageOptions options = {false, NULL};
     IrMachine *m;
     jmp_buf oom;
@@ -141,7 +141,7 @@ static bool write_file(const char *path, const Buf *text)
 static bool emit(const char *folder, unsigned states, int level)
 {
     EmitCOptions options;
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     Buf header, code;
     jmp_buf oom;
     Program *p;

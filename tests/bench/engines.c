@@ -51,7 +51,7 @@ static void make_image(CompiledWorkload *c, int level)
 void compile_workload(CompiledWorkload *c, const Workload *w)
 {
     static jmp_buf oom;
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
 
     if (setjmp(oom) != 0)
         give_up(w->name, "out of memory");

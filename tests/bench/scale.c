@@ -56,7 +56,7 @@ static void run(Session *s, const Program *p, const Script *script)
 // All stages.  What they cost is the time between two entries of `at`.
 static void compile(Session *s, const Shape *shape, unsigned n, double *at)
 {
-    MachineInput in = {shape_source(s, "m.sm", shape->write, n), shape_source(s, "m.sv", shape->sv, n), NULL};
+    MachineInput in = {.sm = shape_source(s, "m.sm", shape->write, n), .sv = shape_source(s, "m.sv", shape->sv, n)};
     const Source *ss = shape_source(s, "m.ss", shape->ss, n);
     ImageOptions image = {true, NULL};
     EmitCOptions c;

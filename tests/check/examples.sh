@@ -3,6 +3,7 @@
 # Runs the examples as their reader would: examples.sh SMC FOLDER...  Each machine M.sm of a folder is checked for a flight, with the
 # step of its options ("step 10 ms") or its comment ("Stepped every 10 ms"), and there must be no finding.  It is tested on every engine by its scripts
 # M.ss and M-*.ss, and these judge all its requirements M.rq; a state vector (.sv) in the folder is for all its machines.
+# An application X.app with scripts X.ss and X-*.ss is tested by these, and so are its machines.
 # A script that belongs to no machine, and that no other one includes, is a failure, as is a machine without a script or without a step.
 # So that silence means something, machines that have @safe or @allow are checked again without them: most must draw a finding.
 smc=$1
@@ -24,9 +25,9 @@ expect() {
     fi
 }
 
-# The scripts of the machine $1: M.ss, M-*.ss.
+# The scripts of the machine or application $1: M.ss, M-*.ss.
 scripts_of() {
-    for script in "${1%.sm}.ss" "${1%.sm}"-*.ss; do
+    for script in "${1%.*}.ss" "${1%.*}"-*.ss; do
         [ -f "$script" ] && echo "$script"
     done
 }
@@ -50,10 +51,25 @@ find_vector() {
     done
 }
 
+# Tests the applications of a folder that have scripts, and adds their names to `apps`.
+try_applications() {
+    for app in "$1"/*.app; do
+        for script in $(scripts_of "$app"); do
+            seen=$((seen + 1))
+            apps="$apps $app"
+            expect test "$smc" test --engine=all -Werror "$app" "$script"
+        done
+    done
+}
+
 for folder; do
     find_vector "$folder"
-    seen=0
+    seen=0 apps=
+    try_applications "$folder"
     for machine in "$folder"/*.sm; do
+        # A machine whose application has scripts is tested by these; applications.sh checks it.
+        # shellcheck disable=SC2086
+        [ -z "$apps" ] || ! grep -q "\"${machine##*/}\"" $apps || continue
         scripts=$(scripts_of "$machine")
         # shellcheck disable=SC2086
         set -- $scripts

@@ -58,7 +58,7 @@ static bool open_engine(Rig *r, const char *name)
 
 static bool set_up(Rig *r, const char *name, jmp_buf *oom)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
 
     memset(r, 0, sizeof *r);
     session_init(&r->s, heap, NULL, oom);

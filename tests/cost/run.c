@@ -195,7 +195,7 @@ static void check_reached(const Counted *c)
 static void run_reachable(const char *text, int level)
 {
     jmp_buf out_of_memory;
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     Rng r = {7};
     Arena lent;
     Session s;

@@ -203,7 +203,7 @@ static void try_net(Session *s, const Source *src)
 // Requirements of the machine that scripts test, over which a monitor then runs.
 static void try_requirements(Session *s, const Source *src)
 {
-    const MachineInput machine = {source_new(&s->arena, "tested.sm", tested, sizeof tested - 1), NULL, NULL};
+    const MachineInput machine = {.sm = source_new(&s->arena, "tested.sm", tested, sizeof tested - 1)};
     const Program *p = session_program(s, &machine);
     const Requirements *r = session_requirements(s, &src, 1, p);
     uint64_t *cell = ARENA_ARRAY(&s->arena, uint64_t, p->var.n);
@@ -225,7 +225,7 @@ const unsigned fuzz_floor = 2;
 
 static void try_check(Session *s, const Source *src, FileKind kind)
 {
-    MachineInput machine = {src, NULL, NULL};
+    MachineInput machine = {.sm = src};
 
     if (kind == FILE_SV) {
         session_state_vector(s, src);

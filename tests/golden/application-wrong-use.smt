@@ -48,9 +48,9 @@ smc: the names in an application's C come from its files: remove --prefix
 Try 'smc build --help'.
 smc: an application becomes several files: name the folder for them with -o
 Try 'smc build --help'.
-smc: an application is checked alone: it names its files itself
+smc: an application is checked alone or with its scripts: it names its other files itself
 Try 'smc check --help'.
-smc: an application is checked alone: it names its files itself
+smc: an application is checked alone or with its scripts: it names its other files itself
 Try 'smc check --help'.
 smc: a command precedes the file, as in 'smc check a.app'
 Try 'smc --help'.

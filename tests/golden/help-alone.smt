@@ -7,9 +7,9 @@ smc - state machines for rockets: checks them, tests them, compiles them to C an
 Usage:
   smc build M.sm...|X.app [--sv V.sv] [--emit=KIND] [-o OUT]
       compile machines to bytecode, or to C with --emit=c; an application (.app) to C in a folder
-  smc check FILE...|X.app
+  smc check FILE...|X.app [SCRIPT.ss...]
       report everything that can be found without running
-  smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+  smc test M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
       run state scripts and judge requirements; run .smt cases and folders of them
   smc report M.sm [SCRIPT.ss...] [R.rq...] [--sv V.sv] [--net X.net] [-o FILE.html]
       write one page about a machine for a design review

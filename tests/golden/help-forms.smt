@@ -6,8 +6,8 @@ args explain '[W0750' 'unjudged-assert]' | head -n 1
 args explain '[nothing]'
 
 -- stdout --
-Usage: smc check FILE...|X.app
-Usage: smc check FILE...|X.app
+Usage: smc check FILE...|X.app [SCRIPT.ss...]
+Usage: smc check FILE...|X.app [SCRIPT.ss...]
 W0750: this assert was never evaluated  [-Wunjudged-assert]
 -- stderr --
 smc: unknown command 'chek'; did you mean 'check'?

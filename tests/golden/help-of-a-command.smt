@@ -2,7 +2,7 @@
 args test --help
 
 -- stdout --
-Usage: smc test M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
+Usage: smc test M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
   run state scripts and judge requirements; run .smt cases and folders of them
 
 Options:
@@ -10,6 +10,7 @@ Options:
   --version                print the version and exit
   --force                  replace an existing file that smc did not write; never a source or an input
   --sv=FILE                the application's state vector
+  --bind=NAME=ELEMENT      the machine's element NAME is ELEMENT of the state vector; several between commas
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --step=N                 how much time advances from step to step, for what analyses find (default: delta_t of the scripts, if all have the same)
   --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several between commas, or all (but c-soft)

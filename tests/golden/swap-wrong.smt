@@ -37,6 +37,8 @@ Options:
   --help                   print help and exit
   --version                print the version and exit
   --sv=FILE                the application's state vector
+  --bind=NAME=ELEMENT      the machine's element NAME is ELEMENT of the state vector; several between commas
+  --app=FILE               the application, for its state vector and its machines' bindings
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --to=WHERE               where the application listens: the path of its socket, HOST:PORT, or a serial line as /dev/ttyS1
   --restart[=STATE]        the new machines start, in this state or in their first one

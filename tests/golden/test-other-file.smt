@@ -20,11 +20,11 @@ U32 S
 1,2
 -- cases/x.smt --
 -- stderr --
-smc: 'data.csv' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases
+smc: 'data.csv' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm) or an application (.app), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases
 Try 'smc test --help'.
-smc: 'nosuch.csv' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases
+smc: 'nosuch.csv' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm) or an application (.app), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases
 Try 'smc test --help'.
-smc: 'nosuch' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases
+smc: 'nosuch' is not a kind of file that 'smc test' accepts; it accepts a machine (.sm) or an application (.app), state scripts (.ss), requirements (.rq), test cases (.smt) and folders of test cases
 Try 'smc test --help'.
 smc: name the state vector with --sv=a.sv
 Try 'smc test --help'.

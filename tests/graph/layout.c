@@ -27,7 +27,7 @@ static void *heap(void *context, void *old, size_t size)
 
 static Program *compile(const char *name, const char *text, size_t len)
 {
-    MachineInput in = {source_new(&session.arena, name, text, len), NULL, NULL};
+    MachineInput in = {source_new(&session.arena, name, text, len), NULL, NULL, NULL};
     Program *p = session_program(&session, &in);
 
     if (!p)

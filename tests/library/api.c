@@ -187,11 +187,20 @@ static void test_structure_of_an_application(void)
 {
     SmcSession *s = open_session();
     static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n";
+    static const char two[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n"
+                              "    machine second \"valve.sm\" { open = other  S = state }\n";
+    static const char wrong[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n"
+                                "    machine second \"valve.sm\" { open = nosuch  S = state }\n";
+    static const char bus[] = "[Bus]\nU64 G\nU32 S\nU32 state\nbool open\nbool other\n";
     const uint32_t of = add(s, SMC_KIND_APP, "rocket.app", app);
     const uint32_t sm = add(s, SMC_KIND_SM, "valve.sm", "[state_vector]\nU64 G\nU32 S\nbool open\n[Idle]\n.step\n    open = G > 5\n");
 
     add(s, SMC_KIND_SV, "bus.sv", "[Bus]\nU64 G\nU32 S\nbool open\n");
     CHECK(smc_compile(s) == SMC_OK && smc_model_state_count(s, of) == 0 && smc_model_state_count(s, sm) == 1 && smc_model_variable_count(s, sm) == 3);
+    // Two machines of one file: the structure is that of the first.
+    CHECK(smc_source_replace(s, of, two, strlen(two)) == SMC_OK && smc_source_replace(s, of + 2, bus, strlen(bus)) == SMC_OK);
+    CHECK(smc_compile(s) == SMC_OK && smc_app_file_count(s) == 2 && smc_model_state_count(s, sm) == 1 && smc_emit(s, SMC_EMIT_C) == SMC_OK);
+    CHECK(smc_source_replace(s, of, wrong, strlen(wrong)) == SMC_OK && smc_compile(s) == SMC_E_SOURCE);
     smc_close(s);
 }
 

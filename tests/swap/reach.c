@@ -353,6 +353,15 @@ static void test_command(void)
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart=Nowhere") == 1 && printed("no state of the name"));
     CHECK(command("swap other.sm -w --to=stand.sock --continue") == 1 && printed("those that can be swapped are: a"));
     CHECK(command("swap a=other.sm -w --to=stand.sock --continue") == 1 && printed("compiled for another state vector") && printed("--sv=stand.sv"));
+    // clause 10.32: the bindings of a machine, from the application or from --bind
+    write_file("any.sm", "[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 p\nF64 x\n[A] @swap\n.step\n    x = p\n");
+    write_file("stage.app", "[options]\nstate_vector \"stage.sv\"\ntime time 1 ms\n[e]\nevery 1 ms:\nmachine a \"any.sm\" { state = sa  x = out } @bytecode\n");
+    CHECK(command("swap a=any.sm --app stage.app -w --to=stand.sock --restart --confirm") == 0);
+    CHECK(command("swap a=any.sm --sv stage.sv --bind state=sa,x=more -w --to=stand.sock --restart --confirm") == 0);
+    CHECK(command("swap a=any.sm --sv stage.sv -w --to=stand.sock --restart") == 1 && printed("no element 'state'"));
+    CHECK(command("swap b=any.sm --app stage.app -w --to=stand.sock --restart") == 1 && printed("no machine 'b'; its machines are: a"));
+    CHECK(command("swap a=any.sm --app stage.app --sv stage.sv --to=stand.sock --restart") == 2 && printed("neither --sv nor --bind"));
+    CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --restart --confirm") == 0);
     CHECK(command("build a.sm --sv stage.sv -w -g -o new.smb") == 0);
     CHECK(command("swap a=new.smb --to=stand.sock --continue") == 0 && printed("on trial"));
     CHECK(command("swap a=new.smb --to=stand.sock --continue") == 1 && printed("another swap is in progress"));

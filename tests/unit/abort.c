@@ -24,7 +24,7 @@ static const char machine[] =
 
 static Analysis analyse(Session *s, const char *text)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     Analysis a;
 
     session_init(s, host_alloc, NULL, &host_oom);

@@ -62,7 +62,7 @@ static size_t put_all(Buf *b)
 
 static void check_sharing(Session *s)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     size_t different;
     IrMachine *m;
     Program *p;

@@ -283,7 +283,7 @@ static void run_case(Session *s, Case *k)
     static const char sm[] = "[state_vector]\nU64 G\nU32 S\nF64 x @read_only\nF64 y @read_only\nbool b @read_only\nU8 n @read_only\nF32 f @read_only\nF64 out\n"
                              "[A]\n.step\n out = x + y + b + n + f\n";
     DataMemory m;
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     Run run = {.k = k, .good = find_good(k)};
     ScriptOptions o = {.max_steps = 100000, .after_step = after_step, .context = &run};
     const Script *script;

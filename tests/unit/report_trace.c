@@ -85,7 +85,7 @@ static void check_visits(const Trace *t)
 
 int main(void)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     Session s;
     Program *p;
     Transitions transitions;

@@ -95,7 +95,7 @@ static bool misses_none(const Script *s, const State *state, const uint64_t *cel
 
 static Script *compile(Session *s, const char *text, size_t n, const Program **p)
 {
-    MachineInput in = {source_new(&s->arena, "m.sm", machine, strlen(machine)), NULL, NULL};
+    MachineInput in = {source_new(&s->arena, "m.sm", machine, strlen(machine)), NULL, NULL, NULL};
 
     *p = session_program(s, &in);
     return session_script(s, source_new(&s->arena, "m.ss", text, n), *p);
@@ -136,7 +136,7 @@ static void check_random_script(void)
         cell[p->t->index] = pick((uint32_t)cell[p->g->index] + 1);
         cell[p->s->index] = state->number;
         cell[2] = cell_of(x_tried[pick(5)]);        // x
-        schedule_find_due(h, state, cell, &due);
+        schedule_find_due(h, &state, 1, cell, &due);
         CHECK(misses_none(script, state, cell, &due));
     }
     session_free(&s);
@@ -168,7 +168,7 @@ static void check_one_a_step(void)
     h = schedule_new(&s.arena, script, cell);
     for (unsigned i = 0; i < STEPS; i++) {
         cell[p->g->index] = cell[p->t->index] = i;
-        schedule_find_due(h, p->state.at[0], cell, &due);
+        schedule_find_due(h, (const State *const *)p->state.at, 1, cell, &due);
         CHECK(due.n == 1 && due.at[0]->number == i);
     }
     session_free(&s);
@@ -204,7 +204,7 @@ static void check_periods(void)
         for (unsigned i = 1; i <= PERIODS; i++)
             divisors += g % i == 0;
         cell[p->g->index] = g;
-        schedule_find_due(h, p->state.at[pick(2)], cell, &due);
+        schedule_find_due(h, (const State *const *)&p->state.at[pick(2)], 1, cell, &due);
         CHECK(due.n == 0 || (due.n >= divisors && due.n <= divisors + 2 * in_range));
     }
     session_free(&s);

@@ -127,7 +127,7 @@ static void compare_random_script(unsigned used[6])
     Session s;
     Buf a, body, b;
     Writer w = {&a, &body, 0, {0}};
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     ScriptResult ra, rb;
     uint64_t ha = 1, hb = 1;
     const Program *p;

@@ -116,7 +116,7 @@ static void compare_step(void *context, const ScriptStep *step)
 static void run_with(const uint64_t *seed, uint64_t shown)
 {
     Session s;
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
     const Program *p;
     const Script *ss;
     Engine *engine;

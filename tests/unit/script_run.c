@@ -41,7 +41,7 @@ typedef struct Fixture {
 
 static void set_up(Fixture *f, jmp_buf *oom)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
 
     session_init(&f->s, heap, NULL, oom);
     in.sm = source_new(&f->s.arena, "app.sm", machine, strlen(machine));

@@ -29,7 +29,7 @@ static Source *text(Session *s, const char *name, const char *t)
 
 static Program *compile(Session *s, const char *sm)
 {
-    MachineInput in = {NULL, NULL, NULL};
+    MachineInput in = {0};
 
     session_init(s, host_alloc, NULL, &oom);
     in.sm = text(s, "dir/tank.v2.sm", sm);
@@ -80,7 +80,7 @@ static SmF64 value_of(const char *expression)
     session_init(&s, host_alloc, NULL, &oom);
     buf_init(&b, &s.arena);
     buf_printf(&b, "[state_vector]\nU64 G\nU32 S\n[local]\nF64 two = 2\nU8 big = 300\nF64 x = %s\n[A]\n", expression);
-    p = session_program(&s, &(MachineInput){text(&s, "a.sm", buf_text(&b)), NULL, NULL});
+    p = session_program(&s, &(MachineInput){text(&s, "a.sm", buf_text(&b)), NULL, NULL, NULL});
     if (p)
         x = sm_cell_to_f64(SM_F64, var(&s, p, "x")->init);
     CHECK(p != NULL);
@@ -155,7 +155,7 @@ static void test_written_outside(void)
     static const char script[] = "[options]\ndelta_t 5\n[all_states]\nG == 0 { k = 2\n p = 1 }\nG > 9: @stop\n";
     Session s;
     Map names;
-    MachineInput in = {NULL, NULL, &names};
+    MachineInput in = {NULL, NULL, &names, NULL};
     Program *p;
     Script *ss;
 
@@ -229,7 +229,7 @@ static void test_size(const char *bad, double most_seconds)
         buf_printf(&b, "T > 5: -> State_%d%s\n", (i + 1) % 10000, bad);
     }
     start = clock();
-    p = session_program(&s, &(MachineInput){text(&s, "a.sm", buf_text(&b)), NULL, NULL});
+    p = session_program(&s, &(MachineInput){text(&s, "a.sm", buf_text(&b)), NULL, NULL, NULL});
     CHECK((double)(clock() - start) / CLOCKS_PER_SEC < most_seconds);
     CHECK(*bad ? !p && s.diags.errors == 26000 : p && p->state.n == 10000);
     session_free(&s);

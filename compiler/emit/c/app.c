@@ -188,7 +188,7 @@ static void write_image_and_memory(const AppEmitter *e, const AppMachine *m, con
     SmvmMachine vm;
 
     smvm_machine((const uint8_t *)image->at, 0, &vm);
-    buf_printf(out, "static const uint8_t %sImage[] SMVM_IMAGE_IN = {        // %s.sm as bytecode", n, m->program->name->text);
+    buf_printf(out, "static const uint8_t %sImage[] SMVM_IMAGE_IN = {        // %s.sm as bytecode", n, m->program->stem->text);
     emit_c_bytes(image, out);
     buf_printf(out,
                "\n};\nstatic uint64_t %sMemory[SMVM_WORDS(%u, %u, %u, %u)];"

@@ -325,7 +325,7 @@ static void assign_variable_names(CUnit *u)
     u->names.var = ARENA_ARRAY(u->arena, const char *, m->var.n);
     for (size_t v = 0; v < m->var.n; v++) {
         switch (m->var.at[v].space) {
-        case IR_ELEMENT: u->names.var[v] = map_find(&u->names.element, m->var.at[v].name); break;
+        case IR_ELEMENT: u->names.var[v] = map_find(&u->names.element, m->var.at[v].element ? m->var.at[v].element : m->var.at[v].name); break;
         case IR_LOCAL: name[v] = m->var.at[v].name->text; break;
         case IR_TIME: u->names.var[v] = "T"; break;
         }

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/sema/join.h"
+
+#include <string.h>
+
+typedef struct Join {
+    const CheckContext *c;
+    const App *app;
+    Program *p;
+    Joint *joint;
+    Var **element;            // by Element.index: its variable
+} Join;
+
+static Str dotted(Join *k, Str machine, Str name) { return str_c(k->c->strings, format_in(k->c->arena, "%s.%s", machine->text, name->text)); }
+
+static Var *add_variable(Join *k, const Var *from, Str name)
+{
+    Var *v = arena_copy(k->c->arena, from, sizeof *from);
+
+    v->name = v->report_name = name;
+    v->alias = NULL;
+    v->index = (uint32_t)k->p->var.n;
+    vec_push(k->c->arena, &k->p->var, v);
+    return v;
+}
+
+static void add_elements(Join *k)
+{
+    const StateVec *sv = k->app->sv;
+
+    k->element = ARENA_ARRAY(k->c->arena, Var *, sv->element.n);
+    for (size_t i = 0; i < sv->element.n; i++) {
+        Element *e = sv->element.at[i];
+        Var from = {.kind = VAR_ELEMENT, .type = e->type, .element = e, .range = e->range, .command = e->command, .unit = e->unit, .span = e->span};
+        from.read_only = e == k->app->time;
+        k->element[e->index] = add_variable(k, &from, e->name);
+        map_put(&k->p->by_name, e->name, k->element[e->index]);
+    }
+    k->p->g = k->element[k->app->time->index];
+    if (!map_find(&k->p->by_name, str_c(k->c->strings, "G")))
+        map_put(&k->p->by_name, str_c(k->c->strings, "G"), k->p->g);
+}
+
+// ---- machines ----
+
+static void add_states(Join *k, Member *m)
+{
+    m->first = (uint32_t)k->p->state.n;
+    for (size_t i = 0; i < m->program->state.n; i++) {
+        State *s = arena_copy(k->c->arena, m->program->state.at[i], sizeof *s);
+        s->name = dotted(k, m->name, s->name);
+        s->number = (uint32_t)k->p->state.n + 1;
+        vec_push(k->c->arena, &k->p->state, s);
+        map_put(&k->p->state_by_name, s->name, s);
+    }
+}
+
+static Var *add_variable_of(Join *k, const Member *m, const Var *v)
+{
+    return v->element ? k->element[v->element->index] : add_variable(k, v, dotted(k, m->name, v->name));
+}
+
+static void add_variables_of(Join *k, Member *m)
+{
+    const Program *p = m->program;
+
+    m->var = ARENA_ARRAY(k->c->arena, const Var *, p->var.n);
+    for (size_t i = 0; i < p->var.n; i++) {
+        Var *v = add_variable_of(k, m, p->var.at[i]);
+        m->var[i] = v;
+        map_put(&k->p->by_name, dotted(k, m->name, p->var.at[i]->name), v);
+        if (p->var.at[i]->alias)
+            map_put(&k->p->by_name, dotted(k, m->name, p->var.at[i]->alias), v);
+        if (p->var.at[i] == p->s) {
+            v->state_of = p;
+            v->read_only = true;
+            m->s = v;
+        }
+        if (p->var.at[i] == p->t)
+            m->t = v;
+    }
+}
+
+static void add_member(Join *k, const AppTask *task, const AppRate *rate, const Program *program)
+{
+    Member m = {.name = task->machine->name, .program = program, .every = rate->period / k->joint->tick};
+
+    m.initial = task->machine->initial ? program->state.at[task->machine->initial->number - 1] : program->state.at[0];
+    m.mode = task->mode ? k->element[task->mode->index] : NULL;
+    add_states(k, &m);
+    add_variables_of(k, &m);
+    vec_push(k->c->arena, &k->joint->member, m);
+}
+
+// Returns how many machines the executor runs, after adding them.
+static size_t add_members_of(Join *k, const AppExecutor *x, const Program *const *program)
+{
+    size_t before = k->joint->member.n;
+
+    for (size_t r = 0; r < x->rate.n; r++)
+        for (size_t t = 0; t < x->rate.at[r]->task.n; t++) {
+            const AppTask *task = x->rate.at[r]->task.at[t];
+            if (task->machine)
+                add_member(k, task, x->rate.at[r], program[task->machine->number]);
+        }
+    return k->joint->member.n - before;
+}
+
+static void add_members(Join *k, const Program *const *program)
+{
+    const AppExecutor *first = NULL;
+
+    for (size_t i = 0; i < k->app->executor.n; i++) {
+        const AppExecutor *x = k->app->executor.at[i];
+        if (add_members_of(k, x, program) == 0)
+            continue;
+        if (first)
+            diag_report(k->c->diags, DIAG_executors_in_order, x->span, x->name->text, first->name->text);
+        first = x;
+    }
+}
+
+// ---- time ----
+
+static uint64_t gcd(uint64_t a, uint64_t b)
+{
+    while (b) {
+        const uint64_t rest = a % b;
+        a = b;
+        b = rest;
+    }
+    return a;
+}
+
+static void set_time(Join *k)
+{
+    static const uint64_t ns[TIME_UNITS] = {[TIME_US] = 1000, [TIME_MS] = 1000000, [TIME_S] = 1000000000};
+
+    for (size_t i = 0; i < k->app->executor.n; i++)
+        for (size_t r = 0; r < k->app->executor.at[i]->rate.n; r++)
+            k->joint->tick = gcd(k->joint->tick, k->app->executor.at[i]->rate.at[r]->period);
+    k->joint->unit = k->app->unit;
+    for (TimeUnit u = TIME_US; u <= TIME_S; u++)
+        if (ns[u] == k->app->unit)
+            k->p->time_unit = u;
+    if (k->joint->tick % k->joint->unit == 0)
+        k->p->step = k->joint->tick / k->joint->unit;
+    k->p->step_span = k->app->time_span;
+}
+
+uint32_t joint_machine_of(const Joint *j, uint32_t number)
+{
+    uint32_t i = 0;
+
+    while (i + 1 < j->member.n && j->member.at[i + 1].first < number)
+        i++;
+    return i;
+}
+
+const Program *join_machines(const CheckContext *c, const App *app, const Program *const *program)
+{
+    Join k = {c, app, ARENA_NEW(c->arena, Program), ARENA_NEW(c->arena, Joint), NULL};
+
+    if (app->machine.n == 0) {
+        diag_report(c->diags, DIAG_app_without_machines, (Span){app->src, 0, 0});
+        return NULL;
+    }
+    k.p->stem = k.p->name = app->name;
+    k.p->src = app->src;
+    k.p->sv = (StateVec *)(size_t)app->sv;
+    k.p->by_name.arena = k.p->state_by_name.arena = c->arena;
+    k.joint->app = app;
+    set_time(&k);
+    add_elements(&k);
+    add_members(&k, program);
+    for (size_t i = 0; i < app->start.n; i++)
+        vec_push(c->arena, &k.joint->start, ((MemberStart){k.element[app->start.at[i].element->index], app->start.at[i].cell}));
+    k.p->joint = k.joint;
+    return k.p;
+}

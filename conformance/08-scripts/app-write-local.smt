@@ -1,0 +1,72 @@
+spec 8.80   A script writes a local of a machine, which sees it at its next step.
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+
+[flight]
+every 10 ms:
+    machine a "a.sm"
+every 20 ms:
+    machine b "b.sm"
+-- flight.ss --
+[all_states]
+G == 10: b.lost = 7
+G == 10: @assert b.lost == 7 and bSteps == 1
+G == 20: @assert bSteps == 9
+G == 20: @stop
+-- rocket.sv --
+[A]
+U64  time
+U32  aState
+U32  bState
+F64  pressure
+bool ready
+bool valve
+U8   mode
+U32  aSteps
+U32  bSteps
+-- a.sm --
+[state_vector]
+U64  time   @alias G
+U32  aState @alias S
+F64  pressure @read_only
+bool ready
+U32  aSteps
+
+[local]
+U32 seen = 0
+
+[Wait] @safe
+.step
+    aSteps = aSteps + 1
+    seen = seen + 1
+    pressure > 10: -> Go
+
+[Go] @safe
+.step
+    aSteps = aSteps + 1
+    ready = true
+    seen > 1000: -> Wait
+-- b.sm --
+[state_vector]
+U64  time   @alias G
+U32  bState @alias S
+bool ready  @read_only
+bool valve
+U32  bSteps
+
+[local]
+U32 lost = 0
+
+[Shut] @safe
+.step
+    bSteps = bSteps + 1 + lost
+    lost = 0
+    ready: -> Open
+
+[Open] @safe
+.step
+    bSteps = bSteps + 1
+    valve = true
