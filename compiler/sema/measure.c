@@ -200,7 +200,7 @@ static bool read_unit(MeasureReader *r, Measure *into);
 static bool read_term(MeasureReader *r, Measure *into)
 {
     const uint32_t from = r->at;
-    double power;
+    double power = 1;
 
     if (r->text[r->at] == '(') {
         r->at++;
