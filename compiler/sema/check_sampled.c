@@ -152,6 +152,13 @@ static Expr *new_operation(Sema *s, const AstExpr *call, SmOperator op, Expr *a,
     return e;
 }
 
+// Warns of a held in a machine without a step, which cannot recognize gaps in the data (language.md 7.33).
+static void warn_of_held_without_step(Sema *s, const AstExpr *call)
+{
+    if (s->building && s->step == 0)
+        diag_label(s->diags, diag_report(s->diags, DIAG_held_without_step, call->span), DIAG_label_held_step);
+}
+
 // Builds held(c, t) and held(c, n steps): the time, or the number of steps, of the run of true samples of c.
 static Expr *check_held(Sema *s, const AstExpr *call)
 {
@@ -162,6 +169,7 @@ static Expr *check_held(Sema *s, const AstExpr *call)
 
     if (!c || sm_eq(limit, sm_from_i32(0)))
         return NULL;
+    warn_of_held_without_step(s, call);
     if (gap)
         new_statistic(s, call, new_number(s, call, sm_from_i32(1)), 2, SM_STAT_ELAPSED);
     run = new_statistic(s, call, new_not(s, call, new_not(s, call, c)), in_steps ? sm_to_u32(limit) : 1, in_steps ? SM_STAT_RUN_STEPS : SM_STAT_RUN_TIME);
