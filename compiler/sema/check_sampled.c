@@ -16,6 +16,7 @@ static Duration read_duration(Sema *s, const AstExpr *call, SmF64 *value)
 {
     const AstExpr *n = call->args->at[1];
     const bool steps = n->kind == AST_STEPS;
+    Diag *d;
     Expr *e;
 
     s->at = EXPR_IN_SIZE;
@@ -29,7 +30,9 @@ static Duration read_duration(Sema *s, const AstExpr *call, SmF64 *value)
         return DURATION_TIME;
     if (!expr_contains_time(e))
         return steps ? DURATION_STEPS : DURATION_NUMBER;
-    diag_report(s->diags, DIAG_window_size_of_time, n->span, call->name->text);
+    d = diag_report(s->diags, DIAG_window_size_of_time, n->span, call->name->text);
+    if (e->kind == EX_VAR && e->var->init_value->kind == EX_NUMBER && !steps)
+        diag_label(s->diags, d, DIAG_label_time_definition, e->var->name->text);
     return DURATION_INVALID;
 }
 
