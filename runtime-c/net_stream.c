@@ -174,7 +174,8 @@ static void send_rest(SmNetChannel *c, SmNetPeer *p, uint64_t now)
         end(c, p, now);
 }
 
-// Whether the peer is still there.  It has nothing to send: one that does is not a receiver of this channel.
+// Whether the connection to the peer is still open.  A receiver of this channel sends nothing: the connection of a peer that sends a byte is
+// closed.
 static bool is_present(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     uint8_t byte;

@@ -194,7 +194,7 @@ static uint8_t message_of(uint8_t byte)
     return byte & 0x80 ? byte : messages[byte % sizeof messages];
 }
 
-// Signs n bytes, with the next number.  Returns the number of bytes.
+// Signs a swap of n bytes with the next swap number.  Returns the number of bytes with the signature.
 static size_t sign(uint8_t *swap, size_t n)
 {
     SmvmMac m;

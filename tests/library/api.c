@@ -157,7 +157,8 @@ static void test_structure(void)
     smc_close(s);
 }
 
-// A transition of [all_states] leads from each state where the section runs, all with its line; a definition counts as what it reads.
+// A transition of [all_states] leads from each state in which the section runs, and always has its own line.  A definition in a guard reads what
+// its expression reads.
 static void test_structure_of_all_states(void)
 {
     SmcSession *s = open_session();

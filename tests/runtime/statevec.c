@@ -253,7 +253,8 @@ static void test_numbers_refuse(void)
 
 // ---- the lock ----
 
-// Each call once, with a lock that cannot be acquired: it returns the error, changes nothing, reads 0 and counts.
+// Calls each function once while the lock cannot be acquired.  Each returns the error, changes no element, reads 0, and adds 1 to the vector's
+// `faults`.
 static void test_faults(void)
 {
     const SmElement *e = &wide_element[WIDE_E_u16];

@@ -456,7 +456,8 @@ static void test_transitions_decode_alike(Case *c)
 
 // ---- windows of all types and statistics ----
 
-static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and a jump's condition, which tests a number or a variable in memory
+// Uses a statistic: stores it, and compares it in the condition of a jump with a number or with a variable in memory.
+static void put_stat(Case *c, unsigned stat, unsigned type)
 {
     code(&c->b, SMVM_stat, 2, stat, 0);
     code(&c->b, SMVM_out, 1, put_use_of_x(c, type));
