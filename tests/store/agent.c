@@ -581,7 +581,7 @@ static void test_events_fit_into_an_answer(void)
         sm_event(&p.board.events, &e);
     }
     for (uint32_t i = 0; i < 5; i++) {
-        CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);  // one event: two would need 47 bytes, of which 37 are available
+        CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);    // two would need 47 bytes of 37
         memcpy(cursor, p.host.body, 4);
         CHECK(sm_link_load(cursor, 4) == i + 1 && sm_link_load(p.host.body + 8, 4) == i);
     }
