@@ -29,7 +29,7 @@ static const struct { const char *name; double scale; } prefixes[] = {
 
 enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
-// The temperatures with a zero of their own, in K.
+// The zero points, in K, of temperature scales that do not begin at 0 K.
 static const struct { const char *name; double zero; } zeros[] = {{"degC", 273.15}, {"degF", 273.15 - 32 * 5 / 9.0}};
 
 // What users write for a unit.
