@@ -15,7 +15,7 @@ static int32_t kind_of(const char *path)
     for (int32_t i = 0; i < 5; i++)
         if (dot && strcmp(dot, suffix[i]) == 0)
             return i;
-    return -1;
+    return dot && strcmp(dot, ".csv") == 0 ? SMC_KIND_DATA : -1;
 }
 
 static void add_file(SmcSession *s, const char *path, const char *name)

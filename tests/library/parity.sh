@@ -26,6 +26,8 @@ same_structure()
         cmp "$dir/smc" "$dir/library"
     fi
 }
+# Prints the files with recorded data that the scripts name.
+data_of() { for s; do sed -n "s|^file \"\([^\"]*\)\".*|${s%/*}/\1|p" "$s"; done; }
 for machine in examples/*/*.sm tests/app/*.sm; do
     scripts=$(ls "${machine%.sm}".ss 2>/dev/null)
     "$smc" build -w "$machine" -o "$dir/smc" --force 2>/dev/null || continue         # it needs a state vector
@@ -35,7 +37,7 @@ for machine in examples/*/*.sm tests/app/*.sm; do
     "$smc" check "$machine" 2>"$dir/smc"
     check "diagnostics of $machine" equal check "$machine"
     "$smc" report "$machine" $scripts -o "$dir/smc" --format=html --force 2>/dev/null
-    check "report of $machine" equal report "$machine" $scripts
+    check "report of $machine" equal report "$machine" $scripts $(data_of $scripts)
     "$smc" graph -w "$machine" -o "$dir/smc" --format=svg --force 2>/dev/null
     "$smc" graph "$machine" -o "$dir/smc" --format=svg --force 2>/dev/null
     check "diagram of $machine" equal graph "$machine"
@@ -45,7 +47,7 @@ for machine in examples/*/*.sm tests/app/*.sm; do
     check "which an opened machine has" "$command" structure "$machine"
     for script in $scripts; do
         "$smc" test "$machine" "$script" >"$dir/smc" 2>/dev/null
-        check "run of $script" equal run "$machine" "$script"
+        check "run of $script" equal run "$machine" "$script" $(data_of "$script")
     done
 done
 
