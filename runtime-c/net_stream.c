@@ -6,7 +6,7 @@
 
 enum { FREE, CONNECTING, OPEN };          // SmNetPeer.state
 
-#define PATIENCE ((uint64_t)5 * PAL_SECOND)       // after which a sender gives up a peer that acknowledges nothing
+#define PATIENCE ((uint64_t)5 * PAL_SECOND)       // a sender closes the connection of a peer that acknowledges nothing for this long
 enum { MESSAGES_WAITING = 4 };            // messages that the platform stores for a peer that does not receive, about
 
 static bool is_sender(const SmNetChannel *c) { return c->period != 0; }
@@ -59,7 +59,7 @@ static SmResult begin_to_connect(SmNetChannel *c, uint64_t now)
     return is_local_failure(r) ? r : SM_OK;
 }
 
-// Asks whether the connection exists now.  An attempt that takes too long is given up.
+// Asks whether the connection exists now.  An attempt that takes too long is ended.
 static SmResult continue_to_connect(SmNetChannel *c, uint64_t now)
 {
     SmNetPeer *p = c->peer;
@@ -174,7 +174,8 @@ static void send_rest(SmNetChannel *c, SmNetPeer *p, uint64_t now)
         end(c, p, now);
 }
 
-// Whether the peer is still there.  It has nothing to send: one that does is not a receiver of this channel.
+// Whether the connection to the peer is still open.  A receiver of this channel sends nothing: the connection of a peer that sends a byte is
+// closed.
 static bool is_present(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     uint8_t byte;

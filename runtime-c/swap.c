@@ -15,7 +15,7 @@
 #include "runtime-c/shared.h"
 #include "runtime-c/swap_log.h"
 
-enum { TRIES = 1000 };        // after so many ticks without a common boundary, the swap is refused
+enum { TRIES = 1000 };        // after this many ticks without a common boundary, the swap is refused
 
 // ---- machines ----
 

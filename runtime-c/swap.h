@@ -50,7 +50,7 @@ typedef struct SmSwapStatus {
     uint16_t machine;         // REFUSED: which machine, an index into SmSwaps.machine.  SM_SWAP_NO_MACHINE: an index into the changes
     SmSwapEnd end;            // CONFIRMED and RETURNED: how the trial ended
     uint32_t number;          // how many swaps have begun, modulo 2^32
-    SmResult stored;          // TRIAL: the last result of storing a confirmed swap.  After a failure the trial goes on
+    SmResult stored;          // TRIAL: the last result of storing a confirmed swap.  After a failure the trial continues
 } SmSwapStatus;
 
 // ---- the tables of an application ----
@@ -168,7 +168,7 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n);
 // Reads the status of the last swap.  SM_E_BUSY: the application has not started.
 SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status);
 
-// Ends the trial: the new machines stay.  With a storage, the phase is CONFIRMED when they are stored; if that fails, the trial goes on.
+// Ends the trial: the new machines stay.  With a storage, the phase is CONFIRMED when they are stored; if that fails, the trial continues.
 // SM_E_ARGUMENT: no machine is on trial.
 SmResult sm_swap_confirm(SmSwaps *s);
 

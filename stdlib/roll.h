@@ -184,7 +184,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_order_of_key(uint32_t kind, SmRollKey key)
     return !SM_ROLL_BY_VALUE || sm_roll_stores_order(kind) ? key : sm_roll_ordered(kind, key);
 }
 // snippet: sm_roll_value
-// Converts a key to its number.
+// Converts a key to the value of its sample.
 SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, SmRollKey key)
 {
     const SmRollKey sample = sm_roll_key(kind, key);

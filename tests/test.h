@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CHECK(a == b) and a main: `int main(void) { CHECK(…); return test_end("name"); }`.  Nothing to register.
+// CHECK(a == b), and test_end for the end of main: `int main(void) { CHECK(…); return test_end("name"); }`.  Tests need no registration.
 #ifndef SM_TEST_H
 #define SM_TEST_H
 
@@ -19,7 +19,7 @@ static int test_passed, test_failed;
             fprintf(stderr, "%s:%d: failed: %s\n", __FILE__, __LINE__, #condition);           \
     } while (0)
 
-// A test of its own, as of a file: counts each time.
+// Counts a test that is not a line of this program, such as a file.  Counts each call.
 static inline void test_count(bool held, const char *name)
 {
     test_passed += held;
@@ -30,7 +30,7 @@ static inline void test_count(bool held, const char *name)
 static inline int test_end(const char *name)
 {
     printf("%s: %d passed, %d failed\n", name, test_passed, test_failed);
-    return test_failed != 0 || test_passed == 0;          // a test that has checked nothing has not passed
+    return test_failed != 0 || test_passed == 0;          // a program that has checked nothing has not passed
 }
 
 #endif

@@ -11,7 +11,7 @@
 
 enum {
     DRAWS_MAX = 40,               // how many random inputs are tried for two situations
-    STEPS_AT_ONCE = 2             // an abort within so many steps after the entry counts as immediate
+    STEPS_AT_ONCE = 2             // an abort within this many steps after the entry counts as immediate
 };
 
 typedef struct LatchSearch {

@@ -50,8 +50,29 @@ static void mark_reported_from(ReachWalk *k, const Stmts *list, size_t first, Di
     mark_transitions_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
 }
 
-// Reports list->at[first], which is never executed because the statement before it always leaves the state.  If that statement is a
-// transition, the checker has already reported this.  Reports nothing if the statement before always leaves only because one of its guards
+// Returns the section [all_states] that contains the position; NULL if none does.
+static const AllStates *find_section(const Program *p, uint32_t at)
+{
+    for (size_t i = 0; i < p->all_states.n; i++)
+        if (at - p->all_states.at[i]->span.at < p->all_states.at[i]->span.len)
+            return p->all_states.at[i];
+    return NULL;
+}
+
+// Reports a statement after a transition if only the transition is in its section [all_states]. The checker has reported any other.
+static Diag *report_after_transition(const ReachWalk *k, const Stmt *transition, const Stmt *next)
+{
+    const AllStates *section = find_section(k->a->p, transition->span.at);
+    Diag *d;
+
+    if (!section || section == find_section(k->a->p, next->span.at))
+        return NULL;
+    d = diag_report(k->a->diags, DIAG_after_transition, next->span);
+    diag_note(k->a->diags, d, transition->span, DIAG_note_transition_here);
+    return d;
+}
+
+// Reports list->at[first], which is never executed because the statement before it always leaves the state.  Reports nothing if the statement before always leaves only because one of its guards
 // has a finding or is a switch (`explained`).
 static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
 {
@@ -59,7 +80,9 @@ static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool
     const bool both = before->kind == ST_IF && always_leaves(&before->then) && always_leaves(&before->otherwise);
     Diag *d = NULL;
 
-    if (before->kind != ST_TRANSITION && (both || !explained)) {
+    if (before->kind == ST_TRANSITION)
+        d = report_after_transition(k, before, list->at[first]);
+    else if (both || !explained) {
         d = diag_report(k->a->diags, both ? DIAG_dead_code : DIAG_dead_rest, list->at[first]->span);
         diag_note(k->a->diags, d, before->span, both ? DIAG_note_leaves_here : DIAG_note_last_case);
     }
@@ -173,7 +196,7 @@ static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
         walk_block(k, BLOCK_STEP);
         return;
     }
-    if (!explained)
+    if (!explained && !find_section(k->a->p, k->state->block_span[BLOCK_STEP].at))      // W0518 reports a section
         d = diag_report(k->a->diags, DIAG_dead_step, k->state->block_span[BLOCK_STEP], k->state->name->text);
     mark_reported_from(k, step, 0, d);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports rolling windows that sample a variable before the step assigns it.  Windows take their samples when a step begins
-// (language.md 7.4).  If the machine assigns the variable and then uses a statistic of it, the statistic lacks the value of this step.
+// Reports windows, prev, rising, falling, held and rate that sample a variable before the step assigns it.  All take their samples when a
+// step begins (language.md 7.4, 7.27).  If the machine assigns the variable and then uses the call, the result lacks the value of this step.
 //
 // Not reported, because the old value is intended or is the only one available:
 // 1. assignments after the use, as in `rate = x - last` ... `last = x`: at the use, the variable also has its old value;
@@ -72,11 +72,16 @@ static bool is_read_without_window(const Expr *e, const Var *v)
 static void report_late_sample(const StatUse *u, const Var *v, const Stmt *assigned)
 {
     Diags *diags = u->a->diags;
-    Diag *d = diag_report(diags, DIAG_late_sample, u->roll->span, v->name->text);
+    Diag *d = diag_report(diags, DIAG_late_sample, u->roll->span, source_text(diags->arena, u->roll->span), v->name->text);
+    const char *value = source_text(diags->arena, assigned->value->span);
 
     diag_note(diags, d, assigned->span, DIAG_note_assigned_after_sample, v->name->text);
-    if (can_sample_assigned_value(u, assigned))
-        diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, source_text(diags->arena, assigned->value->span));
+    if (!can_sample_assigned_value(u, assigned))
+        return;
+    if (v->kind == VAR_LOCAL)
+        diag_note(diags, d, (Span){0}, DIAG_note_sample_definition, v->name->text, v->name->text, value);
+    else
+        diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, value);
 }
 
 // Reports variables in e, a part of the sample of u->roll, that the step assigns before the use.  Roll calls inside the sample are visited

@@ -32,13 +32,13 @@ static const double noise_of_others[] = {0, 0.02, 0.3};
 enum { MOTIONS = sizeof motion / sizeof *motion, MOTIONS_OF_SCALE = 4 };     // the other motions are used if the scale is unknown
 
 enum {
-    OUTPUTS_NAMED = 4,            // outputs named in one finding
-    ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
-    OTHERS_FIRST = 12,            // how many readings of the other sensors a failure is first tried with
+    OUTPUTS_NAMED = 4,            // the most outputs that one finding names
+    ENTRIES_TRIED = 6,            // the most situations that are tried at the entry of a state
+    OTHERS_FIRST = 12,            // readings of the other sensors with which a failure is tried first
     OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
-    OTHERS_OF_ONE = 12,           // tried before OTHERS: so many readings of each other sensor, while the rest keep theirs
-    QUIET_LEAST = 4,              // for a report, the healthy machine must be quiet with at least so many of these readings
-    ADVANCES_MAX = 200            // how often both machines advance to the next event after a sensor has failed
+    OTHERS_OF_ONE = 12,           // before OTHERS: readings tried for each other sensor alone, while the rest are unchanged
+    QUIET_LEAST = 4,              // a report requires that the healthy machine is quiet with at least this many of these readings
+    ADVANCES_MAX = 200            // the most events to which both machines advance after a sensor has failed
 };
 static const uint64_t effort = 4000000, effort_in_all = 100000000;      // most IR instructions per sensor and state; in total
 

@@ -21,7 +21,7 @@ double trial_check_round(double x)
     return strtod(text, NULL);
 }
 
-// The most IR instructions that a check may execute in trials: about two seconds.  Some checks have smaller limits of their own.
+// The most IR instructions that a check may execute in trials: about two seconds.  Some checks have smaller limits.
 static const uint64_t effort = 400000000;
 
 void analyse_trials(Analysis *a)

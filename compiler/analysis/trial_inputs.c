@@ -166,5 +166,5 @@ void trial_find_inputs(Trials *t)
     each_stmt_location(f.arena, f.p, record_relevant_inputs, &f);
     for (size_t s = 0; s < f.p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
-            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group stands for the group
+            t->state[s].relevant[t->input[i].group] |= t->state[s].relevant[i];        // the first input of a group represents the group
 }

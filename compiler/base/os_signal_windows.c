@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// os_signal.h on Windows.  Ctrl-C, Ctrl-Break, closing the console, logging off and shutting down arrive in a thread of their own.
+// os_signal.h on Windows.  Ctrl-C, Ctrl-Break, closing the console, logging off and shutting down arrive in a separate thread.
 #include "compiler/base/os_signal.h"
 #include "compiler/base/os_windows.h"
 

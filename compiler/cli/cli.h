@@ -32,7 +32,7 @@ typedef struct Cli Cli;
 
 typedef struct Command {
     const char *name;
-    const char *letter;                   // one character, which stands for the subcommand in options.def
+    const char *letter;                   // one character, which identifies the subcommand in options.def
     const char *synopsis, *sentence;
     int (*run)(Cli *c);
 } Command;

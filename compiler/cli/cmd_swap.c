@@ -325,7 +325,7 @@ static int describe_confirmed(BoardLine *b, const Changes *all, const Target *t,
     return EXIT_OK;
 }
 
-// Reports how the trial goes on or has ended.
+// Reports how the trial continues or has ended.
 static int finish_trial(BoardLine *b, const Changes *all, const Target *t, const uint8_t *key, ApplicationSwap *s, Buf *out)
 {
     int code = EXIT_OK;

@@ -29,10 +29,14 @@ static const Source *find_included(void *context, const Source *from, const char
     Cli *c = context;
     const char *path = path_beside(&c->session.arena, from->name, name);
     const Source *src;
+    OsReader r;
 
     for (size_t i = 0; i < c->scripts.n; i++)
         if (os_same_file(c->scripts.at[i]->name, path))
             return c->scripts.at[i];
+    if (!os_reader_open(&r, path, why))                        // refuses a pipe, which would wait for its writer, and a device
+        return NULL;
+    os_reader_close(&r);
     if ((src = open_source(c, path, path, why)) == NULL)
         return NULL;
     vec_push(&c->session.arena, &c->scripts, src);

@@ -151,7 +151,8 @@ static bool is_equal_without_case(const char *a, const char *b)
     return *a == *b;
 }
 
-// Returns by how many characters a name of the header differs from `name`; any number above `most` if by more.
+// Returns the edit distance between a name in the header and `name`: 0 if they differ only in case, any number above `most` if it exceeds
+// `most`.
 static size_t distance_of(const char *name, const char *cell, size_t most)
 {
     return *cell && is_equal_without_case(name, cell) ? 0 : *cell ? str_distance(name, cell, most + 1) : most + 1;

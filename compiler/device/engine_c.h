@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine that runs emitted C.  Machines are emitted as one C program, which the host's compiler builds in a temporary folder.  The program
-// then runs as a partner process.  No files are left behind, and a crash of the program does not crash this process.
+// then runs as a partner process.  No files remain, and a crash of the program does not crash this process.
 #ifndef SMC_ENGINE_C_H
 #define SMC_ENGINE_C_H
 

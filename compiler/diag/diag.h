@@ -31,7 +31,7 @@ typedef struct DiagInfo {
     const char *name;         // its name in the code: "unknown_element"
     DiagSeverity severity;
     const char *flag;         // of a warning: the name after -W, as "unused-element"; else NULL
-    const char *message;      // the message, in which each {} stands for an argument
+    const char *message;      // the message, in which each {} is replaced by an argument
     const char *page;         // what `smc explain` prints: the meaning, an example, what to do
 } DiagInfo;
 

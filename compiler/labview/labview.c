@@ -547,7 +547,7 @@ static uint32_t size_of_type(int32_t type)
     return type >= 0 && type <= SMC_TYPE_BOOL ? sizes[type] : 0;
 }
 
-// Reads an integer of 1, 2, 4 or 8 bytes from memory as it lies there, and extends its sign if it has one.
+// Reads an integer of 1, 2, 4 or 8 bytes from memory in the byte order of the computer, and extends its sign if it has one.
 static uint64_t extend(const void *value, int32_t type)
 {
     switch (type) {

@@ -67,7 +67,7 @@ typedef struct LibrarySwapItem {
     const char *name;             // in the same block of memory, after the items
 } LibrarySwapItem;
 
-// Texts of which a session stores the last one, each in an arena of its own.
+// Texts of which a session stores the last one, each in a separate arena.
 enum { PAGE_RENDERED, PAGE_EDITED, PAGE_DIAGRAM, PAGE_REPORT, PAGE_COUNT };
 
 // The structure of a compiled machine.

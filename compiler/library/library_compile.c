@@ -47,7 +47,7 @@ static void free_bench(LibraryBench *b)
     arena_free(&b->review_arena);
 }
 
-// Frees what has an arena of its own, except for benches.
+// Frees what has a separate arena, except for benches.
 static void free_arenas(LibraryResults *of)
 {
     for (int i = 0; i < PAGE_COUNT; i++)

@@ -10,7 +10,7 @@ static bool is_const(const IrFn *f, IrRef ref)
     return f->ins.at[ref].op == IR_const;
 }
 
-// Returns the number of a constant; 0 for IR_NONE, which stands for an operand that the operation does not have.
+// Returns the number of a constant; 0 for IR_NONE, which represents an operand that the operation does not have.
 static SmF64 const_number(const IrFn *f, IrRef ref)
 {
     return ref == IR_NONE ? sm_from_i32(0) : ir_number(f->ins.at[ref].type, f->ins.at[ref].bits);

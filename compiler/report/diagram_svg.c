@@ -127,7 +127,7 @@ static void write_rectangle(Buf *out, const char *class, Box b, long corner)
                (long)b.w, (long)b.h, corner);
 }
 
-// Draws the outline of a section [all_states]: a stack of sharp-cornered boxes, because it stands for several states.
+// Draws the outline of a section [all_states]: a stack of sharp-cornered boxes, because it represents several states.
 static void write_stack(Buf *out, Box b)
 {
     for (int32_t behind = 2; behind >= 0; behind--)
@@ -436,7 +436,7 @@ void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
     write_picture(&drawn, 0, drawn.size.h, out);
 }
 
-// Appends the picture in slices from top to bottom, each a picture of its own and at most `most` pixels high.
+// Appends the picture in slices from top to bottom, each a separate picture, at most `most` pixels high.
 void diagram_write_slices(const Analysis *a, const DiagramOptions *o, int32_t most, Buf *out)
 {
     DrawnDiagram drawn;

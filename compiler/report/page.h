@@ -63,7 +63,7 @@ typedef struct Coverage {
     size_t states_covered, states;
     size_t edges_unused;          // edges that no script has taken
     bool shared;                  // without Report.cover: for some edge it is unknown which of its transitions were taken, or whether it was taken at all
-    size_t transitions_least, transitions_most, transitions;      // of `transitions`, at least and at most so many were taken
+    size_t transitions_least, transitions_most, transitions;      // lower and upper bound of how many were taken; how many there are
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts

@@ -5,7 +5,7 @@
 
 extern const char *const report_style[];              // the CSS in several strings; NULL-terminated
 
-// The part for a plot in a file of its own: ":root{--name:value;…}" of the light page, and rules that use these variables.
+// The part for a plot in a separate file: ":root{--name:value;…}" of the light page, and rules that use these variables.
 extern const char plot_style_light[], plot_style[];
 
 #endif

@@ -91,7 +91,7 @@ static void add_cursors(Replay *r)
 // ---- reading ----
 
 // Returns "flight.csv:17".
-static const char *name_line(const Replay *r, uint64_t line)
+static const char *format_place(const Replay *r, uint64_t line)
 {
     return line ? format_in(r->arena, "%s:%" PRIu64, r->d->source->name, line) : r->d->source->name;
 }
@@ -102,7 +102,7 @@ static bool report_error(const Replay *r, const Cursor *c)
     const RecordingError *e = &c->file.error;
     const Span span = e->column == RECORDING_FILE ? r->d->file_span : e->column == RECORDING_TIME ? r->d->time_span : c->span[e->column];
 
-    diag_report(r->diags, DIAG_data_wrong, span, name_line(r, e->line), e->text);
+    diag_report(r->diags, DIAG_data_wrong, span, format_place(r, e->line), e->text);
     return false;
 }
 
@@ -332,13 +332,13 @@ static void add_points(const Replay *r, const ReplayCompare *k, Diag *d)
     const ComparePoint *first = &k->result.first, *worst = &k->result.worst;
     Buf difference;
 
-    diag_label(r->diags, d, DIAG_label_compare_first, count(r, first->g), count(r, first->row), name_line(r, first->line),
+    diag_label(r->diags, d, DIAG_label_compare_first, count(r, first->g), count(r, first->row), format_place(r, first->line),
                value_text(r, k, first->element), value_text(r, k, first->recorded));
     buf_init(&difference, r->arena);
     format_number_shortest(&difference, worst->difference);
     if (worst->difference > first->difference)
         diag_note(r->diags, d, (Span){0}, DIAG_note_compare_worst, buf_text(&difference), count(r, worst->g), count(r, worst->row),
-                  name_line(r, worst->line), value_text(r, k, worst->element), value_text(r, k, worst->recorded));
+                  format_place(r, worst->line), value_text(r, k, worst->element), value_text(r, k, worst->recorded));
 }
 
 void compare_write_spans(const CompareResult *c, Buf *out)
@@ -370,7 +370,7 @@ void replay_report(const Replay *r, bool judged)
     const Recording *file = &r->cursor[0]->file;
 
     if (file->bad_rows && !file->error.text && !r->d->skips_bad_times)
-        diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows), count(r, file->rows), name_line(r, file->first_bad_line));
+        diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows), count(r, file->rows), format_place(r, file->first_bad_line));
     for (size_t i = 0; judged && i < r->d->compare.n; i++) {
         const ReplayCompare *k = &r->compare[i];
         if (k->result.failed)

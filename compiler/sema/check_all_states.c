@@ -38,6 +38,8 @@ void find_all_states(Sema *s, Program *p, const AstFile *sm)
                 read_excepted(s, &section->annotations.at[k], all->excepted);
         for (size_t n = 1; n <= p->state.n; n++)
             runs = runs || !all->excepted[n];
+        if (!section->block[AST_STEP].present)
+            diag_report(s->diags, DIAG_all_states_empty, section->header);
         if (!runs && p->state.n)
             diag_report(s->diags, DIAG_all_states_excepted, section->header);
         add_state_allows(s, section, end);
@@ -66,6 +68,17 @@ static const char *extended_except(Sema *s, const AstSection *section, const Sta
     return format_in(s->arena, "%s%s", list, state->name->text);
 }
 
+// Whether the section runs in another state than `state`, when the edits proposed so far have been made.
+static bool runs_elsewhere(const Sema *s, const State *state)
+{
+    const AllStates *all = s->all_states;
+    bool runs = false;
+
+    for (uint32_t n = 1; n <= s->p->state.n; n++)
+        runs = runs || (n != state->number && !all->excepted[n] && !all->proposed[n]);
+    return runs;
+}
+
 // Reports a transition of [all_states] to a state in which the section runs: it would restart that state at each step.
 void check_target_is_excepted(Sema *s, const AstStmt *in, const State *to)
 {
@@ -76,6 +89,10 @@ void check_target_is_excepted(Sema *s, const AstStmt *in, const State *to)
     if (!s->all_states || s->all_states->excepted[to->number])
         return;
     d = diag_report(s->diags, DIAG_transition_to_unexcepted, in->span, to->name->text);
+    if (!s->all_states->proposed[to->number] && !runs_elsewhere(s, to)) {
+        diag_label(s->diags, d, DIAG_label_not_in_all_states);
+        return;
+    }
     list = extended_except(s, s->all_states->section, to, &at, &text);
     diag_label(s->diags, d, DIAG_label_except, list);
     if (!s->all_states->proposed[to->number])

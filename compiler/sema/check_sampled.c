@@ -16,6 +16,7 @@ static Duration read_duration(Sema *s, const AstExpr *call, SmF64 *value)
 {
     const AstExpr *n = call->args->at[1];
     const bool steps = n->kind == AST_STEPS;
+    Diag *d;
     Expr *e;
 
     s->at = EXPR_IN_SIZE;
@@ -29,7 +30,9 @@ static Duration read_duration(Sema *s, const AstExpr *call, SmF64 *value)
         return DURATION_TIME;
     if (!expr_contains_time(e))
         return steps ? DURATION_STEPS : DURATION_NUMBER;
-    diag_report(s->diags, DIAG_window_size_of_time, n->span, call->name->text);
+    d = diag_report(s->diags, DIAG_window_size_of_time, n->span, call->name->text);
+    if (e->kind == EX_VAR && e->var->init_value->kind == EX_NUMBER && !steps)
+        diag_label(s->diags, d, DIAG_label_time_definition, e->var->name->text);
     return DURATION_INVALID;
 }
 
@@ -152,6 +155,13 @@ static Expr *new_operation(Sema *s, const AstExpr *call, SmOperator op, Expr *a,
     return e;
 }
 
+// Warns of a held in a machine without a step, which cannot recognize gaps in the data (language.md 7.33).
+static void warn_of_held_without_step(Sema *s, const AstExpr *call)
+{
+    if (s->building && s->step == 0)
+        diag_label(s->diags, diag_report(s->diags, DIAG_held_without_step, call->span), DIAG_label_held_step);
+}
+
 // Builds held(c, t) and held(c, n steps): the time, or the number of steps, of the run of true samples of c.
 static Expr *check_held(Sema *s, const AstExpr *call)
 {
@@ -162,6 +172,7 @@ static Expr *check_held(Sema *s, const AstExpr *call)
 
     if (!c || sm_eq(limit, sm_from_i32(0)))
         return NULL;
+    warn_of_held_without_step(s, call);
     if (gap)
         new_statistic(s, call, new_number(s, call, sm_from_i32(1)), 2, SM_STAT_ELAPSED);
     run = new_statistic(s, call, new_not(s, call, new_not(s, call, c)), in_steps ? sm_to_u32(limit) : 1, in_steps ? SM_STAT_RUN_STEPS : SM_STAT_RUN_TIME);

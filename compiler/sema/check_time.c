@@ -46,15 +46,41 @@ void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal)
                 time_unit_name(s->p->time_unit), time->name->text);
 }
 
-// Warns of a literal that is multiplied or divided, as in `v * 20 ms`: without a unit it is not a number of seconds.
-void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *literal)
+// Returns the expression that e means without parentheses and names of definitions, and in *named what e contains in its parentheses.
+// Ends, because a definition can only use earlier ones.
+static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExpr **named)
 {
+    uint32_t before = s->inside ? s->inside->number : UINT32_MAX;
+
+    for (*named = NULL;;) {
+        const Define *d;
+        while (e->kind == AST_PAREN)
+            e = e->a;
+        if (!*named)
+            *named = e;
+        d = e->kind == AST_NAME ? map_find(&s->defines, e->name) : NULL;
+        if (!d || d->number >= before)
+            return e;
+        before = d->number;
+        e = d->value;
+    }
+}
+
+// Warns of a literal that is multiplied or divided, as in `v * 20 ms`: without a unit it is not a number of seconds.
+// The operand can also be in parentheses, or a definition of such a literal.
+void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *operand)
+{
+    const AstExpr *named, *literal;
     SmF64 value;
     Diag *d;
 
-    if ((op != SM_OP_MUL && op != SM_OP_DIV) || !is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value))
+    if (op != SM_OP_MUL && op != SM_OP_DIV)
         return;
-    d = diag_report(s->diags, DIAG_time_factor, literal->span, sema_quote_source(s, literal->span), const_text(s->arena, value));
+    literal = find_literal(s, operand, &named);
+    if (!is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value))
+        return;
+    d = diag_report(s->diags, DIAG_time_factor, named->span,
+                    named == literal ? sema_quote_source(s, named->span) : format_in(s->arena, "'%s'", named->name->text), const_text(s->arena, value));
     if (s->p->time_unit != TIME_S && literal_value(literal, TIME_S, &value))
         diag_label(s->diags, d, DIAG_label_time_in_seconds, const_text(s->arena, value));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/sema/measure.h"
 
-#include <ctype.h>
 #include <string.h>
 
 #include "compiler/base/buf.h"
@@ -30,7 +29,7 @@ static const struct { const char *name; double scale; } prefixes[] = {
 
 enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
-// The temperatures with a zero of their own, in K.
+// The zero points, in K, of temperature scales that do not begin at 0 K.
 static const struct { const char *name; double zero; } zeros[] = {{"degC", 273.15}, {"degF", 273.15 - 32 * 5 / 9.0}};
 
 // What users write for a unit.
@@ -89,11 +88,13 @@ static bool find_unit(const char *name, size_t n, Measure *into)
 
 // ---- names that are not units ----
 
+static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+
 static bool is_same_but_case(const char *a, size_t n, const char *b)
 {
     size_t i = 0;
 
-    while (i < n && b[i] && tolower((unsigned char)a[i]) == tolower((unsigned char)b[i]))
+    while (i < n && b[i] && lower(a[i]) == lower(b[i]))
         i++;
     return i == n && !b[i];
 }
@@ -199,7 +200,7 @@ static bool read_unit(MeasureReader *r, Measure *into);
 static bool read_term(MeasureReader *r, Measure *into)
 {
     const uint32_t from = r->at;
-    double power;
+    double power = 1;
 
     if (r->text[r->at] == '(') {
         r->at++;

@@ -20,7 +20,7 @@ typedef struct MeasureName {
 typedef struct Measure {
     const char *text;             // as written; NULL: computed
     double scale;                 // one of it in base units: 6894.757… for psi; finite and above 0
-    double zero;                  // a temperature with a zero of its own (degC): that zero in K; other units: 0
+    double zero;                  // a temperature scale that does not begin at 0 K (degC): its zero point in K; other units: 0
     double power[MEASURE_BASES];     // of m, kg, s, A, K, mol, cd, rev
     MeasureName name[MEASURE_NAMES];    // the units that it is the product of, for messages
     uint8_t names;                // more than MEASURE_NAMES: too many, so `name` has no meaning

@@ -194,6 +194,15 @@ static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, ui
     }
 }
 
+// Reports the text of an item of a script that has no closing quote on its line, and reads it as that text.
+static void read_unclosed_text(Lexer *l, Token *t, uint32_t end)
+{
+    diag_label(l->diags, diag_report(l->diags, DIAG_text_unclosed, lexer_span(l, l->at, end - l->at)), DIAG_label_close_text);
+    t->text = str_intern(l->strings, l->src->text + l->at + 1, end - l->at - 1);
+    lexer_check_comment(l, l->at + 1, end);
+    lexer_finish_token(l, t, TOK_TEXT, end);
+}
+
 // Reports quoted text where the grammar allows none. The token ends at the closing quote or at the end of the line.
 static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
@@ -201,6 +210,10 @@ static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 
     if (l->allow != LEX_NO_ALLOW || l->config) {
         read_misquoted_text(l, t, quote_len);
+        return;
+    }
+    if (!closing && l->src->text[l->at] == '"' && lexer_may_be_remark(l)) {
+        read_unclosed_text(l, t, p);
         return;
     }
     if (lexer_mark_line_reported(l))

@@ -287,8 +287,7 @@ static void lex_prefixed(Lexer *l, Token *t, TokenKind kind)
     lexer_finish_token(l, t, end == l->at + 1 ? TOK_ERROR : kind, end);
 }
 
-// Whether quoted text here can be that of an item of a script: it follows a complete value, or the word of the item.
-static bool may_be_remark(const Lexer *l)
+bool lexer_may_be_remark(const Lexer *l)
 {
     const TokenKind last = l->last;
 
@@ -305,7 +304,7 @@ static bool lex_text(Lexer *l, Token *t)
     const uint32_t from = l->at + 1;
     uint32_t end = from;
 
-    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !l->data && !may_be_remark(l)))
+    if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !l->data && !lexer_may_be_remark(l)))
         return false;
     while (end < l->src->len && s[end] != '"' && s[end] != '\n')
         end++;

@@ -325,6 +325,8 @@ static void parse_item(Parser *p, AstStmtKind kind, AstStmts *into)
         parse_printed(p, &r);
     if (kind != AST_STOP)
         parse_remark(p, &r);
+    if (kind == AST_FAIL && r.text && r.text->len == 0)
+        parser_report(p, DIAG_fail_without_text, parser_span_since(p, s->span.at), "an empty text");
     if (kind == AST_FAIL && !r.text)
         parser_fail(p, DIAG_fail_without_text, parser_missing_span(p), parser_describe_found(p));
     if (kind == AST_PRINT && r.requirement)

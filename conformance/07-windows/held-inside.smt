@@ -10,9 +10,9 @@ bool b
 bool c
 [Run]
 .step
-    a = roll_avg(held(p > 1, 2 steps), 2)
-    b = held(roll_max(p, 2) > 1, 20 ms)
-    c = rising(held(prev(p) > 1, 10 ms))
+    a = roll_avg(held(p > 1, 2 steps), 2)        #! W0425
+    b = held(roll_max(p, 2) > 1, 20 ms)        #! W0425
+    c = rising(held(prev(p) > 1, 10 ms))        #! W0425
 
 -- app.ss --
 [options]

@@ -12,9 +12,9 @@ bool c
 n = 3
 [all_states]
 .step
-    a = held(p > 5, 3 steps)
-    b = held(p > 5 and p < 50, n steps)
-    c = held(p, 1 steps)
+    a = held(p > 5, 3 steps)        #! W0425
+    b = held(p > 5 and p < 50, n steps)        #! W0425
+    c = held(p, 1 steps)        #! W0425
 [Run]
 .step
     T > 3: -> Next

@@ -11,8 +11,8 @@ bool b
 time_unit us
 [Run]
 .step
-    a = held(G >= 9223372036854775808, 3 us)
-    b = held(G >= 9223372036854775808, 1 us)
+    a = held(G >= 9223372036854775808, 3 us)        #! W0425
+    b = held(G >= 9223372036854775808, 1 us)        #! W0425
 
 -- app.ss --
 [options]

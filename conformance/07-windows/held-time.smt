@@ -9,8 +9,8 @@ bool a
 bool b
 [all_states]
 .step
-    a = held(p > 5, 25 ms)
-    b = held(p > 5, 1 ms)
+    a = held(p > 5, 25 ms)        #! W0425
+    b = held(p > 5, 1 ms)        #! W0425
 [Run]
 .step
     T > 3: -> Next

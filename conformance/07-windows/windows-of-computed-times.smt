@@ -16,7 +16,7 @@ F64 m = n / 20 @read_only
 [Run]
 .step
     a = roll_avg(p, twice)           #! E0413
-    a = roll_avg(p, n)               #! E0413
+    a = roll_avg(p, n)               #! E0413 make 'n' a definition
     a = roll_avg(p, m)               #! E0413
     a = roll_avg(p, 20 ms + 1)       #! E0413
     a = roll_avg(p, n steps)         #! E0413

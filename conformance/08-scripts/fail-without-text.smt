@@ -18,4 +18,6 @@ bool open
 delta_t 10
 [all_states]
 G == 0: @fail             #! E0346
+G == 5: @fail ""          #! E0346 found an empty text
+G == 5: @fail "" @req R1  #! E0346
 G == 10: @stop

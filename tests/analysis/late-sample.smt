@@ -28,12 +28,12 @@ F64  arm   = 0
 .step
     roll_avg(p, 5) > 7: valve = true        # before it is assigned
     p = max(a, b)
-    roll_min(p, 2) > 28: -> Done            #! W0421 replace 'p' by the expression itself: max(a, b)
+    roll_min(p, 2) > 28: -> Done            #! W0421 make 'p' a definition: p = max(a, b)
     min(p, roll_min(p, 1)) > 28: -> Done    # this step's value stands beside it
     roll_max(p, 3) - p > 5: -> Done
     b > roll_max(p, 3): -> Done             #! W0421 'p'
     q = q * 0.9 + p * 0.1
-    shown = roll_max(q + 1, 3)              #! W0421 'q' is assigned here, after the window
+    shown = roll_max(q + 1, 3)              #! W0421 'q' is assigned here, after the sample
     shown = roll_avg(a - last, 4) + roll_avg(start, 3)
     last = a
     a > 30: bad = true
@@ -50,6 +50,11 @@ F64  arm   = 0
     roll_avg(high, 5) > 0.5: -> Done        #! W0421
     far = a > 7
     roll_avg(far, 5) > 0.5: -> Done         #! W0421 replace 'far' by the expression itself: a > 7
+    held(p > 1, 3 steps): -> Done           #! W0421 'held(p > 1, 3 steps)' does not include
+    prev(p) > 1: -> Done                    #! W0421 'prev(p)' does not include
+    rising(p > 1): -> Done                  #! W0421 'rising(p > 1)' does not include
+    rate(p, 4) > 1: -> Done                 #! W0421 make 'p' a definition: p = max(a, b)
+    p - prev(p) > 1: -> Done
     a > 1 {
         arm = b
     }

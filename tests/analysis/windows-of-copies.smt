@@ -11,7 +11,7 @@ high = roll_min(p, 3) > 5
 low = roll_max(p, 3) < 2              #! W0209
 [all_states] @except Abort
 .step
-    held(p > 50, 3 steps): -> Abort
+    held(p > 50, 3 steps): -> Abort        #! W0425
 [Run]
 .step
     high: x = 1

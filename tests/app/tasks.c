@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tasks of probe.app: they print what they see, so that the order and the number of all calls can be compared.
+// The tasks of probe.app.  They print what they receive, so that the order and the number of all calls can be compared.
 #include <stdio.h>
 
 #include "probe_app.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// As much of the Arduino core as the examples use, for compilers that have none: what compiles with it uses nothing else of one.
+// The part of the Arduino core that the examples use, for compilers without one.  A sketch that compiles with it uses no other part.
 #ifndef Arduino_h
 #define Arduino_h
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An emulated Uno or Mega at the tank of plant.h: prints what the sketch prints on its serial line, and how deep its stack grew.
+// An emulated Uno or Mega that controls the tank of plant.h.  Prints what the sketch sends on its serial line, and the largest size of its
+// stack.
 //   board MCU ELF
 #include <simavr/avr_adc.h>
 #include <simavr/avr_ioport.h>
@@ -17,7 +18,7 @@ enum { HERTZ = 16000000, MILLIVOLTS = 5000, COUNTS = 1023, PAINT = 0xA5 };
 typedef struct Board {
     avr_t *avr;
     int pressure, step;
-    unsigned statics;         // the address behind them
+    unsigned statics;         // the first address after static data
 } Board;
 
 static void say_errors(struct avr_t *avr, const int level, const char *format, va_list args)
@@ -76,7 +77,7 @@ static bool board_open(Board *b, const char *mcu, const char *elf)
     return true;
 }
 
-// Painted before the start: from below, the first byte that is not paint any more is where the stack has been.
+// The RAM is filled with a pattern before the start.  The first byte, from below, without the pattern is the deepest that the stack has reached.
 static unsigned deepest(const Board *b)
 {
     unsigned at = b->statics;

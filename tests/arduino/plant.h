@@ -8,7 +8,7 @@
 
 enum { PLANT_STEPS = 301, PLANT_STUCK = 200, PLANT_FIRST = 600, VALVE_PIN = 8 };
 
-static inline int plant_next(int pressure, bool open, int step)       // `step` counts from 0, that of the line
+static inline int plant_next(int pressure, bool open, int step)       // `step`: number of the printed line, from 0
 {
     return step >= PLANT_STUCK ? pressure + 2 : open ? pressure - 7 : pressure + 7;
 }

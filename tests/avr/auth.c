@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: the code of an image that the computer puts into its flash.
+// Firmware: checks the authentication code of an image that the emulating computer writes to its flash.
 #include <avr/pgmspace.h>
 
 #include "bytecode-vm/auth.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An Arduino in simavr, on a serial line of this computer, with what simavr leaves out: a byte of EEPROM takes 3.4 ms to be written and is
-// garbage until then.  It can be killed at any time, as by a power cut, and started again: the EEPROM is stored in a file.
+// An Arduino in simavr, on a serial line of this computer.  It adds what simavr lacks: writing a byte of EEPROM takes 3.4 ms, in which the byte
+// is undefined.  The board can be killed at any time, as by a power cut, and started again: the EEPROM is stored in a file.
 //   board LINE MEMORY         LINE: a terminal device, or "-": it makes one and writes its name to MEMORY.line
 //     FIRMWARE, MCU           in the environment: an ELF file and its processor
 //     F_CPU                   its clock in Hz, 16000000; a board of 8000000 has 3.3 V and a line of 57600 bits per second
@@ -37,11 +37,11 @@ enum {
 };
 
 static avr_t *avr;
-static uint32_t hertz, byte_cycles;   // byte_cycles: of a byte on the line
-static unsigned millivolts;           // the supply
+static uint32_t hertz, byte_cycles;   // byte_cycles: cycles for one byte on the serial line
+static unsigned millivolts;           // supply voltage in mV
 static int line;
 static const char *memory_path;
-static uint8_t *eeprom;               // the file
+static uint8_t *eeprom;               // the content of the file
 static unsigned eeprom_size;
 static uint8_t queue[QUEUE];
 static size_t queued, speed = 1;
@@ -69,7 +69,7 @@ static bool there_is(const char *what)
 
 // ---- EEPROM ----
 
-static unsigned at;                   // of the byte that is being written
+static unsigned at;                   // address of the byte that is being written
 static uint8_t coming;
 
 static avr_cycle_count_t written(struct avr_t *a, avr_cycle_count_t when, void *param)
@@ -137,7 +137,7 @@ static avr_irq_t *wire(unsigned pin)
     return avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ((unsigned)place(pin)[0]), IOPORT_IRQ_PIN0 + place(pin)[1] - '0');
 }
 
-bool board_pin(unsigned pin)          // driven high
+bool board_pin(unsigned pin)          // whether the chip drives the pin high
 {
     avr_ioport_state_t s;
 
@@ -145,7 +145,7 @@ bool board_pin(unsigned pin)          // driven high
     return s.ddr >> (place(pin)[1] - '0') & s.port >> (place(pin)[1] - '0') & 1;
 }
 
-// Drives a pin more strongly than the chip's own resistor.  (One pin of each port at a time.)
+// Drives a pin, with more current than the chip's pull-up resistor.  (One pin of each port at a time.)
 void board_set_pin(unsigned pin, bool level)
 {
     const unsigned bit = 1u << (place(pin)[1] - '0');
@@ -200,7 +200,7 @@ static bool open_line(const char *name)
     if (strcmp(name, "-") != 0)
         line = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK);
     else if ((line = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) >= 0 && grantpt(line) == 0 && unlockpt(line) == 0) {
-        (void)open(ptsname(line), O_RDWR | O_NOCTTY);          // held, so that the line stays when a program goes
+        (void)open(ptsname(line), O_RDWR | O_NOCTTY);          // held open, so that the terminal continues to exist when a program ends
         snprintf(path, sizeof path, "%s.line", memory_path);
         if ((f = fopen(path, "w")) == NULL)
             return false;
@@ -229,7 +229,7 @@ static avr_cycle_count_t millisecond(struct avr_t *a, avr_cycle_count_t when, vo
     return when + hertz / 1000;
 }
 
-static uint64_t wall(void)            // µs
+static uint64_t wall(void)            // real time in µs
 {
     struct timespec t;
 
@@ -246,7 +246,7 @@ static void sleep_if_ahead(avr_t *a, avr_cycle_count_t cycles)
     uint64_t now = wall();
 
     if (start == 0 || (now - start) * speed > here + 100000)
-        start = now - here / speed;            // it cannot catch up
+        start = now - here / speed;            // the simulation is too slow to reach real time again
     if ((now - start) * speed + 2000 < here)
         poll(&p, queued == 0, (int)((here - (now - start) * speed) / speed / 1000) + 1);
 }
@@ -268,7 +268,7 @@ static void on_step(struct avr_t *a, avr_io_addr_t address, uint8_t value, void 
 
 // ---- the stack ----
 
-static unsigned stack_from;           // static data ends before it
+static unsigned stack_from;           // the first address after static data
 
 static void paint(const elf_firmware_t *f)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: the runner of the generic firmware, its image in EEPROM, its pins those of the chip; steps when the host requests it (mailbox.h).
+// Firmware: the runner of the generic firmware, with its image in EEPROM and the pins of the chip.  It steps when the host requests it
+// (mailbox.h).
 #include "bytecode-vm/firmware/runner.h"
 #include "runtime-c/psl/avr/avr.h"
 #include "tests/avr/mailbox.h"

@@ -8,13 +8,13 @@
 typedef struct Plant {
     const char *name;
     void (*step)(double seconds);
-    void (*report)(void);             // to standard output, a line
+    void (*report)(void);             // prints a line to standard output
 } Plant;
 
-const Plant *plant_named(const char *name);            // NULL: none
+const Plant *plant_named(const char *name);            // NULL: there is none with this name
 
 // The board, for plants.
-bool board_pin(unsigned pin);                          // an output, and high
+bool board_pin(unsigned pin);                          // whether the pin is an output, and high
 void board_set_pin(unsigned pin, bool level);
 void board_set_volts(unsigned channel, double volts);
 

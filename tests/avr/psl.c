@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: calls of the platform layer, checked on the chip itself: what a pin that is opened for another use still does, and results
-// that need no other end of a line.
+// Firmware: calls of the platform layer, checked on the chip.  It checks the state of a pin that is opened for another use, and results that
+// need no device at the other end of a line.
 #include "runtime-c/pal/aio.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/dio.h"
@@ -49,7 +49,7 @@ static void leave_analog(uint8_t i)
     CHECK(pal_aio_close(channel) == SM_OK && is_connected(i) && drives(i));
 }
 
-// An analog output becomes a digital pin: its level is that of the port alone, and the other analog outputs keep theirs.
+// An analog output becomes a digital pin: its level is only that of the port, and the other analog outputs are not changed.
 static void check_analog_to_digital(uint8_t i, PalDioMode mode, bool level)
 {
     const bool output = mode == PAL_DIO_OUTPUT;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: a rolling window as the VM has it, of a kind that is known when it runs.
+// Firmware: a rolling window as in the VM, whose kind is known only at run time.
 
 #include "stdlib/roll.h"
 #include "tests/avr/mailbox.h"
 
 static RollBox box __attribute__((aligned(2)));       // so that the host can read it directly
-static uint64_t window[81];                           // 40 slots of F64, and as many in order
+static uint64_t window[81];                           // 40 slots of F64, and 40 in ascending order
 
-// As the VM calls them: from one place, with nothing known.
+// Calls as in the VM: from one position in the code, without knowledge of the arguments.
 __attribute__((noinline, noclone)) static void sample(uint32_t n, uint32_t kind, SmF64 x) { sm_roll_sample(window, n, kind, x); }
 __attribute__((noinline, noclone)) static SmF64 stat(uint32_t n, uint32_t kind, SmStat s) { return sm_roll_stat(window, n, kind, s); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of signed images on an emulated ATmega328P: an image signed by the host is accepted there, a changed one is not; and how long
-// the check takes, which must not depend on the changed position.
+// The authentication code of images on an emulated ATmega328P.  An image that the host has signed is accepted, a changed one is not.  The
+// duration of the check must not depend on the position of the change.
 //   run_auth ELF
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static void check(bool ok, const char *what, unsigned n)
         printf("%s (%u)\n", what, n);
 }
 
-// A header, one section that fills the image to `length` bytes, and AUTH.
+// Makes an image: a header, one section that fills it to `length` bytes, and AUTH.
 static void make(uint32_t length, uint8_t *out)
 {
     uint8_t plain[KILO + 64] = {'s', 'm', 'b', SMVM_FORMAT};
@@ -69,7 +69,7 @@ int main(int argc, char **argv)
     printf("%lu cycles for 1 KB\n", (unsigned long)cycles);
     for (unsigned i = 40; i < KILO; i += 9) {
         if (i >= KILO - SMVM_AUTH && i < KILO - SMVM_AUTH + 4)
-            continue;                                  // the number, which is asked for
+            continue;                                  // the number, which the check returns
         flash[i] ^= (uint8_t)(1u << i % 8);
         check(ask(false, "what was changed is right", i) == cycles, "it took another time", i);
         flash[i] ^= (uint8_t)(1u << i % 8);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A firmware as a program: its standard input and output are the chip's console.  cc.sh puts the contents of the flash behind the
-// program itself, then the chip's name in 16 bytes and the size of the flash in 4.
+// Runs a firmware as a program: its standard input and output are the chip's console.  cc.sh appends the content of the flash to this program,
+// then the chip's name in 16 bytes and the size of the flash in 4.
 #include <simavr/sim_avr.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "tests/avr/sim.h"
 
-#define PATIENCE 1600000000u  // cycles without a word
+#define PATIENCE 1600000000u  // cycles without output until the run ends
 
 static uint8_t own[8000000];
 

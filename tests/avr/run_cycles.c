@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycles of each instruction on an emulated ATmega328P: a machine with the instruction compared with the same one without, on random and on
-// special operands; the most that was seen.  Nothing is asked of how the interpreter is made.
+// Measures the cycles of each instruction on an emulated ATmega328P.  It compares a machine with the instruction to the same machine without it,
+// on random and on special operands, and takes the maximum.  It makes no assumption about the implementation of the interpreter.
 //   run_cycles ELF ELF OPERANDS SEED                the VM for images in flash and in EEPROM: prints the rows of avr_cycles.def
 //   run_cycles ELF ELF OPERANDS SEED check          compares that table with measurements: never above it, never far below
 #include <stdio.h>
@@ -15,19 +15,20 @@
 #include "tests/avr/sim.h"
 #include "tests/unit/vm_build.h"
 
-// Percent that a measurement of few operands may lie below a row that was made with many: beyond that it is out of date.
+// Percent by which a measurement of few operands can be below a row that was measured with many.  A larger difference means that the row is out
+// of date.
 enum { FAR_BELOW = 40 };
 
-// The state vector of every machine here: G, S, what X, Y and typed loads read, what stores write.
+// The state vector of every machine here: G, S, the operands that X, Y and typed loads read, and the destination of stores.
 enum { AT_X = 16, AT_X_WHOLE = 24, AT_Y = 32, AT_Y_WHOLE = 40, AT_TYPED = 48, AT_OUT = 56, SV_WORDS = 8 };
-enum { WHOLE, ANY };          // what X and Y hold; ANY: one of them no whole number of 32 bits
+enum { WHOLE, ANY };          // the values of X and Y; ANY: at least one is not a whole number of 32 bits
 
 typedef struct Probe {
     Sim sim;
     VmBox *box;
     uint64_t seed, state, g;
     unsigned operands;
-    uint64_t cycles[4000];    // of the machine without, by operand
+    uint64_t cycles[4000];    // cycles of the machine without the instruction, by operand
     uint32_t most;
 } Probe;
 
@@ -49,7 +50,7 @@ static void die(const char *what)
 
 // ---- operands ----
 
-// Numbers as machines have them, close to one another, at the ends of types, with few digits, subnormal, anything.
+// Returns a number as machines have them: near the last one, near a limit of a type, with few digits, subnormal, or any.
 static uint64_t real(Probe *p)
 {
     static const double special[] = {0, -0.0, 1, -1, 0.1, 3, 255, 256, 65535, 65536, 2147483647, -2147483648.0, 4294967295.0, 9007199254740993.0,
@@ -69,7 +70,7 @@ static uint64_t real(Probe *p)
     return sm_is_nan(x) ? 0 : sm_bits(x);
 }
 
-// Of 32 bits; small: so that the operation on two of them is a whole number again.
+// Returns a whole number of 32 bits.  `small`: the result of the operation on two of them is also such a number.
 static int32_t whole(Probe *p, bool small, unsigned op)
 {
     const uint64_t r = next(p);
@@ -80,8 +81,8 @@ static int32_t whole(Probe *p, bool small, unsigned op)
 
 static void write(Probe *p, SmType type, uint32_t offset, uint64_t cell) { sm_cell_store(type, sim_ram(&p->sim) + p->box->sv + offset, cell); }
 
-// What a window is fed: anything; or what takes long to tell apart, as sensors at rest give it, and what moves every sample that is kept in
-// order; or what cancels.
+// The samples of a window: any values; values that are slow to compare, as of sensors at rest; values that move every sample in a sorted window;
+// or values whose sum cancels.
 typedef enum Run { ANYTHING, ALIKE, RISING, FALLING, CANCELLING, RUNS } Run;
 
 typedef struct Case {
@@ -94,7 +95,7 @@ typedef struct Case {
     SmType type;              // of the window's samples
 } Case;
 
-// The i-th of a run: neighbours differ in their last byte, if at all.
+// Returns sample i of a run.  Neighbours differ at most in their last byte.
 static uint64_t in_run(const Case *c, unsigned i)
 {
     const uint32_t k = c->run == RISING ? i % 27 : c->run == FALLING ? 26 - i % 27 : 0;
@@ -110,7 +111,7 @@ static uint64_t in_run(const Case *c, unsigned i)
     return sm_bits(c->run == CANCELLING && i % 2 != 0 ? sm_neg(x) : x);
 }
 
-// A number from -limit to limit with all 53 bits.
+// Returns a number from -limit to limit that uses all 53 bits.
 static uint64_t usual(Probe *p, int32_t limit)
 {
     return sm_bits(sm_mul(sm_div(sm_from_i64((int64_t)next(p)), sm_from_bits(0x43E0000000000000u)), sm_from_i32(limit)));
@@ -120,7 +121,7 @@ static void write_operands(Probe *p, const Case *c, unsigned i)
 {
     uint64_t x = real(p), y = next(p) % 4 == 0 ? x ^ (next(p) % 3 << 63) ^ next(p) % 4 : real(p), t = next(p) % 2 ? real(p) : next(p);
 
-    if (c->op == SMVM_fn && i % 4 != 0) {             // where the function has to compute
+    if (c->op == SMVM_fn && i % 4 != 0) {             // arguments for which the function needs its full computation
         x = usual(p, c->number[0] == SMVM_FN_asin || c->number[0] == SMVM_FN_acos ? 1 : i % 4 == 1 ? 3 : 700);
         y = usual(p, 100);
         x = i % 8 == 1 ? x : x & 0x7FFFFFFFFFFFFFFFu;
@@ -210,7 +211,7 @@ static void put_state(Build *b, const Case *c, bool with)
 
 static void run_operands(Probe *p, const Case *c, uint8_t state, uint32_t *most)
 {
-    p->state = p->seed;                               // fewer operands are the first of more
+    p->state = p->seed;                               // fewer operands are the first of more operands
     start(p, state, 0);
     step(p);
     if (c->late)
@@ -244,7 +245,7 @@ static uint32_t measure(Probe *p, const Case *c)
 static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 static void raise(uint32_t *most, uint32_t n) { *most = larger(*most, n); }
 
-// Both columns of a row: with whole numbers as operands and result, and with any.
+// Measures both columns of a row: with whole numbers as operands and result, and with any numbers.
 static void measure_row(Probe *p, Seen *seen, CyclesRow row, Case c)
 {
     for (unsigned kinds = 0; kinds < 4; kinds++) {
@@ -282,7 +283,7 @@ static void measure_types(Probe *p, Seen *seen)
     }
 }
 
-// The cycles of an output beyond a store to a local of its type.
+// The cycles of a store to an output, minus those of a store to a local of its type.
 static void measure_outputs(Probe *p, Seen *seen, CyclesRow row, unsigned first)
 {
     Seen out;
@@ -354,7 +355,7 @@ static void measure_calls(Probe *p, Seen *seen)
         measure_op(p, seen, (CyclesRow)(CYCLES_exp + i), SMVM_fn, 1, number[i], 0);
 }
 
-// A number of two bytes or of four instead of one.
+// A varint of two or four bytes instead of one.
 static void measure_varints(Probe *p, Seen *seen)
 {
     Seen s;
@@ -371,7 +372,7 @@ static void measure_varints(Probe *p, Seen *seen)
 
 // ---- a step ----
 
-// The first step of a state with these functions, of which those that are not empty hold `op` alone.
+// Measures the first step of a state with these functions.  Those that are not empty contain only `op`.
 static uint32_t first_step(Probe *p, unsigned outputs, unsigned sample, unsigned entry, unsigned step_op, unsigned exit_op)
 {
     const unsigned op[] = {sample, entry, step_op, exit_op};
@@ -464,7 +465,7 @@ static void raise_row(Seen *seen, CyclesRow row, uint32_t cycles)
     raise(&seen->row[row][ANY], cycles);
 }
 
-// The oldest and the newest sample and their difference, and windows of times: their cost does not depend on the size.
+// Windows whose cost does not depend on their size: the oldest and the newest sample, their difference, and windows of times.
 static void measure_times(Probe *p, Seen *seen)
 {
     enum { SIZE = 5, TIMES = 1 << SM_STAT_ELAPSED, ENDS = 1 << SM_STAT_OLDEST | 1 << SM_STAT_NEWEST | 1 << SM_STAT_CHANGE };
@@ -488,7 +489,7 @@ static uint32_t window_of_types(Probe *p, const uint8_t type[3], unsigned n, Cyc
     return most;
 }
 
-// A straight line that is above the value of every size.
+// Computes a straight line that is above the cost of every size.
 static void measure_windows(Probe *p, Seen *seen)
 {
     enum { FEW = 3, MIDDLE = 8, MANY = 16 };
@@ -532,7 +533,7 @@ static void measure_all(Probe *p, Seen *seen)
     measure_jumps(p, seen);
     measure_others(p, seen);
     measure_varints(p, seen);
-    p->operands = 30 + p->operands / 20;               // until the largest is full for a while
+    p->operands = 30 + p->operands / 20;               // so that the largest window is full for some steps
     measure_windows(p, seen);
     measure_times(p, seen);
     seen->stack = sim_deepest(&p->sim, p->box->free);
@@ -560,10 +561,10 @@ static const char *const window_name[] = {
 #undef CYCLES_STACK
 };
 
-// For windows: they contain too many operands to try all.
+// Adds a margin for windows, which have too many operands to test all.
 static uint32_t with_room(uint32_t cycles) { return cycles + (cycles + 31) / 32; }
 
-// The row for a measurement: with room for functions, and for samples and times.
+// Returns the row for a measurement, with a margin for functions, samples and times.
 static uint32_t row_of(unsigned row, uint32_t cycles) { return row >= CYCLES_exp || row == CYCLES_change || row == CYCLES_times || row == CYCLES_event ? with_room(cycles) : cycles; }
 
 static void print_rows(const Seen *flash, const Seen *eeprom)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins of an image on an emulated Uno: inputs appear in the state vector bit for bit as config.md 9 defines, computed here on
-// double; the machine makes the same of it as here; what goes out is at the pins.
+// The pins of an image on an emulated Uno.  Inputs appear in the state vector bit for bit as config.md 9 defines, computed here with double.
+// The machine has the same results as on this computer, and its outputs appear at the pins.
 //   run_pins ELF STEPS IMAGE.smb…
 #include <math.h>
 #include <simavr/avr_adc.h>
@@ -20,13 +20,13 @@ enum { PINS = 20, ANALOG_FIRST = 14, EEPROM = 1024, SUPPLY = 5000000, TCCR1A = 0
 typedef struct Bench {
     Sim sim;
     PinsBox *box;
-    uint8_t *ram;             // of the chip
+    uint8_t *ram;             // RAM of the chip
     SmvmMachine m;
     SmvmPin pin[PINS];
     unsigned pins;
-    uint64_t sv[64], memory[256];                     // here
+    uint64_t sv[64], memory[256];                     // state vector and memory on this computer
     uint64_t sum, most, state;
-    uint16_t raw[6];          // of the analog channels
+    uint16_t raw[6];          // raw values of the analog channels
     bool level[PINS];
 } Bench;
 
@@ -57,7 +57,7 @@ static bool driven_high(Bench *b, uint32_t pin)
     return s.ddr >> bit_of(pin) & s.port >> bit_of(pin) & 1;
 }
 
-// Out of 255; -1: it is no output.
+// Returns the duty cycle of 255; -1: the pin is not an output.
 static int duty(Bench *b, uint32_t pin)
 {
     static const struct { uint8_t pin, control, connect, compare; } pwm[] = {
@@ -90,7 +90,7 @@ static double number(SmF64 x) { return x; }
 static void expect_input(Bench *b, unsigned i)
 {
     const SmvmPin *p = &b->pin[i];
-    volatile double x;                                // each operation rounded
+    volatile double x;                                // volatile, so that each operation is rounded
 
     if (p->kind == 2) {
         x = b->level[i] != (p->flags & 1);

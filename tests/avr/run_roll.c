@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows on an emulated ATmega328P, where they are small, against those of this computer, which keep trees and its own order of
-// samples: the same bits for every type, size and set of statistics; and what a sample and each statistic take.
+// Rolling windows on an emulated ATmega328P, in their small form, compared with those of this computer, which store trees and another order of
+// samples.  They must have the same bits for every type, size and set of statistics.  Prints the cycles of a sample and of each statistic.
 //   run_roll ELF SEED
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,9 +15,9 @@ enum { MOODS = 3, ALL = 31, MOST = 40 };
 typedef struct Pair {
     Sim sim;
     RollBox *box;
-    uint64_t window[8 * MOST];                    // here
+    uint64_t window[8 * MOST];                    // the window on this computer
     uint32_t n, kind;
-    uint64_t state, sum, count;                   // of cycles
+    uint64_t state, sum, count;                   // sum, count: cycles measured
 } Pair;
 
 static unsigned long passed, failed;

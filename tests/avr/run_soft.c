@@ -11,7 +11,7 @@
 
 enum { SHORT_FIRST = 0x8000, SHORT_END = 0x10000, SHORT_MOST = 640, READINGS = 1024, MICROVOLTS = 5000000 };
 
-// What the assembly may take on average; SM_SOFT_PORTABLE has no limits.
+// The most cycles that the assembly may need on average.  SM_SOFT_PORTABLE has no limits.
 static const struct { SoftOp op; double most; } limit[] = {
     {SOFT_add, 260}, {SOFT_sub, 265}, {SOFT_mul, 530}, {SOFT_div, 1550}, {SOFT_lt, 110}, {SOFT_le, 115}, {SOFT_eq, 115},
     {SOFT_to_i32, 150}, {SOFT_from_i32, 110}, {SOFT_to_f32, 170}, {SOFT_from_f32, 90},
@@ -98,8 +98,8 @@ static uint64_t bits(double x)
     return b;
 }
 
-// By every divisor of 16 digits, which have a code path of their own and are counted, and some of 17: any dividends, multiples and their
-// to those.  And what analog pins do with all their readings.
+// Divides by every divisor of 16 digits, for which there is a separate code path, and by some of 17.  Dividends are random, multiples of the
+// divisor, and their neighbours.  Also the operations of analog pins on all their readings.
 static bool run_short(Sim *s, uint64_t seed, Count *c)
 {
     uint64_t state = seed * 0x9E3779B97F4A7C15u, a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The emitted tank against the one written by hand, on an emulated ATmega328P: the same state vector after every step, and cycles.
+// Compares the emitted tank with the handwritten one on an emulated ATmega328P: the same state vector after every step, and the cycles.
 //   run_tank ELF f64|i16 MOST         the type of pressure; fails if the emitted one needs more than MOST hundredths of the other's cycles on average
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,7 +62,7 @@ static bool run(Bench *b)
 
     for (int i = 0; i < STEPS; i++) {
         const double p = random_pressure(&state);
-        time += next(&state) % 50 != 0 ? DELTA : 0;                // else a stale one
+        time += next(&state) % 50 != 0 ? DELTA : 0;                // otherwise the time does not advance
         b->box->begins = i % RESTART == 0;
         if (!step(b, TANK_EMITTED, time, p))
             return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM on an emulated ATmega328P in lock step with the VM of this computer: the same verdict, and after every step the same state
-// vector, locals, outputs stored and next state.
+// The VM on an emulated ATmega328P in lock step with the VM of this computer: the same verdict, and after every step the same state vector,
+// locals, stored outputs and next state.
 //   run_vm ELF STEPS LO HI IMAGE.smb…     WIDE=1: the ends of functions are encoded in three bytes.  ESTIMATE=1: no step takes more cycles than the bound of cost.h.  The first machine of each image; those that need more room than the chip has are skipped.  Inputs
 //                                         are random numbers from LO to HI; if both are 0 they are anything, time may stand still,
 //                                         and the machine is initialized again in any of its states from time to time
@@ -17,16 +17,16 @@
 #include "tests/avr/sim.h"
 #include "tests/unit/host.h"
 
-enum { RESTART = 97 };        // steps from one initialising to the next
+enum { RESTART = 97 };        // number of steps between two initialisations
 
 typedef struct Pair {
     Sim sim;
     VmBox *box;
-    uint8_t *ram;             // of the chip
+    uint8_t *ram;             // RAM of the chip
     SmvmMachine m;
     SmvmLocation input[64];   // elements that the machine reads and does not write
     uint32_t inputs;
-    uint64_t sv[64], memory[1024];                    // here
+    uint64_t sv[64], memory[1024];                    // state vector and memory on this computer
     uint64_t state, sum, steps, most;
     int32_t lo, hi;
 } Pair;
@@ -114,7 +114,7 @@ static uint64_t value(Pair *p, SmType type)
 
     if (p->hi == 0 && r % 8 == 0)
         return next(&p->state);
-    if (p->hi == 0 && r % 8 == 1) {                   // ends of types, infinities, NaN, -0
+    if (p->hi == 0 && r % 8 == 1) {                   // limits of types, infinities, NaN, -0
         const uint64_t ones = UINT64_MAX << (r >> 8 & 63);
         return r & 16 ? ones : ~ones;
     }
@@ -144,7 +144,7 @@ static bool step(Pair *p, uint64_t g)
     return true;
 }
 
-// Returns G of step i.  With any inputs it is beyond 32 bits, and T finally is as well.
+// Returns G of step i.  If inputs can be any value, G exceeds 32 bits, and in the end T does, too.
 static uint64_t time_of(Pair *p, unsigned long i)
 {
     if (p->hi != 0)
@@ -302,5 +302,5 @@ int main(int argc, char **argv)
         test(&p, argv[i], strtoul(argv[2], NULL, 10));
     printf("%u bytes of stack\n", sim_deepest(&p.sim, p.box->free));
     printf("%lu passed, %lu failed, %lu skipped\n", passed, failed, skipped);
-    return failed != 0 || passed <= skipped;              // most of the images must have room
+    return failed != 0 || passed <= skipped;              // most of the images must have fitted into the chip
 }

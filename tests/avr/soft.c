@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: one operation of soft binary64 at a time, operands and result in RAM.  The computer writes them into the mailbox and
-// counts the cycles between two writes of GPIOR0 (sim.h).
+// Firmware: executes one operation of soft binary64 at a time, with operands and result in RAM.  The emulating computer writes the operands to
+// the mailbox, and counts the cycles between two writes of GPIOR0 (sim.h).
 #include <avr/io.h>
 
 #include "stdlib/convert.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: the tank as smc emits it and as it was written by hand (tank_hand.c), one step of either at the computer's word (mailbox.h).
+// Firmware: the emitted tank and the handwritten one (tank_hand.c), of which one makes a step when the computer requests it (mailbox.h).
 #include <avr/io.h>
 
 #include "tests/avr/mailbox.h"

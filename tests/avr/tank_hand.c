@@ -10,7 +10,7 @@ void tank_by_hand_init(Hand *h, TankSv *sv, uint8_t state)
     sv->state = state;
 }
 
-#ifdef TANK_I16               // its pressure is an I16
+#ifdef TANK_I16               // the pressure is an I16
 typedef int16_t Pressure;
 static bool above(Pressure p, int16_t n, uint64_t bits) { return (void)bits, p > n; }
 static bool below(Pressure p, int16_t n, uint64_t bits) { return (void)bits, p < n; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tank of examples/ written by hand for AVR, with every check that the language makes: what emitted C is measured against.
+// The tank of examples/, handwritten for AVR, with every check that the language requires.  Emitted C is compared with it.
 #ifndef AVR_TANK_HAND_H
 #define AVR_TANK_HAND_H
 
@@ -7,12 +7,12 @@
 
 typedef struct Hand {
     uint64_t counter, start, last;
-    uint8_t state;            // that the next step runs
-    bool first;               // it is the state's first
-    bool stepped;             // `last` is the time of a step
+    uint8_t state;            // the state that the next step executes
+    bool first;               // the next step is the first one in its state
+    bool stepped;             // a step has been executed, at the time `last`
 } Hand;
 
 void tank_by_hand_init(Hand *h, TankSv *sv, uint8_t state);
-bool tank_by_hand_step(Hand *h, TankSv *sv);      // false: time has not advanced, or has ended; nothing has changed
+bool tank_by_hand_step(Hand *h, TankSv *sv);      // returns false and changes nothing if time has not advanced, or is the largest
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: the VM as it flies, on whatever image the computer puts into its flash (mailbox.h).
+// Firmware: the VM as in flight, with any image that the computer writes to its flash (mailbox.h).
 #include <avr/pgmspace.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@
 #define VM_ROOM 1024
 #endif
 
-#ifdef FIRMWARE_EEPROM                  // configured as the firmware
+#ifdef FIRMWARE_EEPROM                  // configured like the generic firmware
 #define IMAGE FIRMWARE_EEPROM
 #else
 static const uint8_t image[VM_ROOM] PROGMEM = {1};

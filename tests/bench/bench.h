@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of the bench of steps: workloads, and rows, each a method to run one.  steps.c measures; each file
+// The types of the benchmark of steps: workloads, and rows, each of which is one method to run a workload.  steps.c measures.  Each file
 // workloads/NAME_rows.c defines a workload.
 #ifndef BENCH_H
 #define BENCH_H
@@ -9,14 +9,14 @@
 
 // ---- rows ----
 
-// One method to run a machine, as C functions.  A drive copies n inputs, one after another, to the front of the state
-// vector and steps after each; the row `empty` is the cost of that alone.
+// One method to run a machine, as C functions.  `drive` copies n inputs, one after another, to the start of the state vector, and steps after
+// each.  The row `empty` measures the cost of this without a step.
 typedef struct Row {
     const char *name;
-    size_t size;                                                // bytes of the machine
+    size_t size;                                                // size of `machine` in bytes
     void (*init)(void *machine, void *sv);
     void (*drive)(void *machine, void *sv, const void *in, size_t n);
-    int exact;                                                  // its outputs are those of the reference to the last bit
+    int exact;                                                  // its F32 and F64 outputs must equal those of the reference bit for bit
 } Row;
 
 // ---- random numbers, the same everywhere ----
@@ -31,7 +31,7 @@ static inline uint64_t rng_next(Rng *r)
     return r->x;
 }
 
-static inline double rng_unit(Rng *r) { return (double)(rng_next(r) >> 11) / 9007199254740992.0; }          // 0 … 1
+static inline double rng_unit(Rng *r) { return (double)(rng_next(r) >> 11) / 9007199254740992.0; }          // at least 0, less than 1
 static inline double rng_noise(Rng *r, double width) { return (rng_unit(r) * 2 - 1) * width; }
 static inline uint32_t rng_below(Rng *r, uint32_t n) { return (uint32_t)(rng_next(r) >> 33) % n; }
 
@@ -39,22 +39,22 @@ static inline uint32_t rng_below(Rng *r, uint32_t n) { return (uint32_t)(rng_nex
 
 typedef struct Workload {
     const char *name;
-    const char *sm;                     // the machine, unless it is workloads/NAME.sm; its state vector is workloads/NAME.sv
-    size_t in_size, sv_size;            // bytes: of an input, of the state vector
-    unsigned steps, warm;               // an episode: the number of steps from init on, of which the first `warm` are not measured
-    unsigned count, check;              // steps after the warm ones when instructions are counted; steps that are checked
-    unsigned other;                     // an episode with another sequence of states than the first, which is checked too; or 0
+    const char *sm;                     // path of the machine; NULL: workloads/NAME.sm.  The state vector is workloads/NAME.sv
+    size_t in_size, sv_size;            // bytes of one input; bytes of the state vector
+    unsigned steps, warm;               // steps of an episode, from init on; how many of them, at its start, are not measured
+    unsigned count, check;              // steps after these when instructions are counted; steps that are checked
+    unsigned other;                     // another episode to check, with other states than the first; 0: none
     void (*inputs)(Rng *r, void *in, unsigned n, unsigned episode);
-    const Row *row;                     // those in C
+    const Row *row;                     // the rows in C
     void (*drive_in_place)(void *machine, void *sv, const void *in, size_t n);   // machine: an SmVm
     void (*drive_decoded)(void *machine, void *sv, const void *in, size_t n);    // machine: an SmvmDecoded
     void (*drive_ref)(void *machine, void *sv, const void *in, size_t n);        // machine: a Reference
 } Workload;
 
 enum {
-    ROWS = 7,                           // of Workload.row: empty, native, f64, C at -O0 to -O2, C at -O2 by cc -Os
-    EPISODES = 8,                       // different ones, of each workload
-    MOST_STEPS = 6500,                  // of an episode
+    ROWS = 7,                           // rows in Workload.row: empty, native, f64, C at -O0 to -O2, C at -O2 by cc -Os
+    EPISODES = 8,                       // different episodes of each workload
+    MOST_STEPS = 6500,                  // most steps of an episode
 };
 
 // Each workload is in this list, and in WORKLOADS of tests.mk.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the compiler is: to bytecode, from memory to memory, as the command does it, warnings and all; and how long a C
-// compiler needs for the emitted C; how long `smc test` needs for long scripts.  "value" records on standard output.
+// Measures the speed of the compiler: to bytecode, from memory to memory, with all warnings, as the command compiles.  Also measures a C
+// compiler on the emitted C, and `smc test` on long scripts.  Prints "value" records to standard output.
 //
 //     compile CC FOLDER SMC      FOLDER: where files may be written; SMC: the command
 #define _POSIX_C_SOURCE 200809L
@@ -17,7 +17,7 @@
 
 static double now(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
-// What a compilation took.
+// The cost of one compilation.  `memory` is in bytes.
 typedef struct Cost { double seconds; unsigned lines; size_t memory; } Cost;
 
 static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
@@ -51,7 +51,7 @@ static bool compile(const Shape *shape, unsigned n, int level, Cost *cost)
     return true;
 }
 
-// The best of a few runs, to exclude the load of other programs.
+// Returns the lowest cost of `tries` runs: other programs can only slow a run down.
 static Cost best(const char *name, unsigned n, int level, int tries)
 {
     const Shape *shape = shape_find(name);
@@ -96,7 +96,7 @@ static void extremes(void)
     }
 }
 
-// Ordinary input of many kinds, with warnings, at the default level.
+// Measures ordinary input of many kinds, with warnings, at the default level.
 static void shapes_at_default(void)
 {
     static const struct { const char *name; unsigned n; } ordinary[] = {
@@ -109,7 +109,8 @@ static void shapes_at_default(void)
     }
 }
 
-// Sizes that could take minutes or all memory are reached in steps, and only while the step before leaves room for a quadratic next.
+// Sizes that could take minutes or all memory are reached in increasing sizes.  The next size is measured only if a quadratic increase would be
+// acceptable.
 #define ROOM 2.0                  // seconds
 static const double room_memory = 400e6;
 
@@ -180,10 +181,10 @@ static void c_compiler(const char *cc, const char *folder)
 
 // ---- scripts ----
 
-// Seconds and megabytes that `smc test` takes; false if it fails or exceeds the limit.
+// Measures `smc test`: seconds, and megabytes.  Returns false if it fails or exceeds the limit.
 static bool test_script(const char *smc, const char *sm, const char *ss, double *took, double *memory)
 {
-    static const struct rlimit limit = {60, 60};          // s
+    static const struct rlimit limit = {60, 60};          // seconds of processor time
     struct rusage use;
     int status;
     pid_t pid;
@@ -240,7 +241,7 @@ static void scripts(const char *folder, const char *smc)
         printf("note script: %u blocks would take too long: not measured\n", n);
 }
 
-// The C compiler first: the memory of this process counts as its children's, too.
+// The C compiler runs first: a child begins with the memory of this process, which would count as the child's.
 int main(int argc, char **argv)
 {
     if (argc != 4 || !pool_open())

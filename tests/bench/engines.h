@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A workload compiled in this process: images for the VM, and the reference interpreter as a row among others.
+// A workload compiled in this process: images for the VM, and the reference interpreter as one of the rows.
 #ifndef BENCH_ENGINES_H
 #define BENCH_ENGINES_H
 
@@ -18,10 +18,10 @@ typedef struct CompiledWorkload {
     Buf image[LEVELS];                  // at -O0, -O1, -O2, without a debug section
 } CompiledWorkload;
 
-// Reads and compiles; on failure it prints the error on standard error and ends the program.
+// Reads and compiles a workload.  On failure it prints the error to standard error and ends the program.
 void compile_workload(CompiledWorkload *c, const Workload *w);
 
-// A machine of the VM, interpreted in place or decoded.
+// A machine on the VM, interpreted in place or decoded.
 typedef struct VmRow {
     SmvmMachine m;
     SmVm *vm;                           // of `size` bytes
@@ -38,7 +38,7 @@ void vm_row_init(void *vm_row, void *sv);
 typedef struct Reference {
     Engine *engine;
     EngineStep answer;
-    EngineWrite *write;                 // the elements that are inputs
+    EngineWrite *write;                 // the elements that a step reads as inputs
     uint32_t inputs;
 } Reference;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How late ticks begin on this computer: an executor of 1 kHz and one of 100 Hz, some seconds without real-time priorities and as many
-// with them (where they are permitted).  What it prints is what was measured here and now, on a computer with other things to do.
+// Measures how late ticks begin on this computer: an executor of 1 kHz and one of 100 Hz, for some seconds without real-time priorities and as
+// long with them (if they are permitted).  The result is valid only for this computer and its current load.
 //     lateness [SECONDS]
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 #define MOST 600000
 
-// The task of an executor: notes how late the tick began; the slow one ends the application.
+// The task of an executor.  It records how late each tick began.  The task of the slow executor ends the application.
 typedef struct Notes {
     uint32_t late[MOST];                  // nanoseconds
     uint32_t n, stop_at;

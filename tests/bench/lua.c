@@ -43,7 +43,7 @@ bool lua_ask(Lua *l, char *answer, size_t size, const char *line)
     return true;
 }
 
-static int end_of(Lua *l)                             // the exit code
+static int end_of(Lua *l)                             // returns the exit code
 {
     int status = 0;
 
@@ -66,7 +66,7 @@ LuaIs lua_open(Lua *l, const char *command, const char *workload, const char *in
         become(in, out, command, workload, inputs);
     close(in[0]);
     close(out[1]);
-    fcntl(in[1], F_SETFD, FD_CLOEXEC);        // or the next child would keep this one from seeing the end of its input
+    fcntl(in[1], F_SETFD, FD_CLOEXEC);        // otherwise the next child inherits the pipe, and this child never sees the end of its input
     fcntl(out[0], F_SETFD, FD_CLOEXEC);
     l->to = fdopen(in[1], "w");
     l->from = fdopen(out[0], "r");

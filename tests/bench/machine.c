@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost of a machine as a task of the runtime: N steps of the example mission, by one of the methods below.
+// The cost of a machine as a task of the runtime: runs N steps of the example mission by one of the methods below.
 //     machine WAY STEPS      machine_cost.sh counts the instructions
 #include <stdio.h>
 #include <stdlib.h>

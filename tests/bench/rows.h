@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of a workload, each driven by a loop of its own: the step is called directly, as a program would call it, and
-// data copied before it has a size known to the compiler.
+// The rows of a workload.  Each has its own loop: as in a user's program, the loop calls the step directly, and the compiler knows the size of
+// the data that it copies.
 #ifndef BENCH_ROWS_H
 #define BENCH_ROWS_H
 
@@ -10,7 +10,7 @@
 #include "bytecode-vm/smvm.h"
 #include "tests/bench/bench.h"
 
-// The fields of a Workload that follow from its name.
+// The fields of a Workload that its name determines.
 #define WORKLOAD(w, W)                                                                                         \
     .name = #w, .in_size = sizeof(W##In), .sv_size = sizeof(W##Sv), .inputs = inputs, WORKLOAD_DRIVES
 
@@ -47,7 +47,7 @@
     }                                                                                                          \
     DRIVE(name, In, Sv, Machine, function##_step)
 
-// All rows of workload w, W in the names of types.
+// Defines all rows of workload w.  W is the name in the types of its machine.
 #define WORKLOAD_ROWS(w, W)                                                                                    \
     static void init_empty(void *m, void *sv) { bench_nothing(m, sv); }                                        \
     DRIVE(empty, W##In, W##Sv, void, bench_nothing)                                                            \

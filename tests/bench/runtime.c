@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an access to the state vector costs.  runtime.sh counts its instructions with callgrind:
-//     runtime ROW N             does that row N times
-//     runtime                   names the rows
-//     runtime time              nanoseconds of each, the best of some runs
+// The cost of an access to the state vector.  runtime.sh counts its instructions with callgrind:
+//     runtime ROW N             executes that row N times
+//     runtime                   prints the names of the rows
+//     runtime time              prints nanoseconds per access of each row, the lowest of several runs
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,7 +107,7 @@ static void repeat(size_t r, long n)
         row[r].run();
 }
 
-// Nanoseconds of one, the best of many runs.
+// Returns nanoseconds per access, the lowest of many runs.
 static double time_of(size_t r)
 {
     enum { RUNS = 40, N = 20000 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the time and the memory of compiling, and of running a script, grow with the size of the input.  Each shape is measured at some
-// size and at four times that size: four times the input may take at most a little more than four times as much.
+// Measures how the time and the memory of compiling, and of running a script, grow with the size of the input.  Each shape is measured at some
+// size and at four times that size.  The larger one may cost at most MOST_GROWTH times as much.
 //
 //     scale            every shape: times per stage, and whether they grow as they should
 //     scale SHAPE N    one shape at size N; prints the machine if N is followed by -p
@@ -15,9 +15,9 @@
 #include "tests/test.h"
 
 enum { FACTOR = 4 };
-#define MOST_GROWTH 8.0           // what four times the input may cost; 16 would be quadratic
+#define MOST_GROWTH 8.0           // the most that four times the input may cost, as a multiple; quadratic growth is 16
 #define NOISE 0.02                // seconds: shorter times are noise
-#define SMALL_MEMORY 4e6          // bytes: of less, fixed costs and the sizes of blocks are a large part
+#define SMALL_MEMORY 4e6          // bytes: below this, fixed costs and block sizes are a large part
 
 // ---- measuring ----
 
@@ -29,7 +29,7 @@ static double now(void)
     return (double)clock() / CLOCKS_PER_SEC;
 }
 
-// The diagram without the facts that it starts from: those are part of the analysis.
+// Draws the diagram.  The facts that it needs are computed before, as part of the analysis.
 static void draw(Session *s, const Program *p, Buf *out)
 {
     const DiagramOptions o = {NULL, NULL, NULL};
@@ -53,7 +53,7 @@ static void run(Session *s, const Program *p, const Script *script)
     script_run(&s->arena, &s->diags, script, &ref, 1, &o);
 }
 
-// All stages.  What they cost is the time between two entries of `at`.
+// Runs all stages.  The cost of a stage is the time between two entries of `at`.
 static void compile(Session *s, const Shape *shape, unsigned n, double *at)
 {
     MachineInput in = {.sm = shape_source(s, "m.sm", shape->write, n), .sv = shape_source(s, "m.sv", shape->sv, n)};
@@ -110,10 +110,10 @@ static void report(Session *s, double *at)
     *at = now();
 }
 
-// What a size costs: seconds by stage, and bytes at the peak.
+// The cost of one size: seconds by stage, and the most bytes in use.
 typedef struct Cost { double took[STAGES], bytes; } Cost;
 
-// Returns false when memory ran out.
+// Measures one size.  Returns false when memory ran out.
 static bool measure(const Shape *shape, unsigned n, Cost *c)
 {
     double at[STAGES + 1];
@@ -151,7 +151,7 @@ static void print_cost(const Shape *shape, unsigned n, const Cost *c)
     printf(" %8.3f s %7.1f MB\n", total(c->took), c->bytes / 1e6);
 }
 
-// The stage that grows too fast, or -1.
+// Returns a stage that grows too fast; -1 if there is none.
 static int grows_too_fast(const double *small, const double *large)
 {
     for (int k = 0; k < STAGES; k++)
@@ -186,7 +186,7 @@ static void check_growth(const Shape *shape, const Cost *small, const Cost *larg
     CHECK(fast < 0 && bytes_fit);
 }
 
-// A machine that does something else at the same time gets three chances: what counts is the best time of each stage.
+// Measures a shape up to three times, since another program can make it slower.  The best time of each stage counts.
 static void check_shape(const Shape *shape)
 {
     Cost small = {{0}, 0}, large = {{0}, 0};

@@ -11,14 +11,14 @@ static const size_t pool_size = (size_t)1 << 31;
 static char *pool;
 static size_t used, most;
 
-typedef struct Block { size_t before; size_t given_back; } Block;    // precedes each block that was allocated
+typedef struct Block { size_t before; size_t given_back; } Block;    // precedes each allocated block
 static Block *last;
 
-bool pool_open(void) { return (pool = os_alloc(NULL, NULL, pool_size)) != NULL; }       // in pages as the command's are
+bool pool_open(void) { return (pool = os_alloc(NULL, NULL, pool_size)) != NULL; }       // allocates in pages, as the command does
 void pool_empty(void) { used = most = 0; last = NULL; }
 size_t pool_used(void) { return most; }
 
-// What was given back is used again once nothing handed out later is left.
+// Marks a block as given back.  Its memory is used again as soon as all later blocks have been given back.
 static void *give_back(void *old)
 {
     if (old)
@@ -62,7 +62,7 @@ static void states(Buf *b, unsigned n)
     }
 }
 
-// A machine with something for every analysis: sensors with ranges, outputs, timers, windows, aborts; ten statements a state.
+// A machine with input for every analysis: sensors with ranges, outputs, timers, windows, aborts; ten statements per state.
 static void mission(Buf *b, unsigned n)
 {
     buf_str(b, "[state_vector]\nU64 G\nU32 S\nF64 tank @read_only @range 0 40\nF32 flow @read_only @range -1 9\nbool arm @read_only\n"
@@ -123,7 +123,7 @@ static void locals(Buf *b, unsigned n)
         buf_printf(b, "    local%u = local%u + 1\n", i, n - 1 - i);
 }
 
-// As many locals as states, each of them used in a few states.
+// As many locals as states.  Each local is used in only a few states.
 static void states_locals(Buf *b, unsigned n)
 {
     buf_printf(b, "%s[local]\n", head);
@@ -137,7 +137,7 @@ static void states_locals(Buf *b, unsigned n)
     }
 }
 
-// Twenty states with many conditional transitions each.
+// Twenty states, each with many conditional transitions.
 static void transitions(Buf *b, unsigned n)
 {
     buf_str(b, head);
@@ -282,7 +282,7 @@ static void script_items(Buf *b, unsigned n)
     buf_str(b, "G == 100: @stop\n");
 }
 
-static void script_blocks(Buf *b, unsigned n)               // a block for each step
+static void script_blocks(Buf *b, unsigned n)               // one block for each step
 {
     buf_str(b, "[options]\ndelta_t 10\n[A]\n");
     for (unsigned i = 0; i < n; i++)
@@ -290,7 +290,7 @@ static void script_blocks(Buf *b, unsigned n)               // a block for each 
     buf_printf(b, "G == %u: @stop\n", (n - 1) * 10);
 }
 
-// Two conditionals for each step: for it alone, and for the ten steps from it.
+// Two conditionals for each step: one for this step alone, one for the ten steps that begin with it.
 static void script_steps(Buf *b, unsigned n)
 {
     buf_str(b, "[options]\ndelta_t 10\n[A]\n");
@@ -299,7 +299,7 @@ static void script_steps(Buf *b, unsigned n)
     buf_printf(b, "[all_states]\nG == %u: @stop\n", (n - 1) * 10);
 }
 
-// Guards by time: of each step a few are true, and periods grow with the script.
+// Guards that depend on time.  In each step a few are true.  Their periods grow with the script.
 static void script_guards(Buf *b, unsigned n)
 {
     buf_str(b, "[options]\ndelta_t 10\n[A]\n");

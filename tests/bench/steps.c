@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a step costs: every workload on every row, in short runs that take turns, on the same inputs.
+// Measures the cost of a step: every workload on every row, in short runs that alternate, with the same inputs.
 //
-//     steps FOLDER check [WORKLOAD]...       whether all rows give the outputs of the reference
-//     steps FOLDER time SECONDS WORKLOAD     "time" records on standard output
-//     steps FOLDER count WORKLOAD            under callgrind: each row drives twice, warm and counted; their names and steps
+//     steps FOLDER check [WORKLOAD]...       checks that all rows have the outputs of the reference
+//     steps FOLDER time SECONDS WORKLOAD     prints "time" records to standard output
+//     steps FOLDER count WORKLOAD            under callgrind: drives each row twice, of which the second is counted; prints names and steps
 //     steps FOLDER inputs WORKLOAD           writes FOLDER/WORKLOAD.count, one episode for a Lua under callgrind
-//     steps FOLDER sizes WORKLOAD            "value" records
+//     steps FOLDER sizes WORKLOAD            prints "value" records
 //
-// FOLDER: where files may be written.  A record is a line of words that report.awk reads.
+// Files are written in FOLDER.  A record is a line of words that report.awk reads.
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <signal.h>
@@ -40,12 +40,12 @@ typedef struct Runner {
     size_t size;
     void (*init)(void *self, void *sv);
     void (*drive)(void *machine, void *sv, const void *in, size_t n);
-    void *self, *machine;             // what init and what drive are given
-    const VmRow *vm;                  // or NULL
-    Lua *lua;                         // or NULL
-    Wasm *wasm;                       // or NULL
-    unsigned every;                   // is measured in one of this many rounds
-    double ns[ROUNDS];                // a step, by round; below 0: not in that round
+    void *self, *machine;             // the arguments of init and of drive
+    const VmRow *vm;                  // NULL: not a row of the VM
+    Lua *lua;                         // NULL: not a row of Lua
+    Wasm *wasm;                       // NULL: not a row of WebAssembly
+    unsigned every;                   // the row is measured in one of this many rounds
+    double ns[ROUNDS];                // nanoseconds per step, by round; below 0: not measured in that round
 } Runner;
 
 typedef struct Bench {
@@ -56,11 +56,11 @@ typedef struct Bench {
     VmRow in_place[LEVELS], decoded[LEVELS];
     Lua lua[LUAS];
     Wasm wasm;
-    uint8_t *in;                      // all episodes
+    uint8_t *in;                      // the inputs of all episodes
     Runner runner[MANY];
     unsigned runners;
-    unsigned skipped, failed;         // Luas that are not here, or do not run
-    double asking;                    // seconds that reading the clock takes
+    unsigned skipped, failed;         // number of Lua interpreters that are not installed; that do not run
+    double asking;                    // seconds that one reading of the clock takes
 } Bench;
 
 static uint64_t sv[SV_WORDS];
@@ -187,7 +187,7 @@ static void print_names(const Bench *b, FILE *f, int of_inputs, int types)
     fputs("\n", f);
 }
 
-// As driver.lua reads them.
+// Writes inputs in the form that driver.lua reads.
 static void write_inputs(const Bench *b, const char *path, unsigned episodes)
 {
     const StateVec *v = b->compiled.program->sv;
@@ -263,8 +263,8 @@ static void start(const Runner *r)
     r->init(r->self, sv);
 }
 
-// What is done before the clock starts.
-static void bring(const Runner *r, const void *in, size_t n)
+// Copies inputs that the row needs in another memory, before the clock starts.
+static void prepare_inputs(const Runner *r, const void *in, size_t n)
 {
     if (r->wasm)
         wasm_bring(r->wasm, in, n);
@@ -272,21 +272,21 @@ static void bring(const Runner *r, const void *in, size_t n)
 
 // ---- whether they all do the same ----
 
-// What the state vector is after each step of an episode, by this row.
+// Returns the state vector after each step of an episode, as this row computes it.
 static uint8_t *trace(const Bench *b, const Runner *r, unsigned episode, unsigned steps)
 {
     uint8_t *at = in_heap(steps * b->w->sv_size);
 
     start(r);
     for (unsigned i = 0; i < steps; i++) {
-        bring(r, input(b, episode, i), 1);
+        prepare_inputs(r, input(b, episode, i), 1);
         r->drive(r->machine, sv, input(b, episode, i), 1);
         memcpy(at + i * b->w->sv_size, sv, b->w->sv_size);
     }
     return at;
 }
 
-// The same by a Lua.
+// The same for a row of Lua.
 static uint8_t *trace_lua(const Bench *b, const Runner *r, unsigned episode, unsigned steps)
 {
     const StateVec *v = b->compiled.program->sv;
@@ -350,7 +350,7 @@ static const Runner *find(const Bench *b, const char *name)
     return NULL;
 }
 
-// Rows that fail; the others are counted in *passed.
+// Returns the number of rows that fail.  Adds the number of the others to *passed.
 static unsigned check_all(const Bench *b, unsigned episode, unsigned *passed)
 {
     uint8_t *expected = trace(b, find(b, "ref"), episode, b->w->check);
@@ -389,9 +389,9 @@ static double seconds(clockid_t clock)
 }
 
 static double wall(void) { return seconds(CLOCK_MONOTONIC); }
-static double cpu(void) { return seconds(CLOCK_PROCESS_CPUTIME_ID); }      // others' turns on the core do not count
+static double cpu(void) { return seconds(CLOCK_PROCESS_CPUTIME_ID); }  // of this process: it excludes the time of other processes on the core
 
-// The cost of reading the clock, which is part of every run.
+// Returns the cost of reading the clock, which is part of every run.
 static double cost_of_asking(void)
 {
     double least = 1, took;
@@ -412,7 +412,7 @@ static double lua_seconds(const Runner *r, unsigned episode)
     return lua_ask(r->lua, answer, sizeof answer, line) ? strtod(answer, NULL) : -1;
 }
 
-// Nanoseconds a step.
+// Returns nanoseconds per step.
 static double sample(const Bench *b, const Runner *r, unsigned episode)
 {
     const unsigned n = b->w->steps - b->w->warm;
@@ -421,7 +421,7 @@ static double sample(const Bench *b, const Runner *r, unsigned episode)
     if (r->lua)
         return lua_seconds(r, episode) * 1e9 / n;
     start(r);
-    bring(r, input(b, episode, 0), b->w->steps);
+    prepare_inputs(r, input(b, episode, 0), b->w->steps);
     r->drive(r->machine, sv, input(b, episode, 0), b->w->warm);
     took = -cpu();
     r->drive(r->machine, sv, input(b, episode, b->w->warm), n);
@@ -429,7 +429,7 @@ static double sample(const Bench *b, const Runner *r, unsigned episode)
     return (took - b->asking) * 1e9 / n;
 }
 
-// Slow rows are measured less often, to leave time for the others; an odd number of rounds, so that every episode is used.
+// Slow rows are measured in fewer rounds, to leave time for the others.  `every` is odd, so that each row is measured in every episode.
 static void set_pace(Bench *b)
 {
     b->asking = cost_of_asking();
@@ -476,8 +476,8 @@ static Spread spread(const Runner *r, unsigned rounds)
     return s;
 }
 
-// The best run of an episode among the rounds in which another row took part as well, or else the best of fewer would be
-// held against the best of many.  Below 0 if there was none.
+// Returns the best run of an episode, only from rounds in which the other row ran too: the best of many runs is not comparable to the best of
+// few.  Below 0 if there was no such round.
 static double best_of(const Runner *r, const Runner *other, unsigned episode, unsigned rounds)
 {
     double least = -1;
@@ -488,7 +488,7 @@ static double best_of(const Runner *r, const Runner *other, unsigned episode, un
     return least;
 }
 
-// The mean over the episodes that both have run.
+// Returns the mean of these best runs over the episodes that both rows have run.
 static double best(const Runner *r, const Runner *other, unsigned rounds)
 {
     double sum = 0;
@@ -552,7 +552,7 @@ static int count(const char *folder, const Workload *w)
     for (unsigned i = 0; i < b->runners; i++) {
         Runner *r = &b->runner[i];
         start(r);
-        bring(r, input(b, 0, 0), w->steps);
+        prepare_inputs(r, input(b, 0, 0), w->steps);
         r->drive(r->machine, sv, input(b, 0, 0), w->warm);
         r->drive(r->machine, sv, input(b, 0, w->warm), w->count);
         printf("%s %s %u\n", w->name, r->name, w->count);

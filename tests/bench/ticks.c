@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ticks and task steps cost beside the same written by hand: rows for ticks.sh.  The clock is the simulation's: a few instructions.
-//     ticks            names the rows
+// Compares the cost of ticks and task steps with handwritten code: rows for ticks.sh.  Reading the simulated clock takes only a few
+// instructions.
+//     ticks            prints the names of the rows
 //     ticks ROW N      runs N ticks of a row
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +29,7 @@ static SmTask *list[TASKS];
 static SmRate rate = {1, TASKS, list};
 static SmExecutor executor = {.name = "e", .period = MS, .rate = &rate, .rates = 1, .sv = &crew_vector};
 
-// What a user would write instead: a table of functions, called at each period.
+// Handwritten code for the same purpose: a table of functions, each called at its period.
 static struct { SmResult (*step)(void *, const SmTick *); void *context; } hand[TASKS];
 
 static void by_hand(uint64_t n)

@@ -8,7 +8,7 @@
 #   sm NAME +               the section in the block replaces the section of that name in the file NAME, or is added
 #                           at the end; `+!`: the file has mistakes then
 #   sm PATH =               the lines stand so in that file of the tree
-#   c|app|make|sh|yaml NAME the file NAME, for the commands that follow; without a name it is for reading, or other tests compile it
+#   c|csv|app|make|sh|yaml NAME the file NAME, for the commands that follow; without a name it is for reading, or other tests compile it
 #   smt                     a case as in conformance/
 #   console                 `$ ` commands, and their output; a line … matches any lines
 # Other fences (text, groovy, sh or c without a name, none) are for reading.
@@ -19,7 +19,7 @@
     split(substr($0, 4), word, " ")
     file = out "/" n ".block"
     printf "" >file
-    if (word[1] ~ /^(sv|sm|ss|smt|console)$/ || (word[1] ~ /^(io|rq)$/ && word[3] != "") || (word[1] ~ /^(c|app|make|sh|yaml)$/ && word[2] != ""))
+    if (word[1] ~ /^(sv|sm|ss|smt|console)$/ || (word[1] ~ /^(io|rq)$/ && word[3] != "") || (word[1] ~ /^(c|csv|app|make|sh|yaml)$/ && word[2] != ""))
         printf "%d|%d|%s|%s|%s\n", n, FNR, word[1], word[2], word[3]
     delete word
     next

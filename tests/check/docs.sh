@@ -32,7 +32,7 @@ run_block() {                             # NUMBER KIND NAME OTHER, in the page'
     block=$folder/blocks/$1.block
     case $2 in
     console) PATH=$folder/bin:$PATH NO_COLOR=1 awk -f "$root/tests/check/console.awk" "$block" ;;
-    c|app|make|sh|yaml) cp "$block" "$3" ;;
+    c|csv|app|make|sh|yaml) cp "$block" "$3" ;;
     smt)     cp "$block" case.smt && "$smc" test case.smt ;;
     io)      cp "$block" "$3" && "$smc" check -Werror "$3" --sv "$4" ;;
     rq)      cp "$block" "$3" && "$smc" check -Werror "$4" "$3" ;;

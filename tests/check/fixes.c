@@ -25,7 +25,8 @@ static bool helped[DIAG_COUNT];           // an edit of it did
 
 // ---- results of a case ----
 
-// Compiles the case as smc test does, but with the text of part `changed` replaced by `text`. changed == the number of parts: as it is.
+// Compiles the case as smc test does, with the source of part `changed` replaced by `text`.  If `changed` is the number of parts, nothing is
+// replaced.
 static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
 {
     static const char *words[] = {"extra"};               // flight analyses take long and propose no edits
@@ -78,7 +79,7 @@ static bool only_deletes(const Diag *x)
     return true;
 }
 
-// A warning that may follow from deleting a statement.
+// Whether a warning can result from deleting a statement.
 static bool may_follow(int code)
 {
     static const char *const flags[] = {"unused-element", "unused-local", "never-written"};
@@ -89,7 +90,7 @@ static bool may_follow(int code)
     return false;
 }
 
-// Where `at` is after the edits of x.
+// Returns the position to which `at` moves by the edits of x.
 static uint32_t moved(const Diag *x, uint32_t at)
 {
     uint32_t to = at;
@@ -111,7 +112,7 @@ static bool is_still_there(const Diags *before, const Diags *after, const Diag *
     return false;
 }
 
-// An error of the second code was there before, in what the first kept from being checked.
+// Whether an error can have existed before: the first error kept the compiler from finding errors of the second code.
 static bool is_uncovered(int code, int then)
 {
     static const int pairs[][2] = {{DIAG_assign_in_guard, DIAG_unknown_element}, {DIAG_reason_quotes, DIAG_foreign_operator}};
@@ -174,7 +175,7 @@ static void check_finding(const TestFile *f, Run *was, const Diag *x, size_t par
     session_free(&now.s);
 }
 
-// All edits of one part at once, round after round, as smc fix applies them: no round loses anything.
+// Applies all edits of one part at once, repeatedly, as smc fix does.  No round may lose a statement.
 static void check_together(const TestFile *f, Run *was, size_t part)
 {
     Buf text;
@@ -227,7 +228,7 @@ static void put_part(Arena *arena, TestFile *f, const char *name, const char *te
         vec_push(arena, &f->part, p);
 }
 
-// Each source in the fences of a page by itself: ```sm tank.sm
+// Checks each source in the fences of a page separately, as in ```sm tank.sm
 static void check_page(Arena *arena, const char *path, const char *text)
 {
     const char *at = text, *end;

@@ -19,12 +19,12 @@ enum { NESTING = 64 };
 typedef struct Scan {
     Arena *arena;
     const Source *src;
-    Token *t;                 // all tokens, closed by END
+    Token *t;                 // all tokens, of which the last is END
     size_t n;
-    bool inside;              // of a state or a section of a script
+    bool inside;              // the current line is in a state or in a section of a script
     unsigned open[NESTING], braces;           // by brace: the conditions around its content
-    unsigned colons;          // before this on its line
-    unsigned parens;          // open
+    unsigned colons;          // colons before this position on its line
+    unsigned parens;          // open parentheses
     unsigned around;          // conditions around the content of the innermost braces
     uint32_t hanging[NESTING];                // columns of the lines that end with a colon
     unsigned hangings;
@@ -53,7 +53,7 @@ static void read_tokens(Scan *s, Source *src)
     s->n = all.n;
 }
 
-// The = at i + 1 belongs to a condition: x = 5: …, x = 5 { …
+// Whether the = at i + 1 belongs to a condition: x = 5: …, x = 5 { …
 static bool is_condition(const Scan *s, size_t i)
 {
     const uint32_t line = place(s, i).line;
@@ -72,7 +72,7 @@ static bool is_assignment(const Scan *s, size_t i)
     return s->t[i].kind == TOK_NAME && s->t[i + 1].kind == TOK_ASSIGN && (i == 0 || s->t[i - 1].kind != TOK_TYPE) && !is_condition(s, i);
 }
 
-// A new line: the lines with deeper indentation belong to the colon that ended an earlier line.
+// Begins a line.  Lines with deeper indentation belong to the colon that ended an earlier line.
 static void begin_line(Scan *s, size_t i)
 {
     const uint32_t column = place(s, i).col;
@@ -98,7 +98,7 @@ static bool holds_statements(const char *section)
     return strcmp(section, "state_vector") != 0 && strcmp(section, "local") != 0 && strcmp(section, "options") != 0;
 }
 
-// `step:` on a line of its own is a label that lost its point.
+// Whether the word is a label without its point, as in `step:` on its own line.
 static bool is_label_word(const Scan *s, size_t i)
 {
     static const char *const labels[] = {"entry", "step", "exit"};
@@ -165,7 +165,7 @@ static FoundList find_statements(Scan *s)
     return out;
 }
 
-// "-> " is a transition without a name.
+// Whether two statements are the same.  "-> " is a transition whose target has no name.
 static bool same_statement(const Found *was, const Found *is)
 {
     return strcmp(was->key, is->key) == 0 || (strcmp(was->key, "-> ") == 0 && strncmp(is->key, "-> ", 3) == 0);
@@ -197,7 +197,7 @@ const char *statements_lost(Arena *arena, const Source *was, const Source *is, s
 
 enum { RUNS = 6, STEPS = 200, NUMBERS_MAX = 200 };
 
-// The numbers of the machine, so that guards are met.
+// Collects the numbers of the machine, so that inputs can make its guards true.
 static size_t numbers_of(Arena *arena, const Source *src, double *out)
 {
     Scan s = {.arena = arena};
@@ -238,7 +238,7 @@ typedef struct Pair {
     const Program *p, *q;
     Engine *a, *b;
     EngineStep of_a, of_b;
-    const uint32_t *twin;     // of each element of p: its number in q
+    const uint32_t *twin;     // by element of p: its index in q
     double number[NUMBERS_MAX];
     size_t numbers;
 } Pair;
@@ -253,7 +253,7 @@ static const char *difference(const Pair *t)
     return NULL;
 }
 
-// Random values for some elements, as external code would write them; time advances.
+// Writes random values to some elements, as external code would; time advances.
 static uint32_t random_writes(const Pair *t, uint64_t g, EngineWrite *of_a, EngineWrite *of_b)
 {
     uint32_t n = 0;

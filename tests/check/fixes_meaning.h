@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edit must preserve.  Neither check uses the parser's or the hints' idea of what belongs together.
+// Checks what an edit must preserve.  Neither check uses how the parser or the hints group statements.
 #ifndef SMC_TEST_FIXES_MEANING_H
 #define SMC_TEST_FIXES_MEANING_H
 
 #include "compiler/sema/program.h"
 
-// Each assignment and transition of `was`, in order, is in `is` too, under at least as many conditions.  Conditions are counted in the
-// text: braces, colons before it on its line, a colon that ends a less indented line above.  Returns what is wrong, or NULL; adds the
-// number of statements that were compared to *n.
+// Checks that `is` contains each assignment and transition of `was`, in the same order and under at least as many conditions.  Conditions are
+// counted in the source: braces, colons before the statement on its line, and a colon that ends an earlier line with less indentation.  Returns
+// what is wrong, or NULL; adds the number of compared statements to *n.
 const char *statements_lost(Arena *arena, const Source *was, const Source *is, size_t *n);
 
-// Both machines do the same on random inputs: several runs from each state with the reference interpreter.  Returns what is wrong, or
-// NULL; adds the number of steps to *n.
+// Checks that both machines behave equally on random inputs, in several runs from each state with the reference interpreter.  Returns what is
+// wrong, or NULL; adds the number of steps to *n.
 const char *behaviour_changed(Arena *arena, const Program *was, const Program *is, size_t *n);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state vector in memory (docs/language.md, chapter 4), as emitted C declares it and as the VM finds it: the same
-// places, worked out here a third time.  Run with the name of probe.smb.
+// The state vector in memory (docs/language.md, chapter 4), as emitted C declares it and as the VM addresses it.  This program computes the same
+// offsets independently.  Its argument is the path of probe.smb.
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +34,7 @@ static void check_offsets(void)
     CHECK(sizeof(ProbeSv) == round_up(at + 1, 8));
 }
 
-// The values after a step, at offsets that `places` has checked; `first` is the byte of a bool.
+// Checks the values after a step, at the offsets that check_offsets has checked.  `first` is the byte of a bool.
 static void expect_values(const ProbeSv *sv, uint8_t first)
 {
     bool truth = first != 0;

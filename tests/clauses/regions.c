@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where regions lie and how large they are, in memory and packed (docs/language.md, chapter 4).
+// Positions and sizes of regions, in memory and packed (docs/language.md, chapter 4).
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,7 +19,7 @@ static void *heap(void *context, void *old, size_t size)
 static const char text[] = "[a]\nU8 a1\nF64 a2\nbool a3\n[b]\nU16 b1\n[c]\nU32 c1\nI64 c2\nF32 c3\nI8 c4\nU16 c5\n";
 
 // clause 4.9: a region begins at a multiple of 8 and ends with its last element.
-// clause 4.12: packed, it is as long as its elements together.
+// clause 4.12: packed, its size is the sum of the sizes of its elements.
 static const struct { unsigned offset, size, packed; } want[] = {{0, 17, 10}, {24, 2, 2}, {32, 24, 19}};
 
 int main(void)

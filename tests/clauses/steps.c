@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clauses of docs/language.md that a state script cannot show, since it keeps to the rules of time and stores no NaN:
-// shown on every engine through engine.h.  A comment names the clause each part is evidence for.
+// Clauses of docs/language.md that a state script cannot test, because it always advances time and stores no NaN.  They are tested on every
+// engine through engine.h.  A comment names the clause that each part tests.
 #include <stdlib.h>
 #include <string.h>
 
@@ -98,7 +98,7 @@ static uint64_t bits_of(double x)
     return bits;
 }
 
-// A step at time g with one element written.
+// Runs a step at time g, after writing one element.
 static EngineStatus step(Rig *r, uint64_t g, const char *name, uint64_t value)
 {
     EngineWrite write[2] = {{var(r, "time")->index, g}, {var(r, name)->index, value}};
@@ -132,18 +132,18 @@ static void test_step_without_progress_is_refused(Rig *r)
 {
     const uint64_t last = UINT64_MAX;
 
-    CHECK(step_x(r, last, 50) == ENGINE_REFUSED);             // not even as the first step
+    CHECK(step_x(r, last, 50) == ENGINE_REFUSED);             // refused even if it is a first step
     expect_values(r, 0, 5, 0, 0);
-    CHECK(step_x(r, 0, 1) == ENGINE_OK);                      // 0 is a time like any other
+    CHECK(step_x(r, 0, 1) == ENGINE_OK);                      // 0 is a valid time
     expect_values(r, 0, 6, 1, 1);
     CHECK(step_x(r, 0, 60) == ENGINE_REFUSED);
-    CHECK(step_x(r, last, 60) == ENGINE_REFUSED);             // and does not count as a step that ran
+    CHECK(step_x(r, last, 60) == ENGINE_REFUSED);             // a refused step does not count as a step that ran
     expect_values(r, 0, 6, 1, 1);
     CHECK(step_x(r, 10, 2) == ENGINE_OK);
     expect_values(r, 10, 7, 2, 1);
     CHECK(step_x(r, 10, 70) == ENGINE_REFUSED);
     CHECK(step_x(r, 9, 70) == ENGINE_REFUSED);
-    CHECK(step_x(r, 10, 70) == ENGINE_REFUSED);               // 9 was refused: 10 is still the last
+    CHECK(step_x(r, 10, 70) == ENGINE_REFUSED);               // the step at 9 was refused: 10 is still the last time
     expect_values(r, 10, 7, 2, 1);
     CHECK(step_x(r, 11, 1) == ENGINE_OK);
     expect_values(r, 11, 8, 2, 1);

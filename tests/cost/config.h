@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A build of the VM that counts the instructions it runs.
+// Builds the VM so that it counts the instructions that it executes.
 #ifndef TESTS_COST_CONFIG_H
 #define TESTS_COST_CONFIG_H
 

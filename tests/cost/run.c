@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The longest step as cost.h reports it, compared with instructions counted while the VM runs: no step takes more, and where inputs can
-// trigger the longest path, some step takes as many.
+// Compares the longest step that cost.h reports with the instructions counted while the VM runs.  No step takes more.  Where inputs can select
+// the longest path, some step takes as many.
 //
-//     run [PROGRAMS]               that many random programs (200), and the machines below
+//     run [PROGRAMS]               PROGRAMS random programs (default 200), and the machines below
 #include <setjmp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ typedef struct Counted {
     SmvmMachine m;
     SmvmVector sv;
     SmVm *vm;
-    uint32_t *most_first, *most_later;            // by state: the longest steps seen
+    uint32_t *most_first, *most_later;            // by state: instructions of the longest step executed
 } Counted;
 
 static uint32_t sum_of_way(const StateCost *s)
@@ -50,7 +50,7 @@ static void check_cost(const Counted *c)
     CHECK(c->cost.ram == smvm_ram_size(&c->m) && c->cost.own >= sizeof(SmVm));
 }
 
-// In cycles the same states are measured: each has a path that is part of its worst step, and one from EEPROM takes longer than from flash.
+// The same for cycles: each state has a path that is part of its longest step, and a path takes longer from EEPROM than from flash.
 static void check_cycles(Arena *arena, const Counted *c)
 {
     Cost flash, eeprom;
@@ -89,7 +89,7 @@ static void start(Counted *c, uint32_t state)
     CHECK(smvm_init(c->vm, smvm_ram_size(&c->m), &c->m, &c->sv, state) == SM_OK);
 }
 
-// One step; how many instructions it took is noted and held against the bounds.
+// Runs one step, and compares the number of its instructions with the bounds.
 static void step(Counted *c)
 {
     const uint32_t state = smvm_state(c->vm) - 1;
@@ -153,18 +153,18 @@ static void run_random(uint64_t seed)
 #define HEAD "[state_vector]\nU64 G\nU32 S\nF64 x\nF64 y\nF64 z\nU8 a\n[local]\nU16 n = 0\n"
 
 static const char *const reachable[] = {
-    // nothing at all
+    // an empty machine
     HEAD "[A]\n",
     // if, else, a jump over the rest
     HEAD "[A]\n.step\n if x > 1 { y = z + x * 2\n a = 3 }\n else: a = 4\n z > 5: -> B\n.exit\n n = n + 1\n a = n\n[B]\n.entry\n a "
          "= 9\n.step\n x < 1: -> A\n y = x\n",
-    // leaving in .entry is the longest step; its state has no later step at all
+    // a transition in .entry is the longest step; its state never executes a later step
     HEAD
     "[A]\n.entry\n x > 0 { y = x * x + z\n z = y / 3\n -> B }\n -> C\n.exit\n a = 1\n[B]\n.step\n x > 3: -> A\n[C]\n.step\n -> A\n",
-    // windows are sampled in every step; statistics are read where they stand
+    // windows are sampled in every step; statistics are computed where they are read
     HEAD "[A]\n.step\n roll_avg(x, 3) > 1 and roll_max(y, 4) < 2: -> B\n y = roll_median(x, 3)\n[B]\n.entry\n n = 0\n.step\n n = n "
          "+ 1\n n > 3: -> A\n",
-    // conditionals in conditionals
+    // nested conditionals
     HEAD "[A]\n.step\n if x > 0 {\n  if y > 0 { a = 1\n z = x + y + z }\n  else if z > 0 { a = 2 }\n  else { a = 3\n z = x - y\n y "
          "= z * x }\n }\n x > 2 and y > 2: -> B\n[B]\n.step\n -> A\n.exit\n z = 0\n",
 };

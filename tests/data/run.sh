@@ -63,6 +63,15 @@ script pipe
 expect 'a pipe' 1 's.ss:4:6: error: pipe: it is not a regular file' "$smc" test m.sm s.ss
 script /dev/null
 expect 'a device' 1 '/dev/null: it is not a regular file' "$smc" test m.sm s.ss
+mkfifo pipe.ss
+mkdir folder.ss
+ln -s /dev/zero zero.ss
+for bad in pipe zero; do
+    printf 'include "%s.ss"\n[options]\ndelta_t 10\n[all_states]\nG == 50: @stop\n' $bad >i.ss
+    expect "an include of a $bad" 1 "i.ss:1:9: error: cannot include '$bad.ss': it is not a regular file" timeout 10 "$smc" test m.sm i.ss
+done
+printf 'include "folder.ss"\n[options]\ndelta_t 10\n[all_states]\nG == 50: @stop\n' >i.ss
+expect 'an include of a folder' 1 "i.ss:1:9: error: cannot include 'folder.ss': it is a folder" "$smc" test m.sm i.ss
 script -
 expect 'standard input' 1 's.ss:4:6: error: -: ' "$smc" test m.sm s.ss
 script empty.csv

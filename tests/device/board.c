@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A board to talk to without hardware: VM, store and agent as a program, on a terminal device and a file as non-volatile memory.
-// It can be killed at any time and started again.
+// A board without hardware: a program that runs VM, store and agent, with a terminal device as its line and a file as its non-volatile memory.
+// A test can kill it at any time and start it again.
 //   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows and elementary functions
 #include <stdio.h>
 #include <string.h>
@@ -12,15 +12,15 @@
 #include "runtime-c/pal/nvm.h"
 #include "runtime-c/pal/serial.h"
 
-enum { MEMORY = 4096, BODY = 64, SLOTS = 2, EVENTS = 16, VECTOR = 1024, RAM = 8192, PERIOD = 10000000, COUNTED = 20 };  // COUNTED: steps, after which a start of a trial counts in full
+enum { MEMORY = 4096, BODY = 64, SLOTS = 2, EVENTS = 16, VECTOR = 1024, RAM = 8192, PERIOD = 10000000, COUNTED = 20 };      // COUNTED: steps until a start counts in full
 
 typedef struct Machine {
     SmvmMachine m;
     uint64_t memory[RAM / 8], vector[VECTOR / 8], *time;
-    uint32_t state;           // 0: none runs
+    uint32_t state;           // the current state; 0: no machine runs
 } Machine;
 
-static uint8_t shadow[MEMORY];       // the content of the memory, where the VM can read it
+static uint8_t shadow[MEMORY];       // a copy of the memory that the VM can read
 static Machine machine;
 static SmEvent storage[EVENTS];
 static SmEvents events;
@@ -102,7 +102,7 @@ static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
 
 static bool reload_memory(void) { return pal_nvm_read(store.nvm, 0, shadow, MEMORY) == SM_OK; }
 
-// The pins of a Mega: digital pins, the analog ones among them, PWM on any.
+// Returns the pins of a Mega: digital pins, of which some are also analog, and PWM on any.
 static uint8_t physical_pin(uint16_t number, uint8_t kind)
 {
     const uint16_t place = (kind & 3) == 0 ? (uint16_t)(54 + number) : number;

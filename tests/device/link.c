@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc flash and smc device against a board that is a program (board.c), over terminals with this program in between: it loses and
-// damages bytes, and kills the board or smc in the middle.  Always the old or the new image runs afterwards, and is replaced again.
+// Tests smc flash and smc device with a board that is a program (board.c).  This program connects them through terminals.  It loses and damages
+// bytes, and kills the board or smc during an update.  Afterwards the old or the new image must run, and another update must succeed.
 //   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]         with SLOTS=1 in the environment the board has one slot
-//   link forge SIGNED.smb [N]     makes its code a wrong one, or the N-th byte from its end, and its checksum right
+//   link forge SIGNED.smb [N]     changes the code of a signed image, at its last byte or the N-th from the end, and corrects the checksum
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <fcntl.h>
@@ -28,14 +28,14 @@ typedef struct Terminal { int master, slave; char name[128]; } Terminal;
 typedef struct Trouble {
     unsigned bad;             // one byte in this many is lost or damaged; 0: none
     long kill_board, kill_smc;        // after this many bytes in both directions; 0: never
-    bool for_good;            // the board is not started again
+    bool for_good;            // the board is not started again after it was killed
 } Trouble;
 
 static Terminal at_board, at_smc;
 static const char *smc, *board, *images[2];
 static char memory[PATH], output[PATH], said[TEXT];
 static pid_t board_pid;
-static bool one_slot;                  // the board's own image may run, too
+static bool one_slot;                  // the image that is built into the board may run, too
 static uint64_t random_state = 88172645463325252u;
 
 static unsigned random_below(unsigned n)
@@ -56,7 +56,7 @@ static bool open_terminal(Terminal *t)
     if (t->master < 0 || grantpt(t->master) != 0 || unlockpt(t->master) != 0)
         return false;
     snprintf(t->name, sizeof t->name, "%s", ptsname(t->master));
-    t->slave = open(t->name, O_RDWR | O_NOCTTY);             // held, so that the line stays when a program goes
+    t->slave = open(t->name, O_RDWR | O_NOCTTY);             // held open, so that the terminal continues to exist when a program ends
     if (t->slave < 0 || tcgetattr(t->slave, &raw) != 0)
         return false;
     cfmakeraw(&raw);
@@ -82,7 +82,7 @@ static void start_board(void)
 {
     const char *const argv[] = {board, at_board.name, memory, NULL};
 
-    ioctl(at_board.slave, TIOCNXCL);                         // what the one before it had asked for
+    ioctl(at_board.slave, TIOCNXCL);                         // removes the exclusive access that the program before had requested
     board_pid = start(argv, "/dev/null");
 }
 
@@ -170,7 +170,7 @@ static void checksum_of(const char *path, char text[9])
     snprintf(text, 9, "%02x%02x%02x%02x", head[7], head[6], head[5], head[4]);
 }
 
-// Whether the line of the list with this checksum contains the text.
+// Whether the line of the list with this checksum contains `what`.
 static bool is_listed(const char *path, const char *what)
 {
     char checksum[9];
@@ -240,8 +240,8 @@ static void restart_board(void)
     start_board();
 }
 
-// Restarts the board until its list has the text for the image, and returns how often; a trial has STARTS_MOST short starts.  Each start
-// lasts `ms` and a list.
+// Restarts the board until its list has the text for the image.  Returns the number of restarts.  A trial has STARTS_MOST short starts.  Each
+// start lasts `ms` milliseconds and the time of a list.
 enum { STARTS_MOST = 12 };
 static int restarts_until(const char *image, const char *text, long ms)
 {
@@ -295,7 +295,7 @@ static void test_too_large_image_is_not_sent(void)
         snprintf(proposed, sizeof proposed, "%.*s", (int)strcspn(at, " "), at);
     CHECK(strcmp(proposed, "--period=1") != 0 && run_on_good_line("flash", image, proposed) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
     CHECK(build_image("[A]", MACHINES, image) && run_on_good_line("flash", image, NULL) == 1 && output_contains(" has 5 machines, the board runs ") && output_contains("nothing was sent"));
-    if (!getenv("NO_KEY")) {           // a board that does what files tell it
+    if (!getenv("NO_KEY")) {           // a board that is controlled by files
         CHECK(build_image("[A] .step\n    x = roll_avg(x, 3)\n", 1, image) && run_on_good_line("flash", image, "--dry-run") == 0);
         CHECK((f = fopen(plain, "w")) != NULL && fclose(f) == 0);
         restart_board();
@@ -310,7 +310,7 @@ static void test_too_large_image_is_not_sent(void)
     CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
-// Builds the image of a machine that has two numbers and two bools at these pins.
+// Builds the image of a machine with two numbers and two bools that are connected to these pins.
 static bool build_image_of_pins(const char *pins, char *image)
 {
     static const char *const suffix[] = {"sv", "io", "sm"};
@@ -365,13 +365,13 @@ static void test_machine_in_unsafe_state_refuses(void)
     CHECK(run_on_good_line("flash", images[0], NULL) == 1 && output_contains("nothing was sent: a machine is in a state that is not marked @safe; bring it into one that is"));
     CHECK(output_contains("or let its trial end: it has 2 more starts"));
     CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("it was not confirmed: a machine is in a state that is not marked @safe"));
-    CHECK(restarts_until(images[1], ", runs, confirmed", 0) <= STARTS_MOST);         // its trial ends
+    CHECK(restarts_until(images[1], ", runs, confirmed", 0) <= STARTS_MOST);         // until its trial ends
     CHECK(build_image("[Aloft] @safe .step\n    down: -> Down\n\n[Down] @safe", 1, aloft) && run_on_good_line("flash", aloft, "--confirm") == 0 && !output_contains("starts in a state") && is_listed(aloft, ", runs, confirmed"));
     CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
-// A trial without a confirmation ends after its starts, and the board reports that.  A start counts in full if the image has run for a
-// while (10 s; the board that is a program: 0.2 s).
+// A trial without a confirmation ends after its starts, and the board reports that.  A start counts in full if the image has run for some time:
+// 10 s, but 0.2 s on the board that is a program.
 static void test_trial_ends(bool is_program)
 {
     int starts;
@@ -433,7 +433,7 @@ static bool forge_image(const char *path, size_t from_end)
     return fwrite(bytes, 1, n, f) == n && fclose(f) == 0;
 }
 
-// With a key: the confirmed image is not signed and does not run any more.  Signed images are accepted in the order of their numbers.
+// With a key: the confirmed image is not signed, and no longer runs.  Signed images are accepted in the order of their numbers.
 static void test_board_with_a_key(void)
 {
     char key[PATH + 8], with[PATH + 16], out[PATH], to[PATH + 8];
@@ -462,7 +462,7 @@ static void test_board_with_a_key(void)
     CHECK(run_on_good_line("flash", out, NULL) == 1 && output_contains("the image was not accepted: the board accepts only images that are signed with its key"));
     CHECK(output_contains("the board keeps the image that it ran before"));
     remove(key);
-    CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("sign", images[0], with, to) == 0);      // another one than the board's
+    CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("sign", images[0], with, to) == 0);      // not the board's key
     CHECK(run_without_board("sign", out, with, "--number=4000000000") == 0);
     CHECK(run_on_good_line("flash", out, with) == 1 && output_contains(" is signed with key ") && output_contains("but the board accepts only images signed with key ") && output_contains("nothing was sent"));
     CHECK(run_on_good_line("flash", images[1], with) == 1 && output_contains(" is not signed; nothing was sent"));
@@ -482,7 +482,7 @@ static void test_no_board_answers(void)
     CHECK(run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs, confirmed"));
 }
 
-// Over a bad line the update succeeds or fails.  Then, over a good line, it succeeds.
+// Over a bad line the update succeeds or fails.  Afterwards an update over a good line succeeds.
 static void test_update_over_a_bad_line(int target)
 {
     Trouble t = {0, 0, 0, false};

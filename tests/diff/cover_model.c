@@ -10,7 +10,7 @@ typedef struct Model {
     Arena *arena;
     const Program *p;
     const Cover *c;
-    uint64_t *hits;           // by place
+    uint64_t *hits;           // by place of the coverage
     uint64_t *cell;
     uint8_t *stored;
     RefWindows windows;
@@ -45,9 +45,9 @@ typedef struct Walk {
     int32_t flip;             // the number of the condition that has the opposite value; -1: none
     int32_t n;                // how many conditions have been visited
     bool value;               // the value of the last one, not flipped
-    int32_t wanted;           // the number of the condition to store:
-    const Expr *at;           // its expression, or the chain that contains it
-    uint32_t link;            // its number in the chain, from 1
+    int32_t wanted;           // the number of the condition that `at` and `link` describe
+    const Expr *at;           // the expression of that condition, or the chain that contains it
+    uint32_t link;            // the number of that condition in the chain, from 1
 } Walk;
 
 static bool condition(Walk *w, const Expr *e, uint32_t link, bool value)
@@ -93,7 +93,7 @@ static bool walk(const Model *m, Walk *w, const Expr *e)
 
 static void scan(Model *m, const Expr *e, const Expr *root, bool decides);
 
-// Notes the windows that e, an operand of a condition that decides, reads, and the decisions in it.
+// Records the windows that e reads, and the decisions in it.  e is an operand of a condition that decides.
 static void scan_condition(Model *m, const Walk *w, const Expr *root, bool decides)
 {
     const Expr *e = w->at;
@@ -287,7 +287,7 @@ Engine *cover_model_open(Arena *arena, const Program *p, const Cover *c)
 
 // ---- comparing ----
 
-// Whether the place shares its counts with that of an equal window: then only whether it is covered is compared.
+// Whether a place shares its counts with the place of an equal window.  Then only whether it is covered is compared.
 static bool is_shared(const Cover *c, uint32_t place)
 {
     for (uint32_t i = 0; i < c->shared.n; i++)

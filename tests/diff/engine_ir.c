@@ -14,7 +14,7 @@ typedef struct Samples {
     uint32_t n, count, next;
 } Samples;
 
-// A function with the facts of its temporaries, and their values of now.
+// A function with the facts about its temporaries, and their current values.
 typedef struct Code {
     const IrFn *f;
     Fact *of;
@@ -28,7 +28,7 @@ typedef struct Ir {
     const Program *p;
     const IrMachine *m;
     Code sample, (*code)[BLOCK_COUNT];
-    uint32_t *of_var;                 // by variable of the IR: its number in the program
+    uint32_t *of_var;                 // by variable of the IR: its index in the program
     uint64_t *cell;                   // by variable of the program
     uint8_t *stored;
     Samples *window;
@@ -157,7 +157,7 @@ static bool compares(IrOp op, double a, double b)
     }
 }
 
-// How integers are ordered by themselves: -1, 0, 1.
+// Compares two integers in their own type: -1, 0, 1.
 static int order(SmType type, uint64_t a, uint64_t b)
 {
     const unsigned unused = 64 - 8u * sm_type_info[type].bytes;
@@ -270,7 +270,7 @@ static void compute(Ir *r, const Code *c, IrRef ref)
     check_fact(r, c, ref);
 }
 
-// Gives the state that it goes to, or 0.
+// Runs a function.  Returns the state to which it transfers control, or 0.
 static uint32_t run(Ir *r, const Code *c)
 {
     IrBlkRef b = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The IR itself as an engine.  It computes narrowed operations in their own types and again on F64, and compares every value with
-// the facts about it: so a wrong fact or a wrong narrowing is noticed even where no result depends on it.
+// An engine that interprets the IR.  It computes narrowed operations in their own types and again in F64, and compares every value with the
+// facts about it.  A wrong fact or a wrong narrowing is then found even if no result depends on it.
 #ifndef TESTS_DIFF_ENGINE_IR_H
 #define TESTS_DIFF_ENGINE_IR_H
 

@@ -84,7 +84,7 @@ static EngineStatus broken(Engine *e, EngineStep *out, const char *error)
 
 // ---- what must be so ----
 
-// Elements that were not stored are noise, and become what they were; so do the bytes between elements.
+// Whether the machine stored only what `out` says.  All other bytes must have the noise, and get their earlier values back.
 static bool only_stored(Task *t, const EngineStep *out)
 {
     bool ok = true;
@@ -100,7 +100,7 @@ static bool only_stored(Task *t, const EngineStep *out)
     return ok;
 }
 
-// A transition emits one event; the only other event is that of a refused step, as `refused` has it.
+// A transition emits one event.  The first of several refused steps emits one with the reason, `machine.refused`.  Other steps emit none.
 static bool events_are_right(Task *t, SmResult r, uint32_t from, bool standing)
 {
     SmEvent e = {.b = 0};

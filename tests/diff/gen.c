@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seed to program tree.  Valid by construction: what the language forbids (transitions in .exit, writing G, S, T and what is
-// read-only, sizes of windows that are not constant) is never built.
+// Generates a program tree from a seed.  The program is valid by construction: the generator never builds what the language forbids, such as a
+// transition in .exit, a write to a read-only variable, or a window whose size is not constant.
 #include "tests/diff/gen.h"
 
 #include <string.h>
@@ -71,7 +71,7 @@ static GExpr *number_text(Gen *g, const char *text)
 
 static GExpr *random_number(Gen *g) { return number_text(g, gen_number(g->arena, &g->rng, g->mood)); }
 
-// What an expression may name: everything (constants is NULL), or locals before one, where it is worked out when compiling.
+// The variables that an expression may read: all of them, or only the locals before `before`, for an expression that the compiler evaluates.
 typedef struct Reach { const GVar *before; bool constant; bool rolls; } Reach;
 
 static GExpr *random_var(Gen *g, const Reach *reach)
@@ -149,7 +149,8 @@ bool gen_can_vary(const GExpr *e)
     return varies;
 }
 
-// min, max, median or average, mostly of few values; often of variables alone, so that whole numbers and NaN-free values are frequent.
+// Returns min, max, median or average, mostly of few values.  Often all are variables, so that whole numbers and values that are never NaN are
+// frequent.
 static GExpr *random_list(Gen *g, const Reach *reach, uint32_t depth, SmBuiltin fn)
 {
     const uint32_t most = rng_percent(&g->rng, 90) ? 5 : SM_LIST_MAX;
@@ -192,7 +193,7 @@ static GExpr *size_of_local(Gen *g)
     return NULL;
 }
 
-// A constant from 1 to a few dozen; now and then some hundreds.
+// Returns a constant from 1 to a few dozen, sometimes a few hundred.
 static GExpr *random_size(Gen *g)
 {
     const uint32_t most = rng_percent(&g->rng, 3) ? 600 : rng_percent(&g->rng, 20) ? 90 : 9;
@@ -209,7 +210,7 @@ static GExpr *random_size(Gen *g)
     return e;
 }
 
-// The last window's sample with another operator or function, or unchanged.
+// Returns the sample of the last window, unchanged or with another operator or function.
 static GExpr *similar_sample(Gen *g)
 {
     GExpr *e = gen_expr_new(g, G_NUMBER, 0);
@@ -242,7 +243,7 @@ static GExpr *random_roll(Gen *g, const Reach *reach, uint32_t depth)
     return e;
 }
 
-// An infinity less an infinity, where x is not small.
+// Returns the difference or quotient of two equal values, which are infinite unless the operand is small: then it is NaN.
 static GExpr *lost_difference(Gen *g, const Reach *reach)
 {
     GExpr *e = gen_expr_new(g, G_BINARY, 2), *far = gen_expr_new(g, G_BINARY, 2);
@@ -254,7 +255,7 @@ static GExpr *lost_difference(Gen *g, const Reach *reach)
     return e;
 }
 
-// What meets NaN, infinities and the ends of ranges: x / x, sqrt(x - y), x / 0, x * 1e308.
+// Returns an expression whose results include NaN, infinities and limits of types: x / x, sqrt(x - y), x / 0, x * 1e308.
 static GExpr *random_spice(Gen *g, const Reach *reach)
 {
     if (rng_percent(&g->rng, 15))
@@ -314,7 +315,7 @@ static GExpr *random_guard(Gen *g)
     return e;
 }
 
-// A guard that leaves a state after a while.
+// Returns a guard that becomes true after some time.
 static GExpr *leaving_guard(Gen *g)
 {
     if (rng_percent(&g->rng, 60))
@@ -346,7 +347,7 @@ static GStmt *new_stmt(Gen *g, GStmtKind kind)
     return s;
 }
 
-// A number grown or shrunk: counters, and values that run into the end of their type.
+// Returns a sum, difference or product of two operands.  Assigned repeatedly, it counts, or reaches the limits of its type.
 static GExpr *growing_expr(Gen *g)
 {
     GExpr *e = gen_expr_new(g, G_BINARY, 2);
@@ -356,7 +357,7 @@ static GExpr *growing_expr(Gen *g)
     return e;
 }
 
-// Within limits that a type may have, NaN apart.
+// Returns a value clamped to limits that a type may have; it can still be NaN.
 static GExpr *limited_expr(Gen *g)
 {
     GExpr *e = gen_expr_new(g, G_CALL, 3);
@@ -427,7 +428,7 @@ static GStmt *random_stmt(Gen *g, uint32_t depth, bool may_leave)
     return v != NULL ? random_assign(g, v) : NULL;
 }
 
-// What was just stored is used: to store something else, in the same variable or in another one, or in a copy.
+// Returns an assignment that reads the variable assigned by `before`: it computes a value for the same or another variable, or copies it.
 static GStmt *next_assign(Gen *g, const GStmt *before)
 {
     const uint32_t what = rng_below(&g->rng, 100);
@@ -437,7 +438,7 @@ static GStmt *next_assign(Gen *g, const GStmt *before)
     if (what >= 80) {
         s->value = e;
     } else if (what >= 25 && s->value->kind == G_BINARY) {
-        *value = *s->value;               // others may share it
+        *value = *s->value;               // other trees may share the node
         value->arg[rng_below(&g->rng, 2)] = e;
         s->value = value;
     }
@@ -495,14 +496,14 @@ GVar *gen_new_local(Gen *g, SmType type)
     return v;
 }
 
-// G or S: by name, or by alias of another name.
+// Declares G or S: under this name, or as the alias of another name.
 static void declare_role(Gen *g, const char *role, SmType type)
 {
     const bool aliased = rng_percent(&g->rng, 40);
     GVar *v = new_var(g, type, aliased ? gen_new_name(g) : role);
     v->alias = aliased ? role : NULL;
     v->read_only = true;
-    v->outside = rng_percent(&g->rng, 30) || type == SM_U64;      // S may be written too, and changes nothing
+    v->outside = rng_percent(&g->rng, 30) || type == SM_U64;      // the test may also write S, which has no effect
 }
 
 static SmType random_type(Gen *g)
@@ -581,7 +582,7 @@ static void declare_all(Gen *g)
     put_in_order(g);
 }
 
-// State names live in a space of their own: they may be names of elements too.
+// State names have their own namespace: a state may have the name of an element.
 static const char *state_name(Gen *g, uint32_t i)
 {
     if (rng_percent(&g->rng, 10) && g->var.at[i % g->var.n]->name[0] != 'R')

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can also be written out by hand: definitions, rules for all states, states by name, times, windows in time (language.md 1.36,
-// 3.30, 5.56 to 5.75, 7.23 to 7.25).  A pass over a generated program, with random numbers of its own: the rest of the program is
-// what its seed has always meant.  Half of the seeds have additions.
+// Notations that can also be written out by hand: definitions, rules for all states, states by name, times, windows in time (language.md 1.36,
+// 3.30, 5.56 to 5.75, 7.23 to 7.25).  A pass over a generated program adds them.  It has its own random numbers, so that the rest of a seed's
+// program does not change.  Half of the seeds have additions.
 #include "tests/diff/gen.h"
 
 #include <stdlib.h>
@@ -13,7 +13,7 @@ bool gen_seed_has_additions(uint64_t seed) { return rng_mix(seed, 11) % 2 != 0; 
 
 // ---- times ----
 
-// The powers of ten, and 6 or 36, that make a unit of G from each unit of a time.
+// A unit of time is times * 10^power seconds.
 typedef struct SpanUnit { const char *name; uint32_t times; int power; } SpanUnit;
 static const SpanUnit span_unit[] = { { "us", 1, -6 }, { "ms", 1, -3 }, { "s", 1, 0 }, { "min", 6, 1 }, { "h", 36, 2 } };
 static const int unit_power[UNIT_COUNT] = { -6, -3, 0 };
@@ -27,7 +27,7 @@ static GExpr *new_span(Gen *g, const char *mantissa, int power, const SpanUnit *
     return e;
 }
 
-// Digits with up to three of them after a point, in any unit.
+// Returns a random time of up to five digits, of which up to three follow the decimal point, in a random unit.
 static GExpr *random_span(Gen *g)
 {
     const SpanUnit *u = &span_unit[rng_below(&g->rng, sizeof span_unit / sizeof *span_unit)];
@@ -40,7 +40,7 @@ static GExpr *random_span(Gen *g)
     return new_span(g, mantissa, power, u, number);
 }
 
-// A whole number of units of G, as a decimal of some unit.
+// Returns a time of `units` units of G, written as a decimal number of a random unit.
 static GExpr *whole_span(Gen *g, uint32_t units)
 {
     const SpanUnit *u = &span_unit[rng_below(&g->rng, sizeof span_unit / sizeof *span_unit)];
@@ -86,7 +86,7 @@ static GDef *new_def(Gen *g, GExpr *value)
     return d;
 }
 
-// Any earlier definition that can be used here; NULL if there is none.
+// Returns a random earlier definition that can be used here; NULL if there is none.
 static GDef *random_def(Gen *g, bool constant)
 {
     GDef *d = g->def.n != 0 ? g->def.at[rng_below(&g->rng, (uint32_t)g->def.n)] : NULL;
@@ -101,7 +101,7 @@ static void define(Gen *g, GExpr **place)
 
 // ---- sizes of windows ----
 
-// A definition that is the size of windows: the one that already has this value, or a new one.
+// Returns the use of a definition as the size of a window: of the definition that already has this value, or of a new one.
 static GExpr *defined_size(Gen *g, GExpr *value)
 {
     GDef *d = NULL;
@@ -163,7 +163,7 @@ static GExpr *rewritten_leaf(Gen *g, GExpr *e, bool constant)
     return e->kind == G_NUMBER && rng_percent(&g->rng, 12) ? random_span(g) : e;
 }
 
-// The tree is a copy that nothing shares.
+// Replaces operands in a tree.  The tree must be a copy that shares no node with another tree.
 static void rewrite(Gen *g, GExpr **place, bool constant)
 {
     GExpr *e = *place;
@@ -238,7 +238,7 @@ static void except_targets(Gen *g, GRule *r, const GStmts *list)
     }
 }
 
-// A section whose transitions would leave it no state is dropped.
+// Adds a section [all_states], unless its @except would have to name every state.
 static void add_rule(Gen *g)
 {
     GRule *r = ARENA_NEW(g->arena, GRule);
@@ -258,7 +258,7 @@ static int by_place(const void *a, const void *b)
     return (x->before > y->before) - (x->before < y->before);
 }
 
-// In the order of the file, which is that in which they run.
+// Adds the sections in the order of the file, in which they also run.
 static void add_rules(Gen *g)
 {
     const uint32_t n = rng_percent(&g->rng, 60) ? 1 + rng_below(&g->rng, RULES_MAX) : 0;

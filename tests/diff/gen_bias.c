@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that random programs contain too rarely, and that analyses report: the same one twice, one that another
-// one implies or excludes, two that cover everything, in chains and in rows, with transitions or assignments behind them.
+// Adds guards that analyses report, and that random programs contain too rarely: one guard twice, one that another implies or excludes, and two
+// that cover every case.  They are in chains and in sequences, followed by transitions or assignments.
 #include "tests/diff/sound.h"
 
 static GExpr *pair(Gen *g, SmOperator op, GExpr *a, GExpr *b)
@@ -19,7 +19,7 @@ static GExpr *number(Gen *g, uint32_t below)
     return e;
 }
 
-// Whether e is a relation that can be moved: only == and != can have the name of a state as an operand.
+// Whether every relational operator is valid in e.  If an operand is the name of a state, only == and != are.
 static bool compares(const GExpr *e)
 {
     return e->kind == G_BINARY && e->op >= SM_OP_EQ && e->op <= SM_OP_GE && e->arg[0]->kind != G_STATE && e->arg[1]->kind != G_STATE;
@@ -37,7 +37,7 @@ static GExpr *opposite(Gen *g, GExpr *e)
     return n;
 }
 
-// Nearly the same relation: another operator, or its right side moved by a number.
+// Returns a similar relation: with another operator, or with a number added to its right side.
 static GExpr *moved(Gen *g, GExpr *e)
 {
     GExpr *right;

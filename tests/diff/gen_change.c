@@ -9,7 +9,7 @@ static void rename_all(Gen *g)
     g->rng.state = rng_mix(g->seed, 6);
     for (size_t i = 0; i < g->var.n; i++) {
         GVar *v = g->var.at[i];
-        const bool role_by_name = v->id < 2 && v->alias == NULL;      // G or S itself
+        const bool role_by_name = v->id < 2 && v->alias == NULL;      // G or S under its own name
         if (!role_by_name)
             v->name = gen_new_name(g);
         if (v->alias != NULL && v->id >= 2)
@@ -25,7 +25,7 @@ static void add_dead_state(Gen *g)
 {
     GState *s = ARENA_NEW(g->arena, GState);
     g->rng.state = rng_mix(g->seed, 7);
-    gen_random_state(g, s);           // it may leave for any other state, but none leads to it
+    gen_random_state(g, s);           // the new state may have transitions to any state, but no transition leads to it
     s->name = "NobodyEnters";
     vec_push(g->arena, &g->state, s);
 }
@@ -68,7 +68,7 @@ void gen_change(Gen *g, GChange what)
     case CHANGE_NAMES: rename_all(g); break;
     case CHANGE_LAYOUT: g->layout = rng_mix(g->layout, 8); break;
     case CHANGE_DEAD_STATE: add_dead_state(g); break;
-    case CHANGE_BY_HAND: g->by_hand = true; g->machine_name = g->old_machine_name; break;       // the layout contains the name
+    case CHANGE_BY_HAND: g->by_hand = true; g->machine_name = g->old_machine_name; break;  // the layout contains the name
     case CHANGE_COUNT: break;
     }
 }

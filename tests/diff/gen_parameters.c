@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters (language.md 5.77 to 5.84): a third of the programs with additions declare some, read them in place of some operands, and have
-// inputs that set them before the first step.  Their random numbers are their own.
+// Parameters (language.md 5.77 to 5.84).  A third of the programs with additions declare some and read them in place of some operands, and their
+// inputs set them before the first step.  The parameters have their own random numbers.
 #include "tests/diff/gen.h"
 
 #include "stdlib/convert.h"
 
 enum { PARAMETERS_MAX = 3 };
 
-// Returns how many eighths of a unit the values of a type are apart: the values of parameters are exact in their type.
+// Returns the distance between the possible values of a parameter.  All of them are exact in its type.
 static double grid(SmType type) { return type == SM_F32 || type == SM_F64 ? 0.125 : 1; }
 
 static double random_between(Gen *g, SmType type, double lo, double hi)
@@ -45,13 +45,13 @@ static GExpr *read_of(Gen *g, uint32_t first)
     return e;
 }
 
-// Reads a parameter in place of some operands.  The size of a window stays.
-static GExpr *rewrite(Gen *g, GExpr *e, uint32_t first)
+// Replaces some operands by reads of parameters.  The size of a window is not changed.
+static GExpr *replace_operands(Gen *g, GExpr *e, uint32_t first)
 {
     if ((e->kind == G_NUMBER || e->kind == G_VAR) && rng_percent(&g->rng, 12))
         return read_of(g, first);
     for (uint32_t i = 0; i < (e->kind == G_ROLL ? 1 : e->n); i++)
-        e->arg[i] = rewrite(g, e->arg[i], first);
+        e->arg[i] = replace_operands(g, e->arg[i], first);
     return e;
 }
 
@@ -59,7 +59,7 @@ static void rewrite_stmts(Gen *g, GStmts *list, uint32_t first)
 {
     for (size_t i = 0; i < list->n; i++) {
         if (list->at[i]->value != NULL)
-            list->at[i]->value = rewrite(g, list->at[i]->value, first);
+            list->at[i]->value = replace_operands(g, list->at[i]->value, first);
         rewrite_stmts(g, &list->at[i]->then, first);
         rewrite_stmts(g, &list->at[i]->otherwise, first);
     }
@@ -76,7 +76,7 @@ void gen_add_parameters(Gen *g)
     for (size_t i = 0; i < g->state.n; i++)
         for (int b = 0; b < 3; b++)
             rewrite_stmts(g, &g->state.at[i]->block[b], first);
-    g->last_guard = g->last_roll = NULL;              // they may be among what has changed
+    g->last_guard = g->last_roll = NULL;              // the expressions may have been changed
 }
 
 uint64_t gen_parameter_cell(const GVar *v) { return sm_cell_from_f64(v->type, v->set); }

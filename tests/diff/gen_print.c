@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program tree to text, in any form that the grammar allows: colon or braces, `if` or not, on one
-// line or several, with needless parentheses, comments and blanks.  Random choices here never change the meaning of the text.
+// Prints a program tree in any form that the grammar allows: with a colon or braces, with or without `if`, on one or more lines, with needless
+// parentheses, comments and blanks.  The random choices never change the meaning of the program.
 #include "tests/diff/gen.h"
 
 #include <string.h>
@@ -9,7 +9,7 @@ typedef struct Printer {
     Gen *g;
     Buf *out;
     Rng rng;
-    Rng units;                // for units alone, so that a program without them has the same text
+    Rng units;                // random numbers for units alone, so that a program without units is printed the same
     uint32_t indent;
     uint32_t parens;          // number of enclosing ( )
     bool crlf;
@@ -61,7 +61,7 @@ static void margin(Printer *p)
         put(p, chance(p, 3) ? "\t" : "    ");
 }
 
-// Between two tokens: a blank most of the time; inside parentheses a line end too.
+// Prints what separates two tokens: mostly a blank, and inside parentheses sometimes a line end.
 static void gap(Printer *p)
 {
     if (p->parens > 0 && chance(p, 2)) {
@@ -74,7 +74,7 @@ static void gap(Printer *p)
 
 // ---- expressions ----
 
-// The levels of the language reference, tightest last: or, and, equality, relation, sum, product, sign.
+// Returns the level of precedence in the language reference, lowest first: or, and, equality, relation, sum, product, sign.
 static int level_of(const GExpr *e)
 {
     if (e->kind == G_NUMBER)
@@ -119,8 +119,8 @@ static void print_binary_op(Printer *p, SmOperator op)
     gap(p);
 }
 
-// Operators of one level go from left to right, so that the right operand needs a tighter level.  Relations and equality
-// must not meet their own level on the left either: it would be a chain.
+// Operators of one level associate to the left, so that the right operand must be of a higher level.  For relations and equality the left
+// operand must be, too: otherwise the result would be a chain.
 static void print_binary(Printer *p, const GExpr *e)
 {
     const int level = level_of(e);
@@ -156,7 +156,7 @@ static void print_call(Printer *p, const GExpr *e)
         if (samples != 0)
             buf_printf(p->out, "%u", (unsigned)samples);
         else if (e->arg[i]->kind == G_STEPS)
-            print_bare(p, e->arg[i]);        // never in parentheses
+            print_bare(p, e->arg[i]);        // the printer never adds parentheses here
         else
             print_expr(p, e->arg[i], 1);
     }
@@ -177,7 +177,7 @@ static void print_defined(Printer *p, const GDef *d)
     put(p, ")");
 }
 
-// A state that was removed is replaced by the first that is left.
+// Returns the state, or the first remaining state if the reducer has removed it.
 static const GState *left_state(const Gen *g, const GState *s)
 {
     for (size_t i = 0; s->removed && i < g->state.n; i++)
@@ -247,7 +247,7 @@ static void print_stmts(Printer *p, const GStmts *list)
         margin(p);
         print_stmt(p, list->at[i]);
         if (list->at[i]->kind == G_IF && p->out->at[p->out->n - 1] == '}' && i + 1 < list->n && chance(p, 10))
-            put(p, " ");      // after a } another statement may follow
+            put(p, " ");      // another statement may follow the } on the same line
         else
             line_end(p);
     }
@@ -276,7 +276,7 @@ static void print_braces(Printer *p, const GStmts *list)
     put(p, "}");
 }
 
-// One statement behind a colon, or braces.  A conditional there would take an `else` that follows.
+// Prints one statement after a colon, or braces.  A conditional after the colon would take the `else` that follows, so it gets braces.
 static void print_body(Printer *p, const GStmts *list, bool else_follows)
 {
     const bool colon = list->n == 1 && !(else_follows && list->at[0]->kind == G_IF) && chance(p, 75);
@@ -350,7 +350,7 @@ static bool excepts(const GRule *r, const GState *s)
     return found;
 }
 
-// What runs in .step of a state by hand: the statements of the rules, then its own.
+// Collects the statements that .step of a state has when rules are written out by hand: those of the rules, then its own.
 static bool by_hand_step(Printer *p, const GState *s, GStmts *out)
 {
     const Gen *g = p->g;
@@ -387,7 +387,7 @@ static void print_state(Printer *p, const GState *s)
     buf_printf(p->out, "[%s]", s->name);
     line_end(p);
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t b = (i + (chance(p, 100) ? turn : 0)) % 3;      // blocks are written in any order
+        const uint32_t b = (i + (chance(p, 100) ? turn : 0)) % 3;      // the order of blocks is free
         if (b == 1 ? !has_step : !s->present[b])
             continue;
         const GStmts *list = b == 1 ? &step : &s->block[b];
@@ -453,7 +453,7 @@ static void print_element(Printer *p, const GVar *v)
         put(p, " @read_only");
     print_unit(p, v->type);
     if (chance(p, 10))
-        put(p, " ");          // entries of a list may share a line
+        put(p, " ");          // several entries of a list may share a line
     else
         line_end(p);
 }

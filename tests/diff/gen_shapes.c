@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that the optimiser searches, and that random programs would contain too rarely: whole numbers near the limits of types, work on
-// F32 alone, guards that an earlier guard decides, what was computed just before, windows over narrow elements, T and G.
+// Generates shapes that the optimiser searches for, and that random programs contain too rarely.  Examples are whole numbers near the limits of
+// types, arithmetic on F32 alone, guards that an earlier guard decides, repeated expressions, windows of narrow elements, and T and G.
 #include "tests/diff/gen.h"
 
 #include <stdio.h>
@@ -42,7 +42,7 @@ static bool is_narrow(SmType t) { return t != SM_F64; }
 
 typedef bool Likes(SmType t);
 
-// A variable of a liked type, or a number.
+// Returns a variable of a preferred type, or a number.
 static GExpr *leaf(Gen *g, Likes *likes, const char *const *number, uint32_t numbers)
 {
     const uint32_t n = (uint32_t)g->var.n, first = rng_below(&g->rng, n);
@@ -88,7 +88,7 @@ static const char *const f32_text[] = {
 
 static GExpr *f32_leaf(Gen *g) { return leaf(g, is_f32, f32_text, sizeof f32_text / sizeof *f32_text); }
 
-// One operation is F32 work if it goes to an F32; more are not.
+// Returns an expression of F32 operands.  One operation is computed in F32 if its result is stored in an F32; several operations are not.
 static GExpr *f32_expr(Gen *g)
 {
     GExpr *e = binary(g, pick_operator(g, SM_OP_ADD, 4), f32_leaf(g), f32_leaf(g));
@@ -106,7 +106,7 @@ static GExpr *narrow_window(Gen *g)
     return e;
 }
 
-// T or G less something.
+// Returns T or G minus a value.
 static GExpr *time_expr(Gen *g)
 {
     GExpr *now = gen_expr_new(g, rng_percent(&g->rng, 50) ? G_TIME : G_VAR, 0);
@@ -127,7 +127,7 @@ static GExpr *recent(Gen *g)
     return n != 0 ? g->recent[rng_below(&g->rng, n)] : whole_expr(g, 2);
 }
 
-// An expression and an equal or similar one: with its operands swapped, or another operator of its kind.
+// Combines a recent expression with an equal one, one with swapped operands, or one with another operator of its kind.
 static GExpr *twins(Gen *g)
 {
     GExpr *e = recent(g), *twin = gen_expr_new(g, e->kind, e->n);
@@ -166,7 +166,7 @@ static const char *number_near(Gen *g, const char *number)
     return out[0] == 'i' || out[1] == 'i' ? "1" : format_in(g->arena, "%s", out);
 }
 
-// One to three relations of a sensor, which may be NaN and then reads as 0, or of two.
+// Returns one to three relations, joined by AND and OR, mostly of one sensor.  A sensor can be NaN, and is then read as 0.
 static GExpr *reading_guard(Gen *g)
 {
     static const char *const limit[] = { "-1000", "-5", "-0.5", "-0.0", "0", "0.5", "5", "1000" };
@@ -186,7 +186,7 @@ static GExpr *reading_guard(Gen *g)
     return e;
 }
 
-// A relation of a variable with a number; often of the same variable as the last one, with a number near that one's.
+// Returns a relation between a variable and a number.  Often the variable is that of the last one, and the number is near that of the last one.
 GExpr *gen_plain_guard(Gen *g)
 {
     GExpr *e = g->last_guard, *value, *limit;

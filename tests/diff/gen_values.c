@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that programs are written with and the inputs they are given.  Both come from the same few places (ends of
-// ranges, zeros, halves, small numbers), so that comparisons meet equality and conversions meet their edges.
+// Chooses the numbers in programs and the values of inputs.  Both are taken from the same few sets (limits of types, zeros, halves, small
+// numbers).  Comparisons then often meet equal values, and conversions often meet the limits.
 #include "tests/diff/gen.h"
 
 #include <inttypes.h>
@@ -33,7 +33,7 @@ const char *gen_number(Arena *arena, Rng *r, uint32_t mood)
         return edge_text[rng_below(r, sizeof edge_text / sizeof *edge_text)];
     if (rng_percent(r, 50))
         return format_in(arena, "%u", (unsigned)rng_below(r, 1000));
-    // Any finite F64, with the digits that make it out.
+    // Any finite F64, with enough digits to identify it.
     snprintf(text, sizeof text, "%.17g", sm_from_bits(rng_u64(r) % 0x7FF0000000000000u));
     return format_in(arena, "%s", text);
 }
@@ -64,7 +64,7 @@ static uint64_t random_integer_cell(Rng *r, unsigned bits)
     const uint64_t mask = UINT64_MAX >> (64 - bits), u = rng_u64(r);
     switch (rng_below(r, 6)) {
     case 0: return u & mask;
-    case 1: return mask;                              // the largest, or -1
+    case 1: return mask;                              // the largest value, or -1 if the type is signed
     case 2: return mask >> 1;
     case 3: return (mask >> 1) + 1;
     case 4: return (0 - u % 8) & mask;
@@ -76,7 +76,7 @@ uint64_t gen_cell(Rng *r, SmType type, uint32_t mood)
 {
     if (type == SM_BOOL)
         return rng_below(r, 2);
-    if (mood == 0 && rng_percent(r, 85))              // small numbers, so that things meet
+    if (mood == 0 && rng_percent(r, 85))              // mostly small numbers, so that values are often equal
         return sm_cell_from_f64(type, (double)rng_below(r, 12) - (type == SM_F64 || type == SM_I8 ? 3 : 0));
     if (type == SM_F64)
         return random_f64_cell(r);
@@ -98,7 +98,7 @@ static uint64_t first_g(const Gen *g, Rng *r)
     }
 }
 
-// Most steps go on by a little, some stand still or go back.
+// Plans G before each step.  Most steps advance by a small amount; some do not advance, or go back.
 void gen_plan_time(Gen *g)
 {
     Rng r = { rng_mix(g->seed, 3) };
@@ -118,7 +118,7 @@ void gen_plan_time(Gen *g)
     }
 }
 
-// An element can contain a NaN from outside; a local is only stored by the rules of the language, which allow none.
+// An element can have the value NaN, written by the test.  A local cannot: only the machine stores it, and the language stores no NaN.
 static uint64_t input_cell(const Gen *g, Rng *r, const GVar *v)
 {
     const bool none = !v->is_local && sm_type_info[v->type].kind == SM_KIND_FLOAT && rng_percent(r, 3);

@@ -4,14 +4,15 @@
 //     difftest [--seed=N] [--count=N] [--steps=N] [--jobs=N] [--out=DIR] [--resume] [--print] [--no-reduce] [--no-floors] [--first]
 //              [--forms=012h] [--cc=COMMAND]… [--cc-soft=COMMAND]… [--vm=COMMAND]… [--batch=N] [--sound]
 //
-// Workers take blocks of seeds in turn.  Each keeps a file in DIR with how far it is and what its programs met, so that
-// --resume continues an interrupted campaign.  The seed of a worker that crashes or hangs is reported, and the worker is replaced.
-// Every program is run at -O0, -O1, -O2 and with its locals hidden from everybody (h), or in the --forms that are named.
-// With --cc the emitted C is compiled by each of these commands and compared, instead of the VM: in one form a program, unless
-// --forms names some; --cc-soft: that with numbers in software.  With --vm their images are fed to each of these commands, likewise (batch.h).
-// --batch: the number of programs at a time; fewer if they are too large together.  One that is too large alone is counted as "no room".
-// With --sound each program runs alone, from its first state, compared with the results of the analyses (sound.h).
-// A failing program is made smaller and written to DIR/seed-N.  Exit: 0 all agree, 1 not, 2 usage.
+// Workers process blocks of seeds in turn.  Each worker stores its progress and its counts in a file in DIR, so that --resume continues an
+// interrupted campaign.  The seed of a worker that crashes or hangs is reported, and the worker is replaced.
+// Every program is run at -O0, -O1, -O2 and with hidden locals (h), or only in the forms that --forms names.
+// With --cc, each of these commands compiles the emitted C, which is compared with the reference instead of the VM.  Each program has one form
+// unless --forms names several.  --cc-soft does this with numbers in software.  With --vm each of these commands receives the images (batch.h).
+// --batch is the number of programs in a batch.  A batch that is too large for the target is divided.  A single program that is too large is
+// counted as "no room".
+// With --sound each program runs without other engines, from its first state, and is compared with the results of the analyses (sound.h).
+// A failing program is reduced and written to DIR/seed-N.  Exit codes: 0 all agree, 1 some differ, 2 usage.
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE
 
@@ -39,16 +40,16 @@ typedef struct Options {
     uint32_t steps, jobs, batch;
     const char *out;
     bool resume, print, reduce, floors, first, sound;
-    unsigned forms;                   // 1u << Form of each that is run; 0: none was named
-    uint32_t build;                   // of this program: results of another build are not resumed
+    unsigned forms;                   // 1u << Form of each form that is run; 0: the command names none
+    uint32_t build;                   // identifies this build of the program: results of another build are not resumed
     uint32_t vias;
     Via via[VIAS_MAX];
 } Options;
 
 // The progress of a worker, in memory shared with the parent, and in a file for --resume.
 typedef struct Tally {
-    uint64_t next;                    // the block it works on, counted from 0
-    uint64_t seed;                    // the program it works on
+    uint64_t next;                    // the block that the worker processes, counted from 0
+    uint64_t seed;                    // the seed that the worker processes
     uint64_t programs, steps, different, rejected, crashed;
     uint64_t transition, saturation, nan, infinity, full_window, refusal, refused, store, change, covered, impossible, finding, no_room;
     uint64_t additions, definition, rule, state_name, span, window_in_time, steps_window, units, parameter, by_hand;      // programs that use each; compared
@@ -99,7 +100,7 @@ static void report_failure(const Options *o, Gen *g, const RunOptions *how, RunR
     fprintf(stderr, "seed %llu: reduced to %s: %s\n", (unsigned long long)g->seed, folder, r.message);
 }
 
-// How the program of a seed is run.
+// Returns the options with which the program of a seed is run.
 static RunOptions options_of(const Options *o, uint64_t seed)
 {
     RunOptions how = run_options_of(seed);
@@ -152,7 +153,7 @@ static void count_batch(const Options *o, Gen **g, uint32_t n, RunResult *r, con
         t->no_room += r[i].met.no_room || r[i].verdict == VERDICT_TOO_LARGE;
         how.folder = folder;
         for (uint32_t v = 0; v < o->vias && r[i].verdict != VERDICT_SAME && how.via == NULL; v++)
-            if (strstr(r[i].message, o->via[v].command) != NULL)      // the one that showed it
+            if (strstr(r[i].message, o->via[v].command) != NULL)      // the command in which the difference was found
                 how.via = &o->via[v];
         if (r[i].verdict != VERDICT_SAME && r[i].verdict != VERDICT_TOO_LARGE && t->different + t->rejected <= 5)
             report_failure(o, g[i], &how, r[i], arena);
@@ -217,7 +218,7 @@ static void tally_save(const Options *o, uint32_t worker, const Tally *t)
     rename(fresh, path);
 }
 
-// Takes up an earlier run of the same campaign.
+// Loads the progress of an earlier run of the same campaign.
 static void tally_load(const Options *o, uint32_t worker, Tally *t)
 {
     char path[500];
@@ -234,7 +235,7 @@ static void tally_load(const Options *o, uint32_t worker, Tally *t)
     fclose(f);
 }
 
-// --first: until something fails.
+// Whether the campaign continues.  With --first it ends at the first failure.
 static bool goes_on(const Options *o, const Tally *t) { return !o->first || t->different + t->rejected + t->crashed == 0; }
 
 static void work(const Options *o, uint32_t worker, Tally *t)
@@ -344,7 +345,8 @@ static void add_up(Tally *sum, const Tally *t)
     sum->by_hand += t->by_hand;
 }
 
-// A share below its floor means that the generator has stopped looking there.  Few programs may stray.
+// Reports a share of programs below its floor: the generator no longer produces what the test needs.  With few programs, a share is not
+// reliable.
 static bool share(const Options *o, const Tally *t, const char *what, uint64_t n, unsigned floor)
 {
     const double percent = t->programs != 0 ? 100.0 * (double)n / (double)t->programs : 0;
@@ -423,7 +425,7 @@ static bool take_number(const char *arg, const char *name, uint64_t *n)
 
 static bool take_forms(Options *o, const char *letters)
 {
-    static const char all[] = "012h";                 // row for row Form
+    static const char all[] = "012h";                 // one character for each Form, in the same order
     for (; *letters; letters++) {
         const char *at = strchr(all, *letters);
         if (at == NULL)

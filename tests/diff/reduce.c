@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One small cut after the other, each kept if the program still fails, until a whole round brings nothing.
+// Makes one small cut after another.  A cut remains if the program still fails with it.  Ends when a whole round makes no cut.
 #include "tests/diff/reduce.h"
 
 #include <string.h>
@@ -15,7 +15,7 @@ typedef struct Reducer {
     bool progress;
 } Reducer;
 
-// Whether it still fails with the cut that was just made.
+// Whether the program still fails with the cut that was just made.
 static bool still_fails(Reducer *r)
 {
     if (r->runs++ >= RUNS_MAX)
@@ -79,7 +79,7 @@ static void reduce_expr(Reducer *r, GExpr **place)
         reduce_expr(r, place);
         return;
     }
-    const uint32_t n = e->kind == G_ROLL ? 1 : e->n;          // a window's size is no value
+    const uint32_t n = e->kind == G_ROLL ? 1 : e->n;          // the size of a window is not a value
     for (uint32_t i = 0; i < n; i++)
         if (e->arg[i]->kind != G_STATE && try_expr(r, place, e->arg[i])) {
             reduce_expr(r, place);
@@ -110,7 +110,7 @@ static bool try_without(Reducer *r, GStmts *list, size_t i)
     return false;
 }
 
-// The conditional's own statements in its place.
+// Replaces a conditional by its own statements.
 static bool try_inlined(Reducer *r, GStmts *list, size_t i, const GStmts *inner)
 {
     const GStmts old = *list;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One case: texts, compiled; engines, stepped; answers, compared.
+// Runs one case: compiles the sources, steps the engines, and compares their results.
 #include "tests/diff/run.h"
 
 #include <stdio.h>
@@ -14,8 +14,8 @@
 #include "tests/diff/subject.h"
 #include "tests/diff/watch.h"
 
-// The reference, every form twice, in the VM with soft numbers and as a task; the reference and one form of the changed program, likewise;
-// coverage and its model.
+// At most these engines run: the reference, each form twice, in the VM with soft numbers and as a task; the reference and one form of the
+// changed program, likewise; coverage and its model.
 enum { ENGINES_MAX = 2 + 4 * FORM_COUNT + 5 + 2 };
 
 const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hidden" };
@@ -24,7 +24,7 @@ const char *const form_name[FORM_COUNT] = { "-O0", "-O1", "-O2", "-O2, locals hi
 
 typedef struct Lane {
     const Subject *subject;
-    Form form;                // of all but the reference
+    Form form;                // of every engine but the reference
     Engine *engine;
     EngineStep answer;
 } Lane;
@@ -188,7 +188,7 @@ static RunResult run_lanes(Lanes *l, const Gen *g, Arena *arena)
 
 // ---- initial values ----
 
-// Constants computed by the compiler must equal the reference's results for the same expressions.
+// Compares the constants that the compiler computed with the reference's results for the same expressions.
 static const char *compare_inits(const Subject *plain, const Subject *s, const Gen *g, const EngineStep *after, Arena *arena)
 {
     for (size_t i = 0; i < g->var.n; i++) {
@@ -221,7 +221,8 @@ static const char *check_inits(const Subject *plain, Gen *g, Arena *arena)
 
 // ---- the case ----
 
-// A program with additions is compared twice as often: as many times as others with a change of any kind, and as often with itself by hand.
+// A program with additions gets two comparisons: with a changed program, as often as other programs, and just as often with itself written out
+// by hand.
 RunOptions run_options_of(uint64_t seed)
 {
     const uint64_t r = rng_mix(seed, 9), turn = r / 3 % 4;
@@ -234,7 +235,8 @@ RunOptions run_options_of(uint64_t seed)
 
 // ---- the same machine by hand ----
 
-// The bytes of a machine's sections MACHINE, CODE and INIT (docs/bytecode.md): all that it does, without names, lines and the hash of its text.
+// Collects the sections MACHINE, CODE and INIT of a machine (docs/bytecode.md): its whole behaviour, without names, lines and the hash of its
+// source.
 static bool machine_bytes(Subject *s, Form form, Buf *out)
 {
     const ImageOptions options = { .debug = false };
@@ -254,9 +256,9 @@ static bool machine_bytes(Subject *s, Form form, Buf *out)
     return true;
 }
 
-// Additions are notation only: they compile to the same code as the program written out by hand.
-// Windows of definitions and rules exist once, and have other numbers than those of their copies by hand: then only the size is the same, and
-// where the optimiser has merged the copies.
+// Additions are notation only: they compile to the same code as the program written out by hand.  There is one exception.  A window of a
+// definition or a rule exists once, but its copies by hand are several windows with other numbers.  Then only the sizes are compared, and only
+// at -O2, where the optimiser merges the copies.
 static const char *compare_bytes(const Gen *g, Subject *plain, Subject *by_hand, Form form, Arena *arena)
 {
     const bool exact = !gen_additions_sample(g);
@@ -278,7 +280,7 @@ static const char *open_lanes(Lanes *l, Subject *s, unsigned forms, const Subjec
     return error;
 }
 
-// Coverage of the program, and what it must be by definition.
+// Opens an engine that counts coverage, and the model with which the counts are compared.
 static Cover *add_cover(Lanes *l, Subject *s, Engine **model)
 {
     Cover *c = cover_new(&s->session.arena, s->program);
@@ -288,7 +290,7 @@ static Cover *add_cover(Lanes *l, Subject *s, Engine **model)
     return c;
 }
 
-// The changed program; where the state vector is still the same and the name another, as second machine in an image with the first.
+// Opens the changed program.  If it has the same state vector and another name, it is the second machine in an image with the first.
 static const char *open_changed(Lanes *l, Subject *s, Subject *plain, Gen *g, const RunOptions *o, Arena *arena)
 {
     gen_change(g, o->what);
@@ -333,7 +335,7 @@ RunResult run_case(Gen *g, const RunOptions *o, Arena *arena)
     if (r.message == NULL)
         r = run_lanes(&lanes, g, arena);
     else
-        r.message = format_in(arena, "%s", r.message);        // out of the session, which ends here
+        r.message = format_in(arena, "%s", r.message);        // copies the message out of the session, which ends here
     note_watch(&r.met);
     if (r.verdict == VERDICT_SAME && cover) {
         cover_settle(cover);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the program like the reference, with the reference's arithmetic and windows, and checks at every point what facts and
-// findings claim there: about variables at the start of a function and at a guard, about stored values, about code that is never
-// executed and states that are never reached.
+// Runs the program with the reference's arithmetic and windows, and checks the claims of facts and findings at every point: about variables at
+// the start of a function and at a guard, about stored values, about code that is never executed, and about states that are never reached.
 #include "tests/diff/sound.h"
 
 #include <stdio.h>
@@ -13,10 +12,10 @@
 #include "stdlib/math.h"
 #include "tests/diff/watch.h"
 
-typedef struct Claim { uint32_t var; Fact fact; } Claim;         // of a variable, by Program.var
+typedef struct Claim { uint32_t var; Fact fact; } Claim;         // the variable: index in Program.var
 typedef VEC(Claim) Claims;
 
-typedef struct Never {                // the findings about a statement
+typedef struct Never {                // the findings that claim what a statement never does
     bool at_all, then, otherwise;
 } Never;
 
@@ -30,7 +29,7 @@ typedef struct Sound {
     bool is_first, has_run;
     uint64_t last_g, start;
     Claims (*begin)[BLOCK_COUNT];     // by state
-    Claims *at;                       // by Stmt.number: where a guard decides or a transition is made
+    Claims *at;                       // by Stmt.number: where a guard is evaluated or a transition is made
     Never *never;                     // by Stmt.number
     bool *no_state, (*no_block)[BLOCK_COUNT];
     const char *wrong;
@@ -273,7 +272,7 @@ static void count_stmt(const Stmt *s, void *context)
 
 // ---- the case ----
 
-// Trial runs take by far the longest and claim nothing for every input: of some programs they are made to see that they end.
+// The analysis `trials` takes by far the longest, and claims nothing that holds for every input.  Some programs run it to check that it ends.
 static bool is_run(const char *analysis, const Gen *g) { return strcmp(analysis, "trials") != 0 || g->seed % 20 == 0; }
 
 static void prepare(Sound *r, Subject *s, const Gen *g, Arena *arena)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program tree to typed program, through its text.
+// Compiles a program tree, by printing it and compiling the source.
 #include "tests/diff/subject.h"
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A generated program as compiled.
+// A generated program after compilation.
 #ifndef SM_DIFF_SUBJECT_H
 #define SM_DIFF_SUBJECT_H
 
@@ -10,19 +10,19 @@
 typedef struct Subject {
     Session session;
     const Program *program;
-    uint32_t index[GEN_VARS_MAX];     // by GVar.id: where in Program.var
+    uint32_t index[GEN_VARS_MAX];     // by GVar.id: the index in Program.var
 } Subject;
 
-// NULL, or the compiler's error (in `arena`).  subject_free in both cases.
+// Returns NULL, or the error of the compiler, which is allocated in `arena`.  The caller calls subject_free in both cases.
 const char *subject_compile(Subject *s, Gen *g, Arena *arena);
-// The machine of gen_print_inits.
+// Compiles the machine of gen_print_inits, with the same result as subject_compile.
 const char *subject_compile_inits(Subject *s, Gen *g, Arena *arena);
 void subject_free(Subject *s);
 
-// The inputs written before step k; returns how many.
+// Fills *out with the inputs that are written before step k.  Returns their number.
 uint32_t subject_writes(const Subject *s, const Gen *g, uint32_t k, EngineWrite *out);
 
-// Memory for an arena: the heap, and an end to the program where there is none.
+// Initialises an arena on the heap that ends the program when memory runs out.
 void diff_arena_init(Arena *a);
 
 #endif

@@ -67,7 +67,7 @@ static EngineStatus record_step(Engine *e, const EngineWrite *write, uint32_t n,
 
 static void record_close(Engine *e) { (void)e; }
 
-// Of emitted C every other one is without the flags of stored elements.
+// Every other part of emitted C is compiled without the flags of stored elements.
 TalkPart *talk_add(Talk *t, Session *s, const Program *p, Form form, const IrMachine *ir, RunResult *result)
 {
     TalkPart *part = &t->part[t->n++];
@@ -114,7 +114,7 @@ static uint64_t number_at(const char *bytes, size_t size)
     return v;
 }
 
-// The field of an answer that contains byte `at`.
+// Returns the name of the field of an answer that contains byte `at`.
 static const char *field_at(const TalkPart *p, size_t at, size_t *from, size_t *size, Arena *arena)
 {
     static const char *const head[] = { "status", "next state", "whether the next step is a first one" };
@@ -133,7 +133,7 @@ static const char *field_at(const TalkPart *p, size_t at, size_t *from, size_t *
     return program->var.at[(at - HEAD) / 8]->name->text;
 }
 
-// `want` and `got` are the part's answers, which differ first at byte `at`.
+// Reports a difference.  `want` and `got` are the answers of the part, which differ first at byte `at`.
 static void blame(TalkPart *p, size_t at, const char *want, const char *got, size_t got_n, const char *who)
 {
     Arena *arena = p->talk->arena;
@@ -165,7 +165,7 @@ static void take_unknown(const TalkPart *p, const char *want, char *got, size_t 
                 memcpy(got + at + HEAD + 8 * v, want + at + HEAD + 8 * v, 8);
 }
 
-// Gives how many of the n bytes are this part's.
+// Compares the answers of a part.  Returns how many of the n bytes belong to it.
 static size_t compare_part(TalkPart *p, size_t end, char *got, size_t n, const char *who)
 {
     const size_t expected = end - p->first;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference's own code with counters in its entry functions.  These objects come before the library, so that the linker takes
-// them; inside, calls go to the renamed originals.
+// The reference's own code, with counters in its entry functions.  These objects precede the library in the link, so that the linker uses them.
+// Calls inside them go to the renamed originals.
 #define ref_convert plain_ref_convert
 #define ref_true plain_ref_true
 #define ref_windows_sample plain_ref_windows_sample

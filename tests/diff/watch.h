@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reference met while it ran a program: a differential test that never saturates proves nothing about saturating.
-// watch.c replaces the reference's ref_number.c and ref_window.c in the test program; their code is unchanged.
+// Counts what occurred in the reference while it ran a program.  A differential test in which nothing ever saturates does not test saturation.
+// watch.c replaces the reference's ref_number.c and ref_window.c in the test program, with their code unchanged.
 #ifndef SM_DIFF_WATCH_H
 #define SM_DIFF_WATCH_H
 

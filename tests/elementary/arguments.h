@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arguments of the elementary functions for tests: of every binade, and where each function is hardest.
+// Arguments of the elementary functions for tests: from every binade (the numbers from 2^n to 2^(n + 1)), and those with the largest errors.
 #ifndef ELEMENTARY_ARGUMENTS_H
 #define ELEMENTARY_ARGUMENTS_H
 
@@ -29,10 +29,10 @@ static inline uint64_t next_u64(uint64_t *state)
 static inline double random_in(uint64_t *state, double lo, double hi) { return lo + (hi - lo) * ((double)(next_u64(state) >> 11) * 0x1p-53); }
 static inline double random_sign(uint64_t *state, double x) { return next_u64(state) & 1 ? -x : x; }
 
-// A number whose logarithm is uniform, of either sign.
+// Returns a number with a uniformly distributed logarithm, of either sign.
 static inline double random_log(uint64_t *state, double lo, double hi) { return random_sign(state, exp2(random_in(state, lo, hi))); }
 
-// Any finite number: each binade is as likely as any other.
+// Returns any finite number; all binades are equally likely.
 static inline double random_finite(uint64_t *state)
 {
     double x;
@@ -43,7 +43,7 @@ static inline double random_finite(uint64_t *state)
     return x;
 }
 
-// Argument number i for function f.  Arguments outside its domain become valid ones.
+// Sets argument number i of function f.  Arguments outside its domain are replaced by valid ones.
 static inline void pick_arguments(Function f, uint64_t *state, unsigned i, double *x, double *y)
 {
     const unsigned kind = i % 4;

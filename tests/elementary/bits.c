@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elementary functions have the same bits with the computer's double and with soft numbers.
+// Checks that the elementary functions have the same bits with the computer's double and with soft numbers.
 //   bits [N [SEED]]      every special argument, each pair of those, and N random arguments for each function
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The largest errors of the elementary functions, against libquadmath, whose results have 113 bits.
+// Measures the largest errors of the elementary functions against libquadmath, whose results have 113 bits.
 //   precision N SEED      N random arguments for each function, beginning with every binade
 // Fails if an error is 1 ulp or more, or a result is NaN, infinite or finite where it should not be.
 #include <quadmath.h>
@@ -33,8 +33,8 @@ static __float128 call_reference(Function f, double x, double y)
     return 0;
 }
 
-// Returns the error in units of the last place of the exact result; 100 where the kind of number differs.  Infinity is right from half a unit above
-// the largest number on, and 1 unit below that its error is below 1 too.
+// Returns the error in units of the last place (ulp) of the exact result; 100 if one is finite and the other is infinite or NaN.  Infinity is
+// correct from half a unit above the largest number on, and for 1 unit below that its error is also below 1.
 static double error_of(double got, __float128 exact)
 {
     const __float128 largest = 0x1.fffffffffffffp1023Q, unit = 0x1p971Q;
@@ -66,7 +66,7 @@ static void judge(Worst *w, Function f, double x, double y)
     }
 }
 
-// Eight arguments of every binade and of either sign; of two arguments, each binade with 64 others.
+// Tests eight arguments of every binade and of either sign; for two arguments, each binade with 64 others.
 static void judge_binades(Worst *w, Function f, int arguments, uint64_t *state)
 {
     for (unsigned sign_exponent = 0; sign_exponent < 4096; sign_exponent++) {

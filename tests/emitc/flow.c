@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control flow that no source has: random forward graphs of blocks, which emitted C has to write with nested conditionals
-// and gotos.  Each machine is one graph; a walk of the graph here computes the expected result of its C.  One compiler run builds all.
+// Control flow that no source can express: random forward graphs of blocks, for which emitted C needs nested conditionals and gotos.  Each
+// machine is one graph.  The test follows the graph itself to compute the result that its C must have.  One run of the compiler builds all
+// machines.
 //     flow [COUNT [SEED]]
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,7 +32,7 @@ static void *heap(void *context, void *old, size_t size)
 
 // ---- a machine whose first state's step is a random graph ----
 
-enum { VAR_G, VAR_S, VAR_T, VAR_COUNT, VAR_TRUTH, VAR_TRACE, VAR_LAST };      // the variables, in order; behind them the bits
+enum { VAR_G, VAR_S, VAR_T, VAR_COUNT, VAR_TRUTH, VAR_TRACE, VAR_LAST };      // the variables, in order, followed by the bits of the input
 
 typedef struct Subject {
     IrMachine m;
@@ -59,7 +60,7 @@ static IrRef emit(Arena *a, IrFn *f, IrBlkRef b, IrOp op, SmType type, IrRef x, 
 
 static uint64_t f64(double x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
 
-// trace = trace * 3 + the block's number: what a walk leaves behind.
+// Adds trace = trace * 3 + the number of the block, so that each path has its own result.
 static void add_trace(Arena *a, IrFn *f, IrBlkRef b)
 {
     const IrRef old = emit(a, f, b, IR_load, SM_F64, IR_NONE, IR_NONE, VAR_TRACE, 0);
@@ -69,11 +70,11 @@ static void add_trace(Arena *a, IrFn *f, IrBlkRef b)
     const IrRef sum = emit(a, f, b, IR_add, SM_F64, product, number, 0, 0);
 
     emit(a, f, b, IR_store, SM_F64, sum, IR_NONE, VAR_TRACE, 0);
-    if (dice(3) == 0)                 // keeps a value over a store: a variable of its own in C
+    if (dice(3) == 0)                 // a value that is used after a store: C needs a variable for it
         emit(a, f, b, IR_store, SM_F64, old, IR_NONE, VAR_LAST, 0);
 }
 
-// What an arm may do that comes out without a jump: count = count + 1.
+// Adds count = count + 1: a branch that C can express without a jump.
 static void add_count(Arena *a, IrFn *f, IrBlkRef b)
 {
     const IrRef old = emit(a, f, b, IR_load, SM_U64, IR_NONE, IR_NONE, VAR_COUNT, 0);
@@ -91,7 +92,7 @@ static void add_truth(Arena *a, IrFn *f, IrBlkRef b)
     emit(a, f, b, IR_store, SM_BOOL, truth, IR_NONE, VAR_TRUTH, 0);
 }
 
-// Bit k of the input decides: bits >= 2^k after the higher ones are taken off would need arithmetic, so each is an element.
+// Adds a condition that reads bit k of the input.  Each bit is a separate element: to extract it from a number would need arithmetic.
 static IrRef add_condition(Arena *a, IrFn *f, IrBlkRef b, uint32_t bit)
 {
     const IrRef x = emit(a, f, b, IR_load, SM_BOOL, IR_NONE, IR_NONE, VAR_LAST + 1 + bit, 0);

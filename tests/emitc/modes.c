@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processor can be set to round differently or to flush subnormal numbers to zero, unknown to the compiler.  A machine does not
-// start then.  Exit 0 when that is so.
+// The processor can be set to another rounding mode, or to flush subnormal numbers to zero, which the compiler does not know.  A machine must
+// then refuse to start.  Exit code 0 if it does.
 #include <fenv.h>
 #include <stdio.h>
 

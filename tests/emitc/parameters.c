@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that sets the parameters of an emitted machine: each value out of range is refused, and so is everything after the first step.
-// Exit 0 when it behaved as its source defines.
+// A program that sets the parameters of an emitted machine.  Each value out of range is refused, and so is every value after the first step.
+// Exit code 0 if the machine behaves as its source defines.
 #include <math.h>
 #include <stdio.h>
 
@@ -19,7 +19,7 @@ static void check(int holds, const char *what)
 static Deploy machine;
 static DeploySv sv;
 
-// Returns what a fresh machine answers to these values.
+// Sets these values in a new machine.  Returns its result.
 static uint32_t set(double limit, float gain, int16_t offset)
 {
     DeployParameters p;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine of run.sh's readings sees the same of NaN as of 0, in every state, and counts on from what a U64 reads as.
-// Exit 0 when that is so.
+// The machine of run.sh's readings must treat NaN like 0 in every state, and continue to count from the value that a U64 reads as.  Exit code 0
+// if it does.
 #include <stdio.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@ enum { STATES = 400 };
 
 typedef struct Seen { unsigned char seen, also; } Seen;
 
-// A NaN, whatever the options do to its making: its bits.
+// Stores the bits of a NaN, because compiler options can affect how a NaN is computed.
 static void put_nan(ReadingsSv *sv)
 {
     memset(&sv->x, 0xff, sizeof sv->x);

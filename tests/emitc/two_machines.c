@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program around two machines that share a state vector; as C and as C++.  Exit 0 when both behaved as their sources define.
+// A program with two machines that share a state vector, as C and as C++.  Exit code 0 if both behave as their sources define.
 #include <stdio.h>
 
 #include "bus.h"

@@ -46,7 +46,7 @@ static uint64_t random_bits(void)
     return high << 34 ^ low << 4 ^ dice(16);
 }
 
-// Small as a rule, so that sums and products fit; now and then at a limit.
+// Returns a mostly small value, so that sums and products fit; sometimes a limit.
 static uint64_t random_cell(SmType t)
 {
     static const double corner[] = { 0, 1, -1, 127, -128, 128, 255, 256, 32767, -32768, 32768, 65535, 65536, 16777216, 16777217,
@@ -122,7 +122,7 @@ static IrRef random_value(Arena *a, IrFn *f, SmType type, unsigned depth)
     return type == SM_BOOL ? random_truth(a, f, depth - 1) : random_same(a, f, type, depth - 1);
 }
 
-// Locals, which take any number; elements for the inputs, which may hold a NaN.
+// Adds a variable: a local for results, which can have any number, or an element for an input, which can be NaN.
 static void add_var(Arena *a, StrPool *strings, Subject *s, const char *name, IrSpace space, SmType type, uint32_t offset)
 {
     IrVar v = { .space = space, .name = str_c(strings, name), .type = type, .offset = offset, .writable = space == IR_LOCAL };
@@ -143,7 +143,7 @@ static IrFn *random_function(Arena *a, Subject *s)
     for (uint32_t i = 0; i < RESULTS; i++) {
         const SmType type = s->m.var.at[VAR_OUT + i].type;
         IrRef x = random_value(a, f, type, DEPTH);
-        if (type == SM_F64 || type == SM_F32)         // no NaN is stored
+        if (type == SM_F64 || type == SM_F32)         // these stores never store a NaN
             x = emit(a, f, IR_cvt, type, x, IR_NONE, 0, 0);
         emit(a, f, IR_store, type, x, IR_NONE, VAR_OUT + i, 0);
     }
@@ -304,7 +304,7 @@ static void try_one(Arena *a, const Subject *s, const Program *p, Engine *e)
         try_input(a, s, e, step);
 }
 
-// `soft`: with numbers in software.
+// `soft`: the C computes its numbers in software.
 static void try_all(Arena *a, const Subject *s, const Program *const *p, const IrMachine *const *m, size_t count, bool soft)
 {
     const char *error = "";

@@ -30,7 +30,7 @@ static int64_t rounded_signed(int64_t v)
     return r > (uint64_t)INT64_MAX ? INT64_MAX : (int64_t)r;
 }
 
-// 24 digits of what the double has.
+// Whether f is d rounded to 24 binary digits.
 static int is_float_of(float f, double d)
 {
     const volatile float wanted = (float)d;

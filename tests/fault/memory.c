@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes away memory at every place where the library asks for some: compiling, checking, all outputs, and running a script
-// must come back to the session's edge by longjmp, with every piece given back, and touch nothing that they were refused.
+// Refuses each allocation of the library in turn.  Compiling, checking, all outputs and running a script must then return by longjmp to the call
+// of the session, free every block, and not access a block that was refused.
 //
-//     memory FILE.smt…      each with a machine; without scripts it is only compiled
+//     memory FILE.smt…      each case has a machine; without scripts it is only compiled
 //
-// It is built with arenas whose chunks hold one allocation each, so that "the N-th request fails" hits every call of
-// arena_alloc in turn.
+// It is built with arenas whose chunks contain one allocation each, so that "the N-th request fails" reaches every call of arena_alloc in turn.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,8 +15,8 @@
 // ---- a host that refuses the N-th request ----
 
 typedef struct Host {
-    size_t requests, refuse;          // refuse: the number of the request that gets nothing, counted from 1; 0: none
-    size_t live;                      // pieces handed out and not given back
+    size_t requests, refuse;          // number of requests; the request that is refused, counted from 1, 0: none
+    size_t live;                      // blocks that are allocated and not yet freed
 } Host;
 
 static void *take(void *context, void *old, size_t size)
@@ -140,7 +139,7 @@ static uint64_t digest(const Buf *b)
     return h;
 }
 
-// Whether it ended normally; then *result is its output.
+// Runs a case.  Returns whether it ended normally; then *result depends on its output.
 static bool attempt(Host *h, const TestFile *f, uint64_t *result)
 {
     volatile bool done = false;
@@ -162,7 +161,7 @@ static bool attempt(Host *h, const TestFile *f, uint64_t *result)
 
 // ---- every request in turn ----
 
-enum { MOST_TRIES = 2000 };           // of a case that makes more requests, only some are refused, evenly spread
+enum { MOST_TRIES = 2000 };           // of a case with more requests, this many are refused, evenly distributed
 
 static bool refuse_each(const TestFile *f)
 {
@@ -198,7 +197,7 @@ static char *read_all(const char *path, size_t *n)
     return text;
 }
 
-static int machines;                   // that have been tried
+static int machines;                   // number of machines tried
 
 static bool check_file(const char *file)
 {

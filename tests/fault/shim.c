@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes one call to the system fail: preloaded before the command (LD_PRELOAD), controlled by the environment.
+// Makes one system call fail: preloaded before the command (LD_PRELOAD), controlled by environment variables.
 //
 //     SMC_FAULT=write:3         the third write returns an error (in this process, not in its children)
 //     SMC_FAULT=half-write:2    the second write writes half of its data, the next one fails
 //     SMC_FAULT_MARK=FILE       FILE is created when the fault happens, so that the caller knows when to stop counting
 //
-// Linux with glibc.  Calls inside libc do not come here; what matters is what our own code asks for.
+// Linux with glibc.  Calls inside libc are not intercepted; the test concerns only calls of our own code.
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <dlfcn.h>
@@ -25,9 +25,9 @@ void *__libc_malloc(size_t n);
 void *__libc_calloc(size_t count, size_t n);
 void *__libc_realloc(void *old, size_t n);
 
-static char kind[32];                 // which calls count
-static long left;                     // how many of them still work
-static int looking_up;                // dlsym may want memory: that does not count
+static char kind[32];                 // the calls that are counted
+static long left;                     // number of these calls that still succeed
+static int looking_up;                // dlsym may allocate memory, which is not counted
 
 static void mark(void)
 {
@@ -49,7 +49,7 @@ __attribute__((constructor)) static void begin(void)
     left = strtol(colon + 1, NULL, 10);
 }
 
-// Whether this call is the one; sets errno.
+// Whether the current call must fail.  Sets errno.
 static int fails(const char *name, int error)
 {
     if (looking_up || strcmp(kind, name) != 0 || left == 0 || --left > 0)
@@ -110,7 +110,7 @@ ssize_t write(int fd, const void *from, size_t n)
     return (ssize_t)syscall(SYS_write, fd, from, n);
 }
 
-// A close that fails has closed all the same.
+// A close that fails has still closed the file.
 int close(int fd)
 {
     int failed = fails("close", EIO);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a fuzz target without a fuzzer: on each file given, then on N inputs that are random small changes of them.
+// Runs a fuzz target without a fuzzer: on each file given, then on N inputs made from these by small random changes.
 //
 //     TARGET [-n N] [-s SEED] [-o FILE] FILE…
 //
-// FILE of -o receives each input before it is tried, so that after a crash it contains the crashing one.  The same seed
-// produces the same inputs.  Each FILE is a test, and so are all inputs derived from it; the last test is that enough inputs were accepted (fuzz_floor).
+// The FILE of -o receives each input before it is tried, so that after a crash it contains the input that caused it.  The same seed produces the
+// same inputs.  Each FILE is one test, together with all inputs derived from it.  The last test is that enough inputs were accepted
+// (fuzz_floor).
 #include <stdbool.h>
 #include <string.h>
 
@@ -64,7 +65,7 @@ static void cut(Input *x)
     x->n -= n;
 }
 
-// Puts a piece of some input in.
+// Inserts a part of a random input.
 static void splice(Input *x)
 {
     const Input *other = &corpus[below(inputs)];
@@ -79,7 +80,7 @@ static void splice(Input *x)
 
 static int is_digit(uint8_t c) { return c >= '0' && c <= '9'; }
 
-// Replaces a number: most faults of texts are in their numbers.
+// Replaces a digit: most faults of sources are in their numbers.
 static void change_digit(Input *x)
 {
     for (size_t at = below(x->n + 1); at < x->n; at++)
@@ -89,7 +90,7 @@ static void change_digit(Input *x)
         }
 }
 
-// Exchanges two lines' worth of text.
+// Overwrites a part of the input by a copy of another part, of at most 127 bytes.
 static void repeat_piece(Input *x)
 {
     size_t from = below(x->n + 1), n = below(x->n - from + 1) % 128, to = below(x->n + 1);
@@ -103,7 +104,7 @@ static void change(Input *x)
 {
     static void (*const how[])(Input *) = {change_byte, flip_bit, cut, splice, change_digit, change_digit, repeat_piece};
 
-    for (size_t times = 1 + below(1 + below(5)); times > 0; times--)       // often one alone: more of them are accepted
+    for (size_t times = 1 + below(1 + below(5)); times > 0; times--)       // often only one change: more of these inputs are accepted
         how[below(sizeof how / sizeof how[0])](x);
 }
 
@@ -121,7 +122,7 @@ static void keep(const char *path, const Input *x)
 
 static void try(const Input *x, const char *crash_file)
 {
-    uint8_t *copy = malloc(x->n ? x->n : 1);                  // its own block: a read beyond it is seen
+    uint8_t *copy = malloc(x->n ? x->n : 1);                  // a separate block, so that a sanitizer notices a read beyond it
 
     if (!copy)
         exit(3);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: text through lexer, parser, checker and renderers.  The first byte selects the kind of the rest: `v` a state vector,
-// `s` a script (of the machine below), `p` pins, `a` an application (of the files below), anything else a machine.  Nothing may
-// crash or hang; every position of a diagnostic is in the text; a tree without an error contains no error node and stays within its depth.
+// Fuzz target: passes source text through lexer, parser, checker and renderers.  The first byte selects the kind of the rest: `v` a state
+// vector, `s` a script (of the machine below), `p` pins, `a` an application (of the files below), any other byte a machine.  Nothing may crash
+// or hang.  Every position of a diagnostic must be in the source.  A tree without an error must contain no error node and must not exceed its
+// depth.
 #include <string.h>
 
 #include "compiler/emit/c/app.h"
@@ -16,7 +17,7 @@ static const char tested[] = "[state_vector]\nU64 G\nU32 S\nF64 x\nbool b\n[loca
 
 static size_t memory_taken;
 
-// A host with little memory: a text that wants more ends, and that is no fault.
+// A host with little memory.  An input that needs more ends without a result, which is not a fault.
 static void *small_heap(void *context, void *old, size_t size)
 {
     if (size > MEMORY_MOST - memory_taken)
@@ -111,7 +112,7 @@ static void check_diags(Session *s)
     }
     buf_init(&out, &s->arena);
     diags_render_text(&s->diags, &plain, &out);
-    FUZZ_CHECK(strlen(buf_text(&out)) == out.n);              // nothing unprintable has got through
+    FUZZ_CHECK(strlen(buf_text(&out)) == out.n);              // the text contains no NUL
     diags_render_json(&s->diags, &out);
     diags_render_sarif(&s->diags, &none, "1", &out);
     FUZZ_CHECK(strlen(buf_text(&out)) == out.n);
@@ -134,10 +135,10 @@ static void try_parse(Session *s, const Source *src, FileKind kind)
     lex_print(&s->strings, &s->diags, src, kind, &out);
 }
 
-// The state vector that pins are of.
+// The state vector to which pins are connected.
 static const char wired[] = "[R]\nF64 x\nbool b\nU8 i\nF32 o\n";
 
-// Whatever file an application names is one of these.
+// Returns the content of a file that an application names: one of these, whatever its name is.
 static const char *file_text(FileKind kind)
 {
     static const char vector[] = "[options]\nlock\n[A]\nU64 time\nU32 state\nF64 x\nbool b\nU8 mode\nU32 late\n";
@@ -200,7 +201,7 @@ static void try_net(Session *s, const Source *src)
     FUZZ_CHECK(strlen(buf_text(&header)) == header.n && strlen(buf_text(&code)) == code.n);
 }
 
-// Requirements of the machine that scripts test, over which a monitor then runs.
+// Parses requirements of the machine that scripts test, and runs a monitor on them.
 static void try_requirements(Session *s, const Source *src)
 {
     const MachineInput machine = {.sm = source_new(&s->arena, "tested.sm", tested, sizeof tested - 1)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fuzz target is one function under libFuzzer's name, so that clang's -fsanitize=fuzzer can drive it.  driver.c drives it
-// with nothing but a C compiler, and afl-fuzz through its files.
+// A fuzz target is one function with libFuzzer's name.  It runs under clang's -fsanitize=fuzzer, under afl-fuzz through files, or under driver.c
+// with any C compiler.
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
@@ -11,12 +11,12 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-// Each target counts the inputs that passed its first checks and reached the tested code, and defines how many of a hundred must.
-// driver.c fails below that: a target whose inputs are all refused at once tests nothing.
+// Each target counts the inputs that passed its first checks and reached the tested code.  It defines how many of a hundred inputs must do so.
+// driver.c fails below that, because a target that refuses all inputs at once tests nothing.
 extern unsigned long fuzz_reached;
 extern const unsigned fuzz_floor;
 
-// What must hold whatever the input is.
+// A condition that must be true for every input.
 #define FUZZ_CHECK(condition)                                                                     \
     do {                                                                                          \
         if (!(condition)) {                                                                       \

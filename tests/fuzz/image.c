@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an image, once as they are and once with their length and checksum put right.  One that is accepted can be signed, and
-// is accepted then.
+// Fuzz target: any bytes as an image, first unchanged, then with corrected length and checksum.  An image that is accepted can be signed, and is
+// then accepted again.
 #include "compiler/device/sign.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/unit/vm_hammer.h"
@@ -22,7 +22,7 @@ static void sign(const uint8_t *image, uint32_t size)
     free(out);
 }
 
-unsigned long fuzz_reached;           // images that were accepted, and ran
+unsigned long fuzz_reached;           // images that were accepted and ran
 const unsigned fuzz_floor = 15;
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

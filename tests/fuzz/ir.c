@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as IR: it is refused, or printing it reproduces it; if it is valid, it is valid after every pass, C is
-// emitted from it, and an image that the VM's verifier accepts.
+// Fuzz target: any bytes as IR text.  The reader refuses the text, or printing the result reproduces it.  A valid IR remains valid after every
+// pass; C can be emitted from it, and an image that the VM's verifier accepts.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
@@ -68,7 +68,7 @@ static void check_sound(Session *s, IrMachine *m)
     FUZZ_CHECK(m && ir_verify(&s->arena, m) == NULL);
 }
 
-unsigned long fuzz_reached;           // texts that are IR
+unsigned long fuzz_reached;           // inputs that are IR text
 const unsigned fuzz_floor = 4;
 
 static void check(Session *s, const char *text, size_t n)

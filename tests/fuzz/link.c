@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes on the line to a board: as they are, and then as bodies of sound frames.  Nothing is written outside its memory (under
-// the sanitizers), every answer is a sound frame, and whatever was asked for, the board starts again with an image that is whole.
+// Fuzz target: any bytes on the line to a board, first unchanged, then as the bodies of valid frames.  The sanitizers check that no access is
+// outside its memory.  Every answer must be a valid frame.  After any requests, the board must start again with a complete image.
 #include "tests/fuzz/fuzz.h"
 #include "tests/store/board.h"
 
@@ -19,7 +19,7 @@ static void answer_is_sound(const Board *b, uint16_t n)
     FUZZ_CHECK(whole && (in.buffer[1] & LINK_ANSWER) != 0 && in.n > LINK_HEAD);
 }
 
-unsigned long fuzz_reached;           // inputs that bring an image onto the board, which runs after a start
+unsigned long fuzz_reached;           // inputs that send an image to the board which runs after a start
 const unsigned fuzz_floor = 10;
 
 static void give(Board *b, const uint8_t *bytes, size_t n)
@@ -33,7 +33,7 @@ static void give(Board *b, const uint8_t *bytes, size_t n)
     }
 }
 
-// A number of link.def is that message.  Of the others those below 128 are one of them each, the rest are no message.
+// Maps a byte to a message.  A number of link.def is this message.  Other bytes below 128 select one of the messages; the rest are invalid.
 static uint8_t message_of(uint8_t byte)
 {
     static const uint8_t messages[] = {
@@ -48,7 +48,7 @@ static uint8_t message_of(uint8_t byte)
     return byte & 0x80 ? byte : messages[byte % sizeof messages];
 }
 
-// The first byte is the length of its body, the second selects the request (message_of).
+// Sends a frame.  The first byte is the length of its body, the second selects the request (message_of).
 static size_t give_frame(Board *b, const uint8_t *data, size_t size)
 {
     uint8_t frame[LINK_ROOM(BOARD_BODY) + 1] = {0};

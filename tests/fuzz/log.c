@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a flight log, once unchanged and once with corrected checksums of everything that looks like a block; and every
-// output format of the result.
+// Fuzz target: any bytes as a flight log, first unchanged, then with corrected checksums in everything that resembles a block.  Every output
+// format is written from the result.
 #include <setjmp.h>
 
 #include "compiler/report/flight.h"
@@ -29,7 +29,7 @@ static void show(Flight *f, Buf *out)
     }
 }
 
-unsigned long fuzz_reached;           // logs in which a session was found
+unsigned long fuzz_reached;           // inputs in which a session was found
 const unsigned fuzz_floor = 50;
 
 static bool read_and_show(const uint8_t *data, size_t size)
@@ -54,7 +54,7 @@ static bool read_and_show(const uint8_t *data, size_t size)
     return found;
 }
 
-// One after another, the other blocks as if they were of the last description.
+// Corrects all blocks, one after another, as if each belonged to the last description before it.
 static void put_right(uint8_t *data, size_t size)
 {
     uint32_t identity = SM_CRC32_START;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: a file with recorded data.  The first byte selects the settings, the rest is the file.  Whatever it holds, nothing may crash or hang,
-// times of rows increase from 0, and a second reader that receives the file in small pieces reads the same.
+// Fuzz target: a file with recorded data.  The first byte selects the settings, the rest is the file.  Nothing may crash or hang, the times of
+// rows must increase from 0, and a second reader that receives the file in small pieces must read the same rows.
 #include "compiler/data/recording.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -9,7 +9,7 @@
 unsigned long fuzz_reached;           // inputs with at least one row
 const unsigned fuzz_floor = 20;
 
-// A file that is read 1 to 7 bytes at a time.
+// Reads a file 1 to 7 bytes at a time.
 static bool read_pieces(DataStream *s, char *into, size_t n, size_t *got, const char **why)
 {
     const DataMemory *m = s->self;

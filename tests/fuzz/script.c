@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzz target: an .smt text; its machine is compiled and its scripts run on every engine in lock step.  Whatever the text
-// holds, nothing may crash or hang, and the engines must agree.  Any conformance case is a seed.
+// Fuzz target: an .smt case, whose machine is compiled and whose scripts run on every engine in lock step.  Nothing may crash or hang, and the
+// engines must agree.  Any conformance case is a seed.
 #include "compiler/script/case.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -8,7 +8,7 @@ enum { STEPS_MOST = 1000, MEMORY_MOST = 256 << 20 };
 
 static size_t memory_taken;
 
-// A host with little memory: a case that wants more ends, and that is no fault.
+// A host with little memory.  A case that needs more ends without a result, which is not a fault.
 static void *small_heap(void *context, void *old, size_t size)
 {
     if (size > MEMORY_MOST - memory_taken)
@@ -33,7 +33,7 @@ static size_t open_engines(Session *s, const Program *p, Engine **engine)
         engine[n] = engine_vm_open(&s->arena, p, (const uint8_t *)image.at, image.n, 0, &error);
         if (!engine[n])
             fprintf(stderr, "%s\n", error);
-        FUZZ_CHECK(engine[n++] != NULL);              // our own verifier accepts our own image
+        FUZZ_CHECK(engine[n++] != NULL);              // the verifier must accept every image that the compiler emits
     }
     return n;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes from hosts to an application whose machines can be swapped: raw bytes, sound frames with any body, and whole swaps with changes.  No
-// memory outside its own is accessed (under the sanitizers), every answer is a sound frame, one machine steps at every tick, and after a restart
-// the machines run that were confirmed last.
+// Fuzz target: any bytes from hosts to an application whose machines can be swapped: raw bytes, valid frames with any body, and whole swaps with
+// changes.  The sanitizers check that no access is outside its memory.  Every answer must be a valid frame, one machine must step at every tick,
+// and after a restart the machines run that were confirmed last.
 //
 // An input: a byte of flags (1: a key, 2: two machines, 4: decoded, 8: nothing is stored), then operations.  Each is a byte with its kind in the
 // upper and a host in the lower four bits, a byte n, and n bytes.
@@ -25,7 +25,7 @@ enum { HOSTS = 5, SWAPS = 5, SWAP_MOST = 1024, TICKS_MOST = 4000 };
 
 static const char digits[] = "00112233445566778899aabbccddeeff";
 static SwapMachine one, ten, b_one, b_ten;
-static Buf swaps[SWAPS];      // unsigned
+static Buf swaps[SWAPS];      // the swaps without a signature
 static uint8_t key[SMVM_KEY];
 
 // ---- the application ----
@@ -42,7 +42,7 @@ static struct {
     uint8_t flags;
     Host host[HOSTS];
     uint32_t confirmed[2];    // the checksums of the images that run after a restart
-    uint32_t number;          // of the last signed swap
+    uint32_t number;          // the number of the last signed swap
     uint32_t ticks;
 } world;
 
@@ -63,12 +63,12 @@ static bool start(void)
     stage_set_up(&world.plan);
     stage_reach(SM_SWAP_AT_ADDRESS, "", world.flags & FLAG_KEY ? "flash" : NULL);
     stage.link.numbers = "eeprom";
-    if ((world.flags & (FLAG_NOT_STORED | FLAG_KEY)) == 0)        // the simulation has one memory for numbers or images
+    if ((world.flags & (FLAG_NOT_STORED | FLAG_KEY)) == 0)        // the simulation has one memory, either for numbers or for images
         stage_store("eeprom", 400, NULL);
     return stage_start() == SM_OK && (stage.swaps.storage == NULL || stage.store.nvm.id != 0);
 }
 
-// Whether the machines run that were confirmed last.
+// Whether the machines that were confirmed last are running.
 static bool has_confirmed(void)
 {
     for (uint16_t i = 0; i < stage.swaps.machines; i++)
@@ -142,7 +142,7 @@ static void connect_host(Host *h)
     sm_link_receiver_init(&h->in, h->received, sizeof h->received);
 }
 
-// Receives what the application has answered: sound frames, and nothing else.
+// Receives the answers of the application.  All of them must be valid frames.
 static void receive_answers(Host *h)
 {
     uint8_t bytes[512];
@@ -186,7 +186,7 @@ static void send_frame(Host *h, uint8_t message, const uint8_t *body, size_t n)
     send_raw(h, frame, sm_link_encode(frame, (uint16_t)(LINK_HEAD + n)));
 }
 
-// A number of link.def is that message.  Of the others, those below 128 are one of them each.
+// Maps a byte to a message.  A number of link.def is this message.  Other bytes below 128 select one of the messages.
 static uint8_t message_of(uint8_t byte)
 {
     static const uint8_t messages[] = {LINK_APP, LINK_MACHINE, LINK_SWAP, LINK_KEPT, LINK_BEGIN, LINK_DATA, LINK_END, LINK_CONFIRM, LINK_EVENTS};
@@ -194,7 +194,7 @@ static uint8_t message_of(uint8_t byte)
     return byte & 0x80 ? byte : messages[byte % sizeof messages];
 }
 
-// Signs n bytes, with the next number.  Returns the number of bytes.
+// Signs a swap of n bytes with the next swap number.  Returns the number of bytes with the signature.
 static size_t sign(uint8_t *swap, size_t n)
 {
     SmvmMac m;
@@ -207,7 +207,8 @@ static size_t sign(uint8_t *swap, size_t n)
     return n + SM_SWAP_SIGNATURE;
 }
 
-// data: which swap, how the changes are made (1: after it was signed), then changes of three bytes: u16 where, and what is changed.
+// Sends a changed swap.  `data`: which swap; whether it is changed before or (1) after it is signed; then changes of three bytes each: the
+// position as u16, and the change.
 static void send_swap(Host *h, const uint8_t *data, size_t n)
 {
     static uint16_t session;

@@ -89,7 +89,7 @@ static void expect_lines(Arena *arena, const char *at, size_t n, ExpectLines *ou
 
 static unsigned *expect_cost(const ExpectMerge *m, size_t i, size_t j) { return &m->cost[i * (m->got.n + 1) + j]; }
 
-static unsigned expect_pair(const ExpectMerge *m, size_t i, size_t j)      // of a line expected and one that came
+static unsigned expect_pair(const ExpectMerge *m, size_t i, size_t j)      // costs of pairing an expected line with an actual one
 {
     const ExpectLine *want = &m->want.at[i], *got = &m->got.at[j];
 

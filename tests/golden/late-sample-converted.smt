@@ -20,12 +20,12 @@ bool shut
 a.sm:12:12: warning: this is never true: 'roll_avg(duty, 5)' is from 0 to 255, whatever the inputs are [W0418 decided-comparison]
    12 |     vent = roll_avg(duty, 5) > 300
       |            ^~~~~~~~~~~~~~~~~~~~~~~
-a.sm:12:12: warning: this statistic does not include the value that this step has assigned to 'duty' [W0421 late-sample]
+a.sm:12:12: warning: 'roll_avg(duty, 5)' does not include the value that this step has assigned to 'duty' [W0421 late-sample]
    12 |     vent = roll_avg(duty, 5) > 300
       |            ^~~~~~~~~~~~~~~~~
-a.sm:11:5: note: 'duty' is assigned here, after the window has taken its sample of this step
-a.sm:14:12: warning: this statistic does not include the value that this step has assigned to 'fine' [W0421 late-sample]
+a.sm:11:5: note: 'duty' is assigned here, after the sample of this step has been taken
+a.sm:14:12: warning: 'roll_avg(fine, 5)' does not include the value that this step has assigned to 'fine' [W0421 late-sample]
    14 |     shut = roll_avg(fine, 5) > 300
       |            ^~~~~~~~~~~~~~~~~
-a.sm:13:5: note: 'fine' is assigned here, after the window has taken its sample of this step
+a.sm:13:5: note: 'fine' is assigned here, after the sample of this step has been taken
 3 warnings

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs golden cases: what the smc command prints, writes and exits with.
+// Runs golden cases: compares the output, the files and the exit codes of the smc command.
 //
 //     run SMC CASE.smt…            UPDATE=1 in the environment: the actual output is written into the cases instead, except for `...` and `[..]`
 //                                  where they still match
@@ -10,7 +10,7 @@
 //     -- exit --                   the commands' exit codes; without the part, all 0
 //     -- file NAME --              the content of that file afterwards
 // In a part NAME.smt a line of that file which would end the part begins with a backslash: `\-- app.sm --`.
-// What `...` and `[..]` stand for is in expect.h.  `-- stdin --` is what commands may read.
+// expect.h defines `...` and `[..]`.  `-- stdin --` is the standard input of the commands.
 #define _XOPEN_SOURCE 700
 
 #include <errno.h>
@@ -31,7 +31,7 @@ typedef struct Golden {
     const char *folder;
     const char *smc;
     Buf why;
-    Buf codes, zeros;         // exit codes, as came and as all well
+    Buf codes, zeros;         // the actual exit codes; the codes if every command succeeds
 } Golden;
 
 static void *heap(void *context, void *old, size_t size)
@@ -130,7 +130,7 @@ static void make_folders(const char *path)
     free(copy);
 }
 
-// The text of a nested .smt, without the backslashes before its part lines.
+// Returns a nested .smt without the backslashes before its part lines.
 static Buf unquoted(Golden *g, const TestPart *p)
 {
     Buf b;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of state diagrams: nothing overlaps, lines pass around everything, few lines cross, and it takes time
-// in proportion to the machine.
+// Tests the layout of state diagrams: no two things overlap, lines pass around boxes and labels, few lines cross, and the time is proportional
+// to the size of the machine.
 //
 //     layout MACHINE.sm…       besides random machines.  "most crossings: N" in a machine's first line is a bound.
 #include <stdlib.h>
@@ -56,7 +56,7 @@ static void add_thing(Things *t, Box box, const char *what, const DiagramEdge *l
     vec_push(&session.arena, t, x);
 }
 
-// A state's line to a stub beside it belongs to the stub.
+// Collects the things of a diagram that must not overlap.  A line from a state to the stub beside it counts as part of the stub.
 static Things things_of(const Diagram *d)
 {
     Things t = {NULL, 0, 0};
@@ -123,7 +123,7 @@ static Box around(Point a, Point b)
     return box;
 }
 
-// Begins and ends at its states, and touches nothing between them but its own label.
+// Checks that a line begins and ends at its states, and between them touches only its own label.
 static void check_path(const Diagram *d, const DiagramEdge *e, const Things *t)
 {
     const Box from = d->node[e->from].box, to = d->node[e->to].box;
@@ -146,7 +146,7 @@ static void check_path(const Diagram *d, const DiagramEdge *e, const Things *t)
     }
 }
 
-// Lines that end at one state end apart, so that their heads are distinct.
+// Lines that end at the same state end at different points, so that their heads are distinct.
 static void check_ends(const Diagram *d)
 {
     for (size_t e = 0; e < d->edge.n; e++)
@@ -170,7 +170,7 @@ static void check_complete(const Diagram *d)
     CHECK(guards == d->a->transition.n);
 }
 
-// No place at which slices are cut touches a box, and there is one below each layer.
+// No position at which slices are cut touches a box, and below each layer there is such a position.
 static void check_cuts(const Diagram *d, const Things *t)
 {
     CHECK(d->cut.n > 0);
@@ -179,7 +179,7 @@ static void check_cuts(const Diagram *d, const Things *t)
             CHECK(d->cut.at[c] <= t->at[k].box.y || d->cut.at[c] >= t->at[k].box.y + t->at[k].box.h);
 }
 
-// With a finding, and so a mark, at every third transition.
+// Lays out a diagram with a finding, and so a mark, at every third transition.
 static const Diagram *check_layout(const Program *p)
 {
     Diags found;
@@ -238,7 +238,8 @@ static const char *drawn(const Analysis *a, const DiagramOptions *o)
     return buf_text(&out);
 }
 
-// The slices of a picture follow each other without gap or overlap, are no higher than allowed, and together as high as the picture.
+// The slices of a picture follow each other without gap or overlap.  None is higher than allowed, and the sum of their heights is that of the
+// picture.
 static void check_slices(const Analysis *a, int32_t most)
 {
     DiagramSize size;
@@ -454,7 +455,7 @@ static void check_section_findings(void)
     CHECK(d->node[0].finding.n == 0 && d->node[1].finding.n == 0 && d->node[3].finding.n == 0);
 }
 
-// A file may have any name.
+// The name of a file can contain any characters.
 static void check_name(void)
 {
     const DiagramOptions none = {NULL, NULL, NULL};
@@ -481,7 +482,7 @@ static void check_wrapping(void)
     CHECK(t.n == 1 && strcmp(t.at[0].text, "go") == 0);
 }
 
-// Lines end between conditions; a call is torn apart only if it is wider than a line.
+// A condition is broken between operands and operators.  A call is broken only if it is wider than a line.
 static void check_condition_lines(void)
 {
     static const char *const want[] = {"T > 300", "and roll_min(max(pressureA, pressureB), 5)", "> mostPressure and not (a or b)"};
@@ -501,7 +502,7 @@ static const char acting[] = "[state_vector]\nU64 t @alias G\nU32 s @alias S\nF6
                              "p > 9 {\ncode = 3\n-> B\n}\n.exit\nvalve = false\n"
                              "[B]\n.step\nc = 1\nc = 2\nc = 3\nc = 4\nc = 5\nc = 6\nc = 7\nc = 8\nc = 9\nc = 10\n";
 
-// Boxes list the assignments to elements; those to locals and those beside a transition are missing, and the rest is counted.
+// Boxes list assignments to elements.  Those to locals and those in the same braces as a transition are omitted, and the rest is only counted.
 static void check_actions(void)
 {
     static const char *const want[] = {"valve = true", "valve = p > 7 if p > 5", "valve = false"};

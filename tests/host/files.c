@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What compiler/base/os.h promises of files: whole or not at all, on the medium before they get their name, with the mode of the one that
-// they replace, links, and names that are refused.     files FOLDER     (it is emptied)
-// fsync, rename and fchmod are wrapped (-Wl,--wrap), so that their order shows.
+// Tests the guarantees of compiler/base/os.h for files: they are complete or absent, on the medium before they get their name, and have the mode
+// of the file that they replace.  Also links, and names that are refused.     files FOLDER     (it is emptied)
+// fsync, rename and fchmod are wrapped (-Wl,--wrap), so that the test can observe their order.
 #define _XOPEN_SOURCE 700
 
 #include <errno.h>
@@ -14,8 +14,8 @@
 #include "compiler/base/os.h"
 #include "tests/test.h"
 
-static char calls[100];               // s, r and m for fsync, rename and fchmod, in order
-static int failing;                   // which of the letters fails
+static char calls[100];               // the calls in order: s fsync, r rename, m fchmod
+static int failing;                   // the letter of the call that fails
 
 static void note(char call)
 {
@@ -108,7 +108,7 @@ static void whole_or_not_at_all(void)
     size_t before;
 
     CHECK(put("a", "old") && holds("a", "old"));
-    CHECK(strcmp(calls, "msr") == 0);                 // mode and bytes before the name
+    CHECK(strcmp(calls, "msr") == 0);                 // mode and content before the name
     CHECK(stream("a", "OLD", true) && holds("a", "OLD") && strcmp(calls, "msr") == 0);
     before = entries(".");
     CHECK(stream("a", "never", false) && holds("a", "OLD") && entries(".") == before);
@@ -135,7 +135,7 @@ static void test_modes(void)
         CHECK(chmod("fresh", mode[i]) == 0 && put("fresh", "y") && mode_of("fresh") == mode[i]);
         CHECK(stream("fresh", "z", true) && mode_of("fresh") == mode[i] && holds("fresh", "z"));
     }
-    if (geteuid() == 0) {                             // others cannot give files away
+    if (geteuid() == 0) {                             // only root can change the owner of a file
         struct stat st;
         CHECK(chown("fresh", 1234, 4321) == 0 && put("fresh", "w") && stat("fresh", &st) == 0);
         CHECK(st.st_uid == 1234 && st.st_gid == 4321 && (st.st_mode & 07777) == 0755);
@@ -158,7 +158,7 @@ static void symbolic_links(void)
     CHECK(symlink("far", "folder") == 0 && !put("folder", "8") && put("folder/target", "9") && holds("far/target", "9"));
 }
 
-// As os.h defines: the other name keeps the old content.
+// As os.h documents: another hard link keeps the old content.
 static void test_hard_links(void)
 {
     CHECK(put("one", "old") && link("one", "two") == 0 && put("one", "new"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What compiler/base/os.h promises of files, folders and signals, where the command's own tests cannot see it.  Works in a folder of its own.
+// Tests the guarantees of compiler/base/os.h for files, folders and signals that the command's own tests cannot observe.  It creates its own
+// folder.
 #define _XOPEN_SOURCE 700
 #include <errno.h>
 #include <fcntl.h>
@@ -46,7 +47,7 @@ static size_t files(void)
     return n;
 }
 
-// Files of every length come back whole: a reader's buffer doubles, and may be full just at the end.
+// Files of every length are read completely: the reader's buffer doubles, and can be full exactly at the end.
 static void test_lengths(void)
 {
     enum { LONGEST = 70000 };
@@ -73,7 +74,7 @@ static void test_all_or_none(void)
     CHECK(rmdir("folder") == 0 && unlink("first") == 0);
 }
 
-// A stream's file appears when it is closed with `keep`; until then, and without it, the old one stays.
+// A stream's file appears when it is closed with `keep`.  Until then, and if it is closed without `keep`, the old file remains.
 static void test_stream(void)
 {
     OsStream s;
@@ -98,7 +99,7 @@ static void (*handler_of(int number))(int)
 
 static void own_handler(int number) { (void)number; }
 
-// A signal that the caller ignores, as under nohup, stays ignored.  The handling of the others is as before once all is written.
+// A signal that the caller ignores, as under nohup, stays ignored.  The handlers of the others are restored after writing.
 static void test_signals(void)
 {
     OsStream s;
@@ -133,7 +134,7 @@ static void test_folders(void)
     CHECK(unlink("beta") == 0 && unlink("gamma") == 0 && files() == 0);
 }
 
-// A folder that cannot be made: the reason is that of the attempt.
+// A folder that cannot be created: the reason is that of the failed attempt.
 static void test_make_folder(void)
 {
     const uid_t user = geteuid();

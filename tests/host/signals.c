@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A signal that ends `smc test --engine=c` while the C compiler runs leaves no folder in TMPDIR, no process and no half-written trace, and
-// the exit code tells which signal it was.  The same holds for output into a pipe that is not read.     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
+// A signal ends `smc test --engine=c` while the C compiler runs.  It must leave no folder in TMPDIR, no process and no incomplete trace, and the
+// exit code must identify the signal.  The same is tested for output to a pipe that is not read.
+//     signals SMC MACHINE SCRIPT FOLDER     (FOLDER is empty; absolute paths)
 #define _XOPEN_SOURCE 700
 
 #include <fcntl.h>
@@ -17,12 +18,12 @@
 #include "tests/test.h"
 
 static const char *smc, *machine, *script;
-static char whole[1 << 20];                           // the trace of a run that no signal disturbs
+static char whole[1 << 20];                           // the trace of a run without a signal
 static size_t whole_n;
 
-// Every signal of POSIX that ends a process unless it is caught, but for those by which a program's own mistakes end it.
+// Every POSIX signal that ends a process unless it is caught, except those that a program's own faults cause.
 static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2};
-enum { NUMBERS = sizeof numbers / sizeof *numbers, AT_ANY_TIME = 3 };       // the first ones are sent at many times
+enum { NUMBERS = sizeof numbers / sizeof *numbers, AT_ANY_TIME = 3 };       // the first AT_ANY_TIME signals are sent at many times
 
 static void sleep_ms(long ms)
 {
@@ -31,7 +32,7 @@ static void sleep_ms(long ms)
     nanosleep(&t, NULL);
 }
 
-// Starts the command in a process group of its own, as a shell does.  `output` is its standard output.
+// Starts the command in its own process group, as a shell does.  `output` is its standard output.
 static pid_t start_with(const char *engine, int output)
 {
     const struct rlimit none = {0, 0};
@@ -98,7 +99,7 @@ static bool read_ids(long *a, long *b)
     return ok;
 }
 
-// Whether the process has ended.  Its parent can notice that late.
+// Whether the process has ended.  Its parent may notice this later.
 static bool has_ended(long pid)
 {
     for (int i = 0; i < 200; i++, sleep_ms(10))
@@ -147,7 +148,7 @@ static bool is_whole(void)
     return read_trace(now, sizeof now) == whole_n && memcmp(now, whole, whole_n) == 0;
 }
 
-// Signals arrive after a number of milliseconds, with the real compiler.  The command can have finished by then, or have written its trace.
+// Sends a signal after a number of milliseconds, with the real compiler.  The command may have ended by then, or have written its trace.
 static void test_signal_at_any_time(int number, long ms)
 {
     const pid_t pid = start("cc");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that break one thing in a valid text: a row has the words to replace, their replacement, and the expected message.
+// Tests that break one thing in a valid text.  A row contains the words to replace, their replacement, and the expected message.
 #ifndef TESTS_IR_EDIT_H
 #define TESTS_IR_EDIT_H
 
@@ -11,7 +11,7 @@
 
 typedef struct Edit { const char *from, *to, *says; } Edit;
 
-// A machine with one of everything.
+// A machine that contains every construct once.
 static const char edit_text[] =
     "machine \"m\"\n"
     "vector \"m\" size 40 hash 0x00000001\n"
@@ -75,7 +75,7 @@ static void *edit_from_heap(void *context, void *old, size_t size)
     return NULL;
 }
 
-// edit_text with the first `from` replaced; NULL when there is none.  The caller frees it.
+// Returns edit_text with the first `from` replaced; NULL if it has none.  The caller frees it.
 static char *edit_apply(const Edit *e)
 {
     const char *at = strstr(edit_text, e->from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Invalid IR texts: the reader must report position and reason.
+// Invalid IR texts: the reader must report the position and the reason.
 #include "tests/ir/edit.h"
 #include "tests/test.h"
 
@@ -83,7 +83,7 @@ static bool check_edit(Arena *a, const Edit *e)
     return false;
 }
 
-// Every beginning of a good text is good or refused, never worse.
+// Every prefix of a valid text is accepted or refused, without a crash.
 static void check_beginnings(Arena *a)
 {
     StrPool strings;
@@ -91,7 +91,7 @@ static void check_beginnings(Arena *a)
 
     str_pool_init(&strings, a);
     for (size_t n = 0; n < sizeof edit_text; n++) {
-        char *text = malloc(n + 1);                            // its own block: a read beyond it is seen
+        char *text = malloc(n + 1);                            // a separate block, so that a sanitizer notices a read beyond it
         memcpy(text, edit_text, n);
         CHECK((ir_read(a, &strings, text, n, &error) == NULL) == (error != NULL));
         free(text);

@@ -65,7 +65,7 @@ static char *read_all(const char *path, size_t *n)
     return text;
 }
 
-static bool compared;                  // something of the file was: a case with mistakes alone has no IR, and is no test
+static bool compared;                  // a part of the file was compared; a case that only has errors has no IR, and is no test
 
 static bool complain(const char *file, const char *what, const char *details)
 {
@@ -103,7 +103,7 @@ static const char *print_of(Session *s, const IrMachine *m)
     return buf_text(&out);
 }
 
-// NULL when the case has no machine, or it has errors.
+// Returns NULL if the case has no machine, or the machine has errors.
 static const Program *program_of(Session *s, const TestFile *t)
 {
     const CompileOptions o = {.skip_analyses = true};

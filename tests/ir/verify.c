@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breaks each promise of ir.h once: ir_verify must find and report it.
+// Violates each invariant of ir.h once: ir_verify must find and report it.
 #include "tests/ir/edit.h"
 #include "tests/test.h"
 

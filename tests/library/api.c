@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// libsmc by its public header alone: what each function does, and what it returns for bad arguments.
+// libsmc through its public header alone: the effect of each function, and its result for bad arguments.
 #include <locale.h>
 #include <stdlib.h>
 #include <math.h>
@@ -157,7 +157,8 @@ static void test_structure(void)
     smc_close(s);
 }
 
-// A transition of [all_states] leads from each state where the section runs, all with its line; a definition counts as what it reads.
+// A transition of [all_states] leads from each state in which the section runs, and always has its own line.  A definition in a guard reads what
+// its expression reads.
 static void test_structure_of_all_states(void)
 {
     SmcSession *s = open_session();
@@ -182,7 +183,7 @@ static void test_structure_of_all_states(void)
     smc_close(s);
 }
 
-// The machines of an application have a structure, too.
+// The machines of an application also have a structure.
 static void test_structure_of_an_application(void)
 {
     SmcSession *s = open_session();
@@ -285,7 +286,7 @@ static void test_utf16_columns(void)
         const int64_t units = smc_diag_place(s, i, 0, 0, SMC_PLACE_COLUMN, SMC_COLUMN_UTF16);
         if (bytes < 30)
             continue;
-        CHECK(bytes - units == 3);            // before it: 4 bytes of 2 units, 2 bytes of 1 unit, and a byte that is no UTF-8
+        CHECK(bytes - units == 3);            // before it: 4 bytes of 2 units, 2 bytes of 1 unit, and a byte that is not UTF-8
         found = true;
     }
     CHECK(found);
@@ -308,7 +309,7 @@ static void test_selecting_warnings(void)
     smc_close(s);
 }
 
-// The text of an error is UTF-8, even if the argument is not, or is longer than the text can be.
+// The text of an error is UTF-8, even if the argument is not UTF-8, or is longer than the text can be.
 static void test_errors_are_utf8(void)
 {
     SmcSession *s = open_session();
@@ -352,7 +353,7 @@ static void test_running_scripts(void)
     CHECK(strncmp(smc_run_trace(s, good), "script,step,", 12) == 0);
     CHECK(smc_run(s, bad, SMC_ENGINE_VM, 0) == SMC_E_FAILED && smc_run_outcome(s, bad) == SMC_OUTCOME_FAILED && smc_diag_count(s) == 1);
     CHECK(smc_diag_place(s, 0, 0, 0, SMC_PLACE_SOURCE, 0) == bad && smc_diag_severity(s, 0) == SMC_SEVERITY_ERROR);
-    CHECK(smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK && smc_output_count(s) == 1 && smc_diag_count(s) == 1);     // a failed script is no error of the sources
+    CHECK(smc_emit(s, SMC_EMIT_IMAGE) == SMC_OK && smc_output_count(s) == 1 && smc_diag_count(s) == 1);     // no error of the sources
     CHECK(smc_run(s, good, SMC_ENGINE_VM, 2) == SMC_E_FAILED && smc_run_outcome(s, good) == SMC_OUTCOME_ENDLESS);
     CHECK(smc_run(s, good, 0, 0) == SMC_E_ARGUMENT && smc_run(s, good, 8, 0) == SMC_E_ARGUMENT && smc_run(s, sm, 1, 0) == SMC_E_INDEX && smc_run(s, 77, 1, 0) == SMC_E_INDEX);
     CHECK(smc_run(s, good, SMC_ENGINE_VM, 0) == SMC_OK);
@@ -366,7 +367,7 @@ static void test_running_scripts(void)
     smc_close(s);
 }
 
-// Requirements are checked with the one machine, judged in the runs of its scripts, and a row of the report.
+// Requirements are checked with the single machine and judged in the runs of its scripts, and the report has a row for each.
 static void test_requirements(void)
 {
     SmcSession *s = open_session();
@@ -385,7 +386,7 @@ static void test_requirements(void)
     smc_close(s);
 }
 
-// Two machines, each with a script of its own, and a script without a machine.
+// Two machines, each with its own script, and a script without a machine.
 static void test_running_scripts_of_several_machines(void)
 {
     SmcSession *s = open_session();
@@ -481,7 +482,7 @@ static void test_running_machines(void)
     smc_close(s);
 }
 
-// A run on columns does what the same number of steps does.
+// A run on columns has the same effect as the same number of steps.
 static void test_running_columns(void)
 {
     enum { ROWS = 3000 };
@@ -551,7 +552,7 @@ static void test_wrong_columns_are_refused(void)
     CHECK(n[0] == -1 && get_number(s, m, "n") == 3 && get_number(s, m, "p") == 0);       // no step has run
     CHECK(smc_machine_run(s, m, 4, g, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 2);
     CHECK(n[0] == 4 && n[1] == 5 && n[2] == -1 && get_number(s, m, "p") == 2 && get_number(s, m, "G") == 20);
-    CHECK(smc_machine_run(s, m, 4, late, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 1);      // the largest G has no step
+    CHECK(smc_machine_run(s, m, 4, late, 1, &input, from, 1, &output, to, NULL, &done) == SMC_E_REFUSED && done == 1);      // no step can be at the largest G
     smc_close(s);
 }
 
@@ -572,7 +573,7 @@ static void test_opening_images(void)
     CHECK(smc_machine_step(s, m, 5) == SMC_OK && smc_machine_open_image(s, image, size, 1, &m) == SMC_E_INDEX);
     CHECK(smc_machine_open_image(second, image, size, 0, &there) == SMC_OK && smc_machine_step(s, there, 9) == SMC_E_HANDLE && smc_machine_step(second, m, 9) == SMC_E_HANDLE);
     CHECK(smc_machine_open_image(s, image, size - 1, 0, &m) == SMC_E_IMAGE && smc_error_text(s)[0] != '\0');
-    for (uint64_t i = 0; i < size; i++) {             // every byte changed: refused, or harmless
+    for (uint64_t i = 0; i < size; i++) {             // each byte changed: the image is refused, or is harmless
         SmcMachine changed = 0;
         image[i] ^= 0x55;
         if (smc_machine_open_image(s, image, size, 0, &changed) == SMC_OK) {
@@ -793,7 +794,7 @@ static void test_recorded_data(void)
     CHECK(smc_close(s) == SMC_OK);
 }
 
-// A parameter can be set before the first step, within its range, and is no column of inputs.
+// A parameter can be set before the first step, within its range, and cannot be a column of inputs.
 static void test_setting_parameters(void)
 {
     SmcSession *s = open_session();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libsmc with passes that break the machine: a call returns SMC_E_INTERNAL and names the pass, and the session can be used and closed.  The linker
-// replaces two passes by those below.
+// libsmc with passes that produce an invalid machine.  A call returns SMC_E_INTERNAL and names the pass, and the session can still be used and
+// closed.  The linker replaces two passes by those below.
 #include <string.h>
 
 #include "compiler/library/smc.h"
@@ -11,14 +11,14 @@ static const char machine[] = "[state_vector]\nU64 G\nU32 S\nF64 p\nF64 q\n[A] @
 static const char script[] = "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\nG == 9 {\n    @assert q == 15\n    @stop\n}\n";
 
 static enum { NONE, IN_DCE, IN_IF_CONVERT } fault;
-static unsigned breaks;           // how often a pass has broken a function
+static unsigned breaks;           // how often a pass has made a function invalid
 
 void __real_pass_dce(Arena *arena, IrFn *f, Facts *facts);
 void __wrap_pass_dce(Arena *arena, IrFn *f, Facts *facts);
 void __real_pass_if_convert(Arena *arena, IrFn *f, Facts *facts);
 void __wrap_pass_if_convert(Arena *arena, IrFn *f, Facts *facts);
 
-// Gives the first store of a function a type that is not that of its variable.
+// Changes the type of the first store of a function, so that it is not that of its variable.
 void __wrap_pass_dce(Arena *arena, IrFn *f, Facts *facts)
 {
     const IrBlk *b = &f->blk.at[0];
@@ -79,7 +79,7 @@ static SmcResult call_report(SmcSession *s)
     return smc_report(s, sm, SMC_REPORT_TEXT, &text, &size);
 }
 
-// Breaks the machine in one call.  Afterwards the same call works, in the same session and without compiling again.
+// Produces an invalid machine in one call.  Afterwards the same call succeeds, in the same session and without compiling again.
 static void test_recovery(Call *call)
 {
     SmcSession *s = open_session();
@@ -91,7 +91,7 @@ static void test_recovery(Call *call)
     fault = IN_DCE;
     breaks = 0;
     CHECK(call(s) == SMC_E_INTERNAL && breaks > 0 && names_pass(s, "dce"));
-    CHECK(smc_memory_used(s) == used || call == call_run || call == call_report);         // these have begun a review
+    CHECK(smc_memory_used(s) == used || call == call_run || call == call_report);         // these calls have allocated memory for a review
     fault = NONE;
     CHECK(call(s) == SMC_OK);
     CHECK(smc_compile(s) == SMC_OK && smc_emit(s, SMC_EMIT_C) == SMC_OK && smc_output_count(s) == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some of smc's commands by libsmc's public header alone; tests/library/parity.sh compares their output with that of smc.
+// Some of smc's commands through libsmc's public header alone; tests/library/parity.sh compares their output with that of smc.
 //     command image|c|report|graph|check|run|structure FILE…        writes to standard output; outputs of `c` follow each other
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,7 +56,7 @@ static int run_all(SmcSession *s)
     return failed;
 }
 
-// Whether the machine of source 0 has, when it is opened, the states and variables of its structure, with the same numbers.
+// Whether the machine of source 0, when it is opened, has the states and variables of its structure, with the same numbers.
 static int has_equal_machine(SmcSession *s)
 {
     SmcMachine m;

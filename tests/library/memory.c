@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every call of libsmc with too little memory: each limit of a session, from nothing to plenty, in malloc and in an area.  A call either works or
-// returns SMC_E_MEMORY; the session stays usable, and closing it returns all memory.
+// Calls all of libsmc with too little memory: with each limit of a session, from nothing to enough, in malloc and in an area.  A call either
+// succeeds or returns SMC_E_MEMORY.  The session can still be used, and closing it frees all memory.
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ static bool is_ok(SmcResult r)
     return r == SMC_OK;
 }
 
-// Returns whether every call worked.
+// Returns whether every call succeeded.
 static bool use_library(SmcSession *s)
 {
     uint32_t sv, sm, ss;
@@ -59,7 +59,7 @@ static bool use_library(SmcSession *s)
     return all;
 }
 
-// Returns whether everything worked with `size` bytes.
+// Returns whether everything succeeded with `size` bytes.
 static bool try_size(void *area, uint64_t size)
 {
     SmcSession *s = NULL;
@@ -72,7 +72,7 @@ static bool try_size(void *area, uint64_t size)
     all = use_library(s);
     CHECK(smc_memory_peak(s) <= size);
     CHECK(smc_sources_clear(s) == SMC_OK);
-    if (all) {                    // again, in the memory that the first time has returned
+    if (all) {                    // repeated in the memory that the first time has freed
         CHECK(use_library(s));
         CHECK(smc_memory_peak(s) <= size);
     }

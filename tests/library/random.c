@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random sequences of calls into all of smc.h: valid and nonsensical arguments, changed sources and images, little memory, closed handles.
+// Random sequences of calls of all functions in smc.h: valid and invalid arguments, changed sources and images, little memory, closed handles.
 // Nothing may crash, and every result must be one that the header lists.    random SEED COUNT      COUNT sequences, from seed SEED on
 #include <inttypes.h>
 #include <stdlib.h>
@@ -146,7 +146,7 @@ static void use_machine(SmcSession *s, SmcMachine m, SmcMachine other)
     }
 }
 
-// Reads everything that the session reports about the structure of a source, and one index beyond each end.
+// Reads everything that the session reports about the structure of a source, and at one index beyond each end.
 static void read_structure(const SmcSession *s, uint32_t sm)
 {
     const uint32_t states = smc_model_state_count(s, sm), variables = smc_model_variable_count(s, sm);

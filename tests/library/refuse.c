@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refuses each single allocation of each call of libsmc, one after the other: the call returns SMC_E_MEMORY, and everything that the session shows
-// is as before the call.  Calls that are repeated do not use more and more memory.
+// Refuses each allocation of each call of libsmc, one after the other.  The call returns SMC_E_MEMORY, and everything that the session reports
+// is unchanged.  The memory in use does not grow with repeated calls.
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -14,7 +14,7 @@ static const char script[] = "[options]\ndelta_t 1\n[all_states]\nG == 5: p = 7\
 
 // ---- malloc ----
 
-static long refuse_at;            // which allocation from now on fails, from 1; 0: none
+static long refuse_at;            // number of the allocation that fails, counted from now, from 1; 0: none
 
 void *__real_malloc(size_t size);
 void *__wrap_malloc(size_t size);
@@ -93,7 +93,7 @@ static SmcResult call_open_and_close(SmcSession *s)
     return r;
 }
 
-static unsigned char *image;       // of the machine
+static unsigned char *image;       // the image of the machine
 static uint64_t image_size;
 
 static SmcResult call_open_image(SmcSession *s)
@@ -174,7 +174,7 @@ static void append(Shown *to, const void *bytes, size_t n)
 
 static void append_text(Shown *to, const char *text) { append(to, text, strlen(text) + 1); }
 
-// Reads everything that the session shows, with calls that need no memory.
+// Reads everything that the session reports, with calls that allocate no memory.
 static Shown read_session(const SmcSession *s)
 {
     Shown to = {NULL, 0};
@@ -252,7 +252,7 @@ static long refuse_each(SmcSession *s, Call *call, SmcResult expected)
     return 0;
 }
 
-// In a new session, and in one in which the call and an emission have been made before.
+// In a new session, and in one in which the same call and an emission have succeeded before.
 static void test_refused_allocations(int i)
 {
     SmcSession *s = open_compiled();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several threads compile, run and draw at once, each with a session of its own, and get what one thread gets; and a thread cancels another.
+// Several threads compile, run and draw at the same time, each with its own session, with the same results as one thread.  One thread cancels
+// another.
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +65,7 @@ static void test_cancelling_a_run(void)
     smc_source_add(s, SMC_KIND_SS, "a.ss", endless, strlen(endless), &ss);
     CHECK(smc_compile(s) == SMC_OK);
     CHECK(pthread_create(&thread, NULL, cancel, s) == 0);
-    CHECK(smc_run(s, ss, SMC_ENGINE_VM, UINT64_MAX) == SMC_E_CANCELLED);         // would take forever
+    CHECK(smc_run(s, ss, SMC_ENGINE_VM, UINT64_MAX) == SMC_E_CANCELLED);         // without cancelling, this call would not end
     CHECK(pthread_join(thread, NULL) == 0);
     CHECK(smc_run(s, ss, SMC_ENGINE_VM, 1000) == SMC_E_FAILED && smc_run_outcome(s, ss) == SMC_OUTCOME_ENDLESS);
     CHECK(smc_close(s) == SMC_OK);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A computer that has nothing of smc but the C header of the dictionary.  Reads a line of bytes, prints the telemetry in it, then the bytes of
-// a command to standard error.
+// A computer that has no part of smc except the C header of the dictionary.  It reads a line of bytes, and prints the telemetry in them to
+// standard output and the bytes of a command to standard error.
 #include <stdio.h>
 
 #include "link.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A computer that has nothing of smc but the C header of the dictionary: receives messages over TCP and checks them.
+// A computer that has no part of smc except the C header of the dictionary.  It receives messages over TCP and checks them.
 //         far_stream PORT COUNT
 #include <arpa/inet.h>
 #include <stdio.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random and mutated packets for the channels of tests/runtime/link.net, in the simulation.  An oracle of its own predicts what each step
-// does: a packet that the oracle refuses changes no element and no age, and is counted under its cause.  `make net-campaign` runs it for an
-// hour under the sanitizers.        hostile SEED PACKETS [SECONDS]
+// Random and mutated packets for the channels of tests/runtime/link.net, in the simulation.  An independent oracle predicts the effect of each
+// step: a packet that the oracle refuses changes no element and no age, and is counted under its cause.  `make net-campaign` runs it for an hour
+// under the sanitizers.
+//     hostile SEED PACKETS [SECONDS]
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -26,7 +27,7 @@ static uint64_t accepted_by_oracle, refused_by_oracle[SM_NET_COUNTS];
 
 static bool is_finite_f64(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
-// Whether each value of the payload is one that its type allows: 0 or 1, and no NaN or infinity.  The sealed message has one BOOL only.
+// Whether each value of the payload is valid in its type: 0 or 1 for BOOL, and no NaN or infinity.  The sealed message has only one BOOL.
 static bool has_valid_values(const Oracle *o, const uint8_t *at)
 {
     return at[16] <= 1 && (o->sealed || (is_finite_f32(get(at + 17, 4)) && is_finite_f64(get(at + 23, 8))));
@@ -57,7 +58,7 @@ static SmNetCount judge(Oracle *o, const uint8_t *at, size_t n, uint64_t now)
 
 // ---- packets ----
 
-// Makes a message that would be accepted, or nearly: a number near the newest, any values.
+// Makes a message that is valid or nearly valid: its number is near the newest, and its values are random.
 static size_t make_message(const Oracle *o, uint8_t *at)
 {
     put(at, 0x4D53, 2);
@@ -95,7 +96,7 @@ static size_t make_packet(const Oracle *o, uint8_t *at)
     size_t n = make_message(o, at);
     const bool early = below(3) == 0, late = below(3) == 0;
 
-    if (below(10) == 0) {                         // any bytes
+    if (below(10) == 0) {                         // random bytes
         n = below(10) ? below(80) : below(ROOM + 1);
         for (size_t i = 0; i < n; i++)
             at[i] = (uint8_t)next_random();
@@ -112,7 +113,7 @@ static size_t make_packet(const Oracle *o, uint8_t *at)
 
 // ---- one round ----
 
-// Checks the elements after a step: those of the message if it was accepted, else those before it.
+// Checks the elements after a step: they are those of the message if it was accepted, otherwise those before the step.
 static void check_elements(const Oracle *o, const uint8_t *at, bool accepted, const LinkSv *before)
 {
     if (!accepted) {
@@ -167,14 +168,14 @@ int main(int n, char **argument)
     channel[0].timeout = 100000000u;
     while (played < packets || (end && time(NULL) < end)) {
         const size_t which = below(2);
-        // A jump makes the channels silent; a step without a packet stores what silence means, so that `before` has it.
+        // A long pause makes the channels silent.  A step without a packet then stores the values of silence, so that `before` contains them.
         now += below(200) ? 1000000u : 2000000000u;
         CHECK(sm_receive_step(&link_receive, &(SmTick){now, 0}) == SM_OK);
         play(&oracle[which], &channel[which], which ? &to_sealed : &to_commands, now);
         played++;
     }
     CHECK(accepted_by_oracle > played / 20);
-    for (int i = SM_NET_short_; i < SM_NET_range; i++)                    // each cause occurred; no element here has a range
+    for (int i = SM_NET_short_; i < SM_NET_range; i++)                    // each cause has occurred; this link has no element with a range
         CHECK(refused_by_oracle[i] > 0);
     fprintf(stderr, "%llu packets, %llu accepted\n", (unsigned long long)played, (unsigned long long)accepted_by_oracle);
     return test_end("net-hostile");

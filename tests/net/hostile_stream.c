@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hostile peers for the messages over TCP of tests/runtime/stream.net, in the simulation: random, mutated, cut and lengthened messages in
-// pieces of any size, connections that end anywhere, and a receiver that reads slowly, leaves, or answers.  An oracle of its own divides the
-// bytes into messages and predicts what is accepted, what is refused for which cause, and which connection is closed.  No step may wait.
-// `make net-campaign` runs it under the sanitizers.        hostile_stream SEED ROUNDS [SECONDS]
+// Hostile peers for the messages over TCP of tests/runtime/stream.net, in the simulation.  Messages are random, mutated, cut and lengthened, and
+// arrive in pieces of any size.  Connections end anywhere, and a receiver reads slowly, leaves, or answers.  An independent oracle divides the
+// bytes into messages.  It predicts which messages are accepted, the cause of each refusal, and which connections are closed.  No step may
+// block.  `make net-campaign` runs it under the sanitizers.
+//     hostile_stream SEED ROUNDS [SECONDS]
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -25,17 +26,17 @@ static const PalAddress at_orders = {{127, 0, 0, 1}, 6003}, at_report = {{10, 0,
 // ---- the oracle of what is received ----
 
 typedef struct Peer {
-    PalSocket socket;         // the far end; 0: not connected
-    bool closed;              // by the receiver, as the oracle predicts
+    PalSocket socket;         // the socket of the simulated peer; 0: not connected
+    bool closed;              // the oracle predicts that the receiver closes the connection
     uint8_t part[ORDERS];
     size_t n;
-    uint64_t used;            // time of the connection or of its last accepted message
+    uint64_t used;            // nanoseconds: the time when the connection was opened or its last message was accepted
 } Peer;
 
 static Peer peer[PEERS];
 static Oracle oracle = {ORDERS, 0, false, false, 0, 0, 0, 0, 200 * MS};
-static uint64_t count[SM_NET_COUNTS], total[SM_NET_COUNTS];              // predicted: of this round, and of all
-static uint8_t accepted[MOST * 3][14];    // the elements that a step may show: those before, then those of each accepted message
+static uint64_t count[SM_NET_COUNTS], total[SM_NET_COUNTS];              // predicted counts: of this round; of all rounds
+static uint8_t accepted[MOST * 3][14];    // the elements that a step can show: those before it, then those after each accepted message
 static size_t states;
 
 static SmNetCount judge_header(const uint8_t *at)
@@ -104,7 +105,7 @@ static size_t mutate(uint8_t *at, size_t n)
     }
 }
 
-// Makes bytes that continue a connection: messages, of which few are changed, or any bytes.
+// Makes bytes that a connection sends next: messages, few of them changed, or random bytes.
 static size_t make_bytes(uint8_t *at)
 {
     size_t n = 0;
@@ -140,7 +141,7 @@ static void step(uint64_t now)
     CHECK(pal_clock_now() == before);
 }
 
-// Steps until all bytes have been received or dropped.  Whatever the pieces are, only whole messages are seen.
+// Steps until all bytes have been received or dropped.  The receiver must see only whole messages, however the bytes are divided.
 static void settle(uint64_t now, size_t bytes)
 {
     for (size_t i = 0; i < bytes + 2; i++) {
@@ -180,7 +181,7 @@ static void join(Peer *p, uint64_t now)
     step(now);
 }
 
-// A receiver with a timeout ends a connection without a message of the last second.
+// A receiver with a timeout closes a connection on which no message arrived in the last second.
 static void end_silent_peers(uint64_t now)
 {
     for (Peer *p = peer; p < peer + PEERS; p++)
@@ -288,13 +289,13 @@ static void send_step(uint64_t now)
         (void)pal_socket_send(far, "?", 1, &sent, 0);
     if (far.id && below(100) == 0)
         hang_up();
-    if (below(200) == 0) {                        // the server is away for a while: connections are refused
+    if (below(200) == 0) {                        // the server refuses connections for some time
         CHECK(pal_socket_close(listening) == SM_OK);
         CHECK(pal_socket_listen(&listening, &at_report) == SM_OK);
     }
 }
 
-// Every message was sent or lost, and every loss that is no broken connection has its cause.
+// Every message was sent or lost.  Every lost message has a counted cause, unless its connection broke.
 static void check_sums(void)
 {
     const uint32_t *c = stream_send.channel[0].count;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the two campaigns of hostile bytes share: a generator of random numbers, bytes of the wire form, and the order of messages, written
-// from docs/config.md 11.16 alone.
+// The common part of the two campaigns of hostile bytes: a generator of random numbers, the bytes of a message, and the order of messages.  It
+// was written from docs/config.md 11.16 alone.
 #ifndef TESTS_NET_ORACLE_H
 #define TESTS_NET_ORACLE_H
 
@@ -39,7 +39,7 @@ typedef struct Oracle {
     bool sealed, any;
     uint32_t run, number;
     uint64_t seen, accepted_at;
-    uint64_t limit;           // nanoseconds without a message after which the channel is silent
+    uint64_t limit;           // after this many nanoseconds without a message, the channel is silent
 } Oracle;
 
 static bool is_finite_f32(uint64_t bits) { return (bits & 0x7F800000u) != 0x7F800000u; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The runtime's side of tests/net/dictionary.sh.  First sends a telemetry message of tests/runtime/link.net and prints its bytes.  Then reads
-// lines of bytes, receives each as `commands`, and prints the elements and the counts.
-// clause 11.20
+// The runtime's side of tests/net/dictionary.sh (clause 11.20).  It sends a telemetry message of tests/runtime/link.net and prints its bytes.
+// Then it reads lines of bytes, receives each line as `commands`, and prints the elements and the counts.
 #include <stdio.h>
 
 #include "link_net.h"

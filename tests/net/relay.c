@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bad network between two computers: a relay of datagrams that loses, delays, repeats, reorders, damages, cuts and lengthens them.  The
-// same seed makes the same choices.        relay FROM_PORT TO_PORT SEED        and with a fourth argument, it floods instead: as many
-// packets as the system accepts, for that many milliseconds.
+// A bad network between two computers: a relay that loses, delays, repeats, reorders, damages, cuts and lengthens datagrams.  The same seed
+// makes the same choices.
+//     relay FROM_PORT TO_PORT SEED
+// With a fourth argument, a number of milliseconds, it instead sends as many packets as the system accepts, for that time.
 #define _GNU_SOURCE
 #include <arpa/inet.h>
 #include <poll.h>
@@ -41,7 +42,7 @@ static int64_t now_ms(void)
 
 static void pass(const uint8_t *at, size_t n) { (void)!sendto(out, at, n, 0, (struct sockaddr *)&to, sizeof to); }
 
-// Keeps a packet for a while, so that later ones overtake it.  A full table passes it at once.
+// Holds a packet for `ms` milliseconds, so that later packets overtake it.  If the table is full, passes it at once.
 static void hold(const uint8_t *at, size_t n, int64_t ms)
 {
     for (int i = 0; i < HELD; i++)

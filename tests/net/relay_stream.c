@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bad network for streams: a relay that passes bytes in pieces of any size, and ends every connection after a while: it damages a piece
-// of every second one, and cuts the others, also inside a message.  It prints a line for each.  The same seed makes the same choices.
+// A bad network for streams: a relay that passes bytes in pieces of any size, and ends every connection after some time.  It damages a piece of
+// every second connection, and cuts the others anywhere, also inside a message.  It prints a line for each.  The same seed makes the same
+// choices.
 //         relay_stream FROM_PORT TO_PORT SEED
 #define _GNU_SOURCE
 #include <arpa/inet.h>
@@ -45,8 +46,8 @@ static struct sockaddr_in local(const char *port)
     return a;
 }
 
-// Passes what comes from `in` until one side ends or `end` has come.  Then a piece is damaged, and the receiver is expected to close the
-// connection; or the connection is cut inside a piece.
+// Passes the bytes from `in` to `out` until one side ends or the time `end` is reached.  Then it damages a piece, after which the receiver must
+// close the connection, or it cuts the connection inside a piece.
 static void relay(int in, int out, int64_t end, bool damages)
 {
     uint8_t at[512];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sender: numbers that a receiver can check.
+// The sender: its numbers follow a rule that a receiver can check.
 #include "sender_app.h"
 
 SmResult source_step(const SmTick *tick)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The receiver: checks in every step that the elements are of one message, that messages do not go back, and that silence has its values.
-// Prints a line each time it becomes silent or hears again, and at the end what was counted.  Ends when standard input does.
+// The receiver.  It checks in every step that all elements belong to one message, that no older message follows a newer one, and that silence
+// stores its values.  It prints a line at each begin and end of silence, and the counts at the end.  It ends when standard input ends.
 #include <fcntl.h>
 #include <stdio.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What aio.h promises.
+// The guarantees of aio.h.
 #include "runtime-c/pal/aio.h"
 #include "tests/psl/suite.h"
 
@@ -28,7 +28,7 @@ static void bad_arguments(void)
 
     CHECK(pal_aio_open(NULL, bench.channel_in, PAL_AIO_INPUT) == SM_E_ARGUMENT);
     CHECK(pal_aio_open(&channel, bench.channel_in, (PalAioMode)99) == SM_E_ARGUMENT);
-    for (int i = 0; i < PAL_AIOS + 1; i++)                // failing leaves no entry taken
+    for (int i = 0; i < PAL_AIOS + 1; i++)                // a failed call uses up no entry
         CHECK(pal_aio_open(&channel, bench.channel_missing, PAL_AIO_INPUT) == SM_E_MISSING);
     CHECK(channel.id == 0);
     for (size_t i = 0; i < COUNT(bad); i++) {
@@ -49,7 +49,7 @@ static PalAio opened(uint16_t number, PalAioMode mode)
     return channel;
 }
 
-// Whether the read value equals the written one, to one step of each channel.
+// Whether the read value equals the written one, except for one step of each channel.
 static bool is_near(int32_t a, int32_t b, const PalAioInfo *in, const PalAioInfo *out)
 {
     int64_t off = (int64_t)a - b, step = (int64_t)in->step + out->step + 1;
@@ -70,7 +70,7 @@ static void values(PalAio in, PalAio out)
         CHECK(pal_aio_read(in, &x) == SM_OK);
         CHECK(is_near(x, tried[i], &of_in, &of_out));
     }
-    if (of_out.highest < INT32_MAX) {                     // beyond its range: the nearest value
+    if (of_out.highest < INT32_MAX) {                     // beyond the range of the channel: the nearest value
         CHECK(pal_aio_write(out, INT32_MAX) == SM_OK);
         CHECK(pal_aio_read(in, &x) == SM_OK && is_near(x, of_out.highest, &of_in, &of_out));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bench of a desk: simulated devices are connected as on the simulated platform, files are in a folder of the test.
+// The bench of the desk platform: simulated devices are connected as on the simulated platform, and files are in a folder of the test.
 #define _GNU_SOURCE
 #include <stdlib.h>
 #include <unistd.h>

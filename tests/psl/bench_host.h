@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What benches of platforms with Linux share: a folder of the test's own, a pseudo-terminal as a serial line, the log as a file.
+// The common part of the benches of platforms on Linux: a separate folder, a pseudo-terminal as a serial line, and the log as a file.
 #ifndef PSL_BENCH_HOST_H
 #define PSL_BENCH_HOST_H
 

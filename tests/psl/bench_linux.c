@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bench of the Linux platform: this computer, with a pseudo-terminal as a serial line and files for analog channels (built
-// with PSL_LINUX_IIO="iio").  What leaves files works in a folder of its own.  Digital pins are tried where there is a
-// /dev/gpiochip0 whose lines can be used: PSL_PINS=1 enables them.
+// The bench of the Linux platform: this computer, with a pseudo-terminal as a serial line and files for analog channels (built with
+// PSL_LINUX_IIO="iio").  Files are created in a separate folder.  PSL_PINS=1 enables the test of digital pins, which needs a /dev/gpiochip0 with
+// usable lines.
 #define _GNU_SOURCE
 #include <sys/stat.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bench of the platform that has nothing.
+// The bench of the platform without any device.
 #include "tests/psl/suite.h"
 
 Bench bench = {.name = "none"};

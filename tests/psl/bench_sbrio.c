@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bench of the sbRIO platform: this computer, as for Linux, and the stand-in for NI's library (tests/sbrio).  Its VI has a control of each
-// type, and an indicator that follows it.
+// type, and an indicator that has the same value.
 #define _GNU_SOURCE
 #include "NiFpga_Suite.h"
 #define SBRIO_API NiFpga_Suite
@@ -27,7 +27,7 @@ static const SbrioPin pins[] = {
     PAIR(U64, 1e-9, 0),
     PAIR(Sgl, 1, 0),
     PAIR(Dbl, 2, 0.5),
-    SBRIO_ANALOG_IN(60, I32, In, 0, 0),                   // rows that are wrong: scales of 0 and infinity, an infinite zero, a number twice
+    SBRIO_ANALOG_IN(60, I32, In, 0, 0),                   // invalid rows: scales of 0 and infinity, an infinite zero, the same number twice
     SBRIO_ANALOG_IN(61, I32, In, 1e308 * 10, 0),
     SBRIO_ANALOG_IN(62, I32, In, 1, -1e308 * 10),
     SBRIO_ANALOG_IN(63, I32, In, 1, 0),

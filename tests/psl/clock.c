@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What clock.h promises.
+// The guarantees of clock.h.
 #include "runtime-c/pal/clock.h"
 #include "tests/psl/suite.h"
 
@@ -33,7 +33,7 @@ static void sleeps_until(void)
         CHECK(pal_clock_sleep_until(next) == SM_OK);
         CHECK(pal_clock_now() >= next);
     }
-    CHECK(pal_clock_now() - start < 10 * (uint64_t)PAL_SECOND);    // five times 2 ms: more is a mistake in units
+    CHECK(pal_clock_now() - start < 10 * (uint64_t)PAL_SECOND);    // five times 2 ms: a longer time is a wrong unit
     CHECK(pal_clock_sleep_until(0) == SM_OK);
     CHECK(pal_clock_sleep_until(start) == SM_OK);
     CHECK(pal_clock_sleep_until(pal_clock_now() + 2 * PAL_TIMEOUT_MAX) == SM_E_ARGUMENT);

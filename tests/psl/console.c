@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What console.h promises of every platform; that text arrives is each platform's own test.
+// The guarantees of console.h on every platform.  Each platform's own tests check that text arrives.
 #include "runtime-c/pal/console.h"
 #include "tests/psl/suite.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What dio.h promises.
+// The guarantees of dio.h.
 #include "runtime-c/pal/dio.h"
 #include "tests/psl/suite.h"
 
@@ -25,7 +25,7 @@ static void bad_arguments(void)
 
     CHECK(pal_dio_open(NULL, bench.pins[0], PAL_DIO_INPUT, false) == SM_E_ARGUMENT);
     CHECK(pal_dio_open(&pin, bench.pins[0], (PalDioMode)99, false) == SM_E_ARGUMENT);
-    for (int i = 0; i < PAL_DIOS + 1; i++)                // failing leaves no entry taken
+    for (int i = 0; i < PAL_DIOS + 1; i++)                // a failed call uses up no entry
         CHECK(pal_dio_open(&pin, bench.pin_missing, PAL_DIO_INPUT, false) == SM_E_MISSING);
     CHECK(pin.id == 0);
     for (size_t i = 0; i < COUNT(bad); i++) {
@@ -50,7 +50,7 @@ static void outputs(void)
 
     for (int first = 0; first < 2; first++) {
         CHECK(pal_dio_open(&pin, bench.pins[0], PAL_DIO_OUTPUT, first) == SM_OK && pin.id != 0);
-        CHECK(level_of(pin) == first);                    // its level from the start
+        CHECK(level_of(pin) == first);                    // it has the level with which it was opened
         CHECK(pal_dio_open(&again, bench.pins[0], PAL_DIO_INPUT, false) == SM_E_BUSY && again.id == 0);
         for (int i = 0; i < 4; i++) {
             CHECK(pal_dio_write(pin, i & 1) == SM_OK);

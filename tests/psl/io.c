@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// runtime-c/io.h on the pins of the platform: what goes out by one comes back by another.
+// Runs runtime-c/io.h on the pins of the platform: one pin reads what another one outputs.
 #include "runtime-c/io.h"
 
 #include "tests/psl/suite.h"
@@ -40,7 +40,7 @@ static SmIo table_of(const SmIoPin *row, uint16_t n)
     return io;
 }
 
-// Volts out: (element - 1) / 2, safe at 2 V; in: volts * 10 - 5.
+// The output is (element - 1) / 2 volts, and 2 V in the safe state.  The input is volts * 10 - 5.
 static void test_analog(void)
 {
     const SmIoPin row[] = {{SM_ANALOG_OUT, SM_F64, 0, 0, bench.channel_out, HEATER, TWO, ONE, FIVE},
@@ -53,13 +53,13 @@ static void test_analog(void)
         return;
     CHECK(sm_outputs_init(&io) == SM_OK && sm_inputs_init(&io) == SM_OK);
     CHECK(sm_inputs_step(&io, &tick) == SM_OK);
-    CHECK(!bench.analog_wired || get_double(PRESSURE) == 15);             // safe from the start
+    CHECK(!bench.analog_wired || get_double(PRESSURE) == 15);             // the safe value, from the start
     set_double(HEATER, 3);
     CHECK(sm_outputs_step(&io, &tick) == SM_OK && sm_inputs_step(&io, &tick) == SM_OK);
     CHECK(!bench.analog_wired || get_double(PRESSURE) == 5);
     sm_inputs_close(&io);
     sm_outputs_close(&io);
-    CHECK(sm_outputs_init(&io) == SM_OK && sm_inputs_init(&io) == SM_OK); // given back
+    CHECK(sm_outputs_init(&io) == SM_OK && sm_inputs_init(&io) == SM_OK); // the pins were closed
     CHECK(sm_inputs_step(&io, &tick) == SM_OK && (!bench.analog_wired || get_double(PRESSURE) == 15));
     sm_inputs_close(&io);
     sm_outputs_close(&io);
@@ -84,7 +84,7 @@ static void test_digital(void)
     sm_outputs_close(&io);
 }
 
-// A missing pin makes the start fail, and the error names it.
+// A missing pin makes the start fail, and the error contains its number.
 static void test_missing(void)
 {
     const SmIoPin row[] = {{SM_ANALOG_IN, SM_F64, 0, 0, bench.channel_in, PRESSURE, ONE, 0, 0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lock.h promises; with threads, that it keeps them apart.
+// The guarantees of lock.h, and with threads, mutual exclusion.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/lock.h"
 #include "runtime-c/pal/thread.h"
@@ -29,7 +29,7 @@ static void one_thread(void)
     CHECK(pal_lock_take(lock, 0) == SM_E_BUSY);
     CHECK(pal_lock_take(lock, PAL_SECOND) == SM_E_BUSY);
     CHECK(pal_lock_close(lock) == SM_E_BUSY);
-    CHECK(pal_lock_take(other, MS) == SM_OK);             // another lock is another lock
+    CHECK(pal_lock_take(other, MS) == SM_OK);             // locks are independent
     CHECK(pal_lock_give(other) == SM_OK);
     CHECK(pal_lock_give(lock) == SM_OK);
     CHECK(pal_lock_give(lock) == SM_E_BUSY);
@@ -57,7 +57,7 @@ static void table_is_full(void)
 {
     PalLock locks[PAL_LOCKS], more = {0};
 
-    for (int round = 0; round < 2; round++) {              // twice: close frees entries
+    for (int round = 0; round < 2; round++) {              // twice: closing frees entries
         for (int i = 0; i < PAL_LOCKS; i++)
             CHECK(pal_lock_open(&locks[i]) == SM_OK);
         CHECK(pal_lock_open(&more) == SM_E_FULL && more.id == 0);
@@ -140,7 +140,7 @@ static void held_by_another(void)
     CHECK(on_a_thread(try_for_a_while, &s) == SM_E_TIMEOUT);
     CHECK(s.second - s.first >= 5 * MS);
     CHECK(on_a_thread(give_of_another, &s) == SM_E_BUSY);
-    CHECK(pal_lock_give(s.lock) == SM_OK);                // it was ours all the time
+    CHECK(pal_lock_give(s.lock) == SM_OK);                // this thread has held it the whole time
     CHECK(pal_lock_close(s.lock) == SM_OK);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What log.h promises.
+// The guarantees of log.h.
 #include "runtime-c/pal/log.h"
 #include "tests/psl/suite.h"
 
@@ -45,9 +45,9 @@ static void grows(void)
     char first[8];
     PalLogFile file = opened();
 
-    CHECK(size_of(file) == 0 && holds(""));               // made, empty
+    CHECK(size_of(file) == 0 && holds(""));               // created, empty
     CHECK(pal_log_append(file, "one", 3) == SM_OK);
-    CHECK(size_of(file) == 3 && holds("one"));            // visible to other readers at once
+    CHECK(size_of(file) == 3 && holds("one"));            // other readers see it at once
     CHECK(pal_log_append(file, "", 0) == SM_OK);
     CHECK(pal_log_append(file, "\0two", 4) == SM_OK);
     CHECK(pal_log_sync(file) == SM_OK);
@@ -56,7 +56,7 @@ static void grows(void)
     CHECK(pal_log_read(file, first, 8) == SM_E_ARGUMENT && pal_log_read(file, NULL, 1) == SM_E_ARGUMENT);
     CHECK(pal_log_close(file) == SM_OK);
     CHECK(pal_log_read(file, first, 1) == SM_E_HANDLE);
-    file = opened();                                      // after its content
+    file = opened();                                      // appends to the existing content
     CHECK(size_of(file) == 7);
     CHECK(pal_log_append(file, "3", 1) == SM_OK && size_of(file) == 8);
     CHECK(pal_log_close(file) == SM_OK);
@@ -120,7 +120,7 @@ static void one_at_a_time(void)
     CHECK(pal_log_open(&again, bench.log_name) == SM_E_BUSY && again.id == 0);
     CHECK(pal_log_close(file) == SM_OK);
     CHECK(pal_log_close(file) == SM_E_HANDLE);
-    for (int i = 0; i < 2 * PAL_LOGS; i++) {              // entries are given back, by refusals as well
+    for (int i = 0; i < 2 * PAL_LOGS; i++) {              // entries are freed, also by refused calls
         CHECK(pal_log_open(&again, bench.log_missing) == SM_E_MISSING);
         CHECK(pal_log_close(opened()) == SM_OK);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the contracts one after another: main [NAME...], all of them or those named (own: the platform's own tests).
+// Runs the contract tests one after another: main [NAME...], all of them or only those named (own: the platform's own tests).
 #include "tests/psl/suite.h"
 
 static const struct {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nvm.h promises, whatever sizes the medium has.
+// The guarantees of nvm.h, for any sizes of the medium.
 #include "runtime-c/pal/nvm.h"
 #include "tests/psl/suite.h"
 
@@ -82,15 +82,15 @@ static void test_stores(PalNvm memory)
     clear(memory, 0, 3 * n);
     CHECK(holds(memory, 0, i.blank, 3 * n));
     put(memory, n, 0x5a, n);
-    CHECK(holds(memory, 0, i.blank, n));                  // its neighbours are left alone
+    CHECK(holds(memory, 0, i.blank, n));                  // neighbouring bytes are not changed
     CHECK(holds(memory, n, 0x5a, n));
     CHECK(holds(memory, 2 * n, i.blank, n));
     clear(memory, n, n);
     CHECK(holds(memory, n, i.blank, n));
     clear(memory, last, n);
-    put(memory, last, 0x17, n);                           // up to the very end
+    put(memory, last, 0x17, n);                           // up to the last byte
     CHECK(holds(memory, last, 0x17, n));
-    CHECK(holds(memory, i.size - 1, 0x17, 1));            // reads have any place and length
+    CHECK(holds(memory, i.size - 1, 0x17, 1));            // reads can have any address and length
 }
 
 static void many_bytes(PalNvm memory)
@@ -104,13 +104,13 @@ static void many_bytes(PalNvm memory)
     clear(memory, 0, n);
     CHECK(pal_nvm_write(memory, 0, in, n) == SM_OK);
     CHECK(pal_nvm_read(memory, 0, out, n) == SM_OK && memcmp(in, out, n) == 0);
-    if (i.erase == 0) {                                   // over existing content
+    if (i.erase == 0) {                                   // overwrites existing content
         put(memory, 0, 0x33, n);
         CHECK(holds(memory, 0, 0x33, n));
     }
 }
 
-// By its name, also while it is open; what is missing is not created.
+// Reading by name works while the memory is open, and creates nothing if the name is missing.
 static void test_loading(PalNvm memory)
 {
     char longest[PAL_NAME + 1];
@@ -153,7 +153,7 @@ static void test_accesses_outside(PalNvm memory)
         CHECK(pal_nvm_erase(memory, 1, i.erase) == SM_E_ARGUMENT && pal_nvm_erase(memory, 0, 1) == SM_E_ARGUMENT);
 }
 
-// What was written is there when the memory is opened again.
+// Written bytes are still there when the memory is opened again.
 static void test_content_stays(void)
 {
     PalNvm memory = opened();

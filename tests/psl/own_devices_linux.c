@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What console, analog channels and watchdog of Linux really do.
+// How console, analog channels and watchdog of Linux behave on real devices.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -19,7 +19,7 @@
 
 // ---- the console ----
 
-// Reads n bytes, in as many pieces as the terminal returns them.
+// Reads n bytes, in as many parts as the terminal returns.
 static bool read_all(int fd, char *to, size_t n)
 {
     ssize_t got = 1;
@@ -29,7 +29,7 @@ static bool read_all(int fd, char *to, size_t n)
     return n == 0;
 }
 
-// With `near` as standard output: written bytes arrive at `far`, and a missing reader there does not block.
+// With `near` as standard output: written bytes arrive at `far`, and a missing reader does not block the writer.
 static void test_console_on(int near, int far)
 {
     static char text[997], in[997];
@@ -42,7 +42,7 @@ static void test_console_on(int near, int far)
     CHECK(dup2(near, STDOUT_FILENO) == STDOUT_FILENO);
     CHECK(pal_console_write(text, sizeof text) == SM_OK);
     CHECK(read_all(far, in, sizeof in) && memcmp(in, text, sizeof in) == 0);
-    memset(text, '\n', sizeof text);                      // a terminal makes two bytes of it: room for one is too little
+    memset(text, '\n', sizeof text);                      // a terminal writes two bytes for it: room for one byte is not enough
     for (; r == SM_OK && calls < 10000; calls++)
         r = pal_console_write(text, sizeof text);
     CHECK(r == SM_E_BUSY && calls > 1);
@@ -94,7 +94,7 @@ static int32_t measure_channel(const char *raw, const char *offset, const char *
 static void test_aio(void)
 {
     CHECK(mkdir("iio/iio:device3", 0700) == 0);
-    CHECK(measure_channel("12\n", NULL, NULL) == 12000);         // millionths; the kernel has thousandths
+    CHECK(measure_channel("12\n", NULL, NULL) == 12000);         // microvolts, which the kernel measures in millivolts
     CHECK(measure_channel("2048\n", NULL, "1.220703125\n") == 2500000);
     CHECK(measure_channel("-4\n", NULL, "0.001\n") == -4);
     CHECK(measure_channel("100\n", "-40.5\n", "2\n") == 119000);
@@ -125,7 +125,7 @@ static void child(uint64_t period)
     _exit(0);
 }
 
-// Returns the signal that ended a program with such a watchdog, or 0.
+// Returns the signal that ended a program with such a watchdog; 0: none.
 static int watchdog_signal_of(uint64_t period)
 {
     int status = 0;
@@ -139,7 +139,7 @@ static int watchdog_signal_of(uint64_t period)
     return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-// The start and each feeding set the timer again.
+// The start and each feeding reset the timer.
 static void test_feeding(void)
 {
     uint64_t actual;

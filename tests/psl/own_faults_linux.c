@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The calls that can be made to fail.
+// Replaces system calls by ones that a test can make fail.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <linux/futex.h>
@@ -38,11 +38,11 @@ int __wrap_unlink(const char *path);
 long __wrap_syscall(long number, ...);
 
 static struct {
-    bool watching;            // whether a test checks the calls
-    int left;                 // calls that still work; below 0: all
-    int error;                // what the next one fails with
-    bool for_good;            // and all after it: the power is off
-    char log[64];             // a letter for each call
+    bool watching;            // a test checks the calls
+    int left;                 // number of calls that still succeed; below 0: all
+    int error;                // the error of the next call
+    bool for_good;            // all later calls fail, too: the power is off
+    char log[64];             // one letter for each call
     unsigned pause;           // microseconds before and after each unlink and connect
 } faults = {false, -1, 0, false, "", 0};
 
@@ -63,7 +63,7 @@ static bool fails(char letter)
     return true;
 }
 
-// Writes half of the data, then nothing: as a disk that becomes full.
+// Writes half of the data, then nothing, like a disk that becomes full.
 ssize_t __wrap_write(int fd, const void *from, size_t n)
 {
     if (!fails('w'))
@@ -98,7 +98,7 @@ long __wrap_syscall(long number, ...)
     long argument[6];
     va_list list;
 
-    if (number != SYS_futex)                               // asks for the thread's number
+    if (number != SYS_futex)                               // this call requests the thread's number
         return __real_syscall(number);
     va_start(list, number);
     for (int i = 0; i < 6; i++)

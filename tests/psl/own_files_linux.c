@@ -18,7 +18,7 @@
 
 // ---- non-volatile memory ----
 
-#define SIZE 1200u            // three blocks of the copy: no power of two, no multiple
+#define SIZE 1200u            // three blocks of the copy; neither a power of two nor a multiple of a block
 
 static char memory_name[64];
 
@@ -51,7 +51,7 @@ static int value_of(PalNvm memory)
     return bytes[0];
 }
 
-// A new file is on the medium before it gets its name, and the name is there before the call returns.
+// A new file is on the medium before it gets its name, and the name is on the medium before the call returns.
 static void test_order_of_calls(void)
 {
     PalNvm memory = reopen();
@@ -131,7 +131,7 @@ static void test_file_is_lengthened(void)
     CHECK(pal_nvm_read(memory, 0, two, 2) == SM_OK && two[0] == 5 && two[1] == 0xff);
     CHECK(pal_nvm_close(memory) == SM_OK);
     size_on_disk(1000);
-    CHECK(pal_nvm_open(&memory, memory_name, 10) == SM_OK);       // and never shortens
+    CHECK(pal_nvm_open(&memory, memory_name, 10) == SM_OK);       // opening never shortens a memory
     CHECK(pal_nvm_read(memory, 999, two, 1) == SM_OK);
     CHECK(pal_nvm_close(memory) == SM_OK);
     size_on_disk(1000);
@@ -164,7 +164,7 @@ static void no_file(void)
     CHECK(pal_nvm_open(&memory, "link", 1) == SM_E_UNSUPPORTED);
     CHECK(pal_nvm_open(&memory, "pipe/x", 1) == SM_E_MISSING);
     CHECK(unlink("pipe") == 0 && unlink("link") == 0);
-    for (int i = 0; i < 2 * PAL_NVMS; i++)                // failing leaves no entry taken
+    for (int i = 0; i < 2 * PAL_NVMS; i++)                // a failed call uses up no entry
         CHECK(pal_nvm_open(&memory, ".", 1) == SM_E_UNSUPPORTED);
 }
 
@@ -200,7 +200,7 @@ static PalLogFile log_opened(void)
     return file;
 }
 
-// A new file's name is on the medium when open returns.  Writing continues where it stopped.  Only sync waits.
+// A new file's name is on the medium when open returns.  Writing continues at the end of the file.  Only sync waits for the medium.
 static void test_log_order(void)
 {
     PalLogFile file;
@@ -244,7 +244,7 @@ static void no_log(void)
     CHECK(pal_log_open(&file, "pipe/x") == SM_E_MISSING);
     CHECK(pal_log_open(&file, "/dev/null") == SM_E_UNSUPPORTED);
     CHECK(file.id == 0);
-    CHECK(pal_log_open(&file, "link") == SM_OK && pal_log_close(file) == SM_OK);      // a log may be a link
+    CHECK(pal_log_open(&file, "link") == SM_OK && pal_log_close(file) == SM_OK);      // a log can be a symbolic link
     fault(0, EIO, false);
     CHECK(pal_log_open(&file, "new.log") == SM_E_DEVICE);
     no_fault();
@@ -277,7 +277,8 @@ static bool is_reached(PalSocket listening, const char *path)
 
 enum { STARTS = 12 };
 
-// STARTS programs listen at one path as soon as they can read a byte of `start`, and close it when they can read another.  Exactly one succeeds.
+// STARTS programs listen at one path as soon as they can read a byte of `start`, and close it when they can read another byte.  Exactly one
+// succeeds.
 static void one_of_many(int round)
 {
     int start[2], done[2], end[2], succeeded = 0;
@@ -334,20 +335,20 @@ static void local_sockets(void)
     CHECK(pal_socket_listen_local(&s, "nowhere/path") == SM_E_MISSING && s.id == 0);
     longest[PAL_SOCKET_PATH] = '\0';
     CHECK(pal_socket_listen_local(&s, longest) == SM_OK && is_reached(s, longest) && pal_socket_close(s) == SM_OK);
-    // only its user, and one program
+    // only the same user and one program can use it
     CHECK(pal_socket_listen_local(&s, "path") == SM_OK && is_reached(s, "path"));
     CHECK(stat("path", &file) == 0 && S_ISSOCK(file.st_mode) && (file.st_mode & 0777) == 0600);
     CHECK(pal_socket_listen_local(&other, "path") == SM_E_BUSY && other.id == 0);
-    CHECK(pal_socket_accept(s, &other, NULL, PAL_SECOND) == SM_OK && pal_socket_close(other) == SM_OK);      // the attempt
+    CHECK(pal_socket_accept(s, &other, NULL, PAL_SECOND) == SM_OK && pal_socket_close(other) == SM_OK);      // the connection of the attempt
     CHECK(pal_socket_local_address(s, &address) == SM_E_UNSUPPORTED && is_reached(s, "path"));
     CHECK(pal_socket_close(s) == SM_OK && stat("path", &file) != 0);
     // a socket whose program has ended
     CHECK(pal_socket_listen_local(&s, "path") == SM_OK && link("path", "left") == 0 && pal_socket_close(s) == SM_OK);
     CHECK(pal_socket_listen_local(&s, "left") == SM_OK && is_reached(s, "left") && pal_socket_close(s) == SM_OK);
-    // many programs at the same instant, at a path with a socket that one of them has left: one listens
+    // many programs at the same time, at a path with a socket that a program has left: one of them listens
     for (int round = 0; round < 20; round++)
         one_of_many(round);
-    // other files stay
+    // other files are not changed
     CHECK(mkdir("folder", 0700) == 0 && symlink("gone", "link") == 0);
     CHECK(pal_socket_listen_local(&s, "folder") == SM_E_FOREIGN && pal_socket_listen_local(&s, "link") == SM_E_FOREIGN);
     CHECK(rmdir("folder") == 0 && unlink("link") == 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the sbRIO platform promises beyond the headers, on the stand-in for NI's library: types and scales, the order of calls, every documented
-// status at every call, a lost session, threads, the end of the program.
+// The guarantees of the sbRIO platform beyond the headers, on the stand-in for NI's library: types and scales, the order of calls, every
+// documented status at every call, a lost session, threads, the end of the program.
 #define _GNU_SOURCE
 #include <math.h>
 #include <pthread.h>
@@ -36,7 +36,7 @@ static PalDio open_pin(uint16_t number, PalDioMode mode, bool level)
 
 // ---- types ----
 
-// What a channel outputs, and what the indicator then measures: the nearest value of the type.
+// Returns what the indicator measures when a channel has this output: the nearest value of the type.
 static const struct { SbrioType type; int32_t out, in; } samples[] = {
     {SBRIO_I8, 0, 0}, {SBRIO_I8, 149999, 100000}, {SBRIO_I8, 150001, 200000}, {SBRIO_I8, -150001, -200000}, {SBRIO_I8, 99000000, 12700000},
     {SBRIO_I8, -99000000, -12800000}, {SBRIO_U8, -1000000, -1000000}, {SBRIO_U8, 500000, 500000}, {SBRIO_U8, 9000000, 1550000}, {SBRIO_U8, -9000000, -1000000},
@@ -129,7 +129,7 @@ static void test_start(void)
     CHECK(pal_dio_close(out) == SM_OK && pal_dio_close(in) == SM_OK && pal_aio_close(analog) == SM_OK);
     CHECK(standin_runs() && of(NiFpga_Suite_ControlBool_Out)->value == 1);            // closing changes no output
 
-    out = open_pin(4, PAL_DIO_OUTPUT, true);                                          // a VI that runs already
+    out = open_pin(4, PAL_DIO_OUTPUT, true);                                          // the VI is already running
     CHECK(pal_dio_write(out, false) == SM_OK && of(NiFpga_Suite_ControlBool_Out)->value == 0 && pal_dio_close(out) == SM_OK);
 
     standin_reset();
@@ -153,7 +153,7 @@ static const SmIoPin input_rows[] = {{SM_ANALOG_IN, SM_F32, 0, 0, 1, 8, 0x3FF000
 
 typedef struct Run {
     SmResult opened, inputs[TICKS], outputs[TICKS];
-    float analog[TICKS];      // elements of the inputs after each tick
+    float analog[TICKS];      // the elements of the inputs after each tick
     bool digital[TICKS];
     uint16_t missed[TICKS][2];
     unsigned calls;
@@ -167,7 +167,7 @@ static void set_elements(int32_t analog, bool digital)
     memcpy((char *)elements + 4, &digital, sizeof digital);
 }
 
-// Three ticks of an application with two outputs, and two inputs that follow them; call number `at` returns `status`.
+// Runs three ticks of an application with two outputs, and two inputs connected to them.  Call number `at` returns `status`.
 static Run run_with(unsigned at, NiFpga_Status status)
 {
     static uint8_t handles[2][2];
@@ -210,7 +210,7 @@ static bool is_clean(const Run *r, int from)
     return good;
 }
 
-// After a session was lost: nothing is read or written, every element is invalid, and no call follows but NiFpga_Finalize.
+// After a session was lost, no value is read or written, every element is invalid, and the only further call is NiFpga_Finalize.
 static void check_lost(const Run *r, unsigned at, int from)
 {
     for (int i = from; i < TICKS; i++)
@@ -218,7 +218,7 @@ static void check_lost(const Run *r, unsigned at, int from)
     CHECK(r->calls == at + 2 && standin_call(at + 1) == STANDIN_Finalize);
 }
 
-// The call is the `n`th of tick i: reads of the two inputs, writes of the two outputs.
+// `n` is the number of the call in tick i: reads of the two inputs, writes of the two outputs.
 static void check_tick(const Run *r, unsigned at, int i, unsigned n, SmResult expected)
 {
     const bool lost = expected == SM_E_CLOSED;
@@ -243,7 +243,7 @@ static void check_tick(const Run *r, unsigned at, int i, unsigned n, SmResult ex
 static void check_run(unsigned at, NiFpga_Status status, SmResult expected, unsigned calls)
 {
     const Run r = run_with(at, status);
-    const unsigned of_tick = at - INIT_CALLS - 1;         // the VI is run after the calls of the start
+    const unsigned of_tick = at - INIT_CALLS - 1;         // the calls of the start precede the run of the VI
 
     if (at < INIT_CALLS)
         CHECK(r.opened == expected);
@@ -251,7 +251,7 @@ static void check_run(unsigned at, NiFpga_Status status, SmResult expected, unsi
         CHECK(is_clean(&r, 0));
     else if (at == INIT_CALLS && expected == SM_E_CLOSED)
         check_lost(&r, at, 0);
-    else if (at == INIT_CALLS)                            // the next pin runs it
+    else if (at == INIT_CALLS)                            // opening the next pin runs the VI
         CHECK(r.inputs[0] == expected && isnan(r.analog[0]) && !r.digital[0] && r.outputs[0] == SM_OK && is_clean(&r, 1));
     else if (of_tick < TICKS * CALLS_OF_TICK)
         check_tick(&r, at, (int)(of_tick / CALLS_OF_TICK), of_tick % CALLS_OF_TICK, expected);
@@ -265,9 +265,9 @@ static const struct { NiFpga_Status status; SmResult result; } statuses[] = {
 #define SBRIO_STATUS(name, number, result) {number, result},
 #include "runtime-c/psl/sbrio/status.def"
 #undef SBRIO_STATUS
-    {-1, SM_E_DEVICE}, {-99999, SM_E_DEVICE},             // not documented
+    {-1, SM_E_DEVICE}, {-99999, SM_E_DEVICE},             // status codes that are not documented
     {-52006, SM_E_MISSING}, {-52010, SM_E_CLOSED}, {-61252, SM_E_BUSY}, {-63033, SM_E_DENIED}, {-63043, SM_E_CLOSED}, {-63101, SM_E_MISSING},
-    {-63106, SM_E_UNSUPPORTED}, {-63150, SM_E_DEVICE}, {-63192, SM_E_MISSING}, {-63195, SM_E_CLOSED}, {-63198, SM_E_FULL},          // independent of the table
+    {-63106, SM_E_UNSUPPORTED}, {-63150, SM_E_DEVICE}, {-63192, SM_E_MISSING}, {-63195, SM_E_CLOSED}, {-63198, SM_E_FULL},          // not in the table
 };
 
 static void test_statuses(void)
@@ -310,9 +310,9 @@ static void test_lost(void)
     CHECK(pal_aio_read(channel, &x) == SM_E_CLOSED && x == 7 && pal_dio_read(pin, &level) == SM_E_CLOSED && level);
     CHECK(pal_aio_write(unwritten, 5) == SM_E_CLOSED && pal_dio_write(pin, true) == SM_E_CLOSED);
     CHECK(pal_dio_open(&other, 5, PAL_DIO_INPUT, false) == SM_E_CLOSED && other.id == 0);
-    CHECK(standin_calls() == calls);                      // it was not used again, nor opened
+    CHECK(standin_calls() == calls);                      // no call reached the library, not even to open a session
     CHECK(pal_dio_close(pin) == SM_OK && pal_aio_close(channel) == SM_OK && pal_aio_close(unwritten) == SM_OK);
-    pin = open_pin(4, PAL_DIO_OUTPUT, true);              // a new session
+    pin = open_pin(4, PAL_DIO_OUTPUT, true);              // opens a new session
     CHECK(pal_dio_read(pin, &level) == SM_OK && level && pal_dio_close(pin) == SM_OK);
 }
 

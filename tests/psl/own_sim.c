@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the simulated platform promises beyond the headers: a hand on time, and faults on demand.
+// The guarantees of the simulated platform beyond the headers: control of time, and faults on request.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/console.h"
 #include "runtime-c/pal/aio.h"
@@ -39,7 +39,7 @@ static void step_world(void)
     world_at[world_calls++ % COUNT(world_at)] = pal_clock_now();
 }
 
-// The simulated world keeps its own period, no matter which call advances time and how far.
+// The simulated world keeps its period, however calls advance time.
 static void test_world_keeps_its_period(void)
 {
     sim_reset();
@@ -123,7 +123,7 @@ static void test_pins(void)
     CHECK(!reads(5, PAL_DIO_PULL_UP));
     sim_wire(6, 7);
     CHECK(pal_dio_open(&pin, 6, PAL_DIO_OUTPUT, false) == SM_OK);
-    CHECK(sim_count_pin_changes(6) == 0);                             // low from the start: no pulse
+    CHECK(sim_count_pin_changes(6) == 0);                             // low from the start, without a pulse
     for (int i = 0; i < 3; i++)
         CHECK(pal_dio_write(pin, true) == SM_OK);
     CHECK(sim_count_pin_changes(6) == 1 && sim_count_pin_changes(7) == 1 && sim_pin(7));
@@ -164,7 +164,7 @@ static void send_letters(PalSocket s, const char *letters)
         CHECK(pal_socket_send_to(s, &to, letters, 1) == SM_OK);
 }
 
-// Returns what arrives within the timeout, in order.
+// Returns the letters that arrive within the timeout, in order.
 static const char *receive_letters(PalSocket s, uint64_t timeout)
 {
     static char text[32];
@@ -176,7 +176,7 @@ static const char *receive_letters(PalSocket s, uint64_t timeout)
     return text;
 }
 
-// A message that is sent later over a faster network arrives first.  A waiting thread is woken when it arrives.
+// A message that is sent later over a faster network arrives first.  Its arrival wakes a waiting thread.
 static void test_overtaking(PalSocket a, PalSocket b)
 {
     const SimNetwork slow = {10 * MS, 0, 0, 0}, fast = {MS, 0, 0, 0};
@@ -212,7 +212,7 @@ static void test_datagrams(void)
     CHECK(strcmp(receive_letters(b, 0), "abbcdd") == 0);
     sim_network(swapping);
     send_letters(a, "abcdef");
-    CHECK(strcmp(receive_letters(b, 0), "acbedf") == 0);         // the last has nothing to come after
+    CHECK(strcmp(receive_letters(b, 0), "acbedf") == 0);         // no message follows the last one, so it is not reordered
     sim_network(slow);
     send_letters(a, "ab");
     CHECK(strcmp(receive_letters(b, 9 * MS), "") == 0);
@@ -222,7 +222,7 @@ static void test_datagrams(void)
 
 // ---- waits that the world ends ----
 
-// Each call waits up to 100 ns.  The world acts after 10 and 20 ns: what it does then ends the wait at exactly that time.
+// Each call waits up to 100 ns.  The world acts after 10 and 20 ns, and its action ends the wait at exactly that time.
 static unsigned world_turn;
 static PalSocket world_socket;
 static const PalAddress world_to = {{127, 0, 0, 1}, 2000};
@@ -353,7 +353,7 @@ static const char *content_after_cut(uint32_t bytes)
     CHECK(pal_nvm_open(&memory, "eeprom", 16) == SM_OK);
     CHECK(pal_nvm_write(memory, 0, "oooooooooo", 10) == SM_OK);
     sim_cut_power(1, bytes);
-    CHECK(pal_nvm_write(memory, 9, "e", 1) == SM_OK);     // this one is still whole
+    CHECK(pal_nvm_write(memory, 9, "e", 1) == SM_OK);     // the byte outside the interrupted write is undamaged
     CHECK(pal_nvm_write(memory, 1, "nnnnnnnn", 8) == SM_E_DEVICE);
     CHECK(pal_nvm_read(memory, 0, text, 10) == SM_E_DEVICE);
     CHECK(pal_nvm_write(memory, 0, "x", 1) == SM_E_DEVICE && pal_nvm_erase(memory, 0, 1) == SM_E_DEVICE);
@@ -369,10 +369,10 @@ static void torn_writes(void)
 {
     CHECK(strcmp(content_after_cut(0), "o\xa5" "ooooooo" "e") == 0);
     CHECK(strcmp(content_after_cut(3), "onnn\xa5" "oooo" "e") == 0);
-    CHECK(strcmp(content_after_cut(8), "onnnnnnnn" "e") == 0);    // all is done, and yet the call failed
+    CHECK(strcmp(content_after_cut(8), "onnnnnnnn" "e") == 0);    // all bytes are written, although the call failed
 }
 
-// Operations that the flash allows and refuses.
+// Writes that the flash allows and refuses.
 static void test_flash(void)
 {
     PalNvm memory = {0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time, locks, priorities and failing writes on Linux: what signals, rights and a time of day that is set must not change.
+// Time, locks, priorities and failing writes on Linux.  Signals, missing rights and a change of the time of day must not affect them.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <sched.h>
@@ -29,7 +29,7 @@ static void on_alarm(int number)
     (void)number;
 }
 
-// Signals arrive all the time: sleeps and waits last as long as without them.
+// Signals arrive repeatedly: sleeps and waits last as long as without them.
 static void test_signals(void)
 {
     const struct itimerval often = {{0, 1000}, {0, 1000}}, never = {{0, 0}, {0, 0}};
@@ -160,7 +160,7 @@ static void test_failing_writes(void)
 
 // ---- errors of the network ----
 
-// What the system may report on a socket about a peer or an earlier packet (accept(2), ip(7)).
+// The errors that the system can report on a socket about a peer or an earlier packet (accept(2), ip(7)).
 static const int of_network[] = {ENETDOWN, EPROTO, ENOPROTOOPT, EHOSTDOWN, ENONET, EHOSTUNREACH, EOPNOTSUPP, ENETUNREACH, ETIMEDOUT,
                                  ECONNABORTED, ECONNRESET, ECONNREFUSED};
 
@@ -183,7 +183,7 @@ static void test_temporary_errors(void)
         CHECK(pal_socket_connect(&peer, &to, PAL_SECOND) == SM_OK);
         fault(0, of_network[i], false);
         CHECK(pal_socket_accept(listening, &stream, NULL, 0) == SM_OK);
-        fault(0, of_network[i], false);                   // on a stream, it is the end of the connection
+        fault(0, of_network[i], false);                   // on a stream, this is the end of the connection
         CHECK(pal_socket_receive(stream, &x, 1, &n, 0) == SM_E_CLOSED && calls()[0] == 'm');
         no_fault();
         CHECK(pal_socket_close(stream) == SM_OK && pal_socket_close(peer) == SM_OK);
@@ -203,7 +203,7 @@ static void test_temporary_errors(void)
     CHECK(pal_socket_close(listening) == SM_OK && pal_socket_close(s) == SM_OK);
 }
 
-// A connection that cannot be made returns SM_E_TIMEOUT if there is no answer, and SM_E_UNREACHABLE for all other reports of the network.
+// A connection that cannot be established returns SM_E_TIMEOUT if there is no answer, and SM_E_UNREACHABLE for all other errors of the network.
 static void test_failing_connects(void)
 {
     const PalAddress to = {{127, 0, 0, 1}, 9};
@@ -294,7 +294,7 @@ static void waiting_for_a_lock(void)
 {
     is_waited_for(ETIMEDOUT);                              // too early
     is_waited_for(EAGAIN);
-    is_waited_for(ENOSYS);                                 // a kernel that only has waiting by the time of day
+    is_waited_for(ENOSYS);                                 // a kernel that can only wait by the time of day
     is_waited_for_in_vain(ETIMEDOUT);
     is_waited_for_in_vain(EAGAIN);
     is_waited_for_in_vain(EINTR);
@@ -327,7 +327,7 @@ static void test_priorities(void)
     int status = 0;
     pid_t pid;
 
-    if (geteuid() != 0)                                   // then the contract has shown it
+    if (geteuid() != 0)                                   // a user with this right: the contract test has checked it
         return;
     fflush(NULL);
     pid = fork();
@@ -344,8 +344,8 @@ static uint64_t processor_time(void)
     return (uint64_t)t.tv_sec * PAL_SECOND + (uint64_t)t.tv_nsec;
 }
 
-// Three threads on one processor: a low one holds the lock and has work to do, a high one wants it, a middle one keeps the
-// processor busy.  Without inheritance the middle one would keep the low one, and so the high one, waiting.
+// Three threads on one processor: a low one holds the lock and has work to do, a high one waits for the lock, and a middle one uses the
+// processor all the time.  Without priority inheritance, the middle one would delay the low one, and so the high one.
 typedef struct Inversion {
     PalLock lock;
     bool high_has_it, middle_is_done, high_waited_for_middle;
@@ -384,7 +384,7 @@ static void high(void *of)
     pal_lock_give(v->lock);
 }
 
-// Runs with the highest priority, so that this thread decides the order in which the others begin.
+// Runs with the highest priority, so that this thread determines the order in which the others begin.
 static void invert_priorities(Inversion *v)
 {
     const PalThreadPlan plans[] = {{"low", 1, 0}, {"high", 10, 0}, {"middle", 5, 0}};

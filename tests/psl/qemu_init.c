@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only program of a Linux in an emulator: prepares devices for the suite, runs it, prints its result, switches off.
+// The only program of a Linux system in an emulator.  It prepares devices for the suite, runs it, prints the result, and switches the computer
+// off.
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <net/if.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What serial.h promises, against the other end of the line.
+// The guarantees of serial.h, with the bench at the other end of the line.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/serial.h"
 #include "tests/psl/suite.h"
 
 #define SPEED 115200u
-#define SOON  (10 * (uint64_t)PAL_SECOND)     // for data that arrives at once, however busy the machine is
+#define SOON  (10 * (uint64_t)PAL_SECOND)     // a limit for data that arrives at once, on a computer under load
 
 static void without(SmResult expected)
 {
@@ -98,7 +98,7 @@ static void test_all_bytes(PalSerial line)
 
     for (size_t i = 0; i < sizeof out; i++)
         out[i] = (uint8_t)i;
-    for (size_t i = 0; i < sizeof out; i += 64) {          // 64 is what a platform keeps at least
+    for (size_t i = 0; i < sizeof out; i += 64) {          // every platform buffers at least 64 bytes
         bench.far_send(out + i, 64);
         CHECK(receives(line, in + i, 64));
     }
@@ -106,7 +106,7 @@ static void test_all_bytes(PalSerial line)
     CHECK(pal_serial_send(line, out, sizeof out, &n, SOON) == SM_OK && n == sizeof out);
     memset(in, 0, sizeof in);
     CHECK(far_gains(in, sizeof in) && memcmp(in, out, sizeof in) == 0);
-    CHECK(bench.far_receive(in, 1) == 0);                 // and no echo
+    CHECK(bench.far_receive(in, 1) == 0);                 // there is no echo
 }
 
 static void test_timeouts(PalSerial line)
@@ -118,11 +118,11 @@ static void test_timeouts(PalSerial line)
     CHECK(pal_serial_receive(line, x, sizeof x, &n, 0) == SM_E_TIMEOUT && n == 7);
     CHECK(pal_serial_receive(line, x, sizeof x, &n, 5 * MS) == SM_E_TIMEOUT && n == 7);
     CHECK(pal_clock_now() - before >= 5 * MS);
-    bench.far_send("ab", 2);                              // less than there is room for comes at once
+    bench.far_send("ab", 2);                              // receiving returns fewer bytes than there is room for, without waiting
     CHECK(receives(line, x, 2) && memcmp(x, "ab", 2) == 0);
 }
 
-// Nothing reads the bytes: send returns at its timeout, with the number of bytes that it sent.
+// The bytes are not read: send returns at its timeout, with the number of bytes that it sent.
 static void test_no_reader(PalSerial line)
 {
     uint8_t bytes[256] = {0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The promises of socket.h, over the loopback address 127.0.0.1.
+// The guarantees of socket.h, over the loopback address 127.0.0.1.
 #include <stdlib.h>
 
 #include "runtime-c/pal/clock.h"
@@ -7,7 +7,7 @@
 #include "runtime-c/pal/thread.h"
 #include "tests/psl/suite.h"
 
-#define SOON (10 * (uint64_t)PAL_SECOND)      // for data that arrives at once, however busy the machine is
+#define SOON (10 * (uint64_t)PAL_SECOND)      // a limit for data that arrives at once, on a computer under load
 
 static const PalAddress here = {{127, 0, 0, 1}, 0};
 
@@ -89,7 +89,7 @@ static void datagrams_arrive(PalSocket a, PalSocket b)
 
     for (size_t i = 0; i < sizeof out; i++)
         out[i] = (uint8_t)(i * 31 + 7);
-    for (size_t i = 0; i < COUNT(sizes); i++) {            // an empty one is a datagram as well
+    for (size_t i = 0; i < COUNT(sizes); i++) {            // a datagram can be empty
         memset(in, 0, sizeof in);
         CHECK(pal_socket_send_to(a, &to, out, sizes[i]) == SM_OK);
         CHECK(pal_socket_receive_from(b, &from, in, sizeof in, &n, SOON) == SM_OK);
@@ -117,14 +117,14 @@ static void datagrams_do_not(PalSocket a, PalSocket b)
     CHECK(pal_socket_receive_from(b, NULL, NULL, 4, &n, 0) == SM_E_ARGUMENT);
     CHECK(pal_socket_receive_from(b, NULL, x, 4, NULL, 0) == SM_E_ARGUMENT);
     CHECK(pal_socket_receive_from(b, NULL, x, 4, &n, PAL_TIMEOUT_MAX + 1) == SM_E_ARGUMENT);
-    CHECK(pal_socket_send(a, x, 1, &n, 0) == SM_E_ARGUMENT && n == 0);       // a datagram socket is no stream
+    CHECK(pal_socket_send(a, x, 1, &n, 0) == SM_E_ARGUMENT && n == 0);       // a datagram socket is not a stream
     CHECK(pal_socket_receive(a, x, 1, &n, 0) == SM_E_ARGUMENT);
     CHECK(pal_socket_accept(a, &b, NULL, 0) == SM_E_ARGUMENT);
 }
 
 static void test_datagrams(void)
 {
-    const PalAddress elsewhere = {{192, 0, 2, 1}, 0};     // never anybody's: RFC 5737
+    const PalAddress elsewhere = {{192, 0, 2, 1}, 0};     // an address that no computer has (RFC 5737)
     PalSocket a = udp(), b = udp(), c = {0};
     PalAddress taken = own(a);
 
@@ -136,7 +136,7 @@ static void test_datagrams(void)
     datagrams_arrive(a, b);
     datagrams_do_not(a, b);
     CHECK(pal_socket_close(a) == SM_OK && pal_socket_close(a) == SM_E_HANDLE);
-    CHECK(pal_socket_udp(&c, &taken) == SM_OK);           // the port is free again
+    CHECK(pal_socket_udp(&c, &taken) == SM_OK);           // the port can be used again
     CHECK(pal_socket_close(c) == SM_OK);
     CHECK(pal_socket_close(b) == SM_OK);
 }
@@ -198,7 +198,7 @@ static void streams_arrive(void)
     CHECK(pal_socket_receive(p.far, &x, 1, &n, 0) == SM_E_TIMEOUT && n == 7);
     CHECK(pal_socket_receive(p.far, &x, 1, &n, 5 * MS) == SM_E_TIMEOUT && n == 7);
     CHECK(pal_clock_now() - before >= 5 * MS);
-    CHECK(pal_socket_close(p.listening) == SM_OK);        // those that are connected stay so
+    CHECK(pal_socket_close(p.listening) == SM_OK);        // existing connections stay open
     CHECK(sends(p.near, "still", 5) && gains(p.far, "still", 5));
     CHECK(pal_socket_close(p.near) == SM_OK);
     CHECK(pal_socket_close(p.far) == SM_OK);
@@ -213,7 +213,7 @@ static void peer_goes(void)
 
     CHECK(sends(p.near, "last", 4));
     CHECK(pal_socket_close(p.near) == SM_OK);
-    CHECK(gains(p.far, "last", 4));                        // all that it sent, then the end
+    CHECK(gains(p.far, "last", 4));                        // all bytes that were sent, then the end
     CHECK(pal_socket_receive(p.far, &x, 1, &n, SOON) == SM_E_CLOSED && n == 7);
     CHECK(pal_socket_receive(p.far, &x, 1, &n, 0) == SM_E_CLOSED);
     for (int i = 0; i < 100 && r == SM_OK; i++) {          // the first may still be taken
@@ -225,7 +225,7 @@ static void peer_goes(void)
     CHECK(pal_socket_close(p.listening) == SM_OK);
 }
 
-// The peer reads nothing: send returns at its timeout, with the number of bytes that it sent, and none of these is lost.
+// The peer reads nothing: send returns at its timeout with the number of bytes that it sent, none of which is lost.
 static void test_slow_peer(void)
 {
     static uint8_t bytes[8192], in[8192];
@@ -266,7 +266,7 @@ static void read_all(void *of)
             r->same_bytes = r->same_bytes && in[i] == r->came % 251;
 }
 
-// More bytes than the buffers can contain: one call of send transfers them in parts, while another thread reads.
+// More bytes than the buffers have room for: one call of send transfers them in parts, while another thread reads.
 static void test_peer_that_reads(void)
 {
     static uint8_t bytes[251 * 16000];
@@ -325,7 +325,7 @@ static SmResult await_connection(PalSocket s)
     return r;
 }
 
-// Returns what becomes of a connection to this address, which the call or a later question may report.
+// Returns the result of a connection to this address, which the call or a later query reports.
 static SmResult try_connection(PalSocket *s, const PalAddress *to)
 {
     SmResult r = pal_socket_connect_start(s, to);
@@ -352,10 +352,10 @@ static void connects_without_waiting(void)
     CHECK(pal_socket_connect_start(NULL, &a) == SM_E_ARGUMENT && pal_socket_connect_start(&far, NULL) == SM_E_ARGUMENT);
     CHECK(pal_socket_close(far) == SM_OK && pal_socket_close(near) == SM_OK && pal_socket_close(listening) == SM_OK);
     near.id = 0;
-    CHECK(try_connection(&near, &a) == SM_E_UNREACHABLE);                 // no socket listens any more
+    CHECK(try_connection(&near, &a) == SM_E_UNREACHABLE);                 // no socket listens there any more
 }
 
-// No address answers here (198.51.100.0/24 is reserved for documents), or the computer has no route to it.  Neither call waits.
+// No computer answers at this address (198.51.100.0/24 is reserved for documentation), or this computer has no route to it.  Neither call waits.
 static void connects_to_no_computer(void)
 {
     const PalAddress nowhere = {{198, 51, 100, 1}, 9};
@@ -367,7 +367,7 @@ static void connects_to_no_computer(void)
 
     if (r == SM_OK) {
         r = pal_socket_connected(s);
-        if (r == SM_E_TIMEOUT) {                  // while it is connecting, it is no stream
+        if (r == SM_E_TIMEOUT) {                  // until it is connected, it is not a stream
             CHECK(pal_socket_send(s, &x, 1, &n, 0) == SM_E_ARGUMENT && n == 0 && pal_socket_receive(s, &x, 1, &n, 0) == SM_E_ARGUMENT);
             CHECK(pal_socket_limit(s, 1, MS) == SM_E_ARGUMENT);
         }
@@ -376,7 +376,7 @@ static void connects_to_no_computer(void)
     CHECK(r != SM_E_ARGUMENT && pal_clock_now() - before < PAL_SECOND);
 }
 
-// With a limit, a peer that does not receive fills its stream after a few messages, and nothing that was accepted is lost.
+// With a limit, a peer that does not receive fills its stream after a few messages.  No accepted message is lost.
 static void limits(void)
 {
     static uint8_t bytes[1000];
@@ -421,7 +421,7 @@ static void bad_stream_arguments(void)
 
 // ---- multicast ----
 
-// Opens the receiver of a group.  Skips the test with false if the computer has no interface for it.
+// Opens the receiver of a group.  Returns false, and skips the test, if the computer has no interface for it.
 static bool joins(PalSocket *s, const PalAddress *group)
 {
     SmResult r;
@@ -434,7 +434,7 @@ static bool joins(PalSocket *s, const PalAddress *group)
     return r == SM_OK;
 }
 
-// Not under an emulator of a processor that does not pass the options of multicast on to the system (NO_MULTICAST).
+// Skipped under an emulator that does not pass the options of multicast to the system (NO_MULTICAST).
 static void multicast(void)
 {
     const PalAddress group = {{239, 77, 3, 9}, 47113}, other = {{239, 77, 3, 10}, 47113};
@@ -481,7 +481,7 @@ static void table_is_full(void)
     CHECK(pal_socket_accept(all[0], &more, NULL, SOON) == SM_E_FULL);
     CHECK(more.id == 0);
     CHECK(pal_socket_close(all[2]) == SM_OK);
-    CHECK(pal_socket_accept(all[0], &all[2], NULL, SOON) == SM_OK);          // it waited
+    CHECK(pal_socket_accept(all[0], &all[2], NULL, SOON) == SM_OK);          // the connection waited in the queue
     CHECK(sends(all[1], "hello", 5) && gains(all[2], "hello", 5));
     for (int i = 0; i < PAL_SOCKETS; i++)
         CHECK(pal_socket_close(all[i]) == SM_OK);

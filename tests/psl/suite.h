@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contract suite: what the headers of runtime-c/pal promise, one file a header, run on each platform (PSL).  What a header
-// cannot say for all platforms (which pins are wired together, what the memory is called) is the platform's bench: bench_NAME.c.
+// The contract suite: tests the guarantees of the headers of runtime-c/pal, one file for each header, on each platform (PSL).  The bench of a
+// platform, bench_NAME.c, describes what differs: which pins are connected, or the name of the memory.
 #ifndef PSL_SUITE_H
 #define PSL_SUITE_H
 
@@ -16,7 +16,7 @@ typedef struct Tally {
     int passed, failed;
 } Tally;
 
-// Each contract_X ends with this: the counters of test.h are the file's own.
+// Each contract_X ends with this, since the counters of test.h are static in each file.
 #define TALLY() ((Tally){test_passed, test_failed})
 
 Tally contract_clock(void);
@@ -39,33 +39,33 @@ Tally own_devices_linux(void);
 Tally own_sim(void);
 Tally own_sbrio(void);
 
-// Whether a platform has a feature: it works; it returns SM_E_UNSUPPORTED; it would work, but nothing is connected (SM_E_MISSING).
+// The state of a feature: it works; it returns SM_E_UNSUPPORTED; or it would work, but no device is connected (SM_E_MISSING).
 typedef enum Has { HAS_NONE, HAS, HAS_NOTHING_THERE } Has;
 
-// The platform under test and what it claims to have.
+// The platform under test, and the features that it claims.
 typedef struct Bench {
     const char *name;
     Has clock, console, threads, locks, sockets;
 
     Has nvm;
-    const char *nvm_name;     // a memory of nvm_size bytes that may be overwritten
+    const char *nvm_name;     // a memory of nvm_size bytes that the test can overwrite
     uint32_t nvm_size;
-    const char *nvm_missing;  // the name of no memory
+    const char *nvm_missing;  // a name that no memory has
 
     Has log;
-    const char *log_name;     // a file that may be made
-    const char *log_missing;  // a name in a folder that is not there
-    size_t (*log_read)(void *bytes, size_t room);         // the content of the file of log_name
+    const char *log_name;     // a file that the test can create
+    const char *log_missing;  // a name in a folder that does not exist
+    size_t (*log_read)(void *bytes, size_t room);         // copies the content of the file log_name
 
     Has serial;
     const char *serial_name;
-    void (*far_send)(const void *bytes, size_t n);        // the other end of that line
-    size_t (*far_receive)(void *bytes, size_t room);      // the bytes that have arrived, without waiting
-    void (*far_unplug)(void);                             // the line is closed until the suite ends
+    void (*far_send)(const void *bytes, size_t n);        // sends from the other end of the serial line
+    size_t (*far_receive)(void *bytes, size_t room);      // returns the bytes that have arrived there, without waiting
+    void (*far_unplug)(void);                             // closes the line until the suite ends
 
     Has dio;
-    uint16_t pins[2];         // two that may be used
-    bool wired;               // the second follows the first
+    uint16_t pins[2];         // two pins that the test can use
+    bool wired;               // the second pin is connected to the first
     uint16_t pin_missing;
 
     Has aio;
@@ -79,7 +79,7 @@ typedef struct Bench {
 
 extern Bench bench;
 
-// Called before and after everything.
+// Called before and after all tests.
 void bench_begin(void);
 Tally bench_end(void);
 

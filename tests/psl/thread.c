@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What thread.h promises.
+// The guarantees of thread.h.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/lock.h"
 #include "runtime-c/pal/thread.h"
@@ -67,7 +67,7 @@ typedef struct Loop {
     PalLock lock;
     bool stop;
     PalThread self;
-    SmResult joined;          // what joining itself gave
+    SmResult joined;          // the result of joining itself
 } Loop;
 
 static bool is_stopped(Loop *l)
@@ -98,7 +98,7 @@ static void loop(void *of)
     pal_lock_take(l->lock, PAL_SECOND);
     l->joined = pal_thread_join(l->self, 0);
     pal_lock_give(l->lock);
-    while (is_stopped(l))                                  // until another has looked at it
+    while (is_stopped(l))                                  // until another thread has checked it
         pal_clock_sleep_until(pal_clock_now() + MS);
 }
 
@@ -155,7 +155,7 @@ static void table_is_full(void)
     CHECK(pal_lock_close(l.lock) == SM_OK);
 }
 
-// Whether a thread gets a real-time priority is exactly whether this one may have it.
+// A thread gets a real-time priority if and only if the process has the right to it.
 static void real_time(void)
 {
     const PalThreadPlan plan = {"urgent, and with a name longer than 15 bytes", 10, 100000};

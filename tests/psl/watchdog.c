@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What watchdog.h promises of one that is fed; that it bites is each platform's own test.
+// The guarantees of watchdog.h for a watchdog that is fed.  Each platform's own tests check that it fires.
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/watchdog.h"
 #include "tests/psl/suite.h"
 
-#define PERIOD (20 * (uint64_t)PAL_SECOND)    // far more than a busy machine may need
+#define PERIOD (20 * (uint64_t)PAL_SECOND)    // much longer than a computer under load needs
 
 static void without(SmResult expected)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random requirements over the runs of random machines: the monitor against a slow evaluation that has the whole run before it and asks what
-// docs/requirements.md says, with quantifiers over steps.  It shares no code with the monitor, the parser or the reference: conditions are
-// trees of its own, which are printed for smc.  Beside that, situations are copied away and back, and must give the same results.
+// Checks random requirements in runs of random machines: the monitor against a slow evaluation of the whole run by the definitions of
+// docs/requirements.md.  It shares no code with the monitor, the parser or the reference: conditions are separate trees, which are printed for
+// smc.  Situations are also copied elsewhere and back, and must give the same results.
 //     random SEED COUNT [--print]
 #include <inttypes.h>
 #include <math.h>
@@ -51,7 +51,7 @@ typedef struct Run {
     const Program *p;
     uint64_t *cell[STEPS];    // by step, by variable
     size_t steps;
-    uint64_t least;           // by how much G advances at least
+    uint64_t least;           // the least by which G advances
 } Run;
 
 typedef struct Maker { Arena *arena; Rng rng; const Run *run; } Maker;
@@ -64,7 +64,7 @@ static Cond *new_cond(Maker *m, CondKind kind)
     return c;
 }
 
-// The value of a cell as conditions see it: a stored NaN is 0.
+// Returns the value of a cell as conditions read it: a stored NaN is 0.
 static double value_of(const Var *v, uint64_t cell)
 {
     const unsigned bits = 8 * sm_type_info[v->type].bytes;
@@ -88,7 +88,7 @@ static double value_of(const Var *v, uint64_t cell)
 
 static const Var *any_var(Maker *m) { return m->run->p->var.at[rng_below(&m->rng, (uint32_t)m->run->p->var.n)]; }
 
-// A number near one that the variable has had, so that comparisons go both ways.
+// Returns a number near a value of the variable, so that comparisons have both results.
 static const char *any_number(Maker *m, const Var *v)
 {
     const double x = value_of(v, m->run->cell[rng_below(&m->rng, (uint32_t)m->run->steps)][v->index]);
@@ -207,7 +207,7 @@ static void print_demand(const Program *p, const Demand *d, Buf *out)
             print_cond(p, d->a, out);
             buf_str(out, " implies ");
         } else
-            buf_str(out, "0 + ");                      // so that an implication in it is no premise
+            buf_str(out, "0 + ");                      // prevents that an implication in the operand counts as the premise
         print_cond(p, d->b, out);
         break;
     case REQUIREMENT_BEFORE: case REQUIREMENT_AFTER:
@@ -235,7 +235,7 @@ static void print_demand(const Program *p, const Demand *d, Buf *out)
 
 static double var_at(const Run *r, const Var *v, size_t k) { return value_of(v, r->cell[k][v->index]); }
 
-// A condition has a number only where it is a variable; prev keeps it.
+// Returns the value of a condition as a number: that of the variable, otherwise 0 or 1.  prev has the number of its operand.
 static double number_at(const Run *r, const Cond *c, size_t k);
 static bool at(const Run *r, const Cond *c, size_t k) { return number_at(r, c, k) != 0; }
 
@@ -304,7 +304,7 @@ static bool has_between(const Run *r, const Cond *c, long after, size_t before)
     return false;
 }
 
-// Sets by step what a `leads to` decides there. Returns whether it is undecided after step `end` - 1.
+// Sets for each step what a `leads to` decides there.  Returns whether it is undecided after step `end` - 1.
 static bool slow_leads_to(const Run *r, const Demand *d, size_t end, MonitorResult *result)
 {
     for (size_t i = 0; i < end; i++)
@@ -313,7 +313,7 @@ static bool slow_leads_to(const Run *r, const Demand *d, size_t end, MonitorResu
         size_t k = i;
         if (!at(r, d->a, i))
             continue;
-        // No later step can have e if the next one is certainly later than t.
+        // Whether no later step can have e, because the time of the next one is certainly later than t.
         while (k < end && !at(r, d->b, k) && g_at(r, k) - g_at(r, i) < d->within && d->within - (g_at(r, k) - g_at(r, i)) >= r->least)
             k++;
         if (k == end)
@@ -388,11 +388,11 @@ static const char *compare(Maker *m, const Requirements *q, const Demand *demand
             slow_leads_to(r, &demand[i], r->steps, lead[i]);
     monitor_start(monitor, situation);
     for (size_t k = 0; k < r->steps; k++) {
-        if (rng_percent(&m->rng, 30)) {                // go ahead on a copy elsewhere, which must not disturb this one
+        if (rng_percent(&m->rng, 30)) {                // continue on a copy, which must not change this situation
             memcpy(copy, situation, monitor->size);
             for (size_t ahead = k; ahead < r->steps && ahead < k + 4; ahead++)
                 monitor_step(monitor, copy, r->cell[ahead]);
-            if (rng_percent(&m->rng, 50)) {            // go on in another block
+            if (rng_percent(&m->rng, 50)) {            // continue in another block of memory
                 char *other = arena_alloc(m->arena, monitor->size);
                 memcpy(other, situation, monitor->size);
                 memset(situation, 0xa5, monitor->size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/app.h promises where there is one thread: start and what refuses it, order, fairness, the watchdog, the end.
+// The guarantees of runtime-c/app.h in one thread: the start and what refuses it, order, fairness, the watchdog, the end.
 #include "runtime-c/app.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/watchdog.h"
@@ -12,7 +12,7 @@ static SmRate rate[4];
 static SmExecutor executor[4];
 static SmExecutor *const all[4] = {&executor[0], &executor[1], &executor[2], &executor[3]};
 static SmApp app;
-static unsigned most;                     // calls after which it stops
+static unsigned most;                     // after this number of calls the application stops
 static uint8_t handle[1];
 static uint16_t missed[1];
 static uint64_t value[1];
@@ -112,7 +112,7 @@ static void test_stopped_at_once(void)
     CHECK(sm_app_run(&app) == SM_OK && strcmp(calls, "01") == 0);
 }
 
-// Whether the start is refused with this text, no task's step has run, and the watchdog does not run.
+// Whether the start is refused with this text, while no task has run a step and the watchdog is not running.
 static bool is_start_refused(const char *text)
 {
     uint64_t actual;
@@ -148,7 +148,7 @@ static void test_refused(void)
     task[1].context = &pins;
     app.inputs = &pins;
     CHECK(is_start_refused("crew: task 'b' does not start: pin 10203: there is no such device, file or address\n"));
-    prepare_app(2);                              // a row that is no pin is not named as one
+    prepare_app(2);                              // a row that is not a pin is not named as one
     task[1].init = sm_inputs_init;
     task[1].context = &no_pins;
     app.inputs = &no_pins;
@@ -221,7 +221,7 @@ static void test_rates(void)
     most = 5 + 10000 + 5000 + 1000 + 100 + 1429;
     CHECK(sm_app_run(&app) == SM_OK);
     CHECK(task[0].steps == 10000 && task[1].steps == 5000 && task[2].steps == 1000 && task[3].steps == 100 && task[4].steps == 1429);
-    for (unsigned i = 6; i < CALLS; i++)                   // in a tick from A to D
+    for (unsigned i = 6; i < CALLS; i++)                   // in one tick, from A to D
         CHECK(ticks[i].number > ticks[i - 1].number || (ticks[i].number == ticks[i - 1].number && calls[i] >= calls[i - 1]));
     CHECK(executor[0].late_max == 0 && executor[1].late_max == 0 && executor[0].overruns == 0 && crew_sv.time == 9999);
 }
@@ -244,7 +244,7 @@ static void test_same_in_every_run(void)
     }
 }
 
-// A task that is always late delays the others by at most a tick.
+// A task that is always late delays the others by at most one tick.
 static void test_fair(void)
 {
     prepare_app(2);
@@ -301,7 +301,7 @@ static void test_rest(void)
     CHECK(task[0].safings == 1 && task[1].safings == 0 && task[3].safings == 1 && ticks[5].number == 1);
 }
 
-// A tick does not run early because a sleep failed.
+// A failed sleep does not make a tick run early.
 static void test_sleep_fails(void)
 {
     prepare_app(1);
@@ -328,13 +328,13 @@ static void test_fed(void)
 {
     prepare_app(2);
     app.watchdog = 50 * MS;
-    executor[1].period = 10 * S;                           // waits for longer than the watchdog does: it is not stuck
+    executor[1].period = 10 * S;                           // a wait that is longer than the timeout of the watchdog does not count as stuck
     most = 5000;
     CHECK(sm_app_run(&app) == SM_OK && !sim_watchdog_fired() && sim_count(SIM_watchdog_feed) > 900);
     CHECK(sim_count(SIM_watchdog_feed) < 4500 && pal_watchdog_feed() == SM_E_HANDLE);
 }
 
-// The watchdog is also fed while the application waits, and although feeding fails now and then.
+// The watchdog is also fed while the application waits.  A feeding that fails now and then has no effect.
 static void test_fed_alone(void)
 {
     prepare_app(1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The promises of runtime-c/app.h with threads: each executor in its own, stopped at any time, from any thread; the watchdog.
+// The guarantees of runtime-c/app.h with threads: each executor has its own thread, any thread can stop the application at any time, and the
+// watchdog works.
 #define _GNU_SOURCE
 #include <pthread.h>
 #include <sched.h>
@@ -172,7 +173,7 @@ static void test_stop_at_once(void)
     CHECK(sm_events_read(&events, &cursor, told, 3, NULL) == 2 && told[1].kind == SM_EVENT_STOP && told[1].time < PAL_SECOND);
 }
 
-static void on_alarm(int signal)                       // again and again, until it has been running
+static void on_alarm(int signal)                       // sent repeatedly until the application is running
 {
     (void)signal;
     if (sm_shared_read(&executor[0].next_shared) > 0)
@@ -218,7 +219,7 @@ static void test_one_thread(void)
     CHECK(run_app() == SM_OK && all_counts_agree() && pthread_equal(seen[1].thread, pthread_self()));
 }
 
-// Ticks of a microsecond, which no thread can meet, in one thread and in several.
+// Periods of a microsecond, which no thread can meet, in one thread and in several.
 static void test_too_fast(void)
 {
     for (int i = 0; i < 4; i++) {
@@ -253,7 +254,7 @@ static void test_written(void)
     seen[0].stop_at = 100;
     CHECK(run_app() == SM_OK && counts_agree(0) && !pthread_equal(seen[0].thread, pthread_self()));
     CHECK(log.cursor == events.next && log.written > 1000 && log.dropped == 0 && keep.written > 0 && keep.written + keep.replaced == keep.taken);
-    prepare_app(1);                                              // one executor that is not alone: still a thread of its own, no locks
+    prepare_app(1);                                              // one executor of several still has its own thread, but no locks
     crew_vector.guarded = events.guarded = false;
     app.keep = &keep;
     app.writing = &sm_writing;
@@ -274,7 +275,7 @@ static void test_refused(void)
     CHECK(run_app() == SM_E_FULL && app.failed_executor == NULL && app.failed_part != NULL);
     for (int i = 0; i < PAL_THREADS; i++)
         CHECK(seen[i].calls == 0);
-    prepare_app(2);                                              // their threads have ended: there is room
+    prepare_app(2);                                              // their threads have ended, so that new ones can start
     app.watchdog = UINT64_MAX;
     CHECK(run_app() == SM_E_ARGUMENT && seen[0].calls == 0);
     prepare_app(2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The promises of runtime-c/app.h about logs and saved state vectors, in one thread: when they are written, and what is restored.
+// The guarantees of runtime-c/app.h for logs and saved state vectors, in one thread: when they are written, and what is restored.
 #include "runtime-c/app.h"
 #include "runtime-c/pal/clock.h"
 #include "tests/runtime/parts.h"
@@ -135,7 +135,7 @@ static void test_without_tasks(void)
     CHECK(sm_app_run(&app) == SM_OK && logged() == 0 && sim_count(SIM_nvm_open) == 0);
 }
 
-// An executor that is always late leaves no time to write.  The log is written all the same.
+// An executor that is always late leaves no time to write.  The log is still written.
 static void test_busy(void)
 {
     start();

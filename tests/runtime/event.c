@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/event.h promises, in the simulation.  (Threads: event_linux.c.)
+// The guarantees of runtime-c/event.h, in the simulation.  event_linux.c tests threads.
 #include <string.h>
 
 #include "runtime-c/event.h"
@@ -68,7 +68,7 @@ static void test_too_slow(void)
         add_events(i);
     CHECK(sm_events_read(&events, &cursor, out, 2, &lost) == 2 && lost == 3 && cursor == 5 && is_event(&out[0], 3) && is_event(&out[1], 4));
     CHECK(sm_events_read(&events, &cursor, out, ROOM, &lost) == 6 && lost == 0 && is_event(&out[5], ROOM + 2));
-    CHECK(sm_events_read(&events, &late, out, ROOM, &lost) == ROOM && lost == 3 && is_event(&out[0], 3));        // each has its own
+    CHECK(sm_events_read(&events, &late, out, ROOM, &lost) == ROOM && lost == 3 && is_event(&out[0], 3));  // each reader counts its own losses
 }
 
 // A read of 0 events reports the lost ones, and only once.

@@ -155,9 +155,9 @@ static void test_skip(void)
     prepare_executor();
     start_executor();
     part[0].takes = 35 * MS;
-    run_tick();                                                // 0, until 35
+    run_tick();                                                // tick 0, which lasts until 35
     part[0].takes = 0;
-    run_tick();                                                // 1, due at 10: an overrun; 2 and 3 have been missed
+    run_tick();                                                // tick 1, due at 10: an overrun; ticks 2 and 3 have been missed
     CHECK(e.next == 4 && e.overruns == 1 && e.skipped == 2 && e.late == 25 * MS && e.ticks == 2);
     CHECK(is_event(SM_EVENT_OVERRUN, 4, 2, 25000) && is_no_event());
     run_tick();
@@ -197,7 +197,7 @@ static void test_group_left_out(void)
     rates[1].every = 5;
     start_executor();
     run_ticks_until(4);
-    sim_advance(29 * MS);                                  // 59: tick 4 begins 19 late, 5 is missed
+    sim_advance(29 * MS);                                  // 59: tick 4 begins 19 ms late, tick 5 is missed
     run_ticks_until(11);
     CHECK(strcmp(calls, "ABCABABABABABABABABABC") == 0 && e.skipped == 1);
 }
@@ -224,20 +224,20 @@ static void test_catch_up_most(void)
     e.overrun = SM_CATCH_UP;
     e.most = 3;
     start_executor();
-    sim_advance(95 * MS);                                  // ticks 1 to 9 are behind: 1 to 6 are left out
+    sim_advance(95 * MS);                                  // ticks 1 to 9 are late: 1 to 6 are skipped
     run_tick();
     CHECK(e.next == 7 && e.skipped == 6);
     run_tick();
     run_tick();
     run_tick();
     CHECK(e.next == 10 && e.skipped == 6 && pal_clock_now() == S + 95 * MS && is_event(SM_EVENT_OVERRUN, 4, 6, 95000) && is_no_event());
-    e.most = 0;                                            // as SM_SKIP
+    e.most = 0;                                            // the same as SM_SKIP
     sim_advance(55 * MS);
     run_tick();
     CHECK(e.next == 15 && e.skipped == 10);
 }
 
-// However late it is, the first tick runs, and no tick runs twice.
+// However late the executor is, the first tick runs, and no tick runs twice.
 static void test_first_late(void)
 {
     prepare_executor();
@@ -250,7 +250,7 @@ static void test_first_late(void)
     CHECK(e.late == 0 && crew_sv.time == (3 * 3600 * 100 + 1) * 10);
 }
 
-// At most one event a second.  While overruns continue, every overrun is counted in some event.
+// Overruns emit at most one event per second.  While they continue, each is counted in some event.
 static void test_overrun_event(void)
 {
     SmEvent event;
@@ -280,7 +280,7 @@ static void test_overrun_event_each_second(void)
     e.overrun = SM_CATCH_UP;
     e.most = UINT32_MAX;
     start_executor();
-    part[0].takes = S;                                     // from tick 1 on each is an overrun
+    part[0].takes = S;                                     // from tick 1 on, every tick is an overrun
     run_ticks_until(10);
     while (sm_events_read(&events, &event_cursor, &event, 1, NULL) == 1) {
         CHECK(event.kind == SM_EVENT_OVERRUN && event.time == n * S + 500 * MS);
@@ -316,7 +316,7 @@ static void test_time(void)
     CHECK(crew_sv.time == 500);
     run_tick();
     CHECK(crew_sv.time == 510);
-    crew_sv.time = 600;                                    // never backwards
+    crew_sv.time = 600;                                    // G is never set to an earlier time
     run_tick();
     CHECK(crew_sv.time == 600);
     run_ticks_until(12);
@@ -354,10 +354,10 @@ static void test_far(void)
     prepare_executor();
     start_executor();
     e.next = (UINT64_MAX / e.period) - 1;
-    e.start -= e.next * e.period;                          // due now
+    e.start -= e.next * e.period;                          // due exactly now
     run_tick();
     CHECK(e.ticks == 1 && e.overruns == 0 && crew_sv.time == UINT64_MAX / e.period * 10 - 10);
-    for (int i = 0; i < 5; i++) {                          // times wrap: G stays, and nothing is an overrun
+    for (int i = 0; i < 5; i++) {                          // the time wraps: G does not change, and no tick counts as an overrun
         const uint64_t g = crew_sv.time;
 
         sim_advance(10 * MS);
@@ -381,7 +381,7 @@ static void test_far_clock(void)
     sim_advance(35 * MS);
     sm_executor_tick(&e);
     CHECK(e.late == 35 * MS && e.skipped == 3);
-    prepare_executor();                                               // late across the end
+    prepare_executor();                                               // late, while the time wraps
     sim_advance(UINT64_MAX - pal_clock_now() - 5 * MS);
     start_executor();
     sim_advance(35 * MS);
@@ -442,8 +442,8 @@ static void test_locked_out(void)
     crew_vector.faults = 0;
 }
 
-// A vector that cannot be entered when the executor starts: without G's value it would count from 0, and machines would refuse each step
-// until that is reached.
+// A vector that cannot be entered when the executor starts.  Without the value of G, the executor would count from 0, and machines would refuse
+// each step until G reaches its old value.
 static void test_locked_out_at_the_start(void)
 {
     const SmTask *failed = &task[0];

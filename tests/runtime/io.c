@@ -19,7 +19,7 @@ static const SmTick tick = {0, 0};
 static SmIo *const in = &pins_inputs, *const out = &pins_outputs;
 static SmStateVec *const sv = &pins_vector;
 
-// Everything new: time, pins, lock, vector; nothing is open.
+// Resets time, pins, lock and vector.  No pin is open.
 static void renew(bool guarded)
 {
     sim_reset();
@@ -54,7 +54,7 @@ static void test_inputs(bool guarded)
     CHECK(pins_sv.pressure == 125.0);
     CHECK(pins_sv.flow == 0.25f);
     CHECK(pins_sv.small == 127);                  // saturates
-    CHECK(pins_sv.count == 1);                    // 1.995: the fraction is lost
+    CHECK(pins_sv.count == 1);                    // 1.995: the fraction is removed
     CHECK(pins_sv.wide == INT64_MAX);
     CHECK(pins_sv.limit == 1 && pins_sv.door == 0 && pins_sv.float_ == 1);
     sim_set_analog(2, -1000000);
@@ -69,7 +69,8 @@ static void test_pulls(void)
     CHECK(pins_sv.limit == 0 && pins_sv.door == 1 && pins_sv.float_ == 0);
 }
 
-// Volts are millionths over a million, rounded once; then times scale, rounded; then plus offset, rounded.
+// Volts are the integer of microvolts divided by 1000000, rounded once.  Then they are multiplied by the scale, rounded, and the offset is
+// added, rounded.
 static void test_input_arithmetic(void)
 {
     unsigned seed = 1;
@@ -79,7 +80,7 @@ static void test_input_arithmetic(void)
         int32_t micro;
         seed = seed * 1103515245u + 12345u;
         micro = (int32_t)((seed >> 8) % 20000001u) - 10000000;
-        micro = micro / 5 * 5;                    // what the simulated channel can show
+        micro = micro / 5 * 5;                    // the resolution of the simulated channel
         sim_set_analog(0, micro);
         (void)step_in();
         CHECK(pins_sv.pressure == (double)micro / 1e6 * 250.0 + -125.0);
@@ -104,7 +105,7 @@ static void test_outputs(bool guarded)
     CHECK(!sim_pin(20) && sim_pin(21) && sim_pin(22));
 }
 
-// What channel 7 is set to, whose scale is 1: up to ±10 V, in steps of 5 millionths.
+// Returns the output of channel 7, whose scale is 1: up to ±10 V in steps of 5 microvolts.
 static int32_t micro_of(double heater)
 {
     pins_sv.heater = heater;
@@ -115,18 +116,18 @@ static int32_t micro_of(double heater)
 static void test_output_arithmetic(void)
 {
     start(true);
-    CHECK(micro_of(0.0000125) == 10);             // 12.5: rounded to 13, then to the channel's steps of 5
-    CHECK(micro_of(0.0000145) == 15);             // 14.5 is 15 as a whole number: halves go away from 0
+    CHECK(micro_of(0.0000125) == 10);             // 12.5: rounded to 13, then to a multiple of 5
+    CHECK(micro_of(0.0000145) == 15);             // 14.5: rounded to 15, since halves are rounded away from 0
     CHECK(micro_of(-0.0000145) == -15);
     CHECK(micro_of(0.0000144) == 10);
     CHECK(micro_of(-0.0000144) == -10);
-    CHECK(micro_of(1e300) == 10000000);           // as far as it goes
+    CHECK(micro_of(1e300) == 10000000);           // the limit of the channel
     CHECK(micro_of(-1e300) == -10000000);
     CHECK(micro_of(INFINITY) == 10000000);
     CHECK(micro_of(NAN) == 0);                    // a stored NaN reads as 0
 }
 
-// Every step sets every output, changed or not.
+// Every step sets every output, whether it has changed or not.
 static void test_outputs_each_step(void)
 {
     uint32_t before;
@@ -154,14 +155,14 @@ static void test_safe(void)
     pins_sv.vent = 1;
     CHECK(step_out() == SM_OK && !is_safe());
     CHECK(sm_outputs_safe(out, &tick) == SM_OK && is_safe());
-    CHECK(pins_sv.heater == 1.0 && pins_sv.vent == 1);            // elements are not touched
+    CHECK(pins_sv.heater == 1.0 && pins_sv.vent == 1);            // the elements are not changed
     CHECK(step_out() == SM_OK && !is_safe());
     sm_outputs_close(out);
     CHECK(is_safe());
-    CHECK(sm_outputs_init(out) == SM_OK);                         // all pins had been given back
+    CHECK(sm_outputs_init(out) == SM_OK);                         // the pins were closed, so they can be opened again
 }
 
-// An output that cannot be made safe keeps no other from it.
+// An output that cannot be made safe does not prevent this for the others.
 static void test_safe_failing(void)
 {
     start(true);
@@ -183,17 +184,17 @@ static void test_hold(void)
     CHECK(step_in() == SM_OK && pins_sv.pressure == 375.0);
     sim_break(SIM_aio_read, 0, SM_E_DEVICE);
     CHECK(step_in() == SM_E_DEVICE);
-    CHECK(pins_sv.pressure == 375.0 && isnan(pins_sv.flow));      // held; not held
-    CHECK(pins_sv.small == 0);                                    // integers have no NaN
+    CHECK(pins_sv.pressure == 375.0 && isnan(pins_sv.flow));      // with hold; without hold
+    CHECK(pins_sv.small == 0);                                    // an integer cannot be NaN
     CHECK(step_in() == SM_E_DEVICE && pins_sv.pressure == 375.0 && in->missed[0] == 2);
     CHECK(step_in() == SM_E_DEVICE && isnan(pins_sv.pressure));
     sim_break(SIM_aio_read, 0, SM_OK);
     CHECK(step_in() == SM_OK && pins_sv.pressure == 375.0 && in->missed[0] == 0);
     sim_break(SIM_aio_read, 0, SM_E_DEVICE);
-    CHECK(step_in() == SM_E_DEVICE && pins_sv.pressure == 375.0); // it counts from 0 again
+    CHECK(step_in() == SM_E_DEVICE && pins_sv.pressure == 375.0); // the count of failed steps begins at 0 again
 }
 
-// 255 steps are held, and the 256th is not; a count that has come to its end stays there.
+// 255 failed steps hold the value, and the 256th does not.  The count does not increase beyond 255.
 static void test_long_hold(void)
 {
     start(true);
@@ -219,11 +220,11 @@ static void test_digital_failing(void)
     CHECK(step_in() == SM_OK && pins_sv.limit == 1 && pins_sv.float_ == 1);
     sim_break(SIM_dio_read, 0, SM_E_DEVICE);
     CHECK(step_in() == SM_E_DEVICE && pins_sv.limit == 1 && pins_sv.float_ == 0);
-    CHECK(step_in() == SM_E_DEVICE && pins_sv.limit == 0);        // false, whatever inverted makes of a level
-    CHECK(in->pin[in->failed].pin == 12);                         // the last that failed
+    CHECK(step_in() == SM_E_DEVICE && pins_sv.limit == 0);        // false, although the pin is inverted
+    CHECK(in->pin[in->failed].pin == 12);                         // the last pin that failed
 }
 
-// Of several pins the first result counts, and the others are read all the same.
+// If several pins fail, the first result is returned, and the others are still read.
 static void test_one_failing(void)
 {
     start(true);
@@ -270,7 +271,7 @@ static void test_missing_pin(void)
     renew(true);
     row[0].scale = row[1].scale = sm_bits(sm_from_i32(1));
     CHECK(sm_inputs_init(&io) == SM_E_MISSING && io.failed == 1);
-    CHECK(sm_inputs_init(&io) == SM_E_MISSING && io.failed == 1);         // the first was given back
+    CHECK(sm_inputs_init(&io) == SM_E_MISSING && io.failed == 1);         // the pin that was opened first has been closed
     io.pins = 1;
     CHECK(sm_inputs_init(&io) == SM_OK);
     sm_inputs_close(&io);
@@ -290,7 +291,7 @@ static SmResult init_of(SmIoPin row)
     return r == SM_OK ? sm_outputs_init(&io) : r;
 }
 
-// Rows that no compiler made.
+// Rows that the compiler never emits.
 static void test_senseless(void)
 {
     const uint64_t one = 0x3FF0000000000000u, nan = 0x7FF8000000000000u, infinite = 0x7FF0000000000000u;
@@ -319,7 +320,7 @@ static void test_senseless(void)
     CHECK(sm_inputs_init(NULL) == SM_E_ARGUMENT && sm_outputs_init(NULL) == SM_E_ARGUMENT);
 }
 
-// One table may hold both directions: each task minds its own.
+// One table may have both directions.  Each task uses only the rows of its own direction.
 static void test_both_directions(void)
 {
     static const SmIoPin row[] = {
@@ -357,7 +358,7 @@ static bool same_row(const SmIoPin *a, const SmIoPin *b)
            a->offset == b->offset && numbers;
 }
 
-// The rows are those of the .io as C, inputs and outputs in one table; and they do what those do.
+// The rows are those of the .io as C, with inputs and outputs in one table, and have the same effect.
 static void test_image(void)
 {
     SmIoPin row[14];
@@ -391,7 +392,7 @@ static void test_image_of_others(void)
     other = *sv->layout;
     other.whole.size += 8;
     CHECK(smvm_target_pins(pins_image, &strange, row, 14, &n) == SM_E_LAYOUT);
-    CHECK(smvm_target_pins(second_image, sv, row, 14, &n) == SM_OK && n == 0);           // without pins
+    CHECK(smvm_target_pins(second_image, sv, row, 14, &n) == SM_OK && n == 0);           // an image without pins
 }
 
 // ---- the critical section ----
@@ -407,7 +408,7 @@ static void check_lock(void)
         locked++;
 }
 
-// Pins take their time, and others get at the vector meanwhile; all elements are stored at once.
+// Pins take time, during which other tasks access the vector.  All elements are still stored at once.
 static void test_lock(void)
 {
     start(true);
@@ -435,7 +436,7 @@ static void test_no_lock(void)
     sim_break(SIM_lock_take, 0, SM_E_TIMEOUT);
     CHECK(step_in() == SM_E_TIMEOUT && pins_sv.pressure == 375.0);
     CHECK(step_out() == SM_E_TIMEOUT && sim_analog(7) == 0);
-    CHECK(sm_outputs_safe(out, &tick) == SM_OK && is_safe());             // needs no vector
+    CHECK(sm_outputs_safe(out, &tick) == SM_OK && is_safe());             // this needs no vector
     sim_break(SIM_lock_take, 0, SM_OK);
     CHECK(step_in() == SM_OK && pins_sv.pressure == 625.0);
 }

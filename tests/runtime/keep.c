@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/keep.h promises, in the simulation: power cut at every byte of every write, bits that flip, other layouts, memories
+// The guarantees of runtime-c/keep.h, in the simulation: the power is cut at every byte of every write, bits change, layouts differ, and
+// memories refuse calls.
 // that refuse.
 #include <string.h>
 
@@ -70,13 +71,13 @@ static void test_plain(const char *name)
 {
     sim_reset();
     CHECK(start_program(name, &wide_vector) == SM_OK && !keep.restored);
-    CHECK(sm_keep_write(&keep) == SM_OK && sim_count(SIM_nvm_write) == 0);    // nothing waits
+    CHECK(sm_keep_write(&keep) == SM_OK && sim_count(SIM_nvm_write) == 0);    // no snapshot is waiting
     for (uint32_t k = 1; k < 10; k++) {
         CHECK(store_vector(k) == SM_OK && keep.taken == k && keep.written == k && keep.replaced == 0);
         CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && number_of_vector() == k);
         keep.taken = keep.written = k;
     }
-    CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 9);     // reading changes nothing
+    CHECK(restart_program(name, &wide_vector) == SM_OK && number_of_vector() == 9);     // restoring changes nothing
 }
 
 // ---- the power goes ----
@@ -91,7 +92,7 @@ static uint32_t store_until_cut(uint32_t from)
     return k - 1;
 }
 
-// The power fails in the n-th write or erase from now, after a number of bytes; and again after the restart.
+// The power fails in write or erase number n from now, after a number of bytes, and once more after the restart.
 static void check_cut(const char *name, uint32_t after, uint32_t bytes, uint32_t again, uint32_t bytes_again)
 {
     uint32_t last;
@@ -144,7 +145,7 @@ static void test_flips(const char *name)
     CHECK(start_program(name, &wide_vector) == SM_OK && store_vector(1) == SM_OK && store_vector(2) == SM_OK && store_vector(3) == SM_OK);
     bytes = sim_nvm(name);
     for (uint32_t bit = 0; bit < 8 * size; bit++) {
-        const uint32_t slot = keep.slot;                  // the third went where the first had been: the number is odd
+        const uint32_t slot = keep.slot;                  // the third snapshot replaced the first, so its number is odd
         bytes[slot + bit / 8] ^= (uint8_t)(1 << bit % 8);
         CHECK(restart_program(name, &wide_vector) == SM_OK && keep.restored && number_of_vector() == 2);
         bytes[bit / 8] ^= 1;
@@ -178,7 +179,7 @@ static void test_layouts(void)
     CHECK(start_program("eeprom", &many_vector) == SM_OK && sm_keep_step(&keep, &tick) == SM_OK && sm_keep_write(&keep) == SM_OK);
     CHECK(restart_program("eeprom", &wide_vector) == SM_OK && !keep.restored && number_of_vector() == 0);
     CHECK(store_vector(1) == SM_OK && restart_program("eeprom", &wide_vector) == SM_OK && number_of_vector() == 1);
-    other.hash ^= 1;                                      // as long, and yet another
+    other.hash ^= 1;                                      // another layout of the same size
     as_other.layout = &other;
     CHECK(restart_program("eeprom", &as_other) == SM_OK && !keep.restored && number_of_vector() == 0);
     CHECK(restart_program("eeprom", &wide_vector) == SM_OK && keep.restored && number_of_vector() == 1);
@@ -202,7 +203,7 @@ static void is_memory_refused(const char *name, const char *begins)
     CHECK(start_program(name, &wide_vector) == SM_OK && !keep.unusable);
 }
 
-// An interrupted erase leaves anything in the first slot.  The other slot is blank, because it was erased before.
+// An interrupted erase leaves undefined bytes in the first slot.  The other slot was erased before, and is blank.
 static void test_torn_erase(void)
 {
     sim_reset();
@@ -239,7 +240,7 @@ static void test_refused(void)
     keep.memory = "eeprom";
     keep.sv = &as_large;
     keep.buffer = buffer;
-    CHECK(sm_keep_restore(&keep) == SM_OK);               // to the last byte
+    CHECK(sm_keep_restore(&keep) == SM_OK);               // a slot that ends with the last byte of the memory
     CHECK(pal_nvm_close(keep.nvm) == SM_OK);
     large.whole.packed++;
     CHECK(sm_keep_restore(&keep) == SM_E_SPACE);

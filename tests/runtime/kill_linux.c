@@ -15,12 +15,12 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/thread.h"
 
-enum { LOG_MOST = 1 << 22 };      // bytes, then a new one is begun
+enum { LOG_MOST = 1 << 22 };      // bytes; when the log exceeds this, a new one begins
 
 // The progress of the program before it is killed, in memory shared with the killing process.
 typedef struct Told {
-    uint64_t stored;              // the number of the last vector that was
-    uint64_t appended;            // bytes of the log
+    uint64_t stored;              // the number of the last stored vector
+    uint64_t appended;            // bytes that were appended to the log
     uint64_t ready;               // 0: not started yet
 } Told;
 
@@ -148,7 +148,7 @@ static bool is_true(const LogSession *s, const LogItem *r)
         log_read_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
 }
 
-// Every start left a torn block at most; what was appended is there.
+// Every start has left at most one torn block.  Every appended block is in the log.
 static void check_log(const uint8_t *bytes, size_t n, uint32_t starts)
 {
     Arena arena;
@@ -189,7 +189,8 @@ int main(int argc, char **argv)
     const long n = argc > 1 ? strtol(argv[1], NULL, 10) : 100;
     uint32_t starts = 0;
 
-    // Killing loses nothing that the system has: a file system in memory does, and stores a hundred times as often.
+    // Killing a process does not lose what the system has accepted.  A file system in memory is therefore sufficient, and allows a hundred times
+    // as many writes.
     snprintf(folder, sizeof folder, "%s/smc-kill.XXXXXX", access("/dev/shm", W_OK) == 0 ? "/dev/shm" : P_tmpdir);
     told = mmap(NULL, sizeof *told, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     CHECK(told != MAP_FAILED && mkdtemp(folder) != NULL && chdir(folder) == 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flight log in the simulation, from the step to what `smc log` reads: what was logged and only that comes back, whatever the medium
-// does and whatever becomes of the file.
+// The flight log in the simulation, from the step to the output of `smc log`.  It reads exactly what was logged, whatever errors the medium has
+// and whatever damages the file.
 #include <math.h>
 #include <setjmp.h>
 #include <stdlib.h>
@@ -41,7 +41,7 @@ static Log *read_all(void)
     return read_bytes(bytes, n);
 }
 
-// The content of a record apart from its time; false if it differs from the step of that tick.
+// Reads the content of a record, without its time.  Returns false if it differs from the step of that tick.
 static bool is_true(const LogSession *s, const LogItem *r, uint32_t salt)
 {
     const uint64_t k = log_read_time(r) / TICK;
@@ -56,7 +56,7 @@ static bool is_true(const LogSession *s, const LogItem *r, uint32_t salt)
         log_read_cell(r, &e[WIDE_E_flag]) == (k % 3 == 0) && log_read_cell(r, &e[WIDE_E_u8]) == (uint8_t)(0xA5 + k);
 }
 
-// Whether all records of a session are true and in order.
+// Whether all records of a session are correct and in order.
 static bool records_are_true(const LogSession *s, uint32_t salt)
 {
     uint64_t last = 0, n = 0;
@@ -173,7 +173,7 @@ static void test_foreign(void)
     }
 }
 
-// A log of which one byte was changed, or of which the power left only a part.
+// Checks a log in which one byte was changed, or of which a power failure left only a part.
 static void test_damaged_beginning(void)
 {
     uint8_t bytes[200];
@@ -200,7 +200,7 @@ static void test_damaged_beginning(void)
 
 // ---- a medium that is too slow, full, broken ----
 
-// The medium accepts nothing for some ticks: records are dropped and counted, and the later records are true.
+// The medium accepts nothing for some ticks: records are dropped and counted.  The later records are correct.
 static void test_too_slow(void)
 {
     uint32_t dropped = 0;
@@ -224,7 +224,7 @@ static void test_too_slow(void)
     CHECK(log->session.at[0]->records == 1001 - dropped && log->session.at[0]->dropped == dropped);
 }
 
-// More events between two steps than fit into the ring of events.
+// More events between two steps than the ring of events can contain.
 static void test_lost_events(void)
 {
     Log *log;
@@ -246,7 +246,7 @@ static void test_events_not_handed_over(void)
     begin_log();
     for (uint32_t i = 0; i < 3; i++)
         add_event(SM_EVENT_MODE, 1, i, 2, i);
-    sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);             // the first is taken to find room
+    sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);             // the first lock is taken to reserve room
     (void)step_and_log(0, 0);
     CHECK(flight.lost == 3);
     CHECK(step_and_log(1, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
@@ -261,15 +261,14 @@ static void test_record_not_handed_over(void)
 
     begin_log();
     CHECK(step_and_log(0, 0) == SM_OK);
-    sim_fail(SIM_lock_take, 3, SM_E_TIMEOUT);             // room for events, room for the record, the state vector's
+    sim_fail(SIM_lock_take, 3, SM_E_TIMEOUT);             // locks: room for events, room for the record, the state vector
     CHECK(step_and_log(1, 0) == SM_E_TIMEOUT && flight.dropped == 1);
     CHECK(step_and_log(2, 0) == SM_OK && sm_log_close(&flight) == SM_OK);
     log = read_all();
     CHECK(log->session.at[0]->records == 2 && log->session.at[0]->dropped == 1 && records_are_true(log->session.at[0], 0));
 }
 
-// A file that has become shorter than it was, and an append that is refused: no record of the ring counts as written, and everything in
-// it comes to the medium later.
+// A file has become shorter than before, and an append is refused: no record of the ring counts as written.  All of them are written later.
 static void test_shrunk(void)
 {
     size_t n;
@@ -325,7 +324,7 @@ static void test_full_for_good(void)
     sim_log_space(1500);
     for (uint64_t k = 0; k < 200; k++) {
         (void)step_and_log(k, 2);
-        CHECK(!sm_log_drain(&flight, UINT64_MAX));        // and it does not go on for ever
+        CHECK(!sm_log_drain(&flight, UINT64_MAX));        // it terminates
     }
     CHECK(sm_log_close(&flight) == SM_E_SPACE);
     log = read_all();
@@ -345,7 +344,7 @@ static void test_budget(void)
     CHECK(!sm_log_drain(&flight, PAL_SECOND));
 }
 
-// Pieces are of SM_LOG_PIECE bytes at most, however much waits: a task that shares the medium's thread waits for no more than one.
+// Pieces have at most SM_LOG_PIECE bytes, however much waits: a task that shares the medium's thread waits for at most one piece.
 static void test_pieces(void)
 {
     static uint8_t large[5 * SM_LOG_PIECE];
@@ -373,7 +372,7 @@ static void test_pieces(void)
     CHECK(log->session.at[0]->records == 100 && log->damaged == 0 && records_are_true(log->session.at[0], 0));
 }
 
-// A sync that failed is tried again, also when nothing has been written since.
+// A sync that failed is repeated, even if nothing was written since.
 static void test_sync_again(void)
 {
     size_t n;
@@ -415,7 +414,7 @@ static void test_full_ring(void)
     }
 }
 
-// The log waits for the medium once a second and at the end.
+// The log is synced once a second and at the end.
 static void test_sync(void)
 {
     begin_log();
@@ -599,13 +598,13 @@ static void test_repeated(void)
     sim_reset();
     write_flight(0, 8000, 0);
     take_copy(&n);
-    CHECK(n > 500000 && n < SM_LOG_AGAIN);                // not yet
+    CHECK(n > 500000 && n < SM_LOG_AGAIN);                // not repeated yet
     sim_reset();
     reset_log(NAME);
     CHECK(sm_log_init(&flight) == SM_OK);
     for (uint64_t k = 0; k < 9000; k++) {
         if (k == 10)
-            flight.described_at -= SM_LOG_AGAIN;          // as if this many bytes had been written in between
+            flight.described_at -= SM_LOG_AGAIN;          // simulates that this many bytes were written in between
         CHECK(step_and_log(k, 0) == SM_OK);
         sm_log_drain(&flight, PAL_SECOND);
     }
@@ -719,7 +718,7 @@ static int write_sample(const char *path)
     return !f || fwrite(bytes, 1, n, f) != n || fclose(f) != 0 || test_failed != 0;
 }
 
-// One record a second, with states that begin in between; one of the states is shorter than a second.
+// One record per second, with states that begin between records.  One of the states lasts less than a second.
 static int make_rare_records(const char *path)
 {
     begin_log();
@@ -732,7 +731,7 @@ static int make_rare_records(const char *path)
             add_event(SM_EVENT_STATE, 3, 1, 2, 302 * TICK);
             add_event(SM_EVENT_STATE, 3, 2, 1, 352 * TICK);
         }
-        wide_sv.f32 = k == 3 || k == 4 ? NAN : (float)k;               // a sensor that fails, and comes back
+        wide_sv.f32 = k == 3 || k == 4 ? NAN : (float)k;               // a sensor that fails and recovers
         CHECK(step_and_log(100 * k, 0) == SM_OK && !sm_log_drain(&flight, PAL_SECOND));
     }
     CHECK(sm_log_close(&flight) == SM_OK);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A log whose description is longer than the interval of its repetition: all other records get their turn, and closing terminates.
+// A log whose description is longer than the interval of its repetition.  All other records are still written, and closing terminates.
 #define SM_LOG_AGAIN 16u
 #include "runtime-c/log_drain.c"
 

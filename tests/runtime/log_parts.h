@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of logs share: a vector whose values are a function of time, a machine that only has names, a log of both.
+// The common part of the tests of logs: a vector whose values are a function of time, a machine that only has names, and a log of both.
 #ifndef LOG_PARTS_H
 #define LOG_PARTS_H
 
@@ -41,7 +41,7 @@ static SmLog flight;
 // Resets the log, its vector and its events to an empty log.
 static void reset_log(const char *name)
 {
-    (void)pal_lock_close(wide_vector.lock);               // what an earlier one left open
+    (void)pal_lock_close(wide_vector.lock);               // closes a lock that an earlier test left open
     (void)pal_lock_close(events.lock);
     memset(&wide_sv, 0, sizeof wide_sv);
     memset(&flight, 0, sizeof flight);

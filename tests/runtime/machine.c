@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The promises of runtime-c/machine.h about a running machine, for emitted code, images and decoded images.
+// The guarantees of runtime-c/machine.h for a running machine: for emitted code, images and decoded images.
 #include "machine_stage.h"
 
 enum { IDLE = 1, BUSY, HELD };
@@ -30,7 +30,7 @@ static void test_start_in_given_state(Kind kind, bool guarded)
     CHECK(happened(SM_EVENT_STATE, 0, HELD));
 }
 
-// Starts a machine whose S contains `kept`.  Returns the state in which it starts.
+// Starts a machine while S has the value `kept`.  Returns the state in which it starts.
 static uint32_t start_with_S(Kind kind, bool guarded, bool resume, const bool *restored, uint32_t kept)
 {
     set_stage(kind, guarded);
@@ -47,7 +47,7 @@ static void test_resume_needs_restored_S(Kind kind, bool guarded)
     static const bool yes = true, no = false;
 
     CHECK(start_with_S(kind, guarded, true, &yes, BUSY) == BUSY);
-    CHECK(start_with_S(kind, guarded, true, &yes, HELD) == HELD);           // the last one, too
+    CHECK(start_with_S(kind, guarded, true, &yes, HELD) == HELD);           // the last state, too
     CHECK(start_with_S(kind, guarded, true, &yes, IDLE) == IDLE);
     CHECK(start_with_S(kind, guarded, true, &no, BUSY) == HELD);
     CHECK(start_with_S(kind, guarded, true, NULL, BUSY) == HELD);
@@ -68,7 +68,7 @@ static void test_start_clears_memory(Kind kind, bool guarded)
     sm_machine_step(&stage.machine, &stage.tick);
     CHECK(stage.machine.refused == 1);
     CHECK(sm_machine_init(&stage.machine) == SM_OK && stage.machine.refused == 0);
-    stand_sv.clock = 0;                   // earlier than at the last step: it has forgotten that as well
+    stand_sv.clock = 0;                   // an earlier time than at the last step: the start has cleared that, too
     stand_sv.pressure = 1;
     CHECK(step(2) == SM_OK && step(0) == SM_OK && stand_sv.sum == 1);
 }
@@ -116,7 +116,7 @@ static void test_time_must_advance(Kind kind, bool guarded)
     CHECK(step_at_next_time() == SM_REFUSED && nothing_happened());
 }
 
-// A refused step leaves what other code wrote to the vector since.
+// A refused step does not overwrite what other code has written to the vector since.
 static void test_refused_step_writes_nothing(Kind kind, bool guarded)
 {
     start_stage(kind, guarded);
@@ -148,7 +148,7 @@ static void test_positions_of_elements(Kind kind, bool guarded)
 {
     const SmRange uses = (start_stage(kind, guarded), stage.machine.type->accessed(stage.machine.self));
     const SmRange number = stage.machine.type->state_number(stage.machine.self);
-    const uint32_t unit = kind == EMITTED ? 1 : 8;               // an image has it in units of 8 bytes
+    const uint32_t unit = kind == EMITTED ? 1 : 8;               // bytes: the memory of an image is a multiple of 8
 
     CHECK(uses.offset == offsetof(StandSv, clock) / unit * unit);
     CHECK(uses.offset + uses.size == (offsetof(StandSv, torn) + 4 + unit - 1) / unit * unit);

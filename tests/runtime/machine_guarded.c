@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine on a guarded state vector: what others do while it steps, and locks that cannot be had.
+// A machine on a guarded state vector: other code writes while it steps, and locks cannot be taken.
 #include "machine_stage.h"
 #include "many.h"
 #include "picker.h"
 
 static const SmMachineType *inner;
-static SmMachineType around;              // as `inner`, but others act before and after the step itself
+static SmMachineType around;              // like `inner`, but other code writes before and after the step
 static void (*others)(void);
 
 static SmResult step_with_concurrent_write(void *self, void *sv)
@@ -29,7 +29,7 @@ static void set_concurrent_write(SmMachine *m, void (*act)(void))
 
 // ---- elements that it does not store ----
 
-static StandSv theirs;                    // what others write: everything, again and again
+static StandSv theirs;                    // what the other code writes: the whole vector, repeatedly
 
 static void write_everything(void)
 {
@@ -49,7 +49,7 @@ static void check_stored_alone(Kind kind)
     expected.testerState = 1;             // the first step of a state stores S
     expected.valve = 1;
     CHECK(step(1) == SM_OK && memcmp(&stand_sv, &expected, sizeof expected) == 0);
-    CHECK(step(1) == SM_OK);              // its own valve is on now, whatever they write meanwhile
+    CHECK(step(1) == SM_OK);              // the step uses the valve that it has stored itself, whatever the other code writes meanwhile
     expected = theirs;
     expected.valve = 0;
     CHECK(memcmp(&stand_sv, &expected, sizeof expected) == 0);
@@ -108,7 +108,7 @@ static void check_refused_lock_at_end(Kind kind)
     CHECK(step(1) == SM_E_TIMEOUT && stand_sv.valve == 0);
     CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_REFUSED && stand_sv.valve == 1 && happened(SM_EVENT_REFUSED, 1, 0));
     stand_sv.valve = 0;
-    CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_REFUSED && stand_sv.valve == 0);      // they come once
+    CHECK(sm_machine_step(&stage.machine, &stage.tick) == SM_REFUSED && stand_sv.valve == 0);      // the stores are written only once
     sim_fail(SIM_lock_take, 1, SM_E_TIMEOUT);
     CHECK(step(2) == SM_E_TIMEOUT && sm_machine_state(&stage.machine) == 2);
     CHECK(happened(SM_EVENT_STATE, 1, 2));

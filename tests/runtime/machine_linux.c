@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two machines, emitted and from an image, each in a thread of its own, and a third thread, on one state vector: no thread sees half of what
-// another wrote, and nobody's writes are lost.
+// Two machines, emitted and from an image, each in its own thread, and a third thread, on one state vector.  No thread reads a part of another's
+// write, and no write is lost.
 #include "bytecode-vm/target/machine.h"
 #include "first.h"
 #include "images.h"
@@ -48,7 +48,7 @@ static void set_up(Runner *r, const char *name, const SmMachineType *type, void 
     CHECK(sm_machine_init(&r->machine) == SM_OK);
 }
 
-// One round of the third thread; returns whether everything that it read was consistent.
+// Runs one round of the third thread.  Returns whether everything that it read was consistent.
 static bool write_and_look(uint32_t round)
 {
     uint32_t mine = shared_mine();
@@ -85,6 +85,6 @@ int main(void)
     }
     CHECK(torn == 0 && shared_firstTorn() == 0 && shared_secondTorn() == 0);
     CHECK(runner[0].ran == STEPS && runner[1].ran == STEPS && runner[0].failed == 0 && runner[1].failed == 0);
-    CHECK(shared_vector.faults == 0 && events.next >= 2 + STEPS);      // the first goes from state to state at each step
+    CHECK(shared_vector.faults == 0 && events.next >= 2 + STEPS);      // the first machine makes a transition at each step
     return test_end("machine_linux");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine that was built without a .sv, on a vector of its own that the program describes by hand.
+// A machine that was built without a .sv, on a separate vector that the program describes by hand.
 #include "own.h"
 #include "runtime-c/machine.h"
 #include "tests/test.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sm_machine_init refuses, and with which result; and images that must not be trusted.
+// The causes for which sm_machine_init refuses a machine, with their results, and images that must not be trusted.
 #include "bytecode-vm/image.h"
 #include "machine_stage.h"
 #include "plain_tester.h"
 #include "stdlib/crc32.h"
 
-// The init returns `expected`, and writes no byte and no event.  Afterwards the machine does not step.
+// Checks that init returns `expected`, and writes no byte and no event.  Afterwards the machine does not step.
 static void expect_refused(SmResult expected)
 {
     StandSv before = stand_sv;
@@ -199,7 +199,7 @@ static void fix_crc(uint8_t *image, uint32_t size)
         image[SMVM_CRC_AT + i] = (uint8_t)(crc >> 8 * i);
 }
 
-// Each byte of the names is changed to several others: each name that is read begins and ends in the image.
+// Each byte of the names is changed to several other values.  Each name that is read still begins and ends in the image.
 static void test_changed_names_stay_in_the_image(void)
 {
     static uint8_t image[sizeof tester_image];
@@ -223,10 +223,10 @@ static void test_changed_names_stay_in_the_image(void)
         }
 }
 
-// The first state's name is in the last three bytes: its length, and a name that ends in `last`.
+// The name of the first state is in the last three bytes: its length, and two characters, of which the second is `last`.
 static const char *check_name_at_the_end(uint8_t length, uint8_t last)
 {
-    static uint8_t image[sizeof tester_image + 1];        // and a 0 behind it
+    static uint8_t image[sizeof tester_image + 1];        // followed by a 0
     SmvmMachine m;
     uint8_t *names;
 
@@ -248,8 +248,8 @@ static const char *check_name_at_the_end(uint8_t length, uint8_t last)
 static void test_names_without_end(void)
 {
     CHECK(strcmp(check_name_at_the_end(1, 0), "a") == 0);
-    CHECK(strcmp(check_name_at_the_end(1, 'b'), "") == 0);      // no 0 behind it
-    CHECK(strcmp(check_name_at_the_end(2, 'b'), "") == 0);      // the 0 would be behind the section
+    CHECK(strcmp(check_name_at_the_end(1, 'b'), "") == 0);      // no 0 follows
+    CHECK(strcmp(check_name_at_the_end(2, 'b'), "") == 0);      // the 0 would be outside the section
     CHECK(strcmp(check_name_at_the_end(9, 'b'), "") == 0);
 }
 

@@ -17,7 +17,7 @@
 typedef enum Kind { EMITTED, IMAGE, DECODED, KINDS } Kind;
 
 typedef struct Stage {
-    SmStateVec vector;        // stand_vector, guarded or not
+    SmStateVec vector;        // stand_vector, guarded or in place
     SmEvents events;
     SmEvent ring[16];
     uint32_t cursor;
@@ -30,7 +30,7 @@ typedef struct Stage {
 
 static Stage stage;
 
-// Everything is ready but not started; the vector is full of 0xa5.
+// Prepares everything without starting it.  The vector contains 0xa5 in each byte.
 static void set_stage(Kind kind, bool guarded)
 {
     sim_reset();
@@ -60,13 +60,13 @@ static void set_stage(Kind kind, bool guarded)
     stage.tick.time = 1000;
 }
 
-// The inputs are 0, and it is started.
+// Sets the inputs to 0, and starts the machine.
 static void start_stage(Kind kind, bool guarded)
 {
     set_stage(kind, guarded);
     memset(&stand_sv, 0, sizeof stand_sv);
     CHECK(sm_machine_init(&stage.machine) == SM_OK);
-    stage.cursor = 1;                     // behind the event of the start
+    stage.cursor = 1;                     // after the event of the start
 }
 
 static SmResult step(int16_t order)
@@ -80,7 +80,7 @@ static SmResult step(int16_t order)
 
 static inline bool next_event(SmEvent *e) { return sm_events_read(&stage.events, &stage.cursor, e, 1, NULL) == 1; }
 
-// Whether the next event is this one, now, from this machine.
+// Whether the next event has these values, the current time, and this machine.
 static inline bool happened(SmEventKind kind, uint32_t a, uint32_t b)
 {
     SmEvent e;

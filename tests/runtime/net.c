@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages between computers (runtime-c/net.h) of tests/runtime/link.net in the simulation: the wire form, what is refused and under which
-// cause it is counted, silence, ages, the critical section, floods.
+// Messages between computers (runtime-c/net.h) of tests/runtime/link.net, in the simulation: the wire form, the causes of refusals and their
+// counts, silence, ages, the critical section, floods.
 // clause 11.7 clause 11.8 clause 11.9 clause 11.10 clause 11.14 clause 11.15 clause 11.16 clause 11.17 clause 11.18
 #include <math.h>
 #include <string.h>
@@ -126,7 +126,7 @@ static void start(void)
     CHECK(sm_receive_init(&link_receive) == SM_OK);
 }
 
-// Sends p, runs a step, and checks that nothing but the counts has changed: the cause and the sum of the refused ones by one each.
+// Sends p, runs a step, and checks that only two counts have changed: that of the cause, and the sum of all refused packets, by one each.
 static void refused(uint64_t ms, const PalAddress *to, const Packet *p, uint32_t *cause)
 {
     LinkSv before = link_sv;
@@ -151,7 +151,7 @@ static void test_values(void)
     Packet p;
 
     start();
-    CHECK(link_sv.vent == 1);                     // @safe, from the start
+    CHECK(link_sv.vent == 1);                     // the @safe value, from the start
     CHECK(link_sv.throttle == 0 && link_sv.trim == 7 && link_sv.age == 65535);
     p = command(9, 0, 0, 0.25f, -300, 12.5);
     CHECK(p.n == COMMANDS && commands->message.size == COMMANDS);
@@ -202,7 +202,7 @@ static void test_refused(void)
     refused(20, &to_commands, &good, &link_sv.repeated);
     p = command(9, 9, 1, 1, 1, 1);
     refused(20, &to_commands, &p, &link_sv.late);
-    p = command(8, 11, 1, 1, 1, 1);               // another run, while the channel is not silent
+    p = command(8, 11, 1, 1, 1, 1);               // another run of the sender, while the channel is not silent
     refused(20, &to_commands, &p, &link_sv.late);
     p = command(9, 10 + 0x80000000u, 1, 1, 1, 1);
     refused(20, &to_commands, &p, &link_sv.late);
@@ -213,14 +213,14 @@ static void test_refused(void)
     p = command(9, 11, 2, 1, 1, 1);
     refused(20, &to_commands, &p, &link_sv.nans);
     p = command(9, 11, 1, 1, 1, 1);
-    for (size_t n = 0; n < COMMANDS; n++) {       // each length
+    for (size_t n = 0; n < COMMANDS; n++) {       // every length
         p.n = n;
         refused(20, &to_commands, &p, &link_sv.shorts);
     }
     p.n = COMMANDS + 1;
     refused(20, &to_commands, &p, &link_sv.longs);
     p.n = COMMANDS;
-    for (size_t bit = 0; bit < 8 * COMMANDS; bit++) {            // each bit
+    for (size_t bit = 0; bit < 8 * COMMANDS; bit++) {            // every bit
         p.at[bit / 8] ^= (uint8_t)(1 << bit % 8);
         refused(20, &to_commands, &p, &link_sv.damaged);
         p.at[bit / 8] ^= (uint8_t)(1 << bit % 8);
@@ -230,7 +230,7 @@ static void test_refused(void)
     finish(&p);
     refused(20, &to_commands, &p, &link_sv.hashes);
     CHECK(link_sv.age == 10);
-    p = command(9, 11, 1, 1, 1, 1);               // none of them has used up the number
+    p = command(9, 11, 1, 1, 1, 1);               // none of the refused packets has used up the number
     sends(&to_commands, &p);
     CHECK(step_at(30) == SM_OK && link_sv.accepted == 2 && link_sv.age == 0);
 }
@@ -250,7 +250,7 @@ static void test_restart_of_the_sender(void)
     CHECK(step_at(111) == SM_OK && link_sv.accepted == 2 && link_sv.age == 0);
 }
 
-// The window of numbers that have been seen, beyond its end and across the wrap.
+// The window of the numbers that were received, beyond its end and at the wrap.
 static void test_order(void)
 {
     SmNetOrder o = {0};
@@ -274,13 +274,13 @@ static void test_sealed(void)
 
     start();
     CHECK(sealed->message.size == SEALED);
-    p = seal(4, 0, linkKey);                      // of an earlier run than the element has
+    p = seal(4, 0, linkKey);                      // of an earlier run than the one that the channel has accepted
     sends(&to_sealed, &p);
     CHECK(step_at(10) == SM_OK && link_sv.lit == 0 && sealed->count[SM_NET_late] == 1);
     p = seal(6, 0, wrong);
     refused(10, &to_sealed, &p, &link_sv.keys);
     p = seal(6, 0, linkKey);
-    p.at[3] = 0;                                  // says that it is not sealed
+    p.at[3] = 0;                                  // marked as not sealed
     p.n -= 4;
     finish(&p);
     refused(10, &to_sealed, &p, &link_sv.keys);
@@ -290,11 +290,11 @@ static void test_sealed(void)
     p = seal(7, 0, linkKey);
     sends(&to_sealed, &p);
     CHECK(step_at(20) == SM_OK && link_sv.run == 7 && sealed->count[SM_NET_accepted] == 2);
-    sends(&to_sealed, &old);                      // replayed after an hour of silence
+    sends(&to_sealed, &old);                      // a replay after an hour of silence
     CHECK(step_at(3600000) == SM_OK && sealed->count[SM_NET_accepted] == 2 && sealed->count[SM_NET_late] == 2 && link_sv.run == 7);
 }
 
-// A flood: a step reads at most SM_NET_BURST packets, and the newest of them counts.
+// A flood: a step reads at most SM_NET_BURST packets, of which the newest one counts.
 static void test_flood(void)
 {
     start();
@@ -303,10 +303,10 @@ static void test_flood(void)
         sends(&to_commands, &p);
     }
     CHECK(step_at(10) == SM_OK && link_sv.accepted == SM_NET_BURST && link_sv.throttle == SM_NET_BURST - 1);
-    CHECK(sim_count(SIM_socket_receive_from) == SM_NET_BURST + 1);        // and one for the other channel
+    CHECK(sim_count(SIM_socket_receive_from) == SM_NET_BURST + 1);        // and one call for the other channel
 }
 
-// While the lock cannot be taken, nothing changes; what has arrived is stored in the next step.
+// While the lock cannot be taken, nothing changes.  The next step stores what has arrived.
 static void test_lock(void)
 {
     Packet p;
@@ -341,7 +341,7 @@ static void test_open(void)
     renew();
     sim_fail(SIM_socket_multicast, 0, SM_E_MISSING);
     CHECK(sm_receive_init(&link_receive) == SM_E_MISSING && link_receive.failed == 1);
-    CHECK(sm_receive_init(&link_receive) == SM_OK);                       // the sockets had been closed
+    CHECK(sm_receive_init(&link_receive) == SM_OK);                       // the sockets were closed
     sm_net_close(&link_receive);
     renew();
     field = commands->message.field[0];
@@ -385,13 +385,13 @@ static void test_sending(void)
     CHECK(next_sent(bytes) == TELEMETRY && memcmp(bytes + SM_NET_HEADER, values, sizeof values) == 0);
     CHECK(bytes[0] == 'S' && bytes[1] == 'M' && bytes[2] == 1 && bytes[3] == 0 && bytes[12] == 0);
     CHECK(sm_crc32(bytes, TELEMETRY) == SM_CRC32_RESIDUE);
-    CHECK(send_at(10) == SM_OK && next_sent(bytes) == 0);                 // every 20 ms
+    CHECK(send_at(10) == SM_OK && next_sent(bytes) == 0);                 // one message every 20 ms
     CHECK(send_at(20) == SM_OK && next_sent(bytes) == TELEMETRY && bytes[12] == 1);
-    CHECK(send_at(60) == SM_OK && next_sent(bytes) == TELEMETRY && next_sent(bytes) == 0);      // missed periods are not made up for
+    CHECK(send_at(60) == SM_OK && next_sent(bytes) == TELEMETRY && next_sent(bytes) == 0);      // a missed period is not sent later
     CHECK(send_at(70) == SM_OK && link_sv.sent == 3);
 }
 
-// What a receiver would refuse is not sent: NaN becomes 0, an infinity the largest finite number.
+// A value that a receiver would refuse is not sent: NaN becomes 0, an infinity becomes the largest finite number.
 static void test_sent_is_acceptable(void)
 {
     uint64_t value[8];
@@ -405,7 +405,7 @@ static void test_sent_is_acceptable(void)
     CHECK(sm_net_check(&telemetry->message, bytes, TELEMETRY, &stamp) == SM_NET_accepted);
     sm_net_values(&telemetry->message, bytes, value);
     CHECK(value[0] == 0 && value[1] == 0xFF7FFFFFu);
-    link_sv.pressure = 1001;                                              // sent as it is; the receiver refuses it
+    link_sv.pressure = 1001;                                              // sent unchanged; the receiver refuses it
     CHECK(send_at(20) == SM_OK && next_sent(bytes) == TELEMETRY);
     CHECK(sm_net_check(&telemetry->message, bytes, TELEMETRY, &stamp) == SM_NET_range);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages over TCP (runtime-c/net_stream.h) of tests/runtime/stream.net in the simulation: boundaries, damage, peers that lie, stop or
-// leave, several peers, reconnects and their pauses, keys, and that no step waits.
+// Messages over TCP (runtime-c/net_stream.h) of tests/runtime/stream.net, in the simulation: boundaries, damage, peers that send wrong lengths,
+// stop or leave, several peers, reconnects and their pauses, and keys.  No step may block.
 // clause 11.21 clause 11.22 clause 11.23 clause 11.24 clause 11.25
 #include <math.h>
 #include <string.h>
@@ -85,7 +85,7 @@ static PalSocket listens(const PalAddress *at)
     return s;
 }
 
-// Returns the stream that a client of the application has opened, or one with the number 0.
+// Returns the stream that a client of the application has opened; its number is 0 if there is none.
 static PalSocket accepts(PalSocket listening)
 {
     PalSocket s = {0};
@@ -127,7 +127,7 @@ static SmResult receive_at(uint64_t ms)
     const uint64_t before = pal_clock_now();
     const SmResult r = sm_receive_step(&stream_receive, &tick);
 
-    CHECK(pal_clock_now() == before);             // nothing waits
+    CHECK(pal_clock_now() == before);             // no call has waited
     return r;
 }
 
@@ -189,7 +189,7 @@ static void test_values(void)
     CHECK(receive_at(211) == SM_OK && stream_sv.throttle == 0.5f && stream_sv.trim == -3 && stream_sv.wide == 0);      // silent
     p = order(9, 1, 0.75f, 4);
     sends(s, p.at, p.n);
-    CHECK(receive_at(220) == SM_OK && stream_sv.throttle == 0.75f && stream_sv.begun == 1);          // of the same connection
+    CHECK(receive_at(220) == SM_OK && stream_sv.throttle == 0.75f && stream_sv.begun == 1);          // on the same connection
 }
 
 // Bytes arrive one by one: half a message changes nothing.
@@ -208,7 +208,7 @@ static void test_pieces(void)
         }
         CHECK(receive_at(10) == SM_OK && stream_sv.accepted == number + 1 && stream_sv.trim == (int16_t)(number + 1));
     }
-    sim_streams((SimStreams){0, 0, 5});           // at most 5 bytes at once
+    sim_streams((SimStreams){0, 0, 5});           // at most 5 bytes per call
     p = order(9, 3, 0.25f, 9);
     sends(s, p.at, p.n);
     for (size_t i = 5; i < ORDERS; i += 5)
@@ -235,7 +235,7 @@ static void test_flood(void)
     CHECK(receive_at(30) == SM_OK && stream_sv.accepted == 20 && stream_sv.refused == 1);
 }
 
-// Sends bytes on a new connection.  Whether they were refused under this cause, the connection was closed, and nothing else changed.
+// Sends bytes on a new connection.  Returns whether they were refused for this cause, the connection was closed, and nothing else changed.
 static bool is_refused(const void *bytes, size_t n, const uint32_t *cause)
 {
     const StreamSv before = stream_sv;
@@ -267,11 +267,11 @@ static void test_damage(void)
         CHECK(is_refused(p.at, p.n, bit / 32 == 1 ? &stream_sv.hashes : &stream_sv.damaged));
         p.at[bit / 8] ^= (uint8_t)(1 << bit % 8);
     }
-    sends(s, p.at, p.n);                          // the other connection has not noticed
+    sends(s, p.at, p.n);                          // the other connection is not affected
     CHECK(receive_at(20) == SM_OK && stream_sv.accepted == 2 && stream_sv.trim == 8);
 }
 
-// Peers that lie about lengths: their messages are shorter or longer, or they stop inside one.
+// Peers that send wrong lengths: their messages are shorter or longer, or they stop inside one.
 static void test_lengths(void)
 {
     PalSocket s;
@@ -282,7 +282,7 @@ static void test_lengths(void)
     p = order(9, 0, 0.25f, 4);
     sends(s, p.at, p.n);
     CHECK(receive_at(10) == SM_OK && stream_sv.accepted == 1 && pal_socket_close(s) == SM_OK && receive_at(10) == SM_OK);
-    p = header(orders->message.hash + 1, false, 1, 1);                    // another message, of which only the header comes
+    p = header(orders->message.hash + 1, false, 1, 1);                    // another message, of which only the header is sent
     CHECK(is_refused(p.at, p.n, &stream_sv.hashes));
     p = order(9, 1, 1, 1);
     p.n -= 3;                                     // 3 bytes are missing before the next message
@@ -295,7 +295,7 @@ static void test_lengths(void)
     sends(s, p.at, p.n + 20);
     CHECK(receive_at(30) == SM_OK && stream_sv.accepted == 2 && stream_sv.damaged == 2 && stream_sv.trim == 5 && is_closed(s));
     CHECK(pal_socket_close(s) == SM_OK);
-    for (size_t n = 0; n < ORDERS; n++) {         // ends after each number of bytes
+    for (size_t n = 0; n < ORDERS; n++) {         // the connection ends after each number of bytes
         const uint32_t shorts = stream_sv.shorts, broken = stream_sv.broken;
         p = order(9, 5, 1, 9);
         s = connects(&at_orders);
@@ -303,12 +303,12 @@ static void test_lengths(void)
         CHECK(receive_at(40) == SM_OK && pal_socket_close(s) == SM_OK && receive_at(40) == SM_OK);
         CHECK(stream_sv.shorts == shorts + (n > 0) && stream_sv.trim == 5 && stream_sv.broken == broken + 1);
     }
-    s = connects(&at_orders);                     // the next connection begins with a whole message
+    s = connects(&at_orders);                     // a whole message on the next connection is accepted
     sends(s, p.at, p.n);
     CHECK(receive_at(50) == SM_OK && stream_sv.accepted == 3 && stream_sv.trim == 9);
 }
 
-// What is refused for its values or its number does not lose the boundaries: the connection stays.
+// A message that is refused for its values or its number does not lose the boundaries: the connection stays open.
 static void test_refused_without_closing(void)
 {
     PalSocket s, again;
@@ -325,9 +325,9 @@ static void test_refused_without_closing(void)
     p = order(9, 10, 0.25f, 3);
     sends(s, p.at, p.n);
     CHECK(receive_at(30) == SM_OK && stream_sv.repeated == 1);
-    again = connects(&at_orders);                 // the order of messages is that of the channel, not of a connection
+    again = connects(&at_orders);                 // numbers belong to the channel, not to a connection
     sends(again, p.at, p.n);
-    p = order(8, 0, 0.25f, 3);                    // another run, while the channel is not silent
+    p = order(8, 0, 0.25f, 3);                    // another run of the sender, while the channel is not silent
     sends(again, p.at, p.n);
     CHECK(receive_at(40) == SM_OK && stream_sv.repeated == 2 && stream_sv.late == 1 && stream_sv.trim == 1 && stream_sv.broken == 0);
     CHECK(receive_at(211) == SM_OK);
@@ -335,7 +335,7 @@ static void test_refused_without_closing(void)
     CHECK(receive_at(212) == SM_OK && stream_sv.accepted == 2 && stream_sv.trim == 3 && stream_sv.broken == 0);
 }
 
-// Two places.  A third peer waits until one of them leaves, or has been without a message for longer than a second.
+// There is room for two peers.  A third one waits until one of them leaves, or has sent no message for more than a second.
 static void test_places(void)
 {
     PalSocket s[4];
@@ -354,7 +354,7 @@ static void test_places(void)
     s[3] = connects(&at_orders);
     CHECK(receive_at(1010) == SM_OK && stream_sv.begun == 3 && !is_closed(s[1]));
     CHECK(receive_at(1011) == SM_OK && stream_sv.begun == 4 && is_closed(s[1]) && !is_closed(s[2]) && !is_closed(s[3]));
-    p = order(9, 1, 0.25f, 2);                    // half a message does not keep a place
+    p = order(9, 1, 0.25f, 2);                    // a part of a message does not keep a connection open
     sends(s[3], p.at, 20);
     CHECK(receive_at(1041) == SM_OK && is_closed(s[2]) && receive_at(2012) == SM_OK && is_closed(s[3]));
 }
@@ -370,7 +370,7 @@ static void test_sealed(void)
     stream_sv.run = 5;
     CHECK(sm_receive_init(&stream_receive) == SM_OK && receive_at(0) == SM_OK);
     s = accepts(listening);
-    p = seal(4, 0, streamKey);                    // of an earlier run
+    p = seal(4, 0, streamKey);                    // of an earlier run of the sender
     sends(s, p.at, p.n);
     CHECK(receive_at(10) == SM_OK && stream_sv.lit == 0 && secret->count[SM_NET_late] == 1 && stream_sv.secretBroken == 0);
     p = seal(6, 0, wrong);
@@ -418,12 +418,12 @@ static void test_messages(void)
     CHECK(stream_sv.reportBroken == 1 && stream_sv.reportLost == 1 && stream_sv.reportSent == 2);
     CHECK(send_at(119) == SM_OK && accepts(listening).id == 0 && send_at(120) == SM_OK && send_at(130) == SM_OK);
     s = accepts(listening);
-    CHECK(gains(s, bytes) == 2 * REPORT && bytes[12] == 5 && bytes[8] == (uint8_t)report->next.run);    // numbers continue
-    sends(s, "x", 1);                             // the receiver of a message sends nothing
+    CHECK(gains(s, bytes) == 2 * REPORT && bytes[12] == 5 && bytes[8] == (uint8_t)report->next.run);    // the numbers continue
+    sends(s, "x", 1);                             // the receiver of a channel must not send
     CHECK(send_at(140) == SM_OK && is_closed(s) && send_at(150) == SM_OK && stream_sv.reportBroken == 2);
 }
 
-// The answer to a connection comes late or never.
+// A connection is answered late or never.
 static void test_slow_connection(void)
 {
     PalSocket listening;
@@ -442,7 +442,7 @@ static void test_slow_connection(void)
     CHECK(send_at(2000) == SM_OK && send_at(2100) == SM_OK && sim_count(SIM_socket_connect_start) == 2);
 }
 
-// A connection that lasted is tried again after the shortest pause, one that did not after a longer one each time.
+// After a connection that lasted, the next attempt follows after the shortest pause.  After one that did not, each pause is longer.
 static void test_pause_after_connection(void)
 {
     PalSocket listening, s;
@@ -458,7 +458,7 @@ static void test_pause_after_connection(void)
     CHECK(accepts(listening).id != 0);
 }
 
-// The platform accepts 7 bytes at once: messages that are due meanwhile are dropped, and what arrives are whole messages.
+// The platform accepts 7 bytes per call.  Messages that become due meanwhile are dropped, and only whole messages arrive.
 static void test_parts(void)
 {
     static uint8_t bytes[ROOM];
@@ -482,10 +482,10 @@ static void test_parts(void)
     sim_streams((SimStreams){0, 0, 0});
     CHECK(send_at(520) == SM_OK);
     s = accepts(listening);
-    CHECK(gains(s, bytes) == REPORT && sm_crc32(bytes, REPORT) == SM_CRC32_RESIDUE);      // no rest of the connection before
+    CHECK(gains(s, bytes) == REPORT && sm_crc32(bytes, REPORT) == SM_CRC32_RESIDUE);      // nothing of the message on the earlier connection
 }
 
-// A peer that does not receive: a few messages wait, the others are dropped.
+// A peer does not receive: a few messages wait, the others are dropped.
 static void test_full(void)
 {
     static uint8_t bytes[ROOM];
@@ -519,7 +519,7 @@ static void test_server(void)
     CHECK(pal_socket_close(a) == SM_OK && send_at(40) == SM_OK && send_at(50) == SM_OK);
     CHECK(gains(b, bytes) == 2 * BEACON && gains(c, bytes) == BEACON);
     a = connects(&at_beacon);
-    for (uint64_t ms = 60; ms < 1200; ms += 10) {             // b stops receiving: its place goes to the peer that waits
+    for (uint64_t ms = 60; ms < 1200; ms += 10) {             // b stops receiving: the waiting peer replaces it
         CHECK(send_at(ms) == SM_OK);
         (void)gains(c, bytes);
     }
@@ -537,7 +537,7 @@ static void test_open(void)
     CHECK(sm_receive_init(&stream_receive) == SM_E_BUSY && stream_receive.failed == 0);
     CHECK(pal_socket_close(taken) == SM_OK && sm_receive_init(&stream_receive) == SM_OK && receive_at(0) == SM_OK);
     sm_net_close(&stream_receive);
-    CHECK(pal_socket_listen(&taken, &at_orders) == SM_OK);                // the socket had been closed
+    CHECK(pal_socket_listen(&taken, &at_orders) == SM_OK);                // the socket was closed
     renew();
     sim_fail(SIM_socket_connect_start, 0, SM_E_UNSUPPORTED);              // a platform without connections
     CHECK(sm_send_init(&stream_send) == SM_E_UNSUPPORTED && stream_send.failed == 0);

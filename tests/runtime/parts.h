@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of tasks, executors and applications share: tasks that write down their calls, and events taken one by one.
+// The common part of the tests of tasks, executors and applications: tasks that record their calls, and events that are read one by one.
 #ifndef RUNTIME_PARTS_H
 #define RUNTIME_PARTS_H
 
@@ -46,7 +46,7 @@ static inline SmResult part_step(void *context, const SmTick *tick)
     return p->gives;
 }
 
-// In the safed mode the letter is a small one, at the start a digit.
+// The letter is lower-case in the safe mode, and a digit at the start.
 static inline SmResult part_safe(void *context, const SmTick *tick)
 {
     const Part *const p = context;
@@ -73,7 +73,7 @@ static SmEvent event_storage[64];
 static SmEvents events;
 static uint32_t event_cursor;
 
-// Time at 1 s, no call, no event, a vector of zeros, guarded if its .sv says so.
+// Resets the time to 1 s, the calls, the events and the vector, which is guarded if its .sv requires it.
 static inline void parts_reset(void)
 {
     sim_reset();
@@ -87,7 +87,7 @@ static inline void parts_reset(void)
     event_cursor = 0;
 }
 
-// The next event is this one.
+// Whether the next event has these values.
 static inline bool is_event(SmEventKind kind, uint16_t source, uint32_t a, uint32_t b)
 {
     SmEvent e;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/statevec.h promises of regions, in memory's form and on the wire (language.md 4.12, 4.13).
+// The guarantees of runtime-c/statevec.h for regions, in memory and in wire form (language.md 4.12, 4.13).
 #include <stddef.h>
 #include <string.h>
 
@@ -10,11 +10,11 @@
 
 #define ALL (&wide_layout.region[WIDE_R_All])
 
-// Region All of wide.sv, as a reader of the wire must find it, on every computer.
+// The wire form of region All of wide.sv, which is the same on every computer.
 static const uint8_t wire[] = {
     0xFE,                                                 // i8 = -2
     0xF0, 0xDE, 0xBC, 0x9A, 0x78, 0x56, 0x34, 0x12,       // i64 = 0x123456789abcdef0
-    0x01,                                                 // flag, 0x80 in memory
+    0x01,                                                 // flag, which has the value 0x80 in memory
     0x00, 0x80,                                           // i16 = -32768
     0xC8,                                                 // u8 = 200
     0xFF, 0xFF, 0xFF, 0x7F,                               // i32 = 2147483647
@@ -49,7 +49,7 @@ static void start(void)
 
 static bool is_free(void) { return pal_lock_take(wide_vector.lock, 0) == SM_OK && pal_lock_give(wide_vector.lock) == SM_OK; }
 
-// Whether all of bytes[from …n) are as they were put there by poison.
+// Whether bytes[from …n) still have the values that poison has written.
 static void poison(uint8_t *bytes, size_t n) { memset(bytes, 0x5C, n); }
 static bool poisoned(const uint8_t *bytes, size_t from, size_t n)
 {
@@ -72,13 +72,13 @@ static void test_memory(void)
     wide_sv.time = 8;
     wide_sv.class_ = 3;
     CHECK(sm_write_region(&wide_vector, ALL, in_copy) == SM_OK && is_free());
-    CHECK(wide_sv.time == 8 && wide_sv.class_ == 3);      // of other regions
+    CHECK(wide_sv.time == 8 && wide_sv.class_ == 3);      // elements of other regions
     CHECK(memcmp(bytes, (uint8_t *)&wide_sv + ALL->offset, ALL->size) == 0);
     CHECK(sm_write_region(&wide_vector, &wide_layout.whole, &copy) == SM_OK && memcmp(&copy, &wide_sv, sizeof copy) == 0);
     CHECK(wide_vector.faults == 0);
 }
 
-// The functions that smc makes for a region touch its members of the copy alone.
+// The functions that smc emits for a region access only its members of the copy.
 static void test_functions(void)
 {
     WideSv copy, was;
@@ -112,7 +112,7 @@ static void test_wire(void)
     was.flag = 1;
     memset(&wide_sv.i8, 0, ALL->size);
     CHECK(sm_unpack_region(&wide_vector, ALL, wire, sizeof wire) == SM_OK && is_free());
-    CHECK(memcmp(&was, &wide_sv, sizeof was) == 0);       // the zeros between elements as well
+    CHECK(memcmp(&was, &wide_sv, sizeof was) == 0);       // the zeros between elements, too
 }
 
 static void test_whole_on_the_wire(void)
@@ -128,7 +128,7 @@ static void test_whole_on_the_wire(void)
     CHECK(sm_pack_region(&wide_vector, &wide_layout.whole, again, sizeof again) == SM_OK && memcmp(bytes, again, sizeof again) == 0);
 }
 
-// Every value of the byte: anything but zero is 1, going out and coming in.
+// Each value of a bool's byte: any value except zero is 1, when it is packed and when it is unpacked.
 static void test_bools(void)
 {
     const SmRegion *names = &wide_layout.region[WIDE_R_Names];
@@ -158,7 +158,7 @@ static void test_sizes(void)
     CHECK(sm_unpack_region(&wide_vector, ALL, bytes, sizeof wire + 1) == SM_E_SIZE);
     CHECK(sm_unpack_region(&wide_vector, ALL, bytes, 0) == SM_E_SIZE);
     CHECK(memcmp(&was, &wide_sv, sizeof was) == 0 && is_free());
-    CHECK(sim_count(SIM_lock_take) == 1);                 // refused without the lock
+    CHECK(sim_count(SIM_lock_take) == 1);                 // refused before the lock is taken
 }
 
 static void refused(SmStateVec *sv, const SmRegion *r, void *bytes)
@@ -181,10 +181,10 @@ static void test_arguments(void)
     refused(NULL, ALL, bytes);
     refused(&wide_vector, NULL, bytes);
     refused(&wide_vector, ALL, NULL);
-    refused(&wide_vector, &own, bytes);                               // made up
+    refused(&wide_vector, &own, bytes);                               // not a region of any layout
     refused(&wide_vector, &plain_layout.region[1], bytes);            // of another vector
     refused(&wide_vector, &plain_layout.whole, bytes);
-    refused(&wide_vector, wide_layout.region + WIDE_REGIONS, bytes);  // behind the table
+    refused(&wide_vector, wide_layout.region + WIDE_REGIONS, bytes);  // after the end of the table
     CHECK(memcmp(&was, &wide_sv, sizeof was) == 0 && poisoned(bytes, 0, sizeof bytes) && wide_vector.faults == 0);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wire form on a computer with its most significant byte first: the same code over a memory in which every number is so.
+// The wire form on a big-endian computer: the same code, with a memory in which every number is big-endian.
 #include <string.h>
 
 #include "stdlib/convert.h"
 #include "tests/test.h"
 
-// How such a computer loads and stores cells.
+// Loads and stores of cells on such a computer.
 static uint64_t big_load(SmType type, const void *p)
 {
     uint64_t cell = 0;
@@ -29,7 +29,7 @@ static void big_store(SmType type, void *p, uint64_t cell)
 
 #include "wide.h"
 
-// The little vector's memory turned round, element by element.
+// Reverses the bytes of each element of the little vector's memory.
 static void turn(const WideSv *from, uint8_t *to)
 {
     memset(to, 0, sizeof *from);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/statevec.h promises of elements, names and the lock, in the simulation.  (Regions: region.c; threads: vector_linux.c.)
+// The guarantees of runtime-c/statevec.h for elements, names and the lock, in the simulation.  region.c tests regions, vector_linux.c tests
+// threads.
 #include <stddef.h>
 #include <string.h>
 
@@ -12,7 +13,7 @@
 
 #define COUNT(a) (sizeof (a) / sizeof *(a))
 
-static WideSv before;         // what the vector held when a test began
+static WideSv before;         // the content of the vector when a test began
 
 static void start(void)
 {
@@ -24,7 +25,7 @@ static void start(void)
     CHECK(memcmp(&wide_sv, &before, sizeof before) == 0);
 }
 
-// The lock is free, and nothing but `bytes` from `offset` on has changed.
+// Whether the lock is free, and only the `bytes` from `offset` on have changed.
 static bool only_changed(size_t offset, size_t bytes)
 {
     const uint8_t *now = (const uint8_t *)&wide_sv, *then = (const uint8_t *)&before;
@@ -103,7 +104,7 @@ static void test_functions(void)
     CHECK(wide_flag() == 1);
     wide_set_flag(true);
     CHECK(wide_sv.flag == 1);
-    CHECK(sim_count(SIM_lock_take) == 10 + 1);            // one critical section a call, and the one of only_changed
+    CHECK(sim_count(SIM_lock_take) == 10 + 1);            // one critical section for each call, and one for only_changed
     CHECK(wide_vector.faults == 0 && pal_lock_close(wide_vector.lock) == SM_OK);
 }
 
@@ -178,7 +179,7 @@ static void test_bool_normalises(void)
     CHECK(sm_read_BOOL(&wide_vector, &wide_element[WIDE_E_flag], &value) == SM_OK && value == 1);
 }
 
-// Typed access preserves all bits of a NaN.  This one is quiet: 32-bit x86 makes a signaling NaN quiet when a function returns it.
+// Typed access preserves all bits of a NaN.  This NaN is quiet: 32-bit x86 converts a signaling NaN to a quiet one when a function returns it.
 static void test_nan_is_kept(void)
 {
     const uint64_t bits = 0xFFFC000000001234u;
@@ -243,7 +244,7 @@ static void test_numbers_refuse(void)
     CHECK(sm_read_number(NULL, wide_element, &value) == SM_E_ARGUMENT && value == 0);
     CHECK(sm_read_number(&wide_vector, wide_element, NULL) == SM_E_ARGUMENT);
     CHECK(sm_write_number(&wide_vector, NULL, 1) == SM_E_ARGUMENT && sm_write_number(NULL, wide_element, 1) == SM_E_ARGUMENT);
-    // of another vector, of none, just behind the table
+    // an element of another vector, of none, and after the end of the table
     CHECK(sm_write_number(&wide_vector, &plain_element[0], 1) == SM_E_ARGUMENT);
     CHECK(sm_write_number(&wide_vector, &of_nothing, 1) == SM_E_ARGUMENT);
     CHECK(sm_write_number(&wide_vector, wide_element + WIDE_ELEMENTS, 1) == SM_E_ARGUMENT);
@@ -253,7 +254,8 @@ static void test_numbers_refuse(void)
 
 // ---- the lock ----
 
-// Each call once, with a lock that cannot be acquired: it returns the error, changes nothing, reads 0 and counts.
+// Calls each function once while the lock cannot be acquired.  Each returns the error, changes no element, reads 0, and adds 1 to the vector's
+// `faults`.
 static void test_faults(void)
 {
     const SmElement *e = &wide_element[WIDE_E_u16];
@@ -325,7 +327,7 @@ static void test_init_refuses(void)
     CHECK(sm_statevec_init(&vector) == SM_E_ARGUMENT);
 }
 
-// Where the members do not ask for it, the vector is aligned all the same: images want it so.
+// The vector is aligned even if its members do not need it, because images require it.
 static void test_narrow(void)
 {
     CHECK((uintptr_t)&narrow_sv % 8 == 0 && sizeof narrow_sv == 8);
@@ -342,7 +344,7 @@ static void test_no_lock_left(void)
     for (int i = 0; i < PAL_LOCKS; i++)
         CHECK(pal_lock_open(&taken[i]) == SM_OK);
     CHECK(sm_statevec_init(&wide_vector) == SM_E_FULL);
-    CHECK(sm_statevec_init(&plain_vector) == SM_OK);      // needs none
+    CHECK(sm_statevec_init(&plain_vector) == SM_OK);      // this vector needs no lock
 }
 
 static void test_used_before_init(void)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random applications in random trouble: modes that anybody changes, ticks that take too long, sleeps that end too late, a clock that
-// jumps by hours, locks, pins and a watchdog that refuse.  A model predicts which tick of which executor comes next, the value of G,
-// and the counters.     stress [STEPS [SEED]]; `make stress-runtime N=… SEED=…`
+// Random applications with random faults: modes change at any time, ticks take too long, sleeps end too late, the clock jumps by hours, and
+// locks, pins and a watchdog refuse calls.  A model predicts which tick of which executor is next, the value of G, and the counters.
+//     stress [STEPS [SEED]]; `make stress-runtime N=… SEED=…`
 #include <stdlib.h>
 
 #include "runtime-c/app.h"
@@ -11,25 +11,25 @@
 #include "tests/runtime/parts.h"
 
 #define EXECUTORS 3
-#define GROUPS 3                          // after the first, which contains only the probe
-#define WORKERS 2                         // in each of them
+#define GROUPS 3                          // groups after the first one, which contains only the probe
+#define WORKERS 2                         // tasks in each group
 #define HOUR (3600 * S)
 
-// What the model knows of a task beside the runtime.
+// The model's copy of a task's state.
 typedef struct Worker {
     int executor, place;                  // its position in its tick
     uint32_t every;
     uint64_t due, steps, safings, failures, fault_events;
-    uint64_t to_step, to_safe;            // what the modes at its ticks ask for
+    uint64_t to_step, to_safe;            // number of its ticks whose mode requires step; safe
     uint32_t in_a_row;
     bool has_safe;
-    uint32_t rests;                       // calls of safe when no tick came any more
+    uint32_t rests;                       // calls of safe after the last tick
 } Worker;
 
 typedef struct Model {
-    uint64_t ticks, skipped, number;      // of the tick that ran last
+    uint64_t ticks, skipped, number;      // number of ticks run, skipped; number of the last tick
     uint64_t began, ended;
-    int place;                            // of the task that ran last in it
+    int place;                            // position of the last task that ran in the tick
     uint64_t overruns, told;
 } Model;
 
@@ -43,7 +43,7 @@ static SmExecutor *all[EXECUTORS];
 static SmApp app;
 static PalDio pin;
 static uint64_t g, base, limit, hash, feeds_failed;
-static uint64_t longest, latest;           // tick, sleep beyond its end
+static uint64_t longest, latest;           // the longest tick; the longest delay of a sleep
 static uint32_t trouble;                  // the maximum duration of a call, in thousandths of a period
 static uint32_t locks_failed;
 static uint64_t overslept;
@@ -69,7 +69,7 @@ static void mix(uint64_t x)
 
 // ---- the model ----
 
-// The number of the next tick of executor i, as executor.h defines it.
+// Returns the number of the next tick of executor i, as executor.h defines it.
 static uint64_t next_number(int i)
 {
     const Model *const m = &model[i];
@@ -85,7 +85,7 @@ static uint64_t next_number(int i)
     return come > m->number + 1 + most ? come - most : m->number + 1;
 }
 
-// When executor i can have its next turn: due, and its last tick ended.
+// Returns when executor i can run next: its tick is due, and its last tick has ended.
 static uint64_t ready(int i)
 {
     const uint64_t due = app.start + next_number(i) * executor[i].period;
@@ -108,7 +108,7 @@ static void check_g(int i, const SmTick *tick)
     const uint64_t since = tick->time / executor[i].unit, now = crew_sv.time;
     const uint64_t wanted = since > UINT64_MAX - base ? UINT64_MAX : base + since;
 
-    CHECK(now >= g);                                       // never backwards
+    CHECK(now >= g);                                       // time never goes back
     if (crew_vector.faults == 0)
         CHECK(now == (wanted > g ? wanted : g));
     g = now;
@@ -198,7 +198,7 @@ static void expect_worker(Worker *w, const SmTask *t)
     w->to_safe += mode != 2 && mode != 0 && w->has_safe;
 }
 
-// Until the next probe no mode changes.
+// Modes do not change until the next probe.
 static void expect_workers(int i, uint64_t number)
 {
     for (int k = 0; k < GROUPS; k++)
@@ -207,7 +207,7 @@ static void expect_workers(int i, uint64_t number)
                 expect_worker(&worker[i][k][n], &work[i][k][n]);
 }
 
-// Always enabled, the first of every tick.
+// The probe: always enabled, and the first task of every tick.
 static SmResult probe_step(void *context, const SmTick *tick)
 {
     const int i = (int)((Model *)context - model);
@@ -262,7 +262,7 @@ static SmResult work_step(void *context, const SmTick *tick)
     return do_work(context, tick);
 }
 
-// Safe at a tick; or once more at the end, with the tick that would have been next.
+// Makes the task safe at a tick, or once more at the end, with the number of the tick that would have been next.
 static SmResult work_safe(void *context, const SmTick *tick)
 {
     Worker *const w = context;
@@ -270,7 +270,7 @@ static SmResult work_safe(void *context, const SmTick *tick)
 
     if (sm_app_stopping(&app) && (m->ticks == 0 || tick->number != m->number)) {
         w->rests++;
-        return w->in_a_row > 0 ? SM_E_DEVICE : SM_OK;      // as before: no event comes of it
+        return w->in_a_row > 0 ? SM_E_DEVICE : SM_OK;      // the same result as before, so that no event is emitted
     }
     w->safings++;
     return do_work(context, tick);
@@ -365,7 +365,7 @@ static void check_executor(int i)
             check_task(&worker[i][k][n], &work[i][k][n]);
 }
 
-// It has bitten if a tick took longer than it; it has not if all went quickly.
+// The watchdog has fired if a tick took longer than its timeout.  It has not if all ticks were short.
 static void check_watchdog(void)
 {
     if (app.watchdog == 0)
@@ -385,7 +385,7 @@ static void check_end(void)
     check_watchdog();
 }
 
-// One application; the hash of all that happened.
+// Runs one application.  Returns the hash of all that happened.
 static uint64_t run(uint64_t calls_wanted)
 {
     hash = 14695981039346656037u;
@@ -411,7 +411,7 @@ int main(int argc, char *argv[])
             skipped += executor[i].skipped;
         }
         done += called;
-        if (apps % 8 == 0) {                               // the same again is the same
+        if (apps % 8 == 0) {                               // the same seed must give the same hash
             seed = (first + apps) * 0x9E3779B97F4A7C15u | 1;
             CHECK(run(500 + apps % 7 * 500) == before);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/task.h promises.
+// The guarantees of runtime-c/task.h.
 #include "tests/runtime/parts.h"
 
 static Part part;
@@ -62,7 +62,7 @@ static void test_no_mode(void)
     start(NULL);
     run(0);
     CHECK(strcmp(calls, "A") == 0 && is_no_event());
-    sm_task_run(&task, NULL, NULL, &tick);                 // nothing is needed of either then
+    sm_task_run(&task, NULL, NULL, &tick);                 // then neither of them is needed
     CHECK(task.steps == 2);
 }
 
@@ -75,13 +75,13 @@ static void test_mode_events(void)
     run(2);
     CHECK(is_event(SM_EVENT_MODE, 7, 0, 2) && is_no_event());
     run(9);
-    run(1);                                                // the same mode by another number
+    run(1);                                                // the same mode with another number
     CHECK(is_event(SM_EVENT_MODE, 7, 2, 1) && is_no_event());
     run(0);
     CHECK(is_event(SM_EVENT_MODE, 7, 1, 0) && is_no_event());
 }
 
-// A mode that cannot be read stays.
+// If a mode cannot be read, the last one continues.
 static void test_unread(void)
 {
     start(CREW(first));
@@ -105,10 +105,10 @@ static void test_faults(void)
     part.gives = SM_REFUSED;
     run(2);
     CHECK(is_no_event() && task.last_result == SM_REFUSED && task.failures_in_row == 2);
-    run(1);                                                // safing fails as well: the task continues to fail
+    run(1);                                                // the safe function fails, too: the task continues to fail
     CHECK(is_event(SM_EVENT_MODE, 7, 2, 1) && is_no_event() && task.failures == 3);
     part.gives = SM_OK;
-    run(0);                                                // not called, so unknown
+    run(0);                                                // not called, so the result is unknown
     CHECK(is_event(SM_EVENT_MODE, 7, 1, 0) && is_no_event() && task.failures_in_row == 3);
     run(2);
     CHECK(is_event(SM_EVENT_MODE, 7, 0, 2) && is_event(SM_EVENT_FAULT, 7, 0, 3) && task.failures_in_row == 0 && task.last_result == SM_OK);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What runtime-c/app.h promises where there are threads, to the nanosecond: on a platform of this test's own, with threads of which one runs at a
-// time and a clock that moves when all of them sleep.  So a run is the same each time.
+// The guarantees of runtime-c/app.h with threads, to the nanosecond.  This test has its own platform, on which one thread runs at a time, and a
+// clock that advances when all threads sleep.  Each run is therefore the same.
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <string.h>
@@ -13,20 +13,20 @@
 #include "tests/test.h"
 
 #define MS ((uint64_t)PAL_MILLISECOND)
-enum { THREADS = 6 };                 // 0 is the one that calls; handles are 1 and up
+enum { THREADS = 6 };                 // thread 0 is the caller of sm_app_run; handles begin at 1
 
 // ---- threads that take turns ----
 
 static struct Thread {
     bool open, ended;
     uint64_t wake;
-    unsigned joins;           // the one that it waits for, or 0
+    unsigned joins;           // the thread whose end it waits for; 0: none
     uint8_t priority;
     PalThreadMain *run;
     void *argument;
     pthread_t thread;
 } thread[THREADS];
-static unsigned turn;                 // whose it is: the thread that runs
+static unsigned turn;                 // the number of the running thread
 static pthread_mutex_t baton = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t passed = PTHREAD_COND_INITIALIZER;
 static uint64_t now;
@@ -34,7 +34,7 @@ static unsigned misuses;              // calls with a handle that is not open
 
 static struct { bool running, bitten; uint64_t period, fed; unsigned feeds, refuses; } dog;
 
-// The one that wakes first; of several the most urgent.
+// Returns the thread that wakes first; of several, the one with the highest priority.
 static unsigned next_turn(void)
 {
     unsigned best = THREADS;
@@ -49,7 +49,7 @@ static unsigned next_turn(void)
     return best;
 }
 
-// To be called with the baton.
+// Switches to the thread that wakes next.  Called by the running thread.
 static void pass(void)
 {
     turn = next_turn();
@@ -222,7 +222,7 @@ static uint8_t priority_of_watchdog(void)
     return 255;
 }
 
-// "A thread feeds it that is more urgent than all others."  As far as there are levels; among threads without any it has none either.
+// "A thread feeds it that is more urgent than all others."  This applies only as far as the platform has priorities.
 static void test_watchdog_is_most_urgent(void)
 {
     static const uint8_t of_executor[][2] = {{0, 0}, {10, 20}, {40, 1}, {PAL_PRIORITY_MAX - 1, 3}, {PAL_PRIORITY_MAX, 3}};
@@ -245,8 +245,8 @@ static void write_slowly(SmApp *a, uint64_t budget) { (void)a, (void)budget, (vo
 static void close_nothing(SmApp *a, const SmTick *last) { (void)a, (void)last; }
 static const SmWriting slow = {restore_nothing, write_slowly, close_nothing};
 
-// "It bites when a tick takes longer than it, or when a thread has died", so not when the executors have ended in order and the medium takes
-// its time with what was logged.
+// "It bites when a tick takes longer than it, or when a thread has died".  It does not if the executors have ended normally and the medium needs
+// time for the log.
 static void test_ended_is_not_stuck(void)
 {
     for (unsigned at = 20; at < 80; at++) {
@@ -272,7 +272,7 @@ static void test_last_tick(void)
     }
 }
 
-// One that hangs is, whatever the others do.
+// The watchdog fires if one thread hangs, whatever the others do.
 static void test_stuck(void)
 {
     for (unsigned at = 20; at < 80; at++) {
@@ -286,7 +286,7 @@ static void test_stuck(void)
     }
 }
 
-// It is fed several times in its period, and not at every look.
+// The watchdog is fed several times in its period, but not at every check.
 static void test_fed_often_enough(void)
 {
     start(2);
@@ -296,7 +296,7 @@ static void test_fed_often_enough(void)
     CHECK(sm_app_run(&app) == SM_OK && !dog.bitten && dog.feeds >= 45 && dog.feeds <= 55);
 }
 
-// "The watchdog is fed as long as no executor is stuck": what was refused is no food, and it is tried again at the next look.
+// "The watchdog is fed as long as no executor is stuck".  A refused feeding does not count, and is repeated at the next check.
 static void refuse_for_a_while(SmApp *a, uint64_t budget)
 {
     (void)budget;
@@ -317,7 +317,7 @@ static void test_refused_food(void)
     CHECK(sm_app_run(&app) == SM_OK && dog.refuses == 0 && dog.feeds > 120 && !dog.bitten);
 }
 
-// Each handle is joined once: its number may be another thread's from then on.
+// Each handle is joined once, because its number may then belong to another thread.
 static void test_handles(void)
 {
     start(3);

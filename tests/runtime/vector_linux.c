@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state vector between threads: whatever is written in one go is seen in one go, as a region, as a snapshot, on the wire, and between
-// sm_enter and sm_leave; nothing is lost.     vector_linux [unguarded]     With the word the lock is left out, and it must fail.
+// The state vector between threads.  What is written in one critical section is read as a whole: as a region, as a snapshot, in wire form, and
+// between sm_enter and sm_leave.  No write is lost.
+//     vector_linux [unguarded]     With this word no lock is used, and the test must fail.
 #include <string.h>
 
 #include "runtime-c/pal/clock.h"
@@ -8,13 +9,13 @@
 #include "fight.h"
 #include "tests/test.h"
 
-#define MOMENT ((uint64_t)250 * PAL_MILLISECOND)          // how long they fight
-#define MOST 0xFFFFFFu                                    // rounds
+#define MOMENT ((uint64_t)250 * PAL_MILLISECOND)          // the duration of each test
+#define MOST 0xFFFFFFu                                    // the most rounds
 #define LONG ((uint64_t)60 * PAL_SECOND)
 #define PAIR (&fight_layout.region[FIGHT_R_Pair])
 #define MANY (&fight_layout.region[FIGHT_R_Many])
 
-// What one thread found; its own until it is joined.
+// The results of one thread, which only this thread accesses until it is joined.
 typedef struct Part {
     PalThread thread;
     PalThreadMain *run;
@@ -60,7 +61,7 @@ static void write_pairs(void *argument)
     }
 }
 
-// The same through the wire.
+// The same in wire form.
 static void unpack_pairs(void *argument)
 {
     Part *part = (Part *)argument;
@@ -76,7 +77,7 @@ static void unpack_pairs(void *argument)
     }
 }
 
-// All of them the same, member by member, as C that knows the struct does it.
+// All members of the struct are equal, as C code that knows the struct reads them.
 static void write_many(void *argument)
 {
     Part *part = (Part *)argument;
@@ -152,7 +153,7 @@ static void read_wire(void *argument)
     }
 }
 
-// One by one: other threads can write between two of these, but each returned value was written by one of them.
+// Reads elements one by one: other threads can write between two reads, but each value was written by one of them.
 static void read_elements(void *argument)
 {
     Part *part = (Part *)argument;
@@ -168,7 +169,7 @@ static void read_elements(void *argument)
 
 // ---- all at once ----
 
-static PalLock gate;          // shut until all are there
+static PalLock gate;          // held until all threads have begun
 
 static void begin(void *argument)
 {
@@ -211,7 +212,7 @@ static void test_threads(void)
     run_together(part, sizeof run / sizeof *run);
 }
 
-// Several that count the same element lose nothing.
+// Several threads that count in the same element lose no count.
 static void test_counting(void)
 {
     static Part part[3];

@@ -13,12 +13,12 @@
 enum { LOGGED = 255 };
 static const NiFpga_Status invalid_session = -63195, not_initialized = -52010, rpc_session = -63043, already_running = -61003, signature_mismatch = -63106;
 
-static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;         // of everything below, during a call but for its time in the library
+static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;  // protects all variables below; a thread releases it while it is in the library
 static struct {
     bool loaded, open, lost, runs, slow;
     NiFpga_Session session;
-    int inside, alone;        // calls in the library, and those of them that must be the only one
-    unsigned calls, until;    // until: calls before the injected status
+    int inside, alone;        // number of calls in the library; of those that must not overlap with another
+    unsigned calls, until;    // until: number of calls before the injected status
     NiFpga_Status injected;
     uint8_t kind[LOGGED];
     bool expected, broken;
@@ -54,7 +54,7 @@ __attribute__((constructor)) static void register_check_end(void) { atexit(check
 
 // ---- a program without a VI ----
 
-// Without a definition of the program's own, any signature and any address is accepted: a register is what its first access makes it.
+// If the program does not define the VI, any signature and any address is accepted, and the first access determines the type of a register.
 __attribute__((weak)) const StandinVi standin_vi = {NULL, NULL, 0, false};
 __attribute__((weak)) NiFpga_Status standin_before(StandinCall call, StandinRegister *r)
 {
@@ -116,7 +116,7 @@ bool standin_runs(void) { return it.runs; }
 
 // ---- every call ----
 
-// Begins a call: returns the status that is injected into it, or that of standin_before.
+// Begins a call.  Returns the status that was injected for it, or that of standin_before.
 static NiFpga_Status begin(StandinCall call, StandinRegister *r)
 {
     const bool alone = call == STANDIN_Initialize || call == STANDIN_Finalize;
@@ -127,7 +127,7 @@ static NiFpga_Status begin(StandinCall call, StandinRegister *r)
         breaks("a call overlaps with NiFpga_Initialize or NiFpga_Finalize");
     it.inside++;
     it.alone += alone;
-    if (it.slow) {            // lets other threads call meanwhile
+    if (it.slow) {            // allows calls of other threads meanwhile
         pthread_mutex_unlock(&guard);
         sched_yield();
         pthread_mutex_lock(&guard);
@@ -221,7 +221,7 @@ NiFpga_Status NiFpga_Close(NiFpga_Session session, uint32_t attribute)
     return end(STANDIN_Close, status);
 }
 
-// A control that is first written after the start has had another value before.
+// A control that is first written after the start had another value before.
 static void check_written(const StandinRegister *r)
 {
     if (standin_vi.all_at_start && it.runs && !r->written)

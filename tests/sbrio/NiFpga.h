@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A stand-in for NI's NiFpga.h: the part of the FPGA Interface C API that psl/sbrio uses, declared as NI's help documents it.  It is not NI's
-// file, and knows no hardware.
+// file, and accesses no hardware.
 #ifndef NIFPGA_H
 #define NIFPGA_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is connected to the stand-in when the test stand runs in real time: a stand at rest, with healthy sensors.  After a number of
-// calls, STANDIN_CALLS in the environment, the application is stopped; 0 or none: never.
+// The simulated devices when the test stand runs in real time: a stand at rest, with healthy sensors.  The application is stopped after as many
+// calls as STANDIN_CALLS in the environment says; 0 or none: never.
 #include <stdlib.h>
 
 #include "NiFpga_Teststand.h"

@@ -27,7 +27,7 @@ typedef struct StandinRegister {
     bool written;
 } StandinRegister;
 
-// The VI: its signature, its controls and indicators.  The test program defines it; a program that does not can access any address.
+// The VI: its signature, its controls and indicators.  The test program defines it; without a definition, any address can be accessed.
 typedef struct StandinVi {
     const char *signature;
     StandinRegister *at;
@@ -52,7 +52,7 @@ void standin_inject(unsigned n, NiFpga_Status status);
 unsigned standin_calls(void);
 StandinCall standin_call(unsigned i);
 
-// From now on other threads can call while a call is in the library.
+// From now on a call in the library lets other threads call meanwhile.
 void standin_slow(void);
 
 // Whether the VI runs, and the register of an address; NULL if there is none.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts the stand-in between the bench of the test stand (examples/teststand/bench.c) and the application: the bench sets and reads
-// simulated pins, which are controls and indicators here.  What the bench makes fail are calls of NI's library.
+// Connects the bench of the test stand (examples/teststand/bench.c) to the application through the stand-in.  The bench sets and reads simulated
+// pins, which are controls and indicators here.  A failure of a pin becomes a failed call of NI's library.
 #include "NiFpga_Teststand.h"
 #include "NiFpga_standin.h"
 #include "runtime-c/psl/sim/world.h"
@@ -19,11 +19,11 @@ static StandinRegister *pin_register(uint16_t number)
     return NULL;
 }
 
-// An output of a VI that does not run drives nothing.
+// An output of a VI that is not running has no effect.
 bool sim_pin(uint16_t pin) { return standin_runs() && pin_register(pin)->value != 0; }
 void sim_drive(uint16_t pin, bool level) { pin_register(pin)->value = level; }
 
-// What the VI measures at a voltage: of its converter 10 V are 32768.
+// Returns what the VI measures at a voltage: its converter returns 32768 at 10 V.
 static double whole(double x) { return (double)(int32_t)x; }
 void sim_set_analog(uint16_t channel, int32_t millionths)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// stdlib/soft_cells.h as operations on two operands, and what hardware makes of them.
+// The functions of stdlib/soft_cells.h as operations on two operands, and the results that hardware computes.
 #ifndef SOFT_TEST_CELLS_H
 #define SOFT_TEST_CELLS_H
 
 #include "stdlib/soft_cells.h"
 #include "tests/soft/soft.h"
 
-// The upper half of b as a limit: finite, and not zero where that is asked.
+// Returns the upper half of b as a limit: finite, and if `zero` is false, not zero.
 static inline uint32_t cell_limit(uint64_t b, bool zero)
 {
     const uint32_t n = (b >> 52 & 0x7FF) == 0x7FF ? (uint32_t)(b >> 32) ^ 0x00100000u : (uint32_t)(b >> 32);
@@ -15,7 +15,7 @@ static inline uint32_t cell_limit(uint64_t b, bool zero)
 }
 static inline uint32_t cell_limit_f32(uint64_t b) { return (b >> 55 & 0xFF) == 0xFF ? (uint32_t)(b >> 32) ^ 0x00800000u : (uint32_t)(b >> 32) | 1; }
 
-// Integers of all lengths; numbers to be counted, about 2^53 and about carries.
+// Two kinds of integers: of any length; and for counting, near 2^53 or near a carry.
 static inline uint64_t cell_short(uint64_t a, uint64_t b) { return a >> (b >> 58); }
 static inline uint64_t cell_counted(uint64_t a, uint64_t b) { return (b & 7) == 0 ? 0x20000000000000u : a >> 11 | ((b & 7) == 1 ? 0xFFFFFFu : 0); }
 static inline uint64_t cell_time(uint64_t a, uint64_t b) { return (b & 1) != 0 ? a + (b >> 1 & 3) - 2 : b; }

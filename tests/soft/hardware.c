@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same operations with the computer's own double: the oracle.
+// The same operations with the computer's own double.  They are the expected results.
 #include <math.h>
 
 #include "tests/soft/cells.h"
@@ -51,7 +51,7 @@ static uint64_t hard_to_u64(double x)
     return x >= 18446744073709551616.0 ? UINT64_MAX : x > 0 ? (uint64_t)x : 0;
 }
 
-// Farther from zero than a limit whose upper half is n, or that limit; NaN is 0.
+// Whether x is beyond the limit whose upper half is n: above a positive limit, or below a negative one.  NaN counts as 0.
 static bool hard_beyond(double x, uint32_t n)
 {
     const double y = of_bits((uint64_t)n << 32);

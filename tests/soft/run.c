@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64 against hardware.
+// Compares soft binary64 with hardware.
 //   run                      every pair of the special numbers, and some random ones, for every operation
 //   run N SEED [FILE]        N random ones for every operation, the seeds SEED, SEED + 1, … for a million each; where it was stopped
 //                            resumes from FILE, which stores the next seed and the number done
@@ -11,8 +11,8 @@
 
 enum { BATCH = 1000000 };
 
-// A test is an operation with all operands of one kind: special ones, random ones of a seed, every binary32.  The first that fails is the
-// last one: other operations use it, and might not terminate.
+// A test is one operation with all operands of one kind: special ones, random ones of a seed, or every binary32.  The first test that fails ends
+// the run: other operations use the failed one, and might not terminate.
 static unsigned long long wrong, done;
 static unsigned passed, failed;
 
@@ -73,7 +73,7 @@ static void check_f32(void)
         const uint64_t x = hard_result(SOFT_from_f32, u, 0);
         check(SOFT_from_f32, u, 0);
         check(SOFT_to_f32, x, 0);
-        check(SOFT_to_f32, x + 0x0FFFFFFF, 0);         // below the tie to the next one, the tie, above it
+        check(SOFT_to_f32, x + 0x0FFFFFFF, 0);         // below the tie to the next number, at the tie, above it
         check(SOFT_to_f32, x + 0x10000000, 0);
         check(SOFT_to_f32, x + 0x10000001, 0);
     } while (++u != 0 && wrong == 0);
@@ -89,7 +89,7 @@ static void keep(const char *path, uint64_t seed, unsigned long long left)
     }
 }
 
-// Starts where the last run ended, if FILE records one.
+// Runs N operations, and continues where the last run ended if FILE contains its state.
 static void campaign(unsigned long long n, uint64_t seed, const char *path)
 {
     unsigned long long kept_seed, over = 0;

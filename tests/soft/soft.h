@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft binary64 against the computer's own: what the programs of this folder share, on hosts and on chips.
+// The common declarations of this folder's programs, on hosts and on chips, which compare soft binary64 with the computer's own.
 #ifndef SOFT_TEST_H
 #define SOFT_TEST_H
 
@@ -25,13 +25,13 @@ int soft_operands(SoftOp op);
 
 static inline bool soft_same(uint64_t soft, uint64_t hard, SoftOp op)
 {
-    // An operation that selects or copies a NaN can leave its bits unchanged.
+    // A NaN that an operation selects or copies keeps its bits.
     const bool as_it_is = op >= SOFT_min && op <= SOFT_round;
 
     return soft == hard || (as_it_is && hard == 0x7FF8000000000000u && soft << 1 > 0xFFE0000000000000u);
 }
 
-// Operands that are hard to get right, vectors.c.
+// Operands for which errors are likely (vectors.c).
 size_t soft_specials(const uint64_t **list);                  // about 2000
 void soft_random(SoftOp op, uint64_t *state, uint64_t *a, uint64_t *b);
 

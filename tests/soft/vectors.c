@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operands on which arithmetic goes wrong: a fixed list, and random ones that lie near ties, ends of ranges and each other.
+// Operands for which arithmetic is likely to be wrong: a fixed list, and random ones near ties, limits of ranges, and each other.
 #include "tests/soft/soft.h"
 
 enum { SPECIALS_MAX = 3000 };
@@ -15,7 +15,7 @@ static void put(uint64_t a)
     special[specials++] = a ^ 0x8000000000000000u;
 }
 
-// Each of these exponents with each of these fractions: ends of ranges, of integers and of binary32, and ties of their rounding.
+// Each of these exponents with each of these fractions: limits of ranges, of integers and of binary32, and ties of their rounding.
 static const uint16_t exponent[] = {
     0, 1, 2, 52, 53, 54, 511, 512, 872, 873, 874, 895, 896, 897, 898, 960, 969, 970, 971, 1021, 1022, 1023, 1024, 1025, 1030, 1031, 1038, 1039,
     1053, 1054, 1055, 1074, 1075, 1076, 1077, 1085, 1086, 1087, 1150, 1151, 1152, 1534, 1535, 2044, 2045, 2046, 2047,
@@ -44,7 +44,7 @@ static uint64_t next(uint64_t *state)                  // xorshift64*
     return *state * 0x2545F4914F6CDD1Du;
 }
 
-// A fraction: any, one of few digits at either end, or one with long runs of equal digits.
+// Returns a fraction: any, one with few digits at either end, or one with long runs of equal digits.
 static uint64_t random_fraction(uint64_t *state)
 {
     const uint64_t r = next(state), any = next(state) >> 12;
@@ -65,7 +65,7 @@ static uint64_t random_number(uint64_t *state, uint64_t least, uint64_t count)
     return (next(state) & 0x8000000000000000u) | ((random_fraction(state) & 0x000FFFFFFFFFFFFFu) + ((least + next(state) % count) << 52));
 }
 
-// An exponent that goes with that of a: for sums near it, for products and quotients where the result leaves the range.
+// Returns an exponent that matches that of a: near it for sums; for products and quotients, one where the result leaves the range.
 static uint64_t beside(SoftOp op, uint64_t *state, uint64_t a)
 {
     const int64_t e = (int64_t)(a >> 52 & 0x7FF), off = (int64_t)(next(state) % 128) - 64, r = (int64_t)(next(state) % 4);
@@ -79,8 +79,8 @@ static uint64_t beside(SoftOp op, uint64_t *state, uint64_t a)
     return random_number(state, (uint64_t)want, 1);
 }
 
-// Where a digit decides that is far below the others: a power of two less what hardly reaches its last digit; results whose first
-// digit is about at the last place of the smallest number.
+// Returns operands whose result depends on a digit far below the others: a power of two minus a number that hardly reaches its last digit, or
+// results near the smallest number.
 static uint64_t far_below(SoftOp op, uint64_t *state, uint64_t *a)
 {
     const int64_t e = (int64_t)(*a >> 52 & 0x7FF);
@@ -98,7 +98,7 @@ void soft_random(SoftOp op, uint64_t *state, uint64_t *a, uint64_t *b)
 {
     const uint64_t r = next(state);
 
-    if (op >= SOFT_from_i32) {                         // an integer or a binary32: all lengths
+    if (op >= SOFT_from_i32) {                         // integers and binary32 numbers of all lengths
         *a = next(state) >> (r >> 8 & 63);
         *a = r & 1 ? *a : r & 2 ? ~*a + 1 : random_fraction(state) << (r >> 16 & 15);
         *b = 0;
@@ -108,6 +108,6 @@ void soft_random(SoftOp op, uint64_t *state, uint64_t *a, uint64_t *b)
     *b = (r >> 4 & 15) == 0 ? next(state) : beside(op, state, *a);
     if ((r >> 8 & 7) == 1)
         *b = far_below(op, state, a);
-    if ((r >> 8 & 7) == 0)                             // the same, or nearly
+    if ((r >> 8 & 7) == 0)                             // the same operand, or nearly
         *b = (*a ^ (r & 0x8000000000000000u)) + (r >> 16 & 3) - 1;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The board's end of the link and the host's, with a line between them that loses, repeats, delays, cuts and damages the bytes that it
-// carries, and a board that restarts or loses its power at any byte.  Whatever happened: the old image runs or the new one, and the
-// next update over a good line succeeds.
+// Tests the board's end of the link and the host's.  The line between them loses, repeats, delays, cuts and damages bytes, and the board
+// restarts or loses its power at any byte.  Afterwards the old or the new image must run, and the next update over a good line must succeed.
 //   agent OLD.smb NEW.smb [RUNS [SEED]]
 #include <stdlib.h>
 
@@ -33,7 +32,7 @@ typedef struct Wire {
     uint32_t now;             // milliseconds
     uint32_t trouble;         // one frame in this many is affected; 0: none
     uint32_t restart;         // the board restarts after this many received bytes; 0: never
-    uint32_t taken;           // bytes that came to the board
+    uint32_t taken;           // bytes that the board has received
 } Wire;
 
 static void put(Way *w, const uint8_t *bytes, size_t n)
@@ -88,7 +87,7 @@ static void board_restarts(Wire *w)
     CHECK(board_start(w->board));
 }
 
-// The board processes the bytes that have arrived.
+// Lets the board process the bytes that have arrived.
 static void run_board(Wire *w)
 {
     while (w->to_board.n > 0) {
@@ -281,7 +280,7 @@ static void test_too_large_image_is_refused(void)
     sm_link_store(body + 2, SIM_NVM_SIZE, 3);
     CHECK(link_request(&p.host, LINK_BEGIN, body, 9) && p.host.result == SM_E_SPACE && p.board.left == 0);
     damaged.bytes[damaged.length - 1] ^= 1;
-    for (int i = 0; i < 2; i++)        // no more chosen than the first time
+    for (int i = 0; i < 2; i++)        // a second update with the same image is refused like the first
         CHECK(update_image(&p, &damaged, &u) == DEVICE_END && p.host.result == SM_E_IMAGE && u.rule != 0);
     prepare_pair(&p, "eeprom", 2);
     p.board.fits = SM_E_MEMORY;
@@ -310,7 +309,7 @@ static void test_refused_image_is_not_chosen(void)
     CHECK(board_start(&p.board) && p.board.slot == STORE_BUILT_IN);
 }
 
-// An image that cannot run after all: if it is on trial, the trial ends; if it is confirmed, it stays chosen.
+// An image that was accepted but cannot run: if it is on trial, the trial ends; if it is confirmed, it stays chosen.
 static void test_unusable_image_is_skipped(const char *memory)
 {
     DeviceImage image;
@@ -408,12 +407,12 @@ static void test_invalid_request_is_rejected(void)
     CHECK(link_request(&p.host, LINK_BEGIN, body, 3) && p.host.result == SM_E_ARGUMENT);
     CHECK(link_request(&p.host, LINK_READ, body, 5) && p.host.result == SM_E_ARGUMENT);
     CHECK(link_request(&p.host, LINK_READ, far, 5) && p.host.result == SM_E_ARGUMENT);
-    for (unsigned slot = 2; slot < STORE_BUILT_IN; slot++) {                                    // there are two, and the built-in one
+    for (unsigned slot = 2; slot < STORE_BUILT_IN; slot++) {                                    // there are two slots, and the built-in image
         const uint8_t of[5] = {(uint8_t)slot, 0, 0, 0, 1};
         CHECK(link_request(&p.host, LINK_READ, of, 5) && p.host.result == SM_E_MISSING);
         CHECK(link_request(&p.host, LINK_IMAGE, of, 1) && p.host.result == SM_E_MISSING);
     }
-    for (uint32_t before = 0; before < 3; before++)                                             // up to the slot's end and not beyond
+    for (uint32_t before = 0; before < 3; before++)                                             // up to the slot's end, but not beyond
         for (uint8_t n = 0; n < 5; n++) {
             uint8_t end[5] = {0, 0, 0, 0, n};
             sm_link_store(end + 1, p.board.store.slot_size - before, 3);
@@ -421,7 +420,7 @@ static void test_invalid_request_is_rejected(void)
         }
     p.host.tries = 2;
     CHECK(!link_request(&p.host, LINK_READ, new_image.bytes, BOARD_BODY + 1) && !p.host.gone);   // longer than the timeout
-    CHECK(!link_request(&p.host, (LinkMessage)0x81, NULL, 0));                                  // an answer is no request
+    CHECK(!link_request(&p.host, (LinkMessage)0x81, NULL, 0));                                  // the number of an answer is not a request
 }
 
 // The first zero after noise ends the noise, not the request that follows.
@@ -471,7 +470,7 @@ static uint32_t read_all_events(Pair *p, uint32_t *cursor, uint32_t *next)
     return events;
 }
 
-// Over any line each event arrives once and in order, or is counted as lost.
+// Over any line, each event arrives once and in order, or is counted as lost.
 static void test_events_come_once_and_in_order(void)
 {
     uint32_t cursor = 0, next = 0, made = 0, came = 0;
@@ -493,8 +492,8 @@ static void test_events_come_once_and_in_order(void)
     CHECK(next == made && came > 100);
 }
 
-// Each stored byte is compared with the sent one before an image is chosen: a memory can change after the verdict, and its
-// checksum not tell.  (These bits are the polynomial's.)
+// Each stored byte is compared with the sent one before an image is chosen.  A memory can change after the verdict, and the checksum need not
+// show it: the changed bits here are the polynomial's.
 static uint32_t spoiled;
 
 static SmResult damage_slot(void *context, SmvmBytes image)
@@ -526,8 +525,7 @@ static void test_sent_image_is_read_back(const char *memory, uint8_t slots)
     }
 }
 
-// The slot that runs was not sent in this update, though it can contain the same image.  Here it runs, and is sent again for another period
-// of a step.
+// The running slot was not sent in this update, even if it contains the same image.  Here an image runs, and is sent again with another period.
 static void test_running_image_is_not_read_back(const char *memory)
 {
     DeviceInfo info;
@@ -583,7 +581,7 @@ static void test_events_fit_into_an_answer(void)
         sm_event(&p.board.events, &e);
     }
     for (uint32_t i = 0; i < 5; i++) {
-        CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);    // one: two would be 47 of 37 bytes
+        CHECK(link_request(&p.host, LINK_EVENTS, cursor, 4) && p.host.result == SM_OK && p.host.n == 8 + 19);    // two would need 47 bytes of 37
         memcpy(cursor, p.host.body, 4);
         CHECK(sm_link_load(cursor, 4) == i + 1 && sm_link_load(p.host.body + 8, 4) == i);
     }
@@ -613,7 +611,7 @@ static unsigned write_log(Logged *l, unsigned most)
     return n;
 }
 
-// Logs a transition in second `g` from state `g` to the next; writes all bytes of its record, or only some.
+// Logs a transition from state `g` to the next, at second `g`.  Writes all bytes of its record, or only `bytes`.
 static unsigned log_transition(Logged *l, unsigned bytes, uint32_t lost)
 {
     SmEvent e;
@@ -645,7 +643,7 @@ static bool read_log(Logged *l, uint8_t slot)
     return device_query_info(&l->p.host, &info) && device_read_image_info(&l->p.host, slot, &image) && device_read_transitions(&l->p.host, &info, &image, l->read, &l->n);
 }
 
-// Whether the log has n transitions, up to that of second `last`.
+// Whether the log has n transitions, of which the last one is at second `last`.
 static bool log_ends_at(Logged *l, size_t n, uint32_t last)
 {
     bool same = read_log(l, l->p.board.slot) && l->n == n;
@@ -680,7 +678,7 @@ static void test_log_survives_restarts(void)
         reopen_log(&l);
         log_many(&l, 2);
         CHECK(log_ends_at(&l, 5, 5));
-        for (int i = 0; i < 10; i++) {                 // around the ring, and numbers beyond 255
+        for (int i = 0; i < 10; i++) {                 // once around the ring, and numbers beyond 255
             log_many(&l, l.log.records - 1u);
             CHECK(log_ends_at(&l, l.log.records, l.g));
             reopen_log(&l);
@@ -689,7 +687,7 @@ static void test_log_survives_restarts(void)
     }
 }
 
-// The power fails after each byte of a record: only the record that it overwrites is lost.
+// The power fails after each byte of a record: only the record that it would replace is lost.
 static void test_torn_record_is_skipped(void)
 {
     Logged l;
@@ -723,7 +721,7 @@ static void test_log_is_written_seldom(void)
     CHECK(log_transition(&l, LINK_TRANSITION, 0) == LINK_TRANSITION && read_log(&l, l.p.board.slot) && l.read[l.n - 1].lost == LINK_LOST_MAX);
 }
 
-// The log reserves no room in a slot: an update can use the whole slot, and the log of the previous image there is not that of the new one.
+// The log reserves no room in a slot: an update can use the whole slot, and the log of an earlier image is not read as that of the new one.
 static void test_log_yields_to_images(void)
 {
     Image full = new_image;
@@ -745,7 +743,7 @@ static void test_log_yields_to_images(void)
     CHECK(l.log.records == 0 && log_transition(&l, LINK_TRANSITION, 0) == 0);
 }
 
-// Whatever the slot contains, reading and writing the log ends and accesses nothing outside the slot.
+// Whatever bytes the slot contains, reading and writing the log terminates and accesses no byte outside the slot.
 static void test_any_bytes_are_a_log(void)
 {
     DeviceImage image = {0};
@@ -783,7 +781,7 @@ static void test_any_bytes_are_a_log(void)
 
 typedef struct Canned {
     uint8_t body[LINK_BODY_MAX];
-    size_t n;                 // of them the answer has, behind its result
+    size_t n;                 // the number of bytes in the answer, after its result
     uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
     size_t length, given;
     LinkReceiver in;
@@ -820,8 +818,8 @@ static int canned_receive(void *context, uint8_t *bytes, size_t room, uint32_t w
 
 static uint32_t canned_now(void *context) { return ((const Canned *)context)->now; }
 
-// HELLO has grown (link.def: "from the signatures on it may be cut").  Fields that a board omits are empty, whatever an earlier, longer
-// answer has left in the buffer.
+// HELLO now has more fields (link.def: "from the signatures on it may be cut").  Fields that a board omits are empty, even if an earlier, longer
+// answer is still in the buffer.
 static void test_older_boards_report_less(void)
 {
     static const uint8_t all[35] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1, 7, 0, 3, 0};
@@ -849,7 +847,7 @@ static void test_older_boards_report_less(void)
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
     memcpy(c.body, none, c.n = 20);
-    c.body[18] = 44;                       // of IMAGE the milliseconds between its steps came later
+    c.body[18] = 44;                       // IMAGE now also has the milliseconds between steps
     CHECK(device_read_image_info(&host, 0, &image) && image.period == 44);
     for (c.n = 17; c.n < 20; c.n++)
         CHECK(device_read_image_info(&host, 0, &image) == (c.n >= 18) && (c.n < 18 || image.period == 0));

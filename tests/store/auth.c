@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A board with a key: images without its signature are neither chosen nor run, and no old number is accepted, wherever the power fails.
+// A board with a key: images without a valid signature are neither chosen nor run, and no earlier number is accepted, wherever the power fails.
 //   auth OLD.smb NEW.smb
 #include <stdlib.h>
 
@@ -80,7 +80,7 @@ static void test_signing_has_limits(void)
     free(image);
 }
 
-// An attacker who changes the image can correct its checksum, but not its code.
+// An attacker who changes the image can correct its checksum, but not its authentication code.
 static void test_every_bit_is_authenticated(void)
 {
     const Image s = sign_image(our_key, &new_image, 7);
@@ -96,7 +96,7 @@ static void test_every_bit_is_authenticated(void)
     }
 }
 
-// The code does not cover bytes after the image.
+// The authentication code does not cover bytes after the image.
 static void test_code_ends_the_image(void)
 {
     Image s = sign_image(our_key, &new_image, 7);
@@ -184,7 +184,7 @@ static const Image *sign_numbered(uint32_t number)
     return &s;
 }
 
-// A start does not fall back to an image that was overwritten and is sent again, but was not accepted.
+// A start does not fall back to an image that was overwritten and sent again, but not accepted.
 static void test_no_fallback_to_unaccepted_image(uint8_t slots)
 {
     Board b;
@@ -192,7 +192,7 @@ static void test_no_fallback_to_unaccepted_image(uint8_t slots)
     new_board_with_key(&b, "eeprom", slots);
     CHECK(run_number(&b, 1, true) && run_number(&b, 2, true));
     if (slots == 2)
-        CHECK(image_send(&b.store, sign_numbered(3)) == SM_OK);             // over number 1
+        CHECK(image_send(&b.store, sign_numbered(3)) == SM_OK);             // overwrites number 1
     else
         smvm_store_run_built_in(&b.store);
     CHECK(image_send(&b.store, sign_numbered(1)) == SM_E_REPLAY);
@@ -280,7 +280,7 @@ static void test_signing_adds_a_permit(void)
     CHECK(smvm_permit_read(s.bytes, permit) && sm_link_load(permit, 4) == 7 && !smvm_permit_read(new_image.bytes, permit));
     smvm_permit_code(7, s.length, our_key, code);
     CHECK(memcmp(permit + 4, code, SMVM_CODE) == 0);
-    old.bytes[SMVM_HEADER + (smvm_section_count(old.bytes) - 2) * SMVM_SECTION_ENTRY] = 0x70;     // a section that nothing knows
+    old.bytes[SMVM_HEADER + (smvm_section_count(old.bytes) - 2) * SMVM_SECTION_ENTRY] = 0x70;     // a section of an unknown kind
     smvm_auth_code(old.bytes, old.length - SMVM_CODE, our_key, old.bytes + old.length - SMVM_CODE);
     put_crc(&old);
     CHECK(is_accepted(&old, our_key) && !smvm_permit_read(old.bytes, permit));
@@ -288,7 +288,7 @@ static void test_signing_adds_a_permit(void)
     CHECK(is_accepted(&again, our_key) && smvm_permit_read(again.bytes, permit) && again.length == old.length + SMVM_SECTION_ENTRY + SMVM_CODE);
 }
 
-// A checksum proves nothing: an image that was written and chosen without a request does not run on a board with a key.
+// A correct checksum is not sufficient: an image that was written and chosen without a request does not run on a board with a key.
 static void test_injected_image_does_not_run(void)
 {
     Board b;
@@ -307,7 +307,7 @@ static void test_board_without_key_accepts_all(void)
     CHECK(board_new(&b, "eeprom", 2) && run_number(&b, 5, true) && newest_number(&b) == 0 && run_number(&b, 4, true));
 }
 
-// HELLO tells a host that the board has a key, so that it need not try other images.
+// HELLO reports to a host that the board has a key, so that the host need not try images without a signature.
 static void test_hello_reports_the_key(void)
 {
     uint8_t request[LINK_ROOM(0)] = {0, 1, LINK_HELLO}, answer[LINK_ROOM(BOARD_BODY)];
@@ -330,7 +330,7 @@ static void test_hello_reports_the_key(void)
 
 // ---- cuts ----
 
-// The power fails while the record of the confirmation is written: the image is confirmed and its number stored, or neither.
+// The power fails while the record of the confirmation is written.  Afterwards the image is confirmed and its number stored, or neither.
 static void test_confirming_is_atomic(const char *memory)
 {
     for (uint32_t byte = 0; byte <= STORE_RECORD; byte++)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A board in the simulation: store, agent and events over a memory of psl/sim, which outlives restarts.
+// A simulated board: store, agent and events, with a memory of psl/sim whose content survives restarts.
 #ifndef TESTS_STORE_BOARD_H
 #define TESTS_STORE_BOARD_H
 
@@ -9,7 +9,7 @@
 #include "bytecode-vm/target/agent.h"
 #include "tests/store/image.h"
 
-enum { BOARD_BODY = 37, BOARD_EVENTS = 16 };       // an odd body: no multiple of what a memory writes
+enum { BOARD_BODY = 37, BOARD_EVENTS = 16 };       // an odd size, which is no multiple of the memory's unit of writing
 
 typedef struct Board {
     const char *memory;
@@ -18,14 +18,14 @@ typedef struct Board {
     Agent agent;
     AgentBoard board;
     uint8_t frame[LINK_ROOM(BOARD_BODY)];
-    uint8_t slot;             // what runs
+    uint8_t slot;             // the slot of the running image
     SmResult may, fits;
-    bool (*is_authentic)(SmvmBytes image, uint32_t *number);      // its key; NULL: none
-    const uint8_t *key;       // if it asks for permits
-    SmResult permitted;       // the last answer to that
+    bool (*is_authentic)(SmvmBytes image, uint32_t *number);      // checks the authentication code; NULL: the board has no key
+    const uint8_t *key;       // the key with which permits are checked; NULL: none are required
+    SmResult permitted;       // the result of the last check of a permit
     uint32_t mark;
-    unsigned left;            // how often it had to leave its slot
-    bool up;                  // it has power, and answers
+    unsigned left;            // how often the agent has made it leave its slot
+    bool up;                  // it has power, and answers requests
     SmEvent storage[BOARD_EVENTS];
     SmEvents events;
 } Board;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Updates of images with the power cut before, inside and after every write and erase: one cut, and then another in what follows.
-// Wherever the power fails, the old image or the new one runs; with one slot, the built-in one if the old one was already overwritten.
+// Updates with the power cut before, inside and after every write and erase: one cut, or two of which the second is after the restart.  Wherever
+// the power fails, the old or the new image runs.  With one slot, the built-in image runs if the old one was already overwritten.
 //   cuts OLD.smb NEW.smb          all single cuts, and one in 65 pairs
 //   cuts OLD.smb NEW.smb all      all pairs
 #include <string.h>
@@ -9,12 +9,12 @@
 #include "tests/store/image.h"
 #include "tests/test.h"
 
-// The device: `store` is lost at a restart, the simulated memory is not.
+// The simulated device: a restart clears `store`, but not the simulated memory.
 typedef struct Device {
     const char *memory;
     uint8_t slots;
     Store store;
-    uint8_t slot;             // what runs
+    uint8_t slot;             // the slot of the running image
 } Device;
 
 typedef enum Runs { RUNS_OLD, RUNS_NEW, RUNS_BUILT_IN, RUNS_NOTHING } Runs;
@@ -25,7 +25,7 @@ static Image old_image, new_image;
 
 static bool open_store(Device *d) { return image_store(&d->store, d->memory, d->slots); }
 
-// Starts the device and returns the running image.  The power can fail during the choice as well; then no image runs yet.
+// Starts the device and returns the running image.  The power can also fail while it chooses an image; then no image runs yet.
 static Runs start_device(Device *d)
 {
     const uint8_t *there;
@@ -48,7 +48,7 @@ static Runs start_device(Device *d)
 static bool send_image(Device *d, const Image *image) { return image_send(&d->store, image) == SM_OK; }
 static bool update_device(Device *d, const Image *image) { return send_image(d, image) && smvm_store_activate(&d->store, 7, 0) == SM_OK; }
 
-// How far an update came before the power went.
+// How far an update came before the power failed.
 typedef struct Progress { bool chosen, confirmed; } Progress;
 
 // Sends, chooses, starts and confirms the new image.  Ends when the power fails.
@@ -80,7 +80,7 @@ static void prepare_device(Device *d, const char *memory, uint8_t slots)
 
 // ---- cuts ----
 
-// Whether a device runs what it must after a cut: the new image once it was chosen; else the old one or, with one slot, the built-in one.
+// Whether the device runs the right image after a cut: the new one if it was chosen; otherwise the old one or, with one slot, the built-in one.
 static bool runs_expected_image(const Device *d, Runs runs, Progress p)
 {
     if (p.chosen || runs == RUNS_NEW)
@@ -88,7 +88,7 @@ static bool runs_expected_image(const Device *d, Runs runs, Progress p)
     return runs == RUNS_OLD || (d->slots == 1 && runs == RUNS_BUILT_IN);
 }
 
-// The update is cut, the device starts, the same update is cut again, and then it is not cut: the new image always runs at the end.
+// The update is cut, the device restarts, the same update is cut again, and then completes: the new image must run at the end.
 static bool survives_two_cuts(const char *memory, uint8_t slots, const uint32_t first[2], const uint32_t second[2])
 {
     Device d;
@@ -115,7 +115,7 @@ static bool survives_two_cuts(const char *memory, uint8_t slots, const uint32_t 
     return smvm_store_confirm(&d.store, new_image.checksum) == SM_OK && start_device(&d) == RUNS_NEW;
 }
 
-// Every place at which the power can go in an update: in which write or erase, and after how many of its bytes.
+// The positions at which the power can fail in an update: the number of the write or erase, and how many of its bytes are done.
 typedef struct Cuts { uint32_t at[2048][2]; uint32_t n; } Cuts;
 
 static uint32_t writes_of_an_update(const char *memory, uint8_t slots)
@@ -194,8 +194,7 @@ static void test_unconfirmed_trial_ends(void)
     CHECK(start_device(&d) == RUNS_OLD && d.store.choice.confirmed);
 }
 
-// A host that restarts the board whenever it opens the line uses up little of a trial.  An image that never runs for long still loses the
-// trial.
+// A host that restarts the board whenever it opens the line hardly shortens a trial.  An image that never runs for long still loses its trial.
 static void test_short_start_counts_less(void)
 {
     int starts = 0;
@@ -258,7 +257,7 @@ static void test_uncounted_trial_does_not_run(void)
     CHECK(start_device(&d) == RUNS_NEW);
 }
 
-// An image on trial that cannot run is skipped at its start, and the power fails meanwhile: the trial continues, or it has ended.
+// At a start, an image on trial that cannot run is skipped, and the power fails during this: afterwards the trial continues, or it has ended.
 static void test_cut_while_a_trial_is_skipped(const char *memory)
 {
     Device d;
@@ -310,7 +309,7 @@ static void test_failed_erasure_is_reported(void)
             before = sim_count(calls[k]);
             sim_fail(calls[k], n, SM_E_DEVICE);
             r = smvm_store_erase(&d.store, old_image.checksum);
-            if (sim_count(calls[k]) - before <= n) {  // it had ended before
+            if (sim_count(calls[k]) - before <= n) {  // it had ended before this call
                 CHECK(r == SM_OK);
                 break;
             }
@@ -322,7 +321,7 @@ static void test_failed_erasure_is_reported(void)
     }
 }
 
-// A step that is repeated because its answer was lost does no harm.  A step that does not belong to the update is refused.
+// A request that is repeated because its answer was lost has no further effect.  A request that does not belong to the update is refused.
 static void test_steps_can_be_repeated(void)
 {
     Device d;
@@ -385,8 +384,8 @@ static void test_failed_write_ends_the_update(void)
     CHECK(update_device(&d, &new_image) && start_device(&d) == RUNS_NEW);
 }
 
-// The answer to the choice was lost, and the host repeats the choice after the image was confirmed.  The image stays confirmed, and the
-// image before it stays known.
+// The answer to the choice was lost, and the host repeats the choice after the image was confirmed.  The image stays confirmed, and the board
+// still knows the image before it.
 static void test_late_repetition_does_no_harm(void)
 {
     Device d;
@@ -398,7 +397,7 @@ static void test_late_repetition_does_no_harm(void)
     CHECK(d.store.choice.confirmed && d.store.choice.previous != d.store.choice.active);
 }
 
-// A period is stored with its image.  With one slot, another period for the same image is a trial of its own.
+// A period is stored with its image.  With one slot, another period for the same image begins a new trial.
 static void test_period_belongs_to_its_image(void)
 {
     Device d;
@@ -437,7 +436,7 @@ static void test_too_large_image_is_refused(void)
 
 // ---- memory that goes bad ----
 
-// Each bit of the memory flips while the power is off.  A whole image runs, a damaged one never does.
+// Each bit of the memory is changed while the power is off.  A valid image runs, a damaged one never does.
 static void test_flipped_bits_are_noticed(const char *memory)
 {
     Device d;
@@ -455,7 +454,7 @@ static void test_flipped_bits_are_noticed(const char *memory)
         CHECK(runs == RUNS_NEW || runs == RUNS_OLD || runs == RUNS_BUILT_IN);
         built_in += runs == RUNS_BUILT_IN;
     }
-    CHECK(built_in == 0);              // of two images and two records one was always whole
+    CHECK(built_in == 0);              // of two images and two records, one was always undamaged
 }
 
 // One bit of the memory is stuck during the update: the update is refused, or it works.

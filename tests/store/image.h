@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images that tests send to a store in a memory of psl/sim, and how they do.
+// Images for tests of the store, and how they are sent to a store in a memory of psl/sim.
 #ifndef TESTS_STORE_IMAGE_H
 #define TESTS_STORE_IMAGE_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clauses of docs/swapping.md, one function for each group of them.  (hostile.c has 12.18.)
+// The clauses of docs/swapping.md, one function for each group of them.  Clause 12.18 is in hostile.c.
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,7 +43,7 @@ static void run(SwapMachine *from, uint32_t steps)
         CHECK(step(from, 10 * k, k) == SM_OK);
 }
 
-// Prepares `to` and continues `from` in it.
+// Prepares a swap and continues `from` in `to`.
 static SmResult swap(SwapMachine *from, SwapMachine *to)
 {
     SmResult result;
@@ -57,7 +57,7 @@ static SmResult swap(SwapMachine *from, SwapMachine *to)
     return result;
 }
 
-// Both machines from text.
+// Compiles both machines.
 static void compile_both(SwapMachine *from, SwapMachine *to, const char *old_text, const char *new_text)
 {
     machine_compile(from, old_text, NULL, 2, true);
@@ -70,7 +70,7 @@ static void free_both(SwapMachine *from, SwapMachine *to)
     machine_free(to);
 }
 
-// The fate of an item; 99: it is not in the list.
+// Returns the fate of an item in the plan; 99 if the plan does not list it.
 static unsigned fate_of(SwapMachine *from, SwapMachine *to, SmvmSwapKind kind, const char *name)
 {
     SmResult result;
@@ -89,7 +89,7 @@ static unsigned fate_of(SwapMachine *from, SwapMachine *to, SmvmSwapKind kind, c
 
 #define PARAMETER(line) ELEMENTS "[local]\n" line "\n[A] @swap\n.step\nout = limit\n"
 
-// Returns `limit` after a swap from a machine in which it has been set to `value` to another one.
+// Returns the parameter `limit` after a swap.  The old machine runs with `limit` set to `value`.
 static double limit_after(const char *old_text, const char *new_text, double value)
 {
     SwapMachine old, new;
@@ -167,7 +167,7 @@ static void test_layout(void)
     CHECK(swap(&old, &new) == SM_E_LAYOUT);
     free_both(&old, &new);
     compile_both(&old, &new, COUNTER, ELEMENTS "[A]\n");
-    CHECK(swap(&old, &new) == SM_E_ARGUMENT);                  // the old one does not run
+    CHECK(swap(&old, &new) == SM_E_ARGUMENT);                  // the old machine is not running
     free_both(&old, &new);
 }
 
@@ -198,7 +198,7 @@ static void test_restart(void)
     SwapMachine old, new;
     SmResult result;
 
-    // clause 12.6, clause 12.5: the caller does one or the other; clause 12.19: preparing does not touch the vector.
+    // clause 12.6, clause 12.5: the caller continues a machine or starts it; clause 12.19: preparing does not touch the vector.
     compile_both(&old, &new, COUNTER, COUNTER "[B]\n.entry\nout = 7\n.step\nmore = T + roll_max(p, 3)\n");
     run(&old, 4);
     memset(sv.byte + AT_FIRED, 0, 1);
@@ -219,7 +219,7 @@ static void test_states(void)
 {
     SwapMachine old, new;
 
-    // clause 12.7: by name, whatever the number
+    // clause 12.7: a state is found by its name; its number may change
     compile_both(&old, &new, ELEMENTS "[A]\n.step\n-> B\n[B]\n.step\n-> Gone\n[Gone]\n", ELEMENTS "[New]\n[B]\n[A]\n.step\nout = 5\n");
     SmResult result;
     SmvmSwap *plan = machine_plan(&old, &new, &result);
@@ -235,7 +235,7 @@ static void test_states(void)
     uint8_t *before = malloc(new.ram), sv_before[64];
     memcpy(before, new.vm, new.ram);
     memcpy(sv_before, sv.byte, 64);
-    CHECK(smvm_swap_continue(plan, old.vm, new.vm, sv.byte) == SM_E_ARGUMENT);          // there is no [Gone]: nothing has changed
+    CHECK(smvm_swap_continue(plan, old.vm, new.vm, sv.byte) == SM_E_ARGUMENT);  // the new machine has no state [Gone]: nothing has changed
     CHECK(memcmp(before, new.vm, new.ram) == 0 && memcmp(sv_before, sv.byte, 64) == 0);
     free(before);
     free(plan);
@@ -267,7 +267,7 @@ static void test_first_step(void)
     compile_both(&old, &new, CHARGE(1), CHARGE(100));
     run(&old, 5);
     CHECK(number_at(AT_OUT) == 1 && swap(&old, &new) == SM_OK && step(&new, 60, 0) == SM_OK && number_at(AT_OUT) == 1);
-    // The transition has been made, .entry has not run: that of the new machine does, once.
+    // The transition has been made, but .entry has not run.  The .entry of the new machine then runs, once.
     run(&old, 3);
     CHECK(smvm_state(old.vm) == 2 && number_at(AT_OUT) == 0 && swap(&old, &new) == SM_OK && state_number() == 2);
     CHECK(step(&new, 40, 0) == SM_OK && number_at(AT_OUT) == 100 && number_at(AT_MORE) == 0);
@@ -295,14 +295,14 @@ static void test_locals(void)
     CHECK(fate_of(&old, &new, SMVM_SWAP_LOCAL, "named") == SMVM_SWAP_REMOVED && fate_of(&old, &new, SMVM_SWAP_LOCAL, "renamed") == SMVM_SWAP_ADDED);
     CHECK(fate_of(&old, &new, SMVM_SWAP_LOCAL, "limit") == 99 && fate_of(&old, &new, SMVM_SWAP_LOCAL, "was") == SMVM_SWAP_ADDED);
     free_both(&old, &new);
-    // A local that the old machine always stores before it reads it has its value between steps, too.
+    // A local that the old machine always stores before it reads it is also transferred: it has its value between steps.
     compile_both(&old, &new, ELEMENTS "[local]\nF64 last = 0\n[A]\n.step\nlast = p * 2\nout = last\n", ELEMENTS "[local]\nF64 last = 0\n[A]\n.step\nout = last\nlast = p\n");
     run(&old, 3);
     CHECK(swap(&old, &new) == SM_OK && step(&new, 40, 1) == SM_OK && number_at(AT_OUT) == 6);
     free_both(&old, &new);
 }
 
-// Whether a window of an expression is kept, from a machine with one statement to a machine with another.
+// Returns the fate of the window `name` in a swap between two machines of one statement each.
 static unsigned sample_fate(const char *old_text, const char *new_text, const char *name)
 {
     SwapMachine old, new;
@@ -337,7 +337,7 @@ static void test_sample_names(void)
                       "roll(p, 3)") == SMVM_SWAP_KEPT);
 }
 
-// The samples of `old_text` and `new_text` after a swap at step `at` equal those of the new machine running alone.
+// Checks that samples survive a swap at step `at`: the statistics equal those of the new machine running alone from the start.
 static void check_samples(const char *old_text, const char *new_text, uint32_t at)
 {
     SwapMachine old, new, alone;
@@ -369,7 +369,7 @@ static void test_samples(void)
     for (size_t i = 0; i < sizeof statistic / sizeof *statistic; i++)
         for (size_t k = 0; k < sizeof statistic / sizeof *statistic; k++)
             for (uint32_t at = 0; at < 38; at += i == k ? 1 : 5) {
-                // clause 12.14: a window of the same name, spelled in another way, keeps the samples too
+                // clause 12.14: a window of the same name keeps its samples even if its expression is spelled in another way
                 snprintf(old_text, sizeof old_text, ELEMENTS "[local]\nU8 n = 0\n[A]\n.step\nout = %s\n", statistic[k]);
                 snprintf(new_text, sizeof new_text, ELEMENTS "[local]\nF64 c = 3 @read_only\nF64 n = 0\n[A]\n.step\nout = %s + roll_avg(p / c, 7) * 0\n", statistic[i]);
                 if ((k < 5) == (i < 5) && (k < 5 || i == k))

@@ -3,9 +3,9 @@
 //
 //     hostile SEED COUNT
 //
-// Every byte of both sections is set to 0, 255 and other values, and random parts are overwritten with random bytes, with parts of the section
-// itself, or with equal names.  A swap must not leave its memory, and the new machine must then run in place as it does decoded.  Each block
-// of memory has its exact size, so that a sanitizer notices the first byte beyond it.
+// Every byte of both sections is set to 0, 255 and other values.  Random parts are overwritten with random bytes, with other parts of the
+// section, or with equal names.  A swap must not access memory outside its blocks, and the new machine must then run equally in place and
+// decoded.  Each block of memory has its exact size, so that a sanitizer notices the first byte beyond it.
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ static uint32_t random_below(uint32_t n)
     return (uint32_t)((random_state >> 33) % n);
 }
 
-// A machine whose image can be changed: a copy of its exact size.
+// A machine whose image the test can damage: a copy of exactly its size.
 typedef struct Victim {
     SwapMachine machine;
     uint8_t *image;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application on Linux that stores swaps in a file: it is killed at each system call that writes, and each of them fails.  After a restart
-// the machine runs that was confirmed before, or the one that was being confirmed (docs/swapping.md 12.49, 12.50).  The calls come through the
-// test first (ld's --wrap).
+// An application on Linux that stores swaps in a file.  It is killed at each system call that writes, and in other runs each of these calls
+// fails.  After a restart the machine runs that was confirmed before, or the one that was being confirmed (docs/swapping.md 12.49, 12.50).  ld's
+// --wrap replaces the calls by those of this test.
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -31,7 +31,7 @@ int __wrap_ftruncate(int fd, off_t n);
 typedef enum Fault { KILL, FAIL_ONCE, FAIL_FOR_GOOD } Fault;
 
 static Fault fault;
-static int left = -1;         // calls that still work; below 0: all
+static int left = -1;         // number of calls that still succeed; below 0: all
 
 // Returns whether the current call fails.  Does not return if the application is killed.
 static bool fails(void)
@@ -46,7 +46,7 @@ static bool fails(void)
     return true;
 }
 
-// A write that fails has written half of its bytes.
+// A write that fails has already written half of its bytes.
 ssize_t __wrap_write(int fd, const void *from, size_t n) { return fails() ? (void)__real_write(fd, from, n / 2), -1 : __real_write(fd, from, n); }
 int __wrap_fsync(int fd) { return fails() ? -1 : __real_fsync(fd); }
 int __wrap_rename(const char *from, const char *to) { return fails() ? -1 : __real_rename(from, to); }
@@ -57,9 +57,9 @@ int __wrap_ftruncate(int fd, off_t n) { return fails() ? -1 : __real_ftruncate(f
 enum { RUNS_ONE = 10, RUNS_TEN, RUNS_MANY, RUNS_OTHER, CONFIRMED, RETURNED, NOT_STARTED };
 
 static SwapMachine one, ten, many;
-static const SwapMachine *next;       // what the application swaps to; NULL: nothing
+static const SwapMachine *next;       // the machine to which the application swaps; NULL: none
 static int outcome;
-static bool confirms;         // the confirmation is requested
+static bool confirms;         // the application requests the confirmation
 
 static int running_image(void)
 {
@@ -86,7 +86,7 @@ static void act(const SmTick *tick)
     }
 }
 
-// Runs the application in a process.  Returns what it runs, or how its swap ended; 0 if it was killed.
+// Runs the application in a child process.  Returns the machine that it runs, or how its swap ended; 0 if it was killed.
 static int run(const SwapMachine *to, int calls, Fault with)
 {
     const StagePlan plan = {.a = &one, .room = STAGE_ROOM, .trial = 20, .period = {PAL_MILLISECOND, 0}, .act = act};
@@ -109,7 +109,7 @@ static int run(const SwapMachine *to, int calls, Fault with)
 
 static int start_again(void) { return run(NULL, -1, KILL); }
 
-// Confirms `ten`, or `many` if `was_stored`, with a fault at each call in turn.
+// Confirms `ten`, or `many` if `was_stored`, with a fault at each system call in turn.
 static void test(Fault with, bool was_stored)
 {
     const int before = was_stored ? RUNS_TEN : RUNS_ONE, after = was_stored ? RUNS_MANY : RUNS_TEN;
@@ -130,7 +130,7 @@ static void test(Fault with, bool was_stored)
             CHECK(runs == after);
         if (end == RETURNED && with == FAIL_ONCE)
             CHECK(runs == before);
-        if (calls % 5 == 0)                                // the next one is stored
+        if (calls % 5 == 0)                                // the next swap is stored
             CHECK(run(&many, -1, KILL) == CONFIRMED && start_again() == RUNS_MANY);
         old_runs += runs == before;
         new_runs += runs == after;

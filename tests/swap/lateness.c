@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether swaps make ticks late on this computer: an executor of 1 kHz with two machines, some seconds without swaps and as many with one swap after
-// another.  What it prints is what was measured here and now, on a computer with other things to do.
+// Measures whether swaps make ticks late on this computer.  An executor of 1 kHz runs two machines, for some seconds without swaps and as long
+// with one swap after another.  The result is valid only for this computer and its current load.
 //     lateness [SECONDS]
 #include <stdlib.h>
 
@@ -15,7 +15,7 @@ static uint64_t run_time;
 static bool swaps_now;
 static unsigned exchanged;
 
-// Begins a swap of both machines, or confirms it, whenever that is possible.
+// Begins a swap of both machines, or confirms one, whenever that is possible.
 static void act(const SmTick *tick)
 {
     const SwapMachine *a = &machine[0][exchanged & 1], *b = &machine[1][exchanged & 1];

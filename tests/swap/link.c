@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hosts that reach an application over the link: clauses 12.35 to 12.47 of docs/swapping.md.  The host of smc talks to the application through
-// a line that loses, repeats and cuts off what the test wants.  Every tick of the application must step the machine.
+// Hosts that swap machines of an application over the link: clauses 12.35 to 12.47 of docs/swapping.md.  The host of smc is connected to the
+// application by a simulated line, which loses, repeats and cuts off what a test selects.  Every tick of the application must step the machine.
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,21 +20,21 @@ static const char right_key[] = "00112233445566778899aabbccddeeff", wrong_key[] 
 
 typedef struct Wire {
     uint32_t sent;            // bytes that the host has sent
-    uint32_t cut;             // the line is gone after so many; UINT32_MAX: never
-    uint32_t frames;          // frames that have arrived, and answers to them
-    uint32_t lose, lose_answer, repeat;   // the number of the frame to lose, the answer to lose, the frame to deliver twice; UINT32_MAX: none
+    uint32_t cut;             // the line is cut after this many bytes; UINT32_MAX: never
+    uint32_t frames;          // frames that have arrived; each has one answer
+    uint32_t lose, lose_answer, repeat;   // number of the frame to lose, of the answer to lose, of the frame to deliver twice; UINT32_MAX: none
     LinkReceiver in;
     uint8_t received[LINK_ROOM(LINK_BODY_MAX)];
     uint8_t answers[8 * LINK_ROOM(LINK_BODY_MAX)];
-    size_t first, end;        // of `answers`: those that the host has not read yet
-    uint32_t refuse;          // at this frame the application itself begins a swap that is refused; 0: at none
+    size_t first, end;        // the answers that the host has not read yet: `answers` from first to end - 1
+    uint32_t refuse;          // at this frame the application itself begins a swap that is refused; 0: never
     uint32_t ends_busy;       // how often END was answered with SM_E_BUSY
     uint32_t steps;           // ticks of the application
 } Wire;
 
 static Wire wire;
 
-// The application goes on: a tick, and a part of a preparation.
+// Runs the application for a tick, and a part of a preparation.
 static void run_application(void)
 {
     (void)sm_swaps_prepare(&stage.swaps);
@@ -158,7 +158,7 @@ static void test_swap(Arena *arena)
     ApplicationItem item;
     Buf swap;
 
-    // clause 12.35: no compiler, only an image; clause 12.38
+    // clause 12.35: the host needs no compiler, only an image; clause 12.38
     begin(&h);
     CHECK(application_query(&h, &info) && info.protocol == LINK_PROTOCOL && info.machines == 1 && !info.requires_signature);
     CHECK(strcmp(info.name, "stage") == 0 && info.room == SM_SWAP_ROOM(2, STAGE_ROOM));
@@ -201,7 +201,7 @@ static void test_refusals(Arena *arena)
 
     begin(&h);
     make_swap(&swap, arena, &ten, &b_ten, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_END && h.result == SM_E_ARGUMENT);        // more machines than there are
+    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_END && h.result == SM_E_ARGUMENT);  // the swap names more machines than the application has
     make_swap(&swap, arena, &ten, NULL, 3, NULL, 0);
     CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_DONE && application_read_swap(&h, &s));
     CHECK(s.phase == SM_SWAP_REFUSED && s.reason == SM_SWAP_NO_MODE && s.machine == 0);
@@ -250,7 +250,7 @@ static SmResult request_end(LinkHost *h, uint16_t session)
     return link_request(h, LINK_END, body, sizeof body) ? h->result : SM_E_TIMEOUT;
 }
 
-// clause 12.38: lies about positions and lengths
+// clause 12.38: wrong positions and lengths
 static void test_lies(Arena *arena)
 {
     LinkHost h;
@@ -270,7 +270,7 @@ static void test_lies(Arena *arena)
     CHECK(stage.link.buffer[50] == 0xa5 && request_end(&h, 5) == SM_E_ARGUMENT && request_end(&h, 6) == SM_E_HANDLE);
     CHECK(request_data(&h, 50, swap.at + 50, 50, 5) && request_end(&h, 5) == SM_E_IMAGE && stage.link.buffer[100] == 0xa5);
     CHECK(request_end(&h, 5) == SM_E_HANDLE && stage_phase() == SM_SWAP_IDLE);
-    // an END before the last byte, where the memory has the rest from an earlier transfer
+    // an END before the last byte: the rest of the buffer contains an earlier transfer
     memcpy(stage.link.buffer, swap.at, swap.n);
     CHECK(request_begin(&h, (uint32_t)swap.n, checksum, 7) && request_data(&h, 0, swap.at, 50, 7) && request_end(&h, 7) == SM_E_ARGUMENT);
 }
@@ -285,7 +285,7 @@ static SmResult send_bytes(LinkHost *h, const char *bytes, size_t n)
     return send(h, &swap, NULL, 0, 5) == APPLICATION_DONE ? SM_OK : h->result;
 }
 
-// clause 12.38: every beginning of a swap, one byte more, and names without their zero or with two
+// clause 12.38: every prefix of a swap, a swap with one byte more, and names that end with no zero or with two
 static void test_forms(Arena *arena)
 {
     LinkHost h;
@@ -357,7 +357,7 @@ static void test_lost_and_repeated(Arena *arena)
     }
 }
 
-// clause 12.34: refused requests are in the events, each result once a second, and not those of a repetition
+// clause 12.34: refused requests are in the events, each result at most once a second; a repeated request adds none
 static void test_refused_requests(Arena *arena)
 {
     LinkHost h;
@@ -382,7 +382,8 @@ static void test_refused_requests(Arena *arena)
     CHECK(stage_events(SM_EVENT_HOST_REFUSED, NULL) == 3);
 }
 
-// clauses 12.50, 12.51: CONFIRM is answered when the swap is stored, and refused if that fails; the way back is a swap without an image
+// clauses 12.50, 12.51: CONFIRM is answered when the swap is stored, and refused if storing fails; a swap without an image returns to the
+// built-in machine
 static void test_stored(Arena *arena)
 {
     const ApplicationChange back = {"a", SM_SWAP_CONTINUE, NULL, NULL, 0};
@@ -416,7 +417,7 @@ static void test_stored(Arena *arena)
     CHECK(application_read_machine(&h, 0, &m) && m.is_built_in && m.is_on_trial && m.checksum == stage_identity(&one));
     CHECK(application_read_swap(&h, &s) && application_confirm(&h, &s, NULL));
     sm_swap_link_close(&stage.link.service);
-    // a storage that does not open: the place is free again
+    // a storage that does not open: its place becomes free again
     sim_reset();
     memset(sim_nvm("eeprom"), 'x', 64);
     for (int i = 0; i < 2; i++) {
@@ -445,7 +446,7 @@ static void test_two_hosts(Arena *arena)
     (void)pal_clock_sleep_until(pal_clock_now() + 4 * (uint64_t)PAL_SECOND);
     CHECK(send(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_DONE);
     CHECK(link_request(&h, LINK_END, body, 2) && h.result == SM_E_HANDLE);
-    // a damaged swap: the checksum is another one
+    // a damaged swap: its checksum differs
     begin(&h);
     body[0] = 9;
     CHECK(link_request(&h, LINK_BEGIN, body, sizeof body) && h.result == SM_OK);
@@ -493,7 +494,7 @@ static void test_keys(Arena *arena)
     read_key(right_key, key);
     read_key(wrong_key, wrong);
     begin_with_key(&h, true);
-    // clause 12.46: no permit, another key, and a swap that was changed after the permit
+    // clause 12.46: no permit, a permit of another key, and a swap that was changed after it was signed
     make_swap(&plain, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
     CHECK(send(&h, &plain, NULL, 0, 5) == APPLICATION_BEGIN && h.result == SM_E_UNSIGNED);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 1);
@@ -513,7 +514,7 @@ static void test_keys(Arena *arena)
     CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_UNSIGNED && !application_confirm(&h, &s, wrong) && h.result == SM_E_UNSIGNED);
     CHECK(application_confirm(&h, &s, key) && stage_phase() == SM_SWAP_CONFIRMED);
     run_application();
-    // clause 12.47: the same swap again, an older one, and both after a restart
+    // clause 12.47: the same swap again, an older swap, and both after a restart
     CHECK(send(&h, &swap, key, 3, 8) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
     end_with_key();
     begin_with_key(&h, false);
@@ -521,7 +522,7 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 3, 9) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
     CHECK(send(&h, &swap, key, 2, 10) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
-    // a permit with a higher number, for a swap that is not signed; also after a swap whose number has been used
+    // a permit with a higher number for a swap that is not signed; the same after a swap whose number has been used
     make_swap(&swap, arena, &ten, NULL, 3, key, 4);
     CHECK(send(&h, &swap, key, 4, 20) == APPLICATION_DONE && stage.link.newest == 4);
     run_application();
@@ -534,16 +535,16 @@ static void test_keys(Arena *arena)
     end_with_key();
     begin_with_key(&h, false);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
-    // a permit with a higher number for a swap with a lower one
+    // a permit with a higher number for a swap with a lower number
     CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
     CHECK(send(&h, &swap, key, 4, 12) == APPLICATION_DONE && stage.link.newest == 4);
-    // clause 12.39: an END that arrives while the refusal of another swap is not yet in the events is repeated
+    // clause 12.39: END arrives again while the refusal of another swap is not yet in the events
     end_with_key();
     begin_with_key(&h, true);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 1);
     CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE);
-    frames = wire.frames;                                  // the last of them is END
+    frames = wire.frames;                                  // the last frame is END
     end_with_key();
     begin_with_key(&h, true);
     wire.refuse = frames;
@@ -564,7 +565,7 @@ static void test_keys(Arena *arena)
     CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason != NULL);
 }
 
-// clause 12.47: the power is cut after each byte of the number.  Afterwards the highest number is the one before or the new one.
+// clause 12.47: the power is cut after each byte that writes the number.  After the restart, the highest number is the old or the new one.
 static void test_power_cuts(Arena *arena)
 {
     uint8_t key[16];
@@ -603,7 +604,7 @@ static uint32_t next_random(uint32_t below)
     return (seed >> 8) % below;
 }
 
-// Returns a frame of a known message with a random body, or with fields that lie about lengths.
+// Makes a frame of a known message with a random body, or with wrong lengths in its fields.  Returns its size.
 static uint16_t random_request(uint8_t *request, const Buf *swap)
 {
     static const uint8_t messages[] = {LINK_APP, LINK_MACHINE, LINK_SWAP, LINK_KEPT, LINK_BEGIN, LINK_DATA, LINK_END, LINK_CONFIRM, LINK_EVENTS, LINK_READ};
@@ -628,7 +629,7 @@ static uint16_t random_request(uint8_t *request, const Buf *swap)
     return n;
 }
 
-// Damages a swap: a bit, or the end.  Its checksum is that of the damaged bytes, so that its form is read.
+// Damages a swap: changes a bit, or cuts its end.  The checksum is computed afterwards, so that the application parses the damaged bytes.
 static void damage(Buf *swap)
 {
     if (next_random(2))
@@ -639,7 +640,7 @@ static void damage(Buf *swap)
         swap->n = 1 + next_random((uint32_t)swap->n);
 }
 
-// clause 12.36: whatever arrives, every tick steps the machine, and the memory around the buffer stays as it was
+// clause 12.36: whatever bytes arrive, every tick steps the machine, and the memory around the buffer does not change
 static void test_hostile(Arena *arena, unsigned rounds)
 {
     unsigned answered = 0, begun = 0, exchanged = 0;
@@ -676,7 +677,7 @@ static void test_hostile(Arena *arena, unsigned rounds)
         run_application();
     CHECK(stage_phase() != SM_SWAP_TRIAL || sm_swap_confirm(&stage.swaps) == SM_OK);
     run_application();
-    CHECK(send(&h, &good, NULL, 0, 3) == APPLICATION_DONE);        // and a host with a whole swap succeeds
+    CHECK(send(&h, &good, NULL, 0, 3) == APPLICATION_DONE);        // afterwards a valid swap succeeds
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL);
 }
@@ -694,7 +695,7 @@ static PalSocket connect_stream(void)
     return s;
 }
 
-// Sends a request for the properties, and whether it is answered when the application serves its hosts.
+// Sends a request for the properties.  Returns whether the application answers it when it serves its hosts.
 static bool ask(PalSocket s)
 {
     uint8_t frame[LINK_ROOM(0)] = {0, 3, LINK_APP}, answer[64];
@@ -706,7 +707,7 @@ static bool ask(PalSocket s)
     return pal_socket_receive(s, answer, sizeof answer, &done, 0) == SM_OK && done > 0 && answer[done - 1] == 0;
 }
 
-// clause 12.37: four connections, a fifth waits, silent ones are closed
+// clause 12.37: four connections are served, a fifth waits, silent ones are closed
 static void test_connections(void)
 {
     PalSocket s[5];
@@ -723,7 +724,7 @@ static void test_connections(void)
     s[4] = connect_stream();
     CHECK(!ask(s[4]));
     CHECK(ask(s[0]));
-    for (int i = 0; i < 11; i++) {                         // a slow sender: a byte at a time, and never a frame
+    for (int i = 0; i < 11; i++) {                         // a slow sender: one byte at a time, and never a whole frame
         (void)pal_clock_sleep_until(pal_clock_now() + PAL_SECOND);
         CHECK(pal_socket_send(s[1], &byte, 1, &done, 0) == SM_OK || i == 10);
         (void)ask(s[0]);

@@ -21,23 +21,23 @@ typedef struct SwapMachine {
     SmvmDecoded *decoded;
 } SwapMachine;
 
-// Makes an image of a program that s->session has compiled, and allocates its memory.  Returns false if there is no image.
+// Builds the image of a program that s->session has compiled, and allocates its memory.  Returns false if there is no image.
 bool machine_build(SwapMachine *s, int opt_level, bool names);
-// The same from texts; sv may be NULL.  An error ends the test.
+// Compiles a machine and builds its image.  `sv` may be NULL.  An error ends the test.
 void machine_compile(SwapMachine *s, const char *sm, const char *sv, int opt_level, bool names);
-// Starts the machine; without a state vector, prepares it.
+// Starts the machine in `state`.  Without a state vector, only prepares it.
 SmResult machine_start(SwapMachine *s, void *sv, uint32_t state);
 SmResult machine_decode(SwapMachine *s, void *sv);
 void machine_free(SwapMachine *s);
 
-// A plan in memory of its exact size.  The caller frees it.  NULL: *result is the reason.
+// Returns a plan in memory of exactly its size, which the caller frees.  Returns NULL on failure; *result is the reason.
 SmvmSwap *machine_plan(const SwapMachine *from, const SwapMachine *to, SmResult *result);
 
-// Continues `from` in `to` with the reference interpreter: copies by the names and expressions of the programs.  Returns false, and changes
-// nothing, if `to` has no state of the name.  `from_has` and `to_has`, by window: whether the images have it.
+// Continues `from` in `to` with the reference interpreter, by the names and expressions of the programs.  Returns false, and changes nothing, if
+// `to` has no state with that name.  `from_has` and `to_has`, by window: whether the image contains it.
 bool reference_continue(const RefEngine *from, RefEngine *to, const bool *from_has, const bool *to_has);
 void reference_restart(const RefEngine *from, RefEngine *to, uint32_t state);
-// For each window of the program, whether the image has it under a name.
+// Returns for each window of the program whether the image contains it under a name.
 const bool *machine_windows(SwapMachine *s);
 
 #endif

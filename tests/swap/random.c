@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random pairs of machines, swapped there and back, against the slow reference of reference.c.
+// Swaps between random pairs of machines, in both directions, compared with the slow reference of reference.c.
 //
 //     random SEED COUNT
 //
-// A pair is a program of tests/diff and an edited copy of it.  The machines of a pair run in the reference interpreter, and in the VM both
-// in place and decoded.  At some steps the running one is replaced by the other.  After every step and every swap, all elements, locals, T,
-// the state and the stored elements must be equal.  Without optimiser and with it.
+// A pair is a program of tests/diff and an edited copy of it.  The machines of a pair run in the reference interpreter, and in the VM both in
+// place and decoded.  At some steps the other machine replaces the running one.  After every step and every swap, all elements, locals, T, the
+// state and the stored elements must be equal.  Each pair runs without optimiser and with it.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,10 +22,10 @@ enum { STEPS = 60 };
 typedef struct Half {
     Subject subject;
     SwapMachine compiled;
-    SmVm *decoded_vm;         // the same machine once more, which runs decoded
+    SmVm *decoded_vm;         // a second copy of the same machine, which runs decoded
     SmvmDecoded *decoded;
     void *decoded_memory;
-    const bool *has;          // by window: the image has it
+    const bool *has;          // by window: whether the image contains it
     Engine *reference;
     EngineStep answer;
     Gen *g;
@@ -33,7 +33,7 @@ typedef struct Half {
 
 typedef struct Pair {
     Half half[2];
-    Half *at;                 // the one that runs
+    Half *at;                 // the half that is running
     uint64_t *sv, *sv_decoded;
     uint32_t sv_size;
     uint64_t seed;
@@ -62,7 +62,7 @@ static void edit_local(Gen *g, GVar *v)
         v->name = gen_new_name(g);
     if (v->parameter && rng_percent(&g->rng, 50))
         gen_random_range(g, v);
-    if (v->roll_size != 0 || v->parameter)            // the size of a window
+    if (v->roll_size != 0 || v->parameter)            // they can be part of the size of a window
         return;
     if (rng_percent(&g->rng, 15))
         v->type = (SmType)rng_below(&g->rng, SM_TYPE_COUNT);
@@ -72,7 +72,7 @@ static void edit_local(Gen *g, GVar *v)
     }
 }
 
-// States change their numbers.
+// Changes the order of states, and so their numbers.
 static void edit_order(Gen *g)
 {
     for (size_t i = g->state.n; i > 1; i--) {
@@ -119,7 +119,7 @@ static SmResult start(Half *h, SmVm *vm, uint32_t state)
     return smvm_prepare(vm, h->compiled.ram, &h->compiled.m, &none, state);
 }
 
-// Builds the image and starts nothing.
+// Builds the image.  Does not start the machine.
 static bool open_half(Pair *p, Half *h)
 {
     SwapMachine *c = &h->compiled;
@@ -137,7 +137,7 @@ static bool open_half(Pair *p, Half *h)
     return true;
 }
 
-// The session moved from the subject to the machine when it was opened.
+// Closes a half.  Its session belongs to the machine since the half was opened, so the subject has none to free.
 static void close_half(Half *h)
 {
     if (h->compiled.program != NULL)
@@ -176,7 +176,7 @@ static bool is_local_equal(const Half *h, const Var *v, uint64_t cell)
            && sm_cell_load(v->type, (uint8_t *)smvm_locals(h->decoded_vm) + at.offset) == cell;
 }
 
-// Compares the machine that runs with the reference.
+// Compares the running machine with the reference.
 static void compare(Pair *p, const char *when)
 {
     const Half *h = p->at;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hosts and an application as processes: over a socket, TCP and a serial line, with SIGKILL for either at every stage, and `smc swap` itself.
-// Clauses 12.43 to 12.54 of docs/swapping.md.  The application counts in the element `out`; it stops when the test closes a pipe.
+// Hosts and an application as separate processes, connected by a socket, TCP or a serial line.  Either is killed with SIGKILL at every stage,
+// and `smc swap` itself is run.  Clauses 12.43 to 12.54 of docs/swapping.md.  The application counts in the element `out`; it stops when the
+// test closes a pipe.
 //     reach SMC               tests
 //     reach SMC --measure     prints how long a swap takes on this computer
 #define _GNU_SOURCE
@@ -84,7 +85,7 @@ static bool use_descriptor(Host *h, int fd)
     return application_query(&h->link, &h->info);
 }
 
-// Connects, as soon as the application listens.
+// Connects as soon as the application accepts connections.
 static bool connect_host(Host *h, const char *where)
 {
     const char *why;
@@ -145,31 +146,31 @@ static void test_path(void)
     pid_t first, second;
     int status;
 
-    // clause 12.44: the mode
+    // clause 12.44: the access mode of the socket
     first = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
     CHECK(connect_host(&h, socket_name) && stat(socket_name, &s) == 0 && (s.st_mode & 0777) == 0600);
     swap_and_confirm(&h, &ten, 3);
     close(h.fd);
-    // an application listens there
+    // another application already uses the socket
     second = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
     CHECK(waitpid(second, &status, 0) == second && WIFEXITED(status) && WEXITSTATUS(status) == 1);
     CHECK(connect_host(&h, socket_name) && running_checksum(&h) == stage_identity(&ten));
     close(h.fd);
-    // clause 12.48: after a restart, the machine with which it was built; and a socket that a dead application has left
+    // clause 12.48: after a restart the built-in machine runs; clause 12.44: a socket of a killed application is replaced
     end(first);
     CHECK(stat(socket_name, &s) == 0 && S_ISSOCK(s.st_mode));
     first = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
     CHECK(connect_host(&h, socket_name) && running_checksum(&h) == stage_identity(&one));
     close(h.fd);
     end(first);
-    // a file that is not a socket
+    // the path is a file that is not a socket
     CHECK(unlink(socket_name) == 0 && close(open(socket_name, O_CREAT | O_WRONLY, 0644)) == 0);
     first = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
     CHECK(waitpid(first, &status, 0) == first && WIFEXITED(status) && WEXITSTATUS(status) == 1);
     CHECK(stat(socket_name, &s) == 0 && S_ISREG(s.st_mode) && unlink(socket_name) == 0);
 }
 
-// clause 12.45: the address is that of the loopback
+// clause 12.45: without an address, the loopback interface is used
 static void test_tcp(void)
 {
     const uint16_t port = (uint16_t)(20000 + getpid() % 20000);
@@ -232,7 +233,7 @@ static void test_killed_host(void)
     end(app);
 }
 
-// clauses 12.33, 12.48: the application is killed after each stage of a swap.  It starts again with the machine with which it was built.
+// clauses 12.33, 12.48: the application is killed after each stage of a swap.  It starts again with the built-in machine.
 static void test_killed_application(void)
 {
     Buf swap;
@@ -271,7 +272,7 @@ static void test_killed_application(void)
     }
 }
 
-// clauses 12.48, 12.49: the application is killed as soon as CONFIRM is answered, and starts with the new machine
+// clauses 12.48, 12.49: the application is killed as soon as CONFIRM is answered.  It starts with the new machine.
 static void test_stored(void)
 {
     const SwapMachine *const other[] = {&ten, &one};
@@ -375,7 +376,7 @@ static void test_command(void)
     CHECK(command("swap a=waits.sm --sv stage.sv -w --to=stand.sock --restart --confirm") == 0);
     end(app);
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue") == 3);
-    // clause 12.51: with a storage, and back to the built-in machine
+    // clause 12.51: with a storage, and a return to the built-in machine
     storage = "stored";
     app = start(SM_SWAP_AT_PATH, socket_name, 0, NULL);
     CHECK(connect_host(&h, socket_name));
@@ -395,7 +396,7 @@ static void test_command(void)
     end(app);
     storage = NULL;
     CHECK(command("swap built-in --to=stand.sock --continue") == 2 && printed("'built-in' is not a machine"));
-    // clause 12.46, clause 12.47: with a key; without its file the application does not start, and creates nothing
+    // clause 12.46, clause 12.47: with a key.  If its file is missing, the application does not start, and creates no file.
     app = start(SM_SWAP_AT_PATH, socket_name, 0, "absent.key");
     CHECK(waitpid(app, &status, 0) == app && WIFEXITED(status) && WEXITSTATUS(status) == 1);
     CHECK(access("absent.key", F_OK) != 0 && access("numbers", F_OK) != 0);
@@ -405,7 +406,7 @@ static void test_command(void)
     close(h.fd);
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue") == 1 && printed("name the file of the key with --key"));
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue --key=other.key") == 1 && printed("not with key"));
-    for (int i = 0; i < 3; i++)                            // more than one in a second
+    for (int i = 0; i < 3; i++)                            // more than one request in a second
         CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue --confirm --key=stand.key") == 0 && printed("confirmed"));
     CHECK(command("swap a.sm --sv stage.sv -w --to=stand.sock --continue --key=stand.key") == 0 && printed("on trial"));
     CHECK(command("device confirm --port=stand.sock") == 1 && command("device confirm --port=stand.sock --key=stand.key") == 0);
@@ -429,7 +430,7 @@ static void print_median(const char *what, uint64_t *ns)
     printf("  %-40s %8.1f us, at most %8.1f us\n", what, (double)ns[SWAPS_MEASURED / 2] / 1000, (double)ns[SWAPS_MEASURED - 1] / 1000);
 }
 
-// Writes a machine of 300 lines and more: STATES states of five lines, locals and windows.
+// Writes a machine of at least 300 lines: STATES states of five lines, locals and windows.
 static char *long_machine(void)
 {
     static char text[STATES * 160 + 1024];
@@ -441,7 +442,7 @@ static char *long_machine(void)
     return text;
 }
 
-// Prints what was measured here and now: a swap of a machine of 300 lines for itself, in one thread.
+// Measures on this computer how long a swap of a machine of 300 lines for itself takes, in one thread.
 static void measure(void)
 {
     static SwapMachine m;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slow reference of a swap (swapping.md 12.7 to 12.15): it compares the programs, not their images, and copies between two reference
-// interpreters.  It shares no code with bytecode-vm/swap.c, and no name with the DEBUG section.
+// The slow reference of a swap (swapping.md 12.7 to 12.15).  It compares the programs, not their images, and copies between two reference
+// interpreters.  It uses neither code of bytecode-vm/swap.c nor the names in the DEBUG section.
 #include <string.h>
 
 #include "tests/swap/machine.h"
@@ -16,7 +16,7 @@ static double constant_value(const Program *p, const Expr *e)
     return ref_eval(e, cell, NULL);
 }
 
-// Whether two numbers are the same, all NaN included.
+// Whether two numbers are the same; any NaN equals any other.
 static bool is_same_number(double a, double b)
 {
     return (a != a && b != b) || (a == b && ref_negative(a) == ref_negative(b));
@@ -34,7 +34,7 @@ static bool is_same_variable(const Var *a, const Var *b)
     return a->kind == b->kind && is_same_text(a->name, b->name) && (a->kind != VAR_LOCAL || a->type == b->type);
 }
 
-// Whether a local may have the value of another (swapping.md 12.55, 12.56): both are parameters or neither is, and the value is in the range.
+// Whether a local may receive the value of another (swapping.md 12.55, 12.56): both are parameters or neither is, and the value is in the range.
 static bool may_keep(const Var *old, const Var *new, uint64_t cell)
 {
     const double x = ref_read(new->type, cell);
@@ -52,7 +52,7 @@ static bool has_same_operators(const Expr *a, const Expr *b)
     return a->n > 1 || a->op == b->op;
 }
 
-// Whether two programs sample the same: the same operators on the same elements, locals and constants.
+// Whether two windows sample the same expression: the same operators on the same elements, locals and constants.
 static bool samples_same(const Program *p, const Expr *a, const Program *q, const Expr *b)
 {
     if (expr_is_constant(a) || expr_is_constant(b))

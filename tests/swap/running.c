@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Swaps in an application that runs: the clauses of docs/swapping.md from 12.21 on, and every point at which a swap can fail.
+// Swaps in a running application: the clauses of docs/swapping.md from 12.21 on, and every point at which a swap can fail.
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ static void reset_and_begin(const StagePlan *plan)
     stage_begin(plan);
 }
 
-// Begins with machine `a` alone.
+// Begins with only machine `a`.
 static void begin(const SwapMachine *a)
 {
     const StagePlan plan = {.a = a, .room = STAGE_ROOM};
@@ -35,7 +35,7 @@ static void begin(const SwapMachine *a)
     reset_and_begin(&plan);
 }
 
-// Swaps machine `a` for `to`, and runs until the machines are exchanged or the swap is refused.  Returns the reason.
+// Swaps machine `a` for `to`, and runs until the machines are exchanged or the swap is refused.  Returns the reason of the refusal.
 static SmSwapReason swap(const SwapMachine *to, SmSwapMode mode, const char *state)
 {
     CHECK(stage_swap("a", to, mode, state) == SM_OK);
@@ -88,7 +88,7 @@ static void test_restart(void)
     SwapMachine states;
     SmEvent e;
 
-    // clause 12.22: restart in the first state or in a named one; the event STATE says where it starts
+    // clause 12.22: restart in the first state or in a named one; the event STATE has the state in which it starts
     compile(&states, A "[First]\n.step\nout = 1\n[Second]\n.step\nout = 2\n");
     begin(&one);
     ticks(3);
@@ -130,9 +130,9 @@ static void test_two_machines(void)
     const double a = stage_number(AT_OUT), b = stage_number(AT_MORE);
     ticks(1);
     CHECK(stage_number(AT_OUT) == a + 10 && stage_number(AT_MORE) == b + 10);
-    // The image of one of them does not fit, or is not one: neither is exchanged.
+    // The image of one of them has no room or is invalid: neither is exchanged.
     begin_two(false, false);
-    CHECK(swap_two(&ten, &ten) == SM_OK);             // ten writes sa; b is another machine, but its image is valid
+    CHECK(swap_two(&ten, &ten) == SM_OK);             // `ten` writes sa, so it cannot replace machine b, but its image is valid
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL);
     begin_two(false, false);
@@ -174,7 +174,7 @@ static void test_stores_due(void)
     CHECK(due == 2);
 }
 
-// With two executors: the exchange waits until neither is inside a tick.
+// With two executors, the exchange waits until neither is executing a tick.
 static void test_two_executors(void)
 {
     begin_two(true, true);
@@ -191,20 +191,20 @@ static void test_two_executors(void)
     stage_tick(0);
     stage_tick(1);
     CHECK(stage_number(AT_OUT) == 16 && stage_number(AT_MORE) == 11);
-    // clause 12.27: an executor that never ends its tick (its thread has ended)
+    // clause 12.27: an executor never ends its tick, because its thread has ended
     begin_two(true, true);
     CHECK(sm_swap_gate_enter(&stage.gate[1], &tick) == SM_OK);
     CHECK(swap_two(&ten, &b_ten) == SM_OK);
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_REFUSED && stage_status().reason == SM_SWAP_NO_BOUNDARY);
     CHECK(stage_events(SM_EVENT_SWAP, NULL) == 0);
-    // A swap of a machine of the other executor does not wait for it.
+    // A swap of a machine that the other executor runs does not wait for it.
     CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED && stage_phase() == SM_SWAP_TRIAL);
 }
 
 // ---- refusals ----
 
-// Checks that a swap of a was refused and that machine `one` runs on, undisturbed.
+// Checks that a swap of machine `a` was refused, and that machine `one` continued without change.
 static void check_refused(SmSwapReason why)
 {
     SmEvent e;
@@ -227,7 +227,7 @@ static void check_refusal(const SwapMachine *to, SmSwapMode mode, const char *st
     check_refused(why);
 }
 
-// An image with two machines.
+// Compiles an image with two machines.
 static SwapMachine two_in_one(void)
 {
     const ImageOptions options = {.debug = true};
@@ -253,7 +253,7 @@ static void test_refusals(void)
     machine_compile(&names, COUNT(5), STAGE_SV, 2, false);
     // clause 12.2
     check_refusal(&other, SM_SWAP_RESTART, NULL, SM_SWAP_NO_LAYOUT);
-    // clause 12.22: never a default
+    // clause 12.22: there is no default mode
     check_refusal(&ten, (SmSwapMode)0, NULL, SM_SWAP_NO_MODE);
     check_refusal(&ten, SM_SWAP_RESTART, "Nowhere", SM_SWAP_NO_STATE);
     check_refusal(&ten, SM_SWAP_RESTART, "", SM_SWAP_NO_STATE);
@@ -276,7 +276,7 @@ static void test_refusals(void)
     check_refused(SM_SWAP_NO_ARMED);
     stage_arm(false);
     CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED && stage_phase() == SM_SWAP_TRIAL);
-    // clause 12.26: the longest step
+    // clause 12.26: the limit for the longest step
     for (uint32_t longest = smvm_longest_step(&one.m); longest <= smvm_longest_step(&slow.m); longest++) {
         const StagePlan limited = {.a = &one, .room = STAGE_ROOM, .longest = longest};
         reset_and_begin(&limited);
@@ -320,7 +320,7 @@ static void test_trial(void)
     SwapMachine aborts, lost;
     SmEvent e;
 
-    // clause 12.30: it is not confirmed in time
+    // clause 12.30: the swap is not confirmed in time
     const StagePlan plan = {.a = &one, .room = STAGE_ROOM, .trial = 7};
     reset_and_begin(&plan);
     ticks(4);
@@ -335,7 +335,7 @@ static void test_trial(void)
     CHECK(stage_events(SM_EVENT_TRIAL, &e) == 1 && e.a == SM_SWAP_TOOK_TOO_LONG && e.b == stage_identity(&ten));
     CHECK(stage_events(SM_EVENT_SWAP, &e) == 2 && e.a == stage_identity(&ten) && e.b == stage_identity(&one));
     CHECK(stage_events(SM_EVENT_STATE, NULL) == 1);
-    // and again, from the other slot
+    // the same again, from the other slot
     CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED && sm_swap_confirm(&stage.swaps) == SM_OK);
     ticks(20);
     CHECK(stage_phase() == SM_SWAP_CONFIRMED && stage_events(SM_EVENT_SWAP, &e) == 3);
@@ -352,7 +352,7 @@ static void test_trial(void)
     CHECK(stage_events(SM_EVENT_STATE, &e) >= 3 && e.a == 0 && e.b == 2);
     ticks(1);
     CHECK(stage_number(AT_OUT) == 300);
-    // A machine that was in such a state at the exchange does not enter it.
+    // A machine that is already in such a state at the exchange does not enter it.
     SwapMachine stopped;
     compile(&stopped, A "[A] @swap\n.step\nout = 1\n[Stop] @abort @safe\n.step\nout = 2\n");
     const StagePlan in_abort = {.a = &stopped, .room = STAGE_ROOM, .trial = 10};
@@ -383,7 +383,7 @@ static void test_trial(void)
     machine_free(&lost);
 }
 
-// With two executors all machines return together.
+// With two executors, all machines roll back together.
 static void test_return_of_two(void)
 {
     const StagePlan plan = {.a = &one, .b = &b_one, .room = STAGE_ROOM, .trial = 3, .two_executors = true, .guarded = true};
@@ -419,7 +419,7 @@ static void test_items(void)
     CHECK(n == 2 && kept == 2);
     begin(&one);
     CHECK(swap(&ten, SM_SWAP_RESTART, NULL) == SM_SWAP_NOT_REFUSED && !smvm_slot_item(&stage.slot[0][1], 0, &item));
-    // in a slot from which a machine has continued before
+    // the same in a slot that an earlier swap has used
     begin(&one);
     for (int i = 0; i < 3; i++) {
         CHECK(swap(&ten, i < 2 ? SM_SWAP_CONTINUE : SM_SWAP_RESTART, NULL) == SM_SWAP_NOT_REFUSED && sm_swap_confirm(&stage.swaps) == SM_OK);
@@ -430,7 +430,7 @@ static void test_items(void)
 
 // ---- every point at which a swap can fail ----
 
-// The bytes of a slot that a swap to `ten` uses.
+// Returns how many bytes of a slot a swap to `ten` uses.
 static uint32_t used_bytes(void)
 {
     begin(&one);
@@ -438,7 +438,7 @@ static uint32_t used_bytes(void)
     return stage.slot[0][1].used;
 }
 
-// clause 12.33: memory is refused at every size, the image is torn or damaged at every byte, and the preparation ends after every part.
+// clause 12.33: memory is refused at every size, the image is cut or damaged at every byte, and the preparation ends after every part.
 static void test_every_point(void)
 {
     const uint32_t needed = used_bytes();
@@ -482,7 +482,7 @@ static void test_every_point(void)
         CHECK(stage_number(AT_OUT) == 52 && stage_phase() == SM_SWAP_PREPARING && stage_events(SM_EVENT_SWAP, NULL) == 0);
         CHECK(stage_swap("a", &ten, SM_SWAP_CONTINUE, NULL) == SM_E_BUSY);
     }
-    // The lock times out at each call: the machine runs on, and the swap happens later or not at all.
+    // The lock times out at each call in turn.  The machine continues, and the swap happens later or not at all.
     for (uint32_t after = 0; after < 60; after++, points++) {
         begin(&one);
         ticks(2);
@@ -506,7 +506,7 @@ enum { SWAPS = 100000 };
 static unsigned exchanged, refused;
 static double expected;
 
-// Begins a swap or confirms one, whenever that is possible, and checks the count of the machine.
+// Begins a swap or confirms one, whenever that is possible, and checks the machine's counter.
 static void act(const SmTick *tick)
 {
     const SmSwapStatus s = stage_status();

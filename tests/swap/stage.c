@@ -42,7 +42,7 @@ static SmResult run_act(void *context, const SmTick *tick)
     return SM_OK;
 }
 
-// Sets up machine `i`: its memory, with which image it begins.
+// Sets up machine `i`: its slots, and the image with which it begins.
 static void set_up_machine(unsigned i, const SwapMachine *m, const StagePlan *plan)
 {
     static const char *const name[] = {"a", "b"};

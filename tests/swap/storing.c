@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images of confirmed swaps that run again after a restart: clauses 12.48 to 12.52 of docs/swapping.md, in the simulation.  The power is cut
-// at every byte that the storage writes, every read and write fails, and every byte of the memory is damaged.
+// Images of confirmed swaps run again after a restart: clauses 12.48 to 12.52 of docs/swapping.md, in the simulation.  The power is cut at every
+// byte that the storage writes, every read and write fails once, and every byte of the memory is damaged.
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@
 #define COUNT_B(by) B "[local]\nU32 n = 0\n[A] @swap\n.step\nn = n + " #by "\nmore = n\n"
 #define STATES(names) A names
 
-enum { IMAGE_ROOM = 330 };    // of a machine in the storage, so that two sets of two machines fit into the simulated memory
+enum { IMAGE_ROOM = 330 };    // bytes for each machine in the storage, so that two sets of two machines have room in the simulated memory
 
 static SwapMachine one, ten, many, b_one, b_ten, here, there, elsewhere;
 static StagePlan plan;
@@ -21,7 +21,7 @@ static const uint8_t *key;
 
 // ---- an application that is started again ----
 
-// The computer starts again: everything but the content of the memory is new.
+// Restarts the simulated computer.  Only the content of the non-volatile memory is preserved.
 static void reset_but_memory(void)
 {
     static uint8_t content[SIM_NVM_SIZE];
@@ -31,7 +31,7 @@ static void reset_but_memory(void)
     memcpy(sim_nvm("eeprom"), content, sizeof content);
 }
 
-// Starts the application with what the memory contains.
+// Starts the application with the content of the memory.
 static SmResult restart(void)
 {
     reset_but_memory();
@@ -91,7 +91,7 @@ static void swap_and_confirm(const SwapMachine *a)
     ticks(1);
 }
 
-// Whether the last start reported why machine "a" does not run the stored image.
+// Whether the last start reported this reason why machine "a" does not run the stored image.
 static bool was_refused(SmSwapReason why)
 {
     SmEvent e;
@@ -101,7 +101,7 @@ static bool was_refused(SmSwapReason why)
 
 // ---- restarts ----
 
-// clause 12.48: only what was confirmed runs again
+// clause 12.48: only a confirmed image runs again
 static void test_restart(void)
 {
     SmSwapMachineState s;
@@ -118,21 +118,21 @@ static void test_restart(void)
     ticks(3);
     CHECK(stage_number(AT_OUT) == 30 && stage_u32(AT_SA) == 1);
     CHECK(sm_swap_machine(&stage.swaps, 0, &s) == SM_OK && s.is_stored && !s.is_built_in);
-    // a trial that ends with the application
+    // the application ends during a trial
     CHECK(swap(&many, NULL, false) && is_running(0, &many));
     CHECK(sm_swap_machine(&stage.swaps, 0, &s) == SM_OK && !s.is_stored && s.is_on_trial);
     CHECK(restart() == SM_OK && is_running(0, &ten));
-    // an end of the application while the confirmation is not stored yet: the end stores it
+    // the application ends before a confirmation is stored: ending stores it
     CHECK(swap(&many, NULL, false) && sm_swap_confirm(&stage.swaps) == SM_OK);
     sm_swaps_close(&stage.app, NULL);
     CHECK(restart() == SM_OK && is_running(0, &many));
-    for (int i = 0; i < 5; i++) {                        // both heads in turn, and numbers above 2
+    for (int i = 0; i < 5; i++) {                        // both heads are written in turn, with numbers above 2
         swap_and_confirm(i % 2 ? &many : &ten);
         CHECK(restart() == SM_OK && is_running(0, i % 2 ? &many : &ten));
     }
 }
 
-// clause 12.51: back to the machine with which the application was built
+// clause 12.51: the return to the built-in machine
 static void test_built_in(void)
 {
     SmSwapMachineState s;
@@ -141,7 +141,7 @@ static void test_built_in(void)
     swap_and_confirm(&ten);
     CHECK(restart() == SM_OK && is_running(0, &ten));
     CHECK(swap(NULL, NULL, false) && is_running(0, &one));
-    ticks(60);                                             // not confirmed: the stored one returns
+    ticks(60);                                             // the swap is not confirmed: the stored machine returns
     CHECK(stage_phase() == SM_SWAP_RETURNED && is_running(0, &ten));
     swap_and_confirm(NULL);
     CHECK(sm_swap_machine(&stage.swaps, 0, &s) == SM_OK && s.is_built_in && !s.is_stored && is_running(0, &one));
@@ -157,7 +157,7 @@ static void test_built_in(void)
     CHECK(restart() == SM_OK && is_running(0, &many));
 }
 
-// The sets of two machines; each confirmation stores all images that are not built in.
+// Sets of two machines.  Each confirmation stores all images that are not built in.
 static void test_two_machines(void)
 {
     begin(&one, &b_one);
@@ -171,8 +171,8 @@ static void test_two_machines(void)
 
 // ---- faults ----
 
-// clause 12.49: the power is cut at every byte of a confirmation, on a blank memory and after others.  Afterwards all machines have the images
-// from before, or all have the new ones; the new ones if the confirmation has succeeded.  The next swap is stored.
+// clause 12.49: the power is cut at every byte of a confirmation, on a blank memory and on one with earlier sets.  Afterwards all machines have
+// the old images, or all have the new ones.  If the confirmation has succeeded, they have the new ones.  The next swap is stored.
 static void test_power_cuts(int before)
 {
     unsigned old_runs = 0, new_runs = 0;
@@ -194,7 +194,7 @@ static void test_power_cuts(int before)
             r = confirm();
             was_cut = r != SM_OK;
             CHECK(stage_phase() == (r == SM_OK ? SM_SWAP_CONFIRMED : SM_SWAP_TRIAL));
-            is_whole = !was_cut || bytes >= IMAGE_ROOM + 73;      // longer than any write
+            is_whole = !was_cut || bytes >= IMAGE_ROOM + 73;      // more bytes than any write has
             CHECK(restart() == SM_OK);
             if (is_running(0, a) && is_running(1, b)) {
                 CHECK(r != SM_OK);
@@ -212,7 +212,7 @@ static void test_power_cuts(int before)
     CHECK(old_runs > 300 && new_runs > 0);
 }
 
-// clause 12.50: each access to the memory fails once.  The trial goes on, and the machines return without a later confirmation.
+// clause 12.50: each access to the memory fails once.  The trial continues, and without a later confirmation the machines roll back.
 static void test_failures(SimCall call)
 {
     SmResult r = SM_E_DEVICE;
@@ -232,7 +232,7 @@ static void test_failures(SimCall call)
         CHECK(r == SM_E_DEVICE && stage_phase() == SM_SWAP_TRIAL && stage_status().stored == r);
         ticks(1);
         CHECK(stage_events(SM_EVENT_NOT_STORED, &e) == 1 && e.a == (uint32_t)-r && stage_events(SM_EVENT_TRIAL, NULL) == 1);
-        if (after % 2) {                                   // the confirmation is repeated
+        if (after % 2) {                                   // the confirmation is requested again
             CHECK(confirm() == SM_OK && stage_phase() == SM_SWAP_CONFIRMED);
             CHECK(restart() == SM_OK && is_running(0, &many));
         } else {
@@ -244,7 +244,7 @@ static void test_failures(SimCall call)
     CHECK(failures >= 2);
 }
 
-// A confirmation that waits for the medium: neither the length of the trial nor an @abort state ends it.
+// A confirmation that waits for the storage: neither the length of the trial nor an @abort state ends the trial.
 static void test_waiting(void)
 {
     begin(&one, NULL);
@@ -255,7 +255,7 @@ static void test_waiting(void)
     CHECK(sm_swaps_save(&stage.swaps) == SM_OK && stage_phase() == SM_SWAP_CONFIRMED && sm_swap_confirm(&stage.swaps) == SM_E_ARGUMENT);
     CHECK(sm_swaps_save(&stage.swaps) == SM_OK);
     ticks(1);
-    // if it fails then, the trial has been too long
+    // if storing fails then, the trial has lasted too long
     CHECK(swap(&many, NULL, false) && sm_swap_confirm(&stage.swaps) == SM_OK);
     ticks(200);
     sim_fail(SIM_nvm_write, 0, SM_E_SPACE);
@@ -264,7 +264,7 @@ static void test_waiting(void)
     CHECK(stage_phase() == SM_SWAP_RETURNED && is_running(0, &ten));
 }
 
-// clause 12.50: every byte of the memory is damaged.  Then the set before runs, or the built-in machine and an event says why.
+// clause 12.50: every byte of the memory is damaged.  Then the earlier set runs, or the built-in machine, and an event has the reason.
 static void test_damage(void)
 {
     static uint8_t copy[SIM_NVM_SIZE];
@@ -279,7 +279,7 @@ static void test_damage(void)
         sim_nvm("eeprom")[at] ^= 0x10;
         CHECK(restart() == SM_OK && (is_running(0, &many) || is_running(0, &ten)));
         older += is_running(0, &ten);
-        // and the older set is torn, too
+        // the older set is damaged, too
         memset(sim_nvm("eeprom"), 0xff, 64);
         CHECK(restart() == SM_OK && (is_running(0, &many) || is_running(0, &one) || is_running(0, &ten)));
         if (is_running(0, &one)) {
@@ -288,7 +288,7 @@ static void test_damage(void)
         }
     }
     CHECK(older > 100 && none > 100);
-    // without both heads it is a new memory
+    // if both heads are erased, the memory counts as new
     memset(sim_nvm("eeprom"), 0xff, 128);
     CHECK(restart() == SM_OK && is_running(0, &one) && stage_events(SM_EVENT_STORED, NULL) == 0);
 }
@@ -300,7 +300,7 @@ static void test_conditions(void)
 {
     begin(&one, NULL);
     swap_and_confirm(&ten);
-    plan.a = &many;                                        // the application was built with another machine
+    plan.a = &many;                                        // the application is built with another machine now
     CHECK(restart() == SM_OK && was_refused(SM_SWAP_NO_BUILD));
     plan.a = &one;
     CHECK(restart() == SM_OK && is_running(0, &ten));
@@ -321,14 +321,14 @@ static void test_conditions(void)
     CHECK(restart() == SM_OK && is_running(0, &ten));
     ticks(5);
     CHECK(stage_number(AT_OUT) == 50);
-    // a machine that the application has no longer
+    // the application no longer has one of the machines
     begin(&one, &b_one);
     CHECK(swap(&ten, &b_ten, true) && confirm() == SM_OK);
     plan.b = NULL;
     CHECK(restart() == SM_OK && is_running(0, &ten));
 }
 
-// clause 12.52: the code of the key
+// clause 12.52: authentication codes, with and without a key
 static void test_keys(void)
 {
     static const uint8_t right[SMVM_KEY] = {1, 2, 3}, wrong[SMVM_KEY] = {1, 2, 4};
@@ -348,7 +348,7 @@ static void test_keys(void)
     CHECK(restart() == SM_OK && !is_running(0, &many));
 }
 
-// clause 12.51: the state in which a stored machine starts is that of @state by its name, or the first
+// clause 12.51: a stored machine starts in the state with the name that @state has, or in the first state
 static void test_first_state(void)
 {
     begin(&here, NULL);
@@ -361,7 +361,7 @@ static void test_first_state(void)
         CHECK(stage_start() == SM_OK && is_running(0, &there));
         CHECK(stage_u32(AT_SA) == (state == 0 ? 1 : 4 - state));
     }
-    swap_and_confirm(&elsewhere);                          // no state has the name
+    swap_and_confirm(&elsewhere);                          // no state has that name
     reset_but_memory();
     stage_set_up(&plan);
     stage_store("eeprom", image_room, NULL);
@@ -371,7 +371,7 @@ static void test_first_state(void)
 
 // ---- the memory ----
 
-// A memory of another program stays as it is, and the application does not start.
+// A memory that belongs to another program is not changed, and the application does not start.
 static void test_foreign(void)
 {
     static const char text[] = "not a storage";
@@ -383,7 +383,7 @@ static void test_foreign(void)
     CHECK(strcmp(stage.app.failed_file, "eeprom") == 0 && stage.app.reason != NULL);
     sim_reset();
     stage_set_up(&plan);
-    stage_store("flash", image_room, NULL);                // must be erased before it is written
+    stage_store("flash", image_room, NULL);                // this memory must be erased before it is written
     CHECK(stage_start() == SM_E_UNSUPPORTED);
     sim_reset();
     stage_set_up(&plan);
@@ -393,7 +393,7 @@ static void test_foreign(void)
     CHECK(restart() == SM_E_SPACE);
 }
 
-// The room of a set changes with the size of the slots: the current set is found, and never overwritten.
+// The size of a set changes with the size of the slots.  The current set is found, and never overwritten.
 static void test_other_rooms(void)
 {
     for (uint32_t first = 250; first <= 500; first += 25)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Swaps between threads, on Linux: two executors with a machine each, the thread that prepares, one that asks, and a host.  A step that is
-// lost or runs twice shows in the sum that a machine computes.  Runs for SECONDS, also under the thread sanitizer.
+// Swaps between threads, on Linux: two executors with a machine each, a thread that prepares, one that requests swaps, and a host.  A machine
+// computes a sum, so that a step that is lost or runs twice is noticed.  Runs for SECONDS, also under the thread sanitizer.
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <stdlib.h>
@@ -42,7 +42,7 @@ static void begin(void)
         both += n == 2;
 }
 
-// The thread that asks: begins swaps, confirms half of them, and counts how they end.
+// The thread that requests swaps: begins them, confirms half of them, and counts their results.
 static void *ask(void *argument)
 {
     (void)argument;
@@ -83,7 +83,7 @@ static bool request(PalSocket s, LinkMessage message, uint32_t item)
     return true;
 }
 
-// The thread of a host, which asks what runs, what was kept and what happened, while machines are swapped.
+// The thread of a host.  It requests the running machines, the fates of items and the events while machines are swapped.
 static void *query(void *argument)
 {
     static const LinkMessage messages[] = {LINK_APP, LINK_MACHINE, LINK_SWAP, LINK_KEPT, LINK_EVENTS, LINK_BEGIN};
@@ -129,7 +129,7 @@ int main(int argc, char **argv)
     CHECK(answers > 100);
     CHECK(confirmed > 10 && returned > 10 && both > 5 && refused == 0);
     for (int i = 0; i < 2; i++) {
-        // Each tick was one step, of one of the images, which added 1 or 1000.  A step is refused where the other executor was ahead.
+        // Each tick made one step of one image, which added 1 or 1000.  A step is refused if the other executor had a later time.
         const uint64_t sum = (uint64_t)stage_number(i == 0 ? AT_OUT : AT_MORE), steps = stage.executor[i].ticks - stage.machine[i].machine->refused;
         CHECK(steps > 1000 && sum >= steps && (sum - steps) % 999 == 0);
     }

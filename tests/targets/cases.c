@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases of conformance/ on some target: what their scripts write to a machine is written down, with what the reference answers
-// (tests/diff/talk.h), and held there again.
+// Runs the cases of conformance/ on a target.  It records what their scripts write to a machine, and the results of the reference
+// (tests/diff/talk.h), and repeats this conversation with the target.
 //     cases --vm=COMMAND | --cc=COMMAND | --cc-soft=COMMAND [--every=N] --out=FOLDER CASE.smt…       every N-th of them
 #include <stdio.h>
 #include <stdlib.h>
@@ -101,7 +101,7 @@ static void close_case(Case *c)
 
 // ---- many ----
 
-// `number` is that of the first.  What is too large together is tried in halves.
+// Runs n cases, of which the first has the number `number`.  If they are together too large for the target, runs each half.
 static void run(char **path, uint32_t number, uint32_t n, uint32_t every, const Via *via, const char *folder)
 {
     static Case c[BATCH];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A target that reads the bytes of an image through a function and its names as text.  Included before everything (-include).
+// Configures a target that reads the bytes of an image through a function, and its names as text.  The compiler includes it first (-include).
 #ifndef TESTS_TARGETS_FETCH_H
 #define TESTS_TARGETS_FETCH_H
 

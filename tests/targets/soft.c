@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target compiler's double compared with stdlib's soft binary64, which tests/soft compares with an x86-64: pairs of special
-// numbers, every SOFT_STRIDE-th of them, and SOFT_RANDOM random ones for each operation.
+// Compares the target compiler's double with stdlib's soft binary64, which tests/soft compares with an x86-64.  The operands are every
+// SOFT_STRIDE-th pair of special numbers, and SOFT_RANDOM random pairs for each operation.
 #include <stdint.h>
 #include <stdio.h>
 

@@ -26,7 +26,7 @@ typedef struct Cell {
     uint8_t in, type;
 } Cell;
 
-// The machine in one form.
+// One form of the machine: in place, or decoded.
 typedef struct Form {
     uint64_t memory[VM_RAM / 8], sv[VM_VECTOR / 8];
 } Form;
@@ -40,7 +40,7 @@ static bool loaded;
 #if VM_DECODED
 static Form beside;
 static uint64_t code[VM_DECODED / 8];
-static SmvmDecoded *decoded;          // NULL: no room for it
+static SmvmDecoded *decoded;          // NULL: there is no memory for it
 #endif
 
 static SmVm *vm_of(Form *f) { return (SmVm *)f->memory; }
@@ -64,7 +64,7 @@ static uint32_t take_u32(void)
     uint64_t value;
 
     if (!take(&value, 4))
-        exit(6);                      // in the middle of something
+        exit(6);                      // the input ended inside a request
     return (uint32_t)value;
 }
 
@@ -202,7 +202,7 @@ static void take_cells(uint32_t n)
     cells = n < VM_CELLS ? n : VM_CELLS;
 }
 
-// Loads the machines that fit; `loaded` tells whether all of them fit and can run.
+// Loads the machines that fit.  `loaded`: all of them fit and can run.
 static uint32_t load(SmvmVerdict *why)
 {
     const uint32_t n = take_u32();
@@ -216,7 +216,7 @@ static uint32_t load(SmvmVerdict *why)
     loaded = false;
     if (size > VM_IMAGE || n > VM_CELLS)
         return NO_ROOM;
-    if (smvm_verify(image, size, why) != 0)           // the target's own limit is a lack of room, too
+    if (smvm_verify(image, size, why) != 0)           // a limit of this target also counts as a lack of memory
         return why->rule == SMVM_R_RAM || why->rule == SMVM_R_LENGTH ? NO_ROOM : why->rule;
     if (!smvm_machine(image, 0, &m) || m.sv_size > sizeof in_place.sv || smvm_ram_size(&m) > sizeof in_place.memory)
         return NO_ROOM;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The abort matrix: paths, how fast they are, what they depend on, and what the ability to abort depends on.
+// The abort matrix: the paths to an abort, their times, the inputs that they depend on, and what the ability to abort depends on.
 #include <string.h>
 
 #include "compiler/analysis/abort.h"
@@ -52,10 +52,10 @@ static void test_paths(const AbortMatrix *x)
     const AbortRow *r = x->row;
 
     CHECK(x->declared && x->n == 11);
-    CHECK(r[0].path.n == 1 && is_path(&r[0], 0, "kill", 1));                      // Fill is bound for nothing
+    CHECK(r[0].path.n == 1 && is_path(&r[0], 0, "kill", 1));                      // Fill is not bound for an @abort state
     CHECK(r[1].path.n == 2 && is_path(&r[1], 0, "mean > 40 or kill", 3) && is_path(&r[1], 1, "T > 9", ABORT_NOT_BOUNDED));
     CHECK(r[2].path.n == 1 && is_path(&r[2], 0, "valve and pressure > 38", 1));
-    CHECK(r[3].path.n == 1 && is_path(&r[3], 0, "T > 100", ABORT_NOT_BOUNDED));   // Loop leads nowhere
+    CHECK(r[3].path.n == 1 && is_path(&r[3], 0, "T > 100", ABORT_NOT_BOUNDED));   // Loop is not bound either
     CHECK(r[5].path.n == 2 && is_path(&r[5], 0, "thrust > 0", 2) && is_path(&r[5], 1, "not (thrust > 0)", 1));
     CHECK(r[6].path.n == 1 && is_path(&r[6], 0, "", 1));
     CHECK(r[7].path.n == 0 && r[8].path.n == 0 && r[10].path.n == 0);

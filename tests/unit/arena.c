@@ -69,7 +69,7 @@ static void test_lists_in_one_piece(Arena *a)
     CHECK(two.at[0] == 7 && one.at[3] == 0 && one.at[32] == 29);
 }
 
-// An allocation of 0 bytes from an empty arena has an address too.
+// An allocation of 0 bytes from an empty arena also has an address.
 static void test_empty_allocation_has_an_address(Arena *a)
 {
     CHECK(arena_alloc(a, 0) != NULL);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics: how they are collected and sorted, and what renderers make of them, letter by letter.
+// Diagnostics: how they are collected and sorted, and the exact output of each renderer.
 #include <string.h>
 
 #include "compiler/diag/diag.h"
@@ -86,10 +86,10 @@ static void test_places(void)
 
     start();
     s = source("a.sm", text, sizeof text - 1);
-    diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 99}, "1");                    // over several lines: cut
-    diag_report(&diags, DIAG_unknown_element, (Span){s, (uint32_t)sizeof text - 1, 0}, "2");     // behind the end
-    diag_report(&diags, DIAG_unknown_element, (Span){s, 6, 0}, "3");                     // at the line's end
-    diag_report(&diags, DIAG_unknown_element, (Span){NULL, 0, 0}, "4");                  // nowhere
+    diag_report(&diags, DIAG_unknown_element, (Span){s, 3, 99}, "1");                    // a span of several lines is cut
+    diag_report(&diags, DIAG_unknown_element, (Span){s, (uint32_t)sizeof text - 1, 0}, "2");     // after the end of the source
+    diag_report(&diags, DIAG_unknown_element, (Span){s, 6, 0}, "3");                     // at the end of the line
+    diag_report(&diags, DIAG_unknown_element, (Span){NULL, 0, 0}, "4");                  // without a source
     check_text(rendered(20), "a.sm:1:1: error: unknown element '1' [E0204]\n"
                              "    1 | one\n"
                              "      | ^~~\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants in emitted C keep every bit: what literal_write writes is read back by the C library and compared; and it is no
-// longer than it has to be.
+// Constants in emitted C preserve every bit: the C library reads the output of literal_write, and the result is compared.  No constant is longer
+// than necessary.
 #include <stdlib.h>
 #include <string.h>
 

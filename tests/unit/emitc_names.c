@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the source as names of C.
+// How names in the source become names in C.
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,7 +47,7 @@ static void test_reserved_names(void)
     CHECK(!c_is_reserved("pressure") && !c_is_reserved("Int") && !c_is_reserved("x_") && !c_is_reserved("T"));
 }
 
-// The members that elements of these names get, separated by blanks.
+// Returns the members that elements with these names get, separated by blanks.
 static const char *member_names(const char *const *name, size_t n)
 {
     StrPool strings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Environments of facts: with unique subtrees and without, random updates and joins give the same facts; with them, equal environments are
-// one, and a join that was computed before is found.
+// Environments of facts.  With and without unique subtrees, random updates and joins give the same facts.  With unique subtrees, equal
+// environments are the same object, and a join that was computed before is found.
 #include <stdlib.h>
 #include <string.h>
 
@@ -82,7 +82,7 @@ static void test_unique(Arena *arena)
     EnvShape s = env_shape(arena, m);
     const Env *up = NULL, *down = NULL, *other = NULL;
 
-    CHECK(s.unique != NULL);                    // as many variables as this have unique subtrees
+    CHECK(s.unique != NULL);                    // with this many variables, subtrees are unique
     for (uint32_t v = 0; v < VARS; v++) {
         up = env_set(&s, up, v, fact_of_cell(SM_I16, v & 7));
         down = env_set(&s, down, VARS - 1 - v, fact_of_cell(SM_I16, (VARS - 1 - v) & 7));

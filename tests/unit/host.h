@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An arena for unit tests, with the C library's heap behind it.
+// An arena for unit tests, on the C library's heap.
 #ifndef SM_TEST_HOST_H
 #define SM_TEST_HOST_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reachability and postdominators against what they mean, tried out: on random functions every block is asked in the plain
-// method: it removes another block and checks whether the end is still reachable.
+// Reachability and postdominators, compared with their definitions on random functions.  For every block, the test removes another block and
+// checks whether the end is still reachable.
 #include <stdlib.h>
 #include <string.h>
 
@@ -104,7 +104,7 @@ static void check_uses(Arena *a)
     f->blk.at[b].jump.cond = both;
     uses = ir_count_uses(a, f);
     CHECK(uses[t] == 3 && uses[both] == 1 && uses[dead] == 0);
-    f->blk.at[b].ins.n--;                             // an instruction in no block uses nothing
+    f->blk.at[b].ins.n--;                             // an instruction that is in no block uses no value
     CHECK(ir_count_uses(a, f)[t] == 2);
 }
 

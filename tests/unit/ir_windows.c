@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which roll calls share a window: a machine with very many samples, each different in one thing, and then all of them
-// again.  So many that the places of different samples in the table collide.
+// Which roll calls share a window.  A machine has very many samples, each with one difference, and then all of them again: enough that different
+// samples collide in the hash table.
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,7 +25,7 @@ static const char *const variable[] = {"x", "y", "p", "G", "S", "T"};
 enum { SIZES = 40 };
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 
-// Puts one call with the sample e for each size.  Returns their number.
+// Adds a call with the sample e for each size.  Returns their number.
 static size_t put_calls(Buf *b, const char *e)
 {
     for (int size = 1; size <= SIZES; size++)
@@ -77,7 +77,7 @@ static void check_sharing(Session *s)
     if (!p)
         return;
     m = ir_build(&s->arena, p);
-    // Of the samples only `x` is sampled with the sizes 1 … 10 inside others, and that is one of the variables.
+    // Of the samples, only `x` is sampled with sizes 1 … 10 inside other calls, and it is one of the variables.
     CHECK(m->window.n == different);
     CHECK(ir_verify(&s->arena, m) == NULL);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens: longest match, numbers, line ends, comments, signs of other languages, texts that never were programs.
+// Tokens: longest match, numbers, line ends, comments, operators of other languages, and files that are not programs.
 #include <string.h>
 
 #include "compiler/syntax/lex.h"

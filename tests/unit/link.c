@@ -47,7 +47,7 @@ static void test_sent_frame_arrives(void)
         }
 }
 
-// Damage: a byte is lost, comes twice, is another; what was sent never arrives as something else.
+// Damage: a byte is lost, repeated or changed.  A sent frame must never arrive with another content.
 static void damage(Line *l)
 {
     const uint16_t at = (uint16_t)(random_u64() % l->n);
@@ -95,7 +95,7 @@ static void test_too_long_frame_is_dropped(void)
     CHECK(!sm_link_receive(&r, 0) && !sm_link_receive(&r, 0));
 }
 
-// A frame of n payload bytes without a zero in them or in their checksum: COBS makes one block of it.
+// A frame of n payload bytes, with no zero in them or in their checksum: COBS encodes it as one block.
 static void make_one_block(Line *l, uint16_t n)
 {
     do
@@ -103,7 +103,7 @@ static void make_one_block(Line *l, uint16_t n)
     while (memchr(l->bytes + 1, 0, l->n - 2u) || l->bytes[0] != l->n - 1);
 }
 
-// A block that ends before its time: bytes are missing, though the checksum of the others is right.
+// A block that ends too early: bytes are missing, although the checksum of the others is correct.
 static void test_truncated_frame_is_dropped(void)
 {
     uint8_t buffer[ROOM];
@@ -120,7 +120,7 @@ static void test_truncated_frame_is_dropped(void)
     }
 }
 
-// A frame longer than the buffer, which begins with what would be a whole one.
+// A frame longer than the buffer, whose beginning would be a valid frame.
 static void test_too_long_frame_with_good_beginning_is_dropped(void)
 {
     uint8_t buffer[LINK_HEAD + 16 + LINK_TAIL];
@@ -148,7 +148,7 @@ static void test_fields_are_read_back(void)
     CHECK(at[0] == 4 && at[3] == 1 && sm_link_load(at, 4) == 0x01020304u && sm_link_load(at, 3) == 0x020304u);
 }
 
-// A record arrives as it was stored.  With any other bit, or for another image, it is not one.
+// A stored record is read unchanged.  If a bit is changed, or if it belongs to another image, it is refused.
 static void test_transitions_are_read_back(void)
 {
     static const LinkTransition t = {255, 15, LINK_LOST_MAX, 0x1234, 0xfedc, 0x89abcdef};

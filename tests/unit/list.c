@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// min, max, median and average of several values: the values of their steps against statistics of windows and against the reference, and the
-// form of the steps.
+// min, max, median and average of several values.  The results are compared with statistics of windows and with the reference.  The form of the
+// IR steps is checked, too.
 #include "compiler/sema/list.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static uint64_t next_random(void)                     // xorshift
     return random_state ^= random_state << 17;
 }
 
-// Returns a number where the middle of two is hard: special, near the ends of the range, near another, or any bits.
+// Returns a number for which the mean of two is difficult: special, near the limits of the range, near another number, or any bits.
 static double random_number(void)
 {
     static const double edge[] = {0.0, -0.0, 5e-324, -5e-324, 1e-323, INFINITY, -INFINITY, 0x1.fffffffffffffp1023, -0x1.fffffffffffffp1023,
@@ -36,7 +36,7 @@ static double random_number(void)
 
 static bool same(double a, double b) { return sm_bits(a) == sm_bits(b) || (a != a && b != b); }
 
-// The statistic that a window with these samples has; it has no NaN.
+// Returns the statistic of a window with these samples, none of which is NaN.
 static double statistic(SmStat stat, uint32_t n, const double *value)
 {
     uint64_t window[256] = {0};
@@ -64,8 +64,8 @@ static void compare(void)
     CHECK(nan ? isnan(result) : same(result, statistic(function[f].stat, n, value)));
 }
 
-// Every operand of a step is a value before it, every step but the last is an operand of a later one, and a median of an odd number of values has
-// only min and max: it is as exact on integers.
+// Every operand of a step is an earlier value, and every step but the last is an operand of a later one.  A median of an odd number of values
+// has only min and max, so that it is exact on integers.
 static void check_steps(SmBuiltin fn, uint32_t n)
 {
     ListStep step[LIST_STEPS_MAX];

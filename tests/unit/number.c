@@ -55,8 +55,8 @@ static void test_hex(void)
     CHECK(bits_of("0xFF_FF") == bits_of("65535"));
 }
 
-// Exactly half-way between two neighbours, and a little above.  (If long double is no longer than double, these are the neighbours
-// themselves.)
+// Numbers exactly half-way between two neighbours, and a little above.  If long double has only the precision of double, these are the
+// neighbours themselves.
 static void test_halves(void)
 {
     char text[1600];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reader of recorded data on files that no test case can contain: byte order marks, line ends, NUL bytes, long records, files that cannot be
-// read to their end.  And its memory, which must not grow with the rows.  Clauses 8.56, 8.57, 8.70.
+// Tests the reader of recorded data with files that no test case can contain: byte order marks, line ends, NUL bytes, long records, files that
+// cannot be read to their end.  Its memory must not grow with the number of rows.  Clauses 8.56, 8.57, 8.70.
 #include <string.h>
 
 #include "compiler/data/recording.h"
@@ -124,7 +124,7 @@ static void test_long_records(void)
     check_bad(text + 11, sizeof text - 11, 1, RECORDING_FILE, "longer than 1048576 bytes");
     text[10] = '"';
     check_bad(text, sizeof text, 2, RECORDING_FILE, "a quote that opens here is not closed");
-    text[10] = 'a';                                   // just short enough
+    text[10] = 'a';                                   // the longest that is accepted
     text[CSV_RECORD_MAX - 10] = '\n';
     memcpy(text + CSV_RECORD_MAX - 9, "1,2,\n", 5);
     check_good("a long record", text, CSV_RECORD_MAX - 4, 2, 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference's numbers: against values computed by hand, and against stdlib, which computes them by another method.
+// Numbers of the reference, compared with values computed by hand, and with stdlib, which uses another method.
 #include "compiler/script/ref.h"
 
 #include <float.h>
@@ -28,7 +28,7 @@ static double random_number(void)
 
     switch (r % 4) {
     case 0: return sm_from_bits(next_random());
-    case 1:             // 2^-70 … 2^69, and a little
+    case 1:             // 2^-70 … 2^69, plus a small number
         return sm_from_bits((next_random() % 140 + 953) << 52) * (r & 8 ? 1 : -1) + (double)(int)(next_random() % 7) - 3;
     case 2: return ((double)(next_random() % 1200) - 600) / 8;
     default: return (double)(int64_t)next_random() / 16;
@@ -104,7 +104,7 @@ static void compare_with_stdlib(void)
 #undef SM_SAMPLED
 }
 
-// Arguments where the elementary functions are hard.
+// Arguments for which the elementary functions are difficult.
 static void compare_elementary(void)
 {
     uint64_t state = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference's windows: by hand where the order of additions or the sign of zero shows, and against stdlib's.
+// Windows of the reference, compared with values computed by hand where the order of additions or the sign of zero matters, and with stdlib.
 #include "compiler/script/ref.h"
 
 #include <math.h>
@@ -59,7 +59,7 @@ static void check_by_hand(void)
     CHECK(isnan(stat(&f, SM_STAT_AVG)) && stat(&f, SM_STAT_RANGE) == INFINITY && stat(&f, SM_STAT_MEDIAN) == 1);
     for (int i = 0; i < 4; i++)
         push(&f, 5);
-    CHECK(stat(&f, SM_STAT_AVG) == 5 && same(stat(&f, SM_STAT_RANGE), 0));        // no trace of samples that have left the window
+    CHECK(stat(&f, SM_STAT_AVG) == 5 && same(stat(&f, SM_STAT_RANGE), 0));        // samples that have left the window have no effect
     push(&f, NAN);
     CHECK(stat(&f, SM_STAT_MIN) == 0 && stat(&f, SM_STAT_MEDIAN) == 5);
 }

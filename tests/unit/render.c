@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How diagnostics look: excerpts of long and of broken source lines.
+// The output for diagnostics: excerpts of long and of invalid source lines.
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,7 +16,7 @@ static void *heap(void *context, void *old, size_t size)
     return realloc(old, size);
 }
 
-// Returns what is printed for a diagnostic at byte `at` of a source.
+// Returns the output for a diagnostic at byte `at` of a source.
 static const char *rendered(Arena *a, const char *text, size_t len, uint32_t at)
 {
     DiagStyle style = {false, 20};
@@ -31,7 +31,7 @@ static const char *rendered(Arena *a, const char *text, size_t len, uint32_t at)
     return buf_text(&out);
 }
 
-// A caller learns from `met` that it failed, even when the error had been reported before or no sink receives it.
+// `met` reports a failure to the caller, even if the error was reported before or no sink receives it.
 static void errors_met(Arena *a)
 {
     Span span = {source_new(a, "x.sm", "p", 1), 0, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recorded data against a slow reference: random rows are written as CSV in random forms and run by a script, and every value of every step is
-// computed again from the rows themselves, by a search over all of them and with the C library's strtod.  Clauses 8.56 to 8.69.
+// Recorded data against a slow reference.  Random rows are written as CSV in random notations, and a script runs with them.  Every value of
+// every step is computed again from the rows: by a search over all of them, and with the C library's strtod.  Clauses 8.56 to 8.69.
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recording of a run: a single wild sample of a long run stays visible, visits and transitions are counted, memory does not grow.
+// The recording of a run: a single extreme sample of a long run is preserved, visits and transitions are counted, and memory does not grow.
 #include <setjmp.h>
 #include <string.h>
 
@@ -30,7 +30,7 @@ static EngineStatus fake_init(Engine *e, uint32_t state, EngineStep *out)
     return out->status = ENGINE_OK;
 }
 
-// Sets x to the number of the step, except once.  A and B alternate, a thousand steps each.  Refuses step 7.
+// Sets x to the number of the step, with one exception.  A and B alternate every thousand steps.  Step 7 is refused.
 static EngineStatus fake_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Fake *f = e->self;
@@ -79,7 +79,7 @@ static void check_visits(const Trace *t)
 {
     CHECK(t->visit.n == 100 && t->visits == 100 && t->visit.at[1].g == 10000 && t->visit.at[1].state->number == 2);
     CHECK(t->entered[0] == 50 && t->entered[1] == 50 && t->spent[0] == 49999 && t->spent[1] == 50000);
-    CHECK(t->taken[0] == 50 && t->taken[1] == 0 && t->taken[2] == 49 && t->taken[3] == 0);      // both transitions to B count at the first
+    CHECK(t->taken[0] == 50 && t->taken[1] == 0 && t->taken[2] == 49 && t->taken[3] == 0);  // both transitions to B are counted at the first one
     CHECK(t->first_g == 0 && t->last_g == 999990 && t->steps == 99999);
 }
 

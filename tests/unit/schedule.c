@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conditionals of a script that a step evaluates: all that can be true, in source order, and few others.
+// Checks which conditionals of a script a step evaluates: all that can be true, in source order, and few others.
 #include <string.h>
 
 #include "compiler/script/schedule.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random scripts with guards by time, inner conditionals, `else` and `state NAME`, each compared with the same script written by hand without
-// them (clause 8.39 to 8.47): every value after every step, the result, and how many asserts have passed.
+// Random scripts with guards by time, inner conditionals, `else` and `state NAME`, each compared with an equivalent script without them (clause
+// 8.39 to 8.47).  Every value after every step, the result, and the number of passed asserts must be equal.
 //
-// By hand, each conditional has a variable for whether it is taken in this step:
+// In the equivalent script, each conditional has a variable that is true if the conditional is taken in this step:
 //     at 30 { x = 1 }            true: c1 = G == 30
 //     else: x = 2                c1: x = 1
 //                                not c1: x = 2
@@ -50,7 +50,7 @@ static void write_guard(Writer *w, Buf *hand)
     }
 }
 
-// Writes a statement that runs if `path` is true, which is the form by hand of the conditionals around it.
+// Writes a statement that runs if `path` is true.  `path` replaces the conditionals around the statement.
 static void write_statement(Writer *w, const char *path)
 {
     static const char *const target[] = {"x", "y", "z"};

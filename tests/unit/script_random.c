@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers of scripts, clause 8.48 to 8.53: an implementation written from the clauses alone returns the same values, for calls in
+// Random numbers of scripts, clause 8.48 to 8.53.  An implementation written from the clauses alone must return the same values: for calls in
 // definitions and elsewhere, whether a step evaluates them or not.
 #include <string.h>
 
@@ -49,7 +49,7 @@ static uint64_t next(Stream *s)
     return x;
 }
 
-typedef struct Expected { double uniform, noise; } Expected;       // of 0 to 1, and of sigma 1
+typedef struct Expected { double uniform, noise; } Expected;       // uniform: from 0 to 1; noise: with sigma 1
 
 static Expected expected[CALLS + 1][STEPS + 1];
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What scripts cannot show of engines and of runs in lock step: refused steps, stored elements, engines that fail or
-// differ, the end of time, memory that runs out at any request.
+// Properties of engines and of runs in lock step that scripts cannot test: refused steps, stored elements, engines that fail or differ, the
+// largest time, and memory that is refused at any request.
 #include <stdlib.h>
 #include <string.h>
 
@@ -98,7 +98,7 @@ static void check_refused(Fixture *f)
 
 // ---- engines that differ, fail, refuse ----
 
-typedef struct Spoiler {      // an engine that does what another does, until its third step
+typedef struct Spoiler {      // an engine that does the same as another engine until its third step
     Engine engine;
     Engine *inner;
     int steps, what;
@@ -200,7 +200,7 @@ static void check_after_step(Fixture *f)
     CHECK(shown == 4);
 }
 
-static bool run_with(Fixture *f, long allocations)     // false when memory ran out
+static bool run_with(Fixture *f, long allocations)     // returns false when memory ran out
 {
     ScriptOptions o = {.max_steps = 100};
     jmp_buf oom;
@@ -220,7 +220,7 @@ static bool run_with(Fixture *f, long allocations)     // false when memory ran 
 int main(void)
 {
     static Fixture f;
-    static long n;            // allocations that the host grants
+    static long n;            // number of allocations that succeed
     jmp_buf oom;
 
     if (setjmp(oom))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checker's inner workings: places and hash of a state vector, constants, what a Program and a Script hold, speed.
+// Internals of the checker: offsets and hash of a state vector, constants, the content of a Program and of a Script, speed.
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A parameter that an application sets for one of its machines: the image and the C of that machine start with this value, and keep the default.
+// A parameter that an application sets for a machine.  The image and the C of that machine start with this value; the default does not change.
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ static bool set(Sema *s, Program *p, const char *name, const AstExpr *value)
     return set_parameter_of_machine(s, p, str_c(s->strings, name), (Span){0}, value);
 }
 
-// Whether a report with these words is among those of the session.
+// Whether the session has a diagnostic with these words.
 static bool is_reported(Session *c, const char *words)
 {
     const DiagStyle plain = {false, 20};

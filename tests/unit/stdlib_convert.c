@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversions: every row of language.md 2 as a table, then random bit patterns against a second conversion, which
-// splits the number into its bits and uses only integers.
+// Conversions: every row of language.md 2 as a table, then random bit patterns compared with a second conversion, which separates the bits of
+// the number and uses only integers.
 #include "stdlib/convert.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
@@ -59,7 +59,7 @@ static void test_other_rows(void)
         { SM_F32, -0.0, 0x80000000 },
         { SM_F32, 1e39, 0x7f800000 }, { SM_F32, -1e300, 0xff800000 }, { SM_F32, 3.4028234663852886e38, 0x7f7fffff },
         { SM_F32, 3.4028235677973362e38, 0x7f7fffff },
-        { SM_F32, 3.4028235677973366e38, 0x7f800000 },     // below, at the half step over FLT_MAX
+        { SM_F32, 3.4028235677973366e38, 0x7f800000 },     // half a step above FLT_MAX; the row before is just below that
         { SM_F32, 1.000000059604644775390625, 0x3f800000 },
         { SM_F32, 1.000000178813934326171875, 0x3f800002 },   // ties to even
         { SM_F32, 1.401298464324817e-45, 1 }, { SM_F32, -1e-45, 0x80000001 }, { SM_F32, 7.006492321624085e-46, 0 },
@@ -142,7 +142,7 @@ static uint64_t expected_f32(uint64_t bits)
     m >>= shift;
     if (rest > (uint64_t)1 << (shift - 1) || (rest == (uint64_t)1 << (shift - 1) && (m & 1) != 0))
         m++;
-    m += (uint64_t)(biased - 1) << 23;        // the leading 1 adds the missing one
+    m += (uint64_t)(biased - 1) << 23;        // the implicit leading 1 adds the missing one
     return sign | (m >= 0x7f800000u ? 0x7f800000u : m);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elementary functions: special values as C's Annex F has them, exact values, and the errors of a fixed sample whose
-// results mpmath computed (tests/elementary/sample.py).
+// The elementary functions: the special values of C's Annex F, exact values, and the errors for a fixed sample whose results were computed with
+// mpmath (tests/elementary/sample.py).
 #include <math.h>
 
 #include "stdlib/elementary.h"
@@ -97,7 +97,7 @@ static void test_exact(void)
         CHECK(same(sm_pow(i, 2), (SmF64)i * i) && same(sm_pow((SmF64)i * i, 0.5), i) && same(sm_hypot(3 * i, -4 * i), 5 * i));
 }
 
-// sin and its relatives are odd, cos and hypot even.
+// sin and similar functions are odd; cos and hypot are even.
 static void test_symmetry(void)
 {
     for (SmF64 x = 1e-9; x < 1e200; x *= 1.7) {

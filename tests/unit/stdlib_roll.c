@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rolling windows against a model that stores the whole history and computes each statistic again from language.md 7: it
-// fills an array of slots with holes, halves it level by level, and sorts.  stdlib_roll_small.c runs this with SM_ROLL_SMALL, where
-// what the VM calls and what emitted C calls are written apart, and leave the same memory.
+// Rolling windows compared with a model.  The model stores the whole history and computes each statistic again from language.md 7: it fills an
+// array of slots with holes, adds pairs level by level, and sorts.  stdlib_roll_small.c runs this with SM_ROLL_SMALL.  There the functions that
+// the VM calls and those that emitted C calls are separate, and must leave the same memory.
 #include <stdlib.h>
 
 #include "stdlib/roll.h"
@@ -10,7 +10,7 @@
 
 enum { HISTORY = 310000, STATS = (1 << SM_STAT_ELAPSED) - 1, EMITTED = 10000 };
 
-static double history[HISTORY];          // as the window is to hold them
+static double history[HISTORY];          // the samples as the window must store them
 
 static bool same(double a, double b) { return (a != a && b != b) || sm_bits(a) == sm_bits(b); }
 

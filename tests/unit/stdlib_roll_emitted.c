@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// stdlib_roll.c as in emitted C: windows without a median compare samples as numbers, and three samples are put in order when they are read.
+// stdlib_roll.c as in emitted C: windows without a median compare samples as numbers, and windows of three samples are sorted when they are
+// read.
 #define SM_ROLL_BY_VALUE 1
 #define SM_ROLL_LATE_ORDER 1
 #include "tests/unit/stdlib_roll.c"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A VM without windows: its verifier, which asks sm_roll_is_kind, refuses them all.
+// A VM without windows: its verifier, which calls sm_roll_is_kind, refuses all of them.
 #define SM_ROLL_NONE 1
 #include "stdlib/roll.h"
 #include "tests/test.h"

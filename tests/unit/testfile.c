@@ -80,7 +80,7 @@ static void check_any_bytes(void)
     char text[300];
     unsigned r = 1;
 
-    for (int i = 0; i < 20000; i++) {                 // nothing but that it comes back
+    for (int i = 0; i < 20000; i++) {                 // checks only that parsing terminates
         static const char pieces[] = "-- a.sm --\n#! E0204\r\n\0 \t-";
         for (size_t j = 0; j < sizeof text; j++)
             text[j] = pieces[(r = r * 1664525u + 1013904223u) >> 16 & 15];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of images: Chaskey-12 against the vectors published with its reference implementation (Mouha, chaskey12.c), and images
-// of which nothing may be changed.
+// The authentication code of images: Chaskey-12, compared with the test vectors of its reference implementation (Mouha, chaskey12.c), and images
+// in which no byte may be changed.
 #include "bytecode-vm/auth.h"
 #include "tests/test.h"
 
-// Of messages of 0, 1, 2, … bytes 00, 01, 02, …
+// The codes of messages with 0, 1, 2, … bytes 00, 01, 02, …
 static const uint32_t key_words[4] = { 0x833D3433, 0x009F389F, 0x2398E64F, 0x417ACF39 };
 static const uint32_t vectors[64][4] = {
     { 0x43CB1F41, 0x51EBA0C2, 0xFF0A8AC3, 0x7EE3F642 },
@@ -96,7 +96,7 @@ static void test_vectors(void)
     }
 }
 
-// Flipping one bit of the message or the key changes about half of the bits of the code.
+// A change of one bit of the message or the key changes about half of the bits of the code.
 static void test_every_bit_counts(void)
 {
     uint8_t message[40] = { 1, 2, 3 }, key[SMVM_KEY], code[SMVM_CODE], other[SMVM_CODE];
@@ -112,7 +112,7 @@ static void test_every_bit_counts(void)
         differ = 0;
         for (unsigned i = 0; i < 8 * SMVM_CODE; i++)
             differ += (unsigned)(code[i / 8] ^ other[i / 8]) >> i % 8 & 1u;
-        CHECK(bit / 8 >= 4 && bit / 8 < 8 ? differ == 0 : differ >= 30 && differ <= 98);       // the CRC is no part of it
+        CHECK(bit / 8 >= 4 && bit / 8 < 8 ? differ == 0 : differ >= 30 && differ <= 98);       // the code does not cover the CRC
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images by hand, for the tests of the VM: written from docs/bytecode.md and sharing no code with the compiler's writer.
+// Builds images by hand for the tests of the VM.  Written from docs/bytecode.md, without code of the compiler's writer.
 #ifndef VM_BUILD_H
 #define VM_BUILD_H
 
@@ -26,10 +26,10 @@ typedef struct Build {
     uint32_t init_size, safe_size;
 } Build;
 
-// The rule that a size beyond 64 KB breaks: `rule`, but where the target's offsets have 16 bits the limit of its memory.
+// Returns the rule that a size beyond 64 KB violates: `rule`, but on a target with offsets of 16 bits the rule about the limit of its memory.
 #define BEYOND(rule) (sizeof(SmvmAt) > 2 ? (rule) : SMVM_R_RAM)
 
-// A place of three bytes: offset in units of the type's size in the low 16 bits and the topmost 4, type in between.
+// Encodes a reference of three bytes: the offset in units of the type's size in the lowest 16 and the highest 4 bits, the type in between.
 #define PLACE_OF(type, at) (((uint32_t)(at) & 0xffff) | (uint32_t)(type) << 16 | (uint32_t)(at) >> 16 << 20)
 #define PLACE(type, offset) PLACE_OF(SM_##type, (offset) >> smvm_type_shift(SM_##type))
 #define WINDOW(size, stats) WINDOW_OF(SM_ROLL_F64, size, stats)
@@ -114,7 +114,7 @@ static inline uint32_t put_machine(const Build *b, uint8_t *p)
     return (uint32_t)(p - start);
 }
 
-// Header and section table of n sections whose bytes follow one another; returns the image's length.
+// Writes the header and the section table of n sections whose bytes follow one another.  Returns the length of the image.
 static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id, const uint32_t *size)
 {
     uint8_t *p = image + 12;
@@ -135,8 +135,8 @@ static inline uint32_t put_header(uint8_t *image, unsigned n, const uint8_t *id,
     return at;
 }
 
-// Puts the sections with these ids, at most 20: each MACHINE, CODE, INIT, SAFE, SWAP and ABORT is that of the next machine of b; others are two
-// bytes of no meaning.
+// Adds the sections with these ids, at most 20.  Each MACHINE, CODE, INIT, SAFE, SWAP and ABORT belongs to the next machine of b.  Sections with
+// other ids have two bytes without meaning.
 static inline uint32_t build_sections(const Build *b, unsigned n, const uint8_t *id, uint8_t *image)
 {
     uint32_t size[20], at = 12 + 8 * n;
@@ -169,7 +169,7 @@ static inline uint32_t build_image(const Build *b, uint8_t *image)
     return build_sections(b, 4, id, image);
 }
 
-// Where section `index` of the image begins, and how long it is.
+// Returns where section `index` of the image begins, and its length.
 static inline uint32_t section_at(const uint8_t *image, unsigned index)
 {
     const uint8_t *p = image + 12 + 8 * index;

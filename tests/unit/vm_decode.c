@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoded form behaves like the image: every opcode on memory of every type and on numbers that are difficult for some
-// engine, with and without a later use of X; code without meaning; then its memory.  (Random images are for vm_mutate and the
-// fuzzer, whole programs for the engine, which runs both forms.)
+// The decoded form behaves like the image: every opcode on memory of every type and on difficult numbers, with and without a later use of X;
+// random code; then its memory.  Random images are tested by vm_mutate and the fuzzer, whole programs by the engine, which runs both forms.
 #include <stdlib.h>
 
 #include "tests/test.h"
@@ -11,8 +10,8 @@
 #define DECODE_TEST "vm_decode"
 #endif
 
-// Each instruction has a place of its own to write to, of 8 bytes.  What is loaded: elements and locals of all types, a RAW local, T,
-// numbers; X may also have been computed in one of these ways.
+// Each instruction writes to its own 8 bytes.  It loads elements and locals of all types, a RAW local, T, or numbers.  X may also have been
+// computed in one of these ways.
 enum { RESULTS = 96, NUMBERS = 14, FIRST_NUMBER = 2 * SM_TYPE_COUNT + 2, SOURCES = FIRST_NUMBER + NUMBERS, WAYS = 6 };
 enum { SOURCE_AT = 16, RESULT_AT = SOURCE_AT + 8 * SM_TYPE_COUNT, VECTOR = RESULT_AT + 8 * RESULTS };      // in the state vector
 enum { RAW_AT = 8 * SM_TYPE_COUNT, OTHERS_AT = RAW_AT + 8, LOCALS = OTHERS_AT + 8 * (SM_TYPE_COUNT + 1) };  // among the locals
@@ -20,7 +19,7 @@ enum { ALL = SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED, TO_Y = SMVM
 
 typedef struct Case {
     Build b;
-    unsigned instructions;    // how many were put
+    unsigned instructions;    // number of instructions added
     uint64_t seed;
 } Case;
 
@@ -312,7 +311,7 @@ static void test_overwritten_x_decodes_alike(Case *c)
 typedef struct Nonsense {
     Case *c;
     uint64_t seed;
-    uint32_t jump[8], jumps;  // where the distances stand of jumps whose targets are ahead; a byte each
+    uint32_t jump[8], jumps;  // offsets of the distance bytes of forward jumps whose targets are not yet known
     bool x, y;                // whether it is known
 } Nonsense;
 
@@ -333,7 +332,7 @@ static void put_random_load(Nonsense *n, unsigned to_y)
     n->y = to_y != 0;
 }
 
-static void here(Nonsense *n)                         // the jumps so far lead here, where X is loaded
+static void here(Nonsense *n)                         // resolves all forward jumps to this position, where X is loaded
 {
     while (n->jumps > 0) {
         uint32_t at = n->jump[--n->jumps];
@@ -456,7 +455,8 @@ static void test_transitions_decode_alike(Case *c)
 
 // ---- windows of all types and statistics ----
 
-static void put_stat(Case *c, unsigned stat, unsigned type)      // stored; and a jump's condition, which tests a number or a variable in memory
+// Uses a statistic: stores it, and compares it in the condition of a jump with a number or with a variable in memory.
+static void put_stat(Case *c, unsigned stat, unsigned type)
 {
     code(&c->b, SMVM_stat, 2, stat, 0);
     code(&c->b, SMVM_out, 1, put_use_of_x(c, type));
@@ -484,7 +484,7 @@ static void check_window(Case *c, unsigned type, unsigned n, unsigned stats, uns
     code(&c->b, SMVM_end, 0);
     end_function(&c->b);
     end_function(&c->b);
-    while (how % 5 < 3 && (stats & (stats - 1)) == 0 && c->b.outputs < 63 + how % 5)      // it goes to one of the last that fit into a word, or the next
+    while (how % 5 < 3 && (stats & (stats - 1)) == 0 && c->b.outputs < 63 + how % 5)      // one of the last in a word, or the next
         put_use_of_x(c, SM_F64);
     for (unsigned s = 0; s < SM_STAT_COUNT; s++)
         if (stats >> s & 1)
@@ -548,7 +548,7 @@ static void test_decoding_needs_aligned_memory(void)
         CHECK(smvm_step_decoded(d, sv[i]) == SM_OK && sm_from_bits(sv[i][RESULT_AT / 8]) == 10);
         CHECK(smvm_step_decoded(d, sv[i]) == SM_REFUSED && smvm_stored(vm, 0) && !smvm_stored(vm, 1));
     }
-    CHECK(sv[0][0] == 1 && smvm_init(ram, sizeof ram, &m, &vector, 1) == SM_OK);               // as at first
+    CHECK(sv[0][0] == 1 && smvm_init(ram, sizeof ram, &m, &vector, 1) == SM_OK);               // the same as the first time
     sv[0][SOURCE_AT / 8 + SM_F64] = sm_bits(sm_from_i32(4));
     CHECK(smvm_step_decoded(d, sv[0]) == SM_OK && sm_from_bits(sv[0][RESULT_AT / 8]) == 11 && smvm_stored_state(vm));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disassembling: every opcode as text; and images with hostile names: all share one of the greatest length, or are out of order.
+// Disassembling: every opcode as text, and images with invalid names: all with the same name of the greatest length, or not in order.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
@@ -17,7 +17,7 @@ static void count(void *context, const char *text, size_t length)
 typedef struct Names {
     uint32_t variables;
     struct { unsigned is; uint32_t place; } variable[8];
-    uint32_t size;            // of the one name that all of them have
+    uint32_t size;            // size of the single name that all of them have
 } Names;
 
 static uint32_t put_debug(const Build *b, const Names *names, uint8_t *p)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/bytecode.md agrees with the tables, row by row, and its example of embedding compiles and runs.
+// Checks that docs/bytecode.md agrees with the tables, row by row, and that its example of embedding compiles and runs.
 #include <string.h>
 
 #include "bytecode-vm/image.h"
@@ -61,7 +61,7 @@ static void test_opcodes_are_documented(void)
 #undef SMVM_OP
 }
 
-// Whether a rule's sentence is that of the page, which begins with a capital and marks code: compares without quotes and capitals.
+// Whether the page has the sentence of a rule.  Compares without quotes and capitals, since the page begins with a capital and marks code.
 static bool same_words(const char *a, const char *b)
 {
     while (*a && *b) {

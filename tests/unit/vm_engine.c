@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM as an engine: which images it accepts for a program, and that writes, refusals and the answers after init are right.
-// That it computes what the reference does is for conformance/ and tests/diff to show.
+// The VM as an engine: the images that it accepts for a program, and the results of writes, refused steps and init.  conformance/ and tests/diff
+// check that it computes the same as the reference.
 #include <stdlib.h>
 #include <string.h>
 

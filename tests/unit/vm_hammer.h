@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as an image: they are refused, or every machine in them runs on any state vector, in memory of exactly
-// the size it asked for, in place and decoded, with the same results.  What goes wrong is for the sanitizers to see.  Shared by tests/unit/vm_mutate.c and tests/fuzz/image.c.
+// Any bytes as an image.  Either the verifier refuses them, or every machine in them runs on any state vector, in memory of exactly the size
+// that it requires.  In place and decoded it must have the same results.  Sanitizers detect invalid accesses.  Shared by tests/unit/vm_mutate.c
+// and tests/fuzz/image.c.
 #ifndef VM_HAMMER_H
 #define VM_HAMMER_H
 
@@ -27,7 +28,7 @@ static inline uint64_t hammer_word(uint64_t *seed)
 {
     static const uint64_t hard[] = {0, 1, UINT64_MAX, 0x7ff0000000000000, 0xfff0000000000000, 0x7ff0000000000001, 0x7ff8000000000000,
                                     0x8000000000000000, 0x7fefffffffffffff, 0x3ff0000000000000, 0x7f8000007f800001, 0x00000000ff800000,
-                                    0x0020000000000001, 0xffdfffffffffffff};         // 2^53 + 1 and its negative: no F64 is that
+                                    0x0020000000000001, 0xffdfffffffffffff};         // 2^53 + 1 and its negative, which no F64 can represent
     uint64_t r = hammer_random(seed);
 
     return r % 3 == 0 ? hard[r / 3 % (sizeof hard / sizeof *hard)] : r % 3 == 1 ? r >> (r >> 8 & 63) : hammer_random(seed);
@@ -41,7 +42,7 @@ static inline void hammer_sink(void *context, const char *text, size_t length)
         *sum += (unsigned char)text[i];
 }
 
-// Returns how many steps are affordable: steps with long windows are slow.
+// Returns how many steps to run: fewer if windows are long, because such steps are slow.
 static inline uint32_t hammer_steps(const SmvmMachine *m, uint32_t steps)
 {
     uint64_t slots = 0;
@@ -117,7 +118,7 @@ static inline void hammer_machine(const SmvmMachine *m, uint32_t steps, uint64_t
     hammer_close(&fast);
 }
 
-// Swaps `from` for `to`, whatever their names, and runs `to` in place and decoded.
+// Swaps `from` for `to`, even if their names differ, and runs `to` in place and decoded.
 static inline void hammer_swap(const SmvmMachine *from, const SmvmMachine *to, uint32_t steps, uint64_t *seed)
 {
     const uint32_t size = smvm_swap_size(from, to);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The VM as a small target would build it (vm_small.h), on images that were changed at random: it reads no byte outside the
-// image, writes none outside its memory and the outputs, and no step takes more instructions than the bound of the verifier.
+// The VM as a small target configures it (vm_small.h), on randomly changed images.  It reads no byte outside the image, writes no byte outside
+// its memory and the outputs, and no step executes more instructions than the verifier's bound.
 #define SMVM_CONFIG "tests/unit/vm_small.h"
 #include "bytecode-vm/load.c"
 #define take pins_take
@@ -90,7 +90,7 @@ static bool is_target_of(const Build *b, uint32_t at)
     return op == SMVM_end || op == SMVM_goto || op == SMVM_jmp || (op >= 0x80 && op <= SMVM_stat);
 }
 
-// Lets each jump of the function that begins at `start` lead to some instruction after the jump.
+// Lets each jump of the function that begins at `start` lead to a random instruction after the jump.
 static void aim_jumps(Build *b, uint32_t start)
 {
     for (uint32_t at = start, next; at < b->size; at = next) {
@@ -101,7 +101,7 @@ static void aim_jumps(Build *b, uint32_t start)
             continue;
         for (to = next + random_below(b->size - next < 60 ? b->size - next : 60); to < b->size && !is_target_of(b, to); to++)
             ;
-        while (to >= b->size || !is_target_of(b, to))            // none behind: the last one there is
+        while (to >= b->size || !is_target_of(b, to))            // no target follows: the last one is valid
             to--;
         CHECK(to - next < 96);
         b->code[next - 1] = (uint8_t)(to - next);
@@ -240,7 +240,7 @@ static uint8_t verify_build(const Build *b)
     return smvm_verify(START, n, &v);
 }
 
-// A machine must not write its state's number over the clock of all machines.
+// A machine must not write the number of its state to the clock that all machines share.
 static void test_state_cannot_overwrite_time(void)
 {
     Build b;
@@ -263,7 +263,7 @@ static void test_image_too_large_for_the_target_is_refused(void)
     CHECK(verify_build(&b) == 0);
     b.sv_words++;
     CHECK(verify_build(&b) == SMVM_R_RAM);
-    b.sv_words = b.to = 0x10000 / 8 + SV_WORDS;       // what would be SV_WORDS in 16 bits
+    b.sv_words = b.to = 0x10000 / 8 + SV_WORDS;       // in 16 bits this would be SV_WORDS
     CHECK(verify_build(&b) == SMVM_R_RAM);
     make_random_machine(&b);
     b.locals = 0x10000 + LOCALS;
@@ -275,7 +275,7 @@ static void test_image_too_large_for_the_target_is_refused(void)
     b.output[0] = PLACE_OF(SM_F64, 0x10000 / 8 + 2);
     CHECK(verify_build(&b) == SMVM_R_OUTPUTS);
     make_random_machine(&b);
-    b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a sum of 16 bits would come to 8
+    b.window[0] = WINDOW(0x2000 + 1, 1);              // 65544 bytes: a 16-bit sum would overflow to 8
     CHECK(verify_build(&b) == SMVM_R_RAM);
     b.window[0] = WINDOW(100000, 255);
     CHECK(verify_build(&b) == SMVM_R_RAM);
@@ -300,7 +300,7 @@ static void test_unknown_optional_section_is_skipped(void)
     CHECK(smvm_verify(START, small_end - START, &v) == 0);
 }
 
-// A VM without parameters refuses images that have them, even an empty section: it would ignore what the image says about values.
+// A VM without parameters refuses images that have them, even an empty section: otherwise it would ignore values that the image sets.
 static void test_parameters_are_refused_where_the_vm_has_none(void)
 {
     static const uint8_t id[] = {0x81, 0x82, 0x84};

@@ -58,7 +58,7 @@ static void test_operations_compute(void)
     CHECK(compute_of_two(SMVM_or, 0, 3) == 1 && compute_of_two(SMVM_or, 3, 0) == 1 && compute_of_two(SMVM_or, 0, 0) == 0);
 }
 
-// Every elementary function, and after it the values that both registers can still have.
+// Every elementary function, and afterwards the values that both registers can still have.
 static double compute_function(uint8_t op, unsigned n, double x, double y)
 {
     Build b;
@@ -110,10 +110,10 @@ static void test_nan_in_operations(void)
     for (unsigned m = 1; m < 15; m++)
         CHECK(compute_with_nan(SMVM_set, 1, m) == (m >> 3));
     CHECK(compute_with_nan(SMVM_and, 0, 0) == 0 && compute_with_nan(SMVM_or, 0, 0) == 1);
-    CHECK(same(compute_with_nan(SMVM_add, 0, 0), 0.0));       // stored as 0
-    CHECK(compute_of_one(SMVM_abs, NAN) == 0 && compute_relation(2, NAN, 0) == 1);           // read as 0
+    CHECK(same(compute_with_nan(SMVM_add, 0, 0), 0.0));       // a NaN is stored as 0
+    CHECK(compute_of_one(SMVM_abs, NAN) == 0 && compute_relation(2, NAN, 0) == 1);           // a NaN is read as 0
     begin(&b);
-    code(&b, SMVM_ldx_f32, 1, 1);                     // a constant NaN stays one, and is not true
+    code(&b, SMVM_ldx_f32, 1, 1);                     // a constant NaN is not converted, and is not true
     code(&b, SMVM_ldy_plus, 1, 1);
     code(&b, SMVM_and, 0);
     CHECK(given(&b, 0, 0) == 0);
@@ -123,7 +123,7 @@ static void test_nan_in_operations(void)
     code(&b, SMVM_set, 1, SMVM_UNORDERED);
     CHECK(given(&b, 0, 0) == 1);
     begin(&b);
-    code(&b, SMVM_ldx_f32, 1, 1);                     // and so does one in a local that stores the value unchanged
+    code(&b, SMVM_ldx_f32, 1, 1);                     // the same for a NaN in a local that stores the value unchanged
     typed(&b, SMVM_st_local, SMVM_RAW, LOCAL_RAW);
     typed(&b, SMVM_ldx_local, SMVM_RAW, LOCAL_RAW);
     typed(&b, SMVM_ldy_local, SMVM_RAW, LOCAL_RAW);
@@ -181,7 +181,7 @@ static void test_loads_read(void)
     CHECK(run(&t, &b, -0.5, 0) && *(uint8_t *)&t.sv[3] == 1 && smvm_stored((SmVm *)t.memory, 1) && !smvm_stored((SmVm *)t.memory, 0));
 }
 
-// Stores and loads of Y keep X.  Operations keep Y.
+// Stores, and loads of Y, do not change X.  Operations do not change Y.
 static void test_registers_keep_values(void)
 {
     Build b;
@@ -252,8 +252,8 @@ static void test_cvt_is_a_store(void)
         }
 }
 
-// A wrong index would select another thing: ten outputs, two of each constant, G and S not at the start, and a vector of which only a part
-// is named.
+// A wrong index selects a wrong item: ten outputs, two constants of each type, G and S not at the start, and a vector of which the machine uses
+// only a part.
 static void test_indices_select_the_right_thing(void)
 {
     Machine t;

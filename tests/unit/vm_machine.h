@@ -91,7 +91,7 @@ static inline void set_s(Machine *t, uint32_t s) { memcpy((uint8_t *)t->sv + 8, 
 static inline bool run(Machine *t, Build *b, double x, double y)
 {
     end_function(b);                                  // sample
-    end_function(b);                                  // entry: the code so far is the step's
+    end_function(b);                                  // the code so far is the entry function; the step function follows
     b->end[0] = b->end[1] = 0;
     code(b, SMVM_end, 0);
     end_function(b);
@@ -104,7 +104,7 @@ static inline bool run(Machine *t, Build *b, double x, double y)
     return smvm_step((SmVm *)t->memory, t->sv) == SM_OK;
 }
 
-static inline double given(Build *b, double x, double y)     // OUT = X behind the instructions
+static inline double given(Build *b, double x, double y)     // OUT = X after the instructions
 {
     Machine t;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each byte of varied images is changed to other values, with the checksum made right again: the result is refused, or it runs
-// without leaving its memory.  Each image is also cut at every length.
+// Each byte of several images is changed to other values, with a corrected checksum.  The verifier refuses the result, or it runs without an
+// access outside its memory.  Each image is also cut at every length.
 //
-//     vm_mutate [STEPS [VALUES [FOLDER|- [IMAGE…]]]]     steps of each accepted mutant; how many values a byte gets (256: all); where
-//                                                        to write the images, as seeds for fuzzing; images beside those made here
+//     vm_mutate [STEPS [VALUES [FOLDER|- [IMAGE…]]]]
+// STEPS: steps of each accepted mutant.  VALUES: number of values for each byte (256: all).  FOLDER: where the images are written, as seeds for
+// fuzzing.  IMAGE: more images.
 //
-// To be run under sanitizers (make check-mutate); without them little is seen.
+// Run it under sanitizers (make check-mutate): without them, few errors are detected.
 #include "tests/unit/vm_hammer.h"
 
 #include <stdio.h>
@@ -60,7 +61,7 @@ static void keep_image(const uint8_t *image, uint32_t n)
 
 static void mutate_image(const uint8_t *image, uint32_t n)
 {
-    uint8_t *copy = malloc(n);                        // exactly as long: a read beyond it is seen
+    uint8_t *copy = malloc(n);                        // of exactly this size, so that a sanitizer notices a read beyond it
 
     if (folder)
         keep_image(image, n);
@@ -72,7 +73,7 @@ static void mutate_image(const uint8_t *image, uint32_t n)
         for (uint32_t k = 1; k <= values; k++) {
             uint64_t seed = (uint64_t)at << 20 | k << 1 | 1;
             copy[at] = (uint8_t)(image[at] + (values > 255 ? k : k < 9 ? 1u << (k - 1) : (uint32_t)(hammer_random(&seed) >> 16)));
-            if (at < 8 || at > 10)                    // (not where a wrong length would make the checksum read beyond)
+            if (at < 8 || at > 10)                    // (a wrong length would make the checksum read outside the image)
                 fix_crc(copy);
             try_mutant(copy, n, seed);
         }

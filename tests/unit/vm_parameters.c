@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters in images (docs/bytecode.md, PARAMETERS): what the verifier refuses, what setting one changes, and the two identities.
+// Parameters in images (docs/bytecode.md, PARAMETERS): what the verifier refuses, the effect of setting a parameter, and the two identities.
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,7 +45,7 @@ static void restore(void)
     CHECK(smvm_machine(image, 0, &m));
 }
 
-// Returns the rule that the image breaks once byte `at` is `byte`.
+// Returns the rule that the image violates if byte `at` has the value `byte`.
 static uint8_t rule_with(uint32_t at, uint8_t byte)
 {
     SmvmVerdict v;
@@ -94,8 +94,8 @@ static void test_places_are_checked(void)
     const uint32_t n = entry(N).numbers - SMVM_LOCATION_BYTES, gain = entry(GAIN).numbers - SMVM_LOCATION_BYTES;
 
     CHECK(rule_with(n, image[n]) == 0);
-    CHECK(rule_with(n, 17) == SMVM_R_PARAMETERS);                     // a byte of `offset`
-    CHECK(rule_with(n, 19) == SMVM_R_PARAMETERS);                     // that of `on`, which follows
+    CHECK(rule_with(n, 17) == SMVM_R_PARAMETERS);                     // overlaps the parameter `offset`
+    CHECK(rule_with(n, 19) == SMVM_R_PARAMETERS);                     // overlaps `on`, the next parameter
     CHECK(rule_with(n, 200) == SMVM_R_PARAMETERS);                    // beyond the locals
     CHECK(rule_with(gain, 0) == SMVM_R_PARAMETERS);                   // `limit`
     CHECK(rule_with(n + 2, SMVM_RAW) == SMVM_R_PARAMETERS && rule_with(n + 2, 15) == SMVM_R_PARAMETERS);
@@ -104,7 +104,7 @@ static void test_places_are_checked(void)
     CHECK(rule_with(entry(ON).name[1] - 1, 1) == SMVM_R_PARAMETERS && rule_with(entry(ON).name[1] - 1, 0x5f) == SMVM_R_PARAMETERS);    // its unit is cut off
 }
 
-// Returns the rule that the image breaks if a number of a parameter is `bits`.
+// Returns the rule that the image violates if a number of a parameter has the value `bits`.
 static uint8_t rule_of_value(uint32_t number, uint8_t which, uint64_t bits)
 {
     const SmvmParameterEntry e = entry(number);
@@ -156,7 +156,7 @@ static void check_started(void)
     }
 }
 
-// Whatever a byte of the section is, the verifier refuses the image or the machine starts within its ranges.
+// For each value of each byte of the section, the verifier refuses the image, or the machine starts with values within its ranges.
 static void test_any_damage_is_harmless(void)
 {
     uint32_t accepted = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pins of an image (docs/bytecode.md, IO): accepted sections, refused ones, and every byte of a section changed.  Images are by
-// hand.
+// The pins of an image (docs/bytecode.md, IO): accepted sections, refused ones, and every byte of a section changed.  Images are built by hand.
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,7 +9,7 @@
 
 enum { VECTOR = 64, LAYOUT = 77, SECTION_AT = 12 + 3 * 8 };
 
-// A section under construction: the vector's layout and size, a number of pins, then rows.
+// A section that is being built: the vector's layout and size, the number of pins, then rows.
 typedef struct Pins {
     uint8_t at[400];
     uint32_t n;
@@ -151,19 +150,19 @@ static void test_record(void)
 {
     Pins p = sample();
 
-    for (uint32_t n = 0; n < sample().n; n++) {       // cut anywhere
+    for (uint32_t n = 0; n < sample().n; n++) {       // cut at any position
         p.n = n;
         CHECK(verify_pins(&p) == SMVM_R_IO);
     }
     p = sample();
-    put(&p, 0, 1);                                    // something behind the last
+    put(&p, 0, 1);                                    // a byte after the last pin
     CHECK(verify_pins(&p) == SMVM_R_IO);
     p = sample();
-    p.at[5] = 5;                                      // fewer than there are; more
+    p.at[5] = 5;                                      // fewer pins than there are; more pins
     CHECK(verify_pins(&p) == SMVM_R_IO);
     p.at[5] = 7;
     CHECK(verify_pins(&p) == SMVM_R_IO);
-    p.at[5] = 0x80;                                   // no number
+    p.at[5] = 0x80;                                   // not a valid number
     CHECK(verify_pins(&p) == SMVM_R_IO);
 }
 
@@ -175,7 +174,7 @@ static void test_rows(void)
     CHECK(verify_row(0, PLACE_OF(9, 0xfffff), 0) == SMVM_R_PIN);
     CHECK(verify_row(0, PLACE(F64, 0), 65536) == SMVM_R_PIN);
     CHECK(verify_row(0, PLACE(F64, 0), 0x1000c5fu) == SMVM_R_PIN);
-    for (unsigned type = 10; type < 16; type++)       // analog and bool; no element at all
+    for (unsigned type = 10; type < 16; type++)       // an analog pin of type bool; a type that does not exist
         CHECK(verify_row(0, PLACE_OF(type, 0), 0) == SMVM_R_PIN);
     for (unsigned type = 0; type < 10; type++)
         CHECK(verify_row(2, PLACE_OF(type, 0), 0) == SMVM_R_PIN && verify_row(1, PLACE_OF(type, 0), 0) == 0);
@@ -184,8 +183,8 @@ static void test_rows(void)
 static void test_flags(void)
 {
     for (unsigned flags = 0; flags < 8; flags++) {
-        CHECK((verify_row(2 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 6));         // one resistor at most
-        CHECK((verify_row(3 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 2));         // an output has none
+        CHECK((verify_row(2 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 6));         // an input has at most one resistor
+        CHECK((verify_row(3 | flags << 2, PLACE(BOOL, 0), 0) == 0) == (flags < 2));         // an output has no resistor
         CHECK((verify_row(0 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
         CHECK((verify_row(1 | flags << 2, PLACE(F64, 0), 0) == 0) == (flags == 0));
     }
@@ -217,7 +216,7 @@ static void test_numbers(void)
     CHECK(verify_scale(PLACE_OF(SM_F32, 0), 0x3f800000u, 4) == 0);
     CHECK(verify_scale(PLACE_OF(SM_F32, 0), 0x80000000u, 4) == SMVM_R_PIN_NUMBER);
     CHECK(verify_scale(PLACE_OF(SM_F32, 0), 0x7f800000u, 4) == SMVM_R_PIN_NUMBER);
-    CHECK(verify_scale(PLACE_OF(SM_F32, 1), 0x3f800000u, 4) == SMVM_R_IO);    // the rest is 0
+    CHECK(verify_scale(PLACE_OF(SM_F32, 1), 0x3f800000u, 4) == SMVM_R_IO);    // the other numbers are 0
     CHECK(verify_scale(PLACE_OF(SM_F64, 0x10000), 1, 8) == SMVM_R_IO);
     for (unsigned type = 0; type < 15; type++)        // of no number
         CHECK(type == SM_F32 || type == SM_F64 || verify_scale(PLACE_OF(type, 0), 0, 0) == SMVM_R_IO);

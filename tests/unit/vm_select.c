@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From IR to images: instructions are as short as possible, values are those of the time of their load, and whatever
-// does not fit the format is reported.  IR texts are compiled, compared with the disassembly, and run.
+// From IR to images.  Instructions are as short as possible, a value is that at the time of its load, and what exceeds the format is reported.
+// IR texts are compiled, compared with the disassembly, and run.
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,7 +122,7 @@ static void test_loads_and_constants_become_operands(void)
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n store bool p, %2\n ret\n}", "ldx a; ldy b; set x > y; out p; end");
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; sqrt; out b; end");
     expect("%0 = load F64 a\n %1 = sin F64 %0\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx a; fn sin; out b; end");
-    // an elementary function leaves nothing in Y: b is loaded again
+    // an elementary function changes Y, so b is loaded again
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = pow F64 %0, %1\n %3 = add F64 %2, %1\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
            "ldx a; ldy b; fn pow; ldy b; add; out b; end");
     expect("%0 = load U64 T\n %1 = cvt F64 %0\n %2 = const F64 -0\n %3 = div F64 %1, %2\n %4 = cvt F32 %3\n store F32 f, %4\n ret\n}",
@@ -136,7 +136,7 @@ static void test_conversions_round(void)
     expect("%0 = load F64 a\n %1 = cvt U8 %0\n %2 = cvt F64 %1\n %3 = cvt U16 %2\n store U16 l, %3\n ret\n}", "ldx a; cvt U8; st l; end");
     expect("%0 = load F64 a\n %1 = cvt F32 %0\n %2 = cvt F64 %1\n %3 = add F64 %2, %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
            "ldx a; cvt F32; st local F32@0; ldy local F32@0; add; out b; end");
-    // NaN to 0 does, where there can be one, and costs nothing where there is none.
+    // The conversion of NaN to 0 is emitted where a NaN is possible, and costs nothing elsewhere.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = cvt F64 %1\n %3 = neg F64 %2\n %4 = cvt F64 %3\n store F64 b, %4\n ret\n}",
            "ldx a; sqrt; cvt F64; neg; out b; end");
     expect("%0 = const F64 0x7ff8000000000000\n %1 = cvt F64 %0\n %2 = const F64 0\n %3 = eq F64 %1, %2\n store bool p, %3\n ret\n}",
@@ -146,7 +146,7 @@ static void test_conversions_round(void)
 
 static void test_loads_precede_later_stores(void)
 {
-    // A load has the value at its time, although a store comes between it and its use.
+    // A load has the value at its time, even if a store follows before the value is used.
     expect("%0 = load F64 a\n %1 = load F64 b\n store F64 a, %1\n store F64 b, %0\n ret\n}", "ldx a; st local RAW@0; ldx b; out a; ldx local RAW@0; out b; end");
     expect("%0 = load F64 a\n %1 = neg F64 %0\n %2 = const F64 1\n store F64 a, %2\n %3 = cvt F64 %1\n store F64 b, %3\n ret\n}",
            "ldx a; st local RAW@0; ldx 1; out a; ldx local RAW@0; neg; out b; end");
@@ -155,9 +155,9 @@ static void test_loads_precede_later_stores(void)
     expect("%0 = load bool p\n %1 = const bool 1\n store bool p, %1\n br %0, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
            "ldx p; st local bool@2; ldx 1; out p; ldx local bool@2; jt 13; end; goto A");
     expect("%0 = const U8 1\n store U8 n, %0\n %1 = load U8 n\n %2 = cvt F64 %1\n store F64 b, %2\n ret\n}", "ldx 1; out n; out b; end");
-    // What is used twice is computed once.
+    // A value that is used twice is computed once.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = mul F64 %1, %1\n %3 = cvt F64 %2\n store F64 b, %3\n ret\n}", "ldx a; sqrt; st local RAW@0; ldy local RAW@0; mul; out b; end");
-    // Slots are used again; an unused value is not computed.
+    // Slots are used again.  An unused value is not computed.
     expect("%0 = load F64 a\n %1 = sqrt F64 %0\n %2 = floor F64 %0\n %3 = add F64 %1, %2\n %4 = ceil F64 %0\n %5 = mul F64 %3, %4\n"
            "%6 = cvt F64 %5\n store F64 b, %6\n %7 = div F64 %5, %5\n ret\n}",
            "ldx a; floor; st local RAW@0; ldx a; sqrt; ldy local RAW@0; add; st local RAW@0; ldx a; ceil; ldy local RAW@0; mul; out b; end");
@@ -173,18 +173,18 @@ static void test_conditions_become_jumps(void)
     // A condition that is also stored is a number.
     expect("%0 = load F64 a\n %1 = const F64 1\n %2 = ne F64 %0, %1\n store bool p, %2\n br %2, b1, b2\nb1:\n goto A\nb2:\n ret\n}",
            "ldx a; ldy 1; set x != y; out p; jt 11; end; goto A");
-    // A jump to a transition is one.
+    // A jump to a transition becomes a transition.
     expect("%0 = load bool p\n br %0, b1, b2\nb1:\n %1 = const bool 0\n store bool q, %1\n jmp b3\nb2:\n %2 = const bool 1\n store bool q, %2\n"
            "jmp b3\nb3:\n goto A\n}",
            "ldx p; jf 10; ldx 0; out q; goto A; ldx 1; out q; goto A");
     expect("ret\n}", "");
-    // A block that only jumps is passed through, one that cannot be reached is left out, and a jump to the end is one.
+    // A block that only jumps is skipped, an unreachable block is omitted, and a jump to the end becomes an end.
     expect("%0 = load bool p\n br %0, b1, b3\nb1:\n jmp b4\nb2:\n goto A\nb3:\n %1 = const bool 0\n store bool q, %1\n jmp b5\nb4:\n"
            "%2 = const bool 1\n store bool q, %2\n jmp b5\nb5:\n ret\n}",
            "ldx p; jt 9; ldx 0; out q; end; ldx 1; out q; end");
 }
 
-// Narrowed operations need no other opcodes, and their results no other slots.
+// Narrowed operations need no other opcodes, and their results no additional slots.
 static void test_narrowed_operations_use_the_same_opcodes(void)
 {
     expect("%0 = load U8 n\n %1 = cvt I32 %0\n %2 = const I32 1\n %3 = add I32 %1, %2\n %4 = cvt U8 %3\n store U8 n, %4\n ret\n}", "ldx n; addi 1; out n; end");
@@ -212,7 +212,7 @@ static void test_narrowed_operations_use_the_same_opcodes(void)
 
 static void test_registers_are_reused(void)
 {
-    // Guards on one variable load it once, whatever the blocks do that they lead to; those come last.
+    // Guards on the same variable load it once, whatever their branches contain.  The branches follow the guards.
     expect("%0 = load F64 a\n %1 = const F64 5\n %2 = gt F64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n"
            "%3 = load F64 a\n %4 = const F64 1\n %5 = lt F64 %3, %4\n br %5, b3, b4\nb3:\n goto A\nb4:\n ret\n}",
            "ldx a; jxn x > 5, 9; jxn x < 1, 9; end; goto A");
@@ -223,7 +223,7 @@ static void test_registers_are_reused(void)
     expect("%0 = load F64 a\n %1 = load F64 b\n %2 = gt F64 %0, %1\n br %2, b1, b2\nb1:\n goto A\nb2:\n"
            "%3 = load F64 a\n %4 = load F64 b\n %5 = gt F64 %4, %3\n br %5, b3, b4\nb3:\n goto A\nb4:\n ret\n}",
            "ldx a; ldy b; jxy x > y, 9; jxy x < y, 9; end; goto A");
-    // Not after a label, nor after a store to it unless the load reads exactly the stored value.
+    // It is loaded again after a label, and after a store to it, unless the load would read exactly the stored value.
     expect("%0 = load U8 n\n %1 = const U8 5\n %2 = gt U8 %0, %1\n br %2, b1, b2\nb1:\n %3 = const bool 1\n store bool p, %3\n jmp b2\nb2:\n"
            "%4 = load U8 n\n store U8 n, %4\n ret\n}",
            "ldx n; jxn not x > 5, 9; ldx 1; out p; ldx n; out n; end");
@@ -233,7 +233,7 @@ static void test_registers_are_reused(void)
     expect("%0 = load U8 n\n %1 = cvt U16 %0\n store U16 l, %1\n %2 = load U16 l\n %3 = cvt U8 %2\n store U8 n, %3\n ret\n}", "ldx n; st l; out n; end");
     expect("%0 = load F64 a\n store F64 b, %0\n %1 = load F64 b\n store F64 a, %1\n %2 = load F64 a\n store F64 b, %2\n ret\n}",
            "ldx a; out b; out a; out b; end");
-    // A number that several take.
+    // A number with several uses is loaded once.
     expect("%0 = const bool 0\n store bool p, %0\n store bool q, %0\n %1 = const U8 0\n store U8 n, %1\n ret\n}", "ldx 0; out p; out q; out n; end");
 }
 
@@ -355,7 +355,7 @@ static void test_narrowed_code_computes_the_same(void)
           "%0 = load I64 i\n %2 = const I64 1000\n %3 = ge I64 %0, %2\n store bool p, %3\n %4 = abs I64 %0\n %5 = min I64 %4, %2\n %6 = cvt U16 %5\n store U16 l, %6\n ret\n}");
 }
 
-// 1 + 1/2 + 1/3 + …, one expression a thousand operations deep on the left, or on the right.
+// 1 + 1/2 + 1/3 + …, one expression with a thousand nested operations in the left operand, or in the right one.
 static void test_deep_expression_is_computed(bool left)
 {
     double expected = 0;
@@ -411,7 +411,7 @@ static void test_deep_condition_is_computed(void)
     arena_free(&w.arena);
 }
 
-// An expression converts a number to all types at once, beside locals of all types: no two of them share memory.
+// An expression converts a number to all types, and there are locals of all types: no two of them share memory.
 static void test_slots_do_not_overlap(void)
 {
     static const double expected[SM_TYPE_COUNT] = {-3, -3, -3, -3, 0, 0, 0, 0, -3.5, -3.5, 1};
@@ -440,7 +440,7 @@ static void test_slots_do_not_overlap(void)
     w.sv[2] = sm_bits(-3.5);
     run_step(&w, 1);
     CHECK(sm_from_bits(w.sv[3]) == sum);
-    for (uint32_t i = 0, at = 0; i < smvm_variables(&w.m); i++) {    // the locals still hold what they began with
+    for (uint32_t i = 0, at = 0; i < smvm_variables(&w.m); i++) {    // the locals still have their initial values
         SmvmVariable is;
         SmvmLocation place;
         SmvmName name = smvm_variable(&w.m, i, &is, &place);
@@ -514,7 +514,7 @@ static void test_constants_are_stored_once(void)
     if (w.memory == NULL)
         return;
     CHECK(w.m.outputs == 2 && w.m.f64s == 1 && w.m.f32s == 0);
-    CHECK(w.m.init_size == 3 + 2);                    // the one local that is not zero
+    CHECK(w.m.init_size == 3 + 2);                    // only one local is not zero
     arena_free(&w.arena);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a small target can configure in the VM (SMVM_CONFIG): numbers of 16 bits, little room in the verifier, and functions of its
-// own to read the image, which here count the accesses; and it counts instructions.  For tests/unit/vm_hostile.c.
+// What a small target can configure in the VM (SMVM_CONFIG): 16-bit offsets, little memory in the verifier, and functions that read the image,
+// which here count the accesses.  It also counts instructions.  Used by tests/unit/vm_hostile.c.
 #ifndef VM_SMALL_H
 #define VM_SMALL_H
 
@@ -9,7 +9,7 @@
 #define SMVM_RAM_MAX 0x8000u
 #define SMVM_LONGEST 1
 #define SMVM_JOINS 2
-#define SMVM_FUNCTIONS UINT32_C(1)                    // exp alone
+#define SMVM_FUNCTIONS UINT32_C(1)                    // only exp
 #define SMVM_PARAMETERS 0
 #define SMVM_BYTES uint16_t
 #define SMVM_FETCH(image, at) small_fetch((uint32_t)(image) + (at))

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of the interpreter: their rules (language.md 6), windows, the memory of a machine and how it starts, on images made by hand.
+// Steps of the interpreter: the rules of language.md 6, windows, and the memory and the start of a machine, on images built by hand.
 #include <math.h>
 
 #include "tests/unit/vm_machine.h"
 
 // ---- the step: two states whose functions write down that they ran ----
 
-// Each function does OUT = 10 * OUT + n.  The entry of state 1 goes to 2 if X, its step goes to 2 if Y; state 2 goes to itself if Y.
+// Each function does OUT = 10 * OUT + n.  The entry function of state 1 goes to state 2 if X, its step function goes to 2 if Y.  State 2 goes to
+// itself if Y.
 static void put_trace(Build *b, unsigned digit, unsigned condition, unsigned target)
 {
     typed(b, SMVM_ldx_elem, SM_F64, 16);
@@ -60,15 +61,15 @@ static void test_steps_follow_transitions(void)
     CHECK(step(&t, 7, 0, 0) == 12);                   // entry, step
     CHECK(s_of(&t) == 1 && smvm_stored_state(vm) && smvm_time(vm) == 0);
     set_s(&t, 99);
-    CHECK(step(&t, 10, 1, 0) == 2 && smvm_time(vm) == 3);            // no entry any more
-    CHECK(s_of(&t) == 99 && !smvm_stored_state(vm));        // S from outside stays, and changes no state
-    CHECK(step(&t, 12, 0, 1) == 23);                  // step goes, exit
+    CHECK(step(&t, 10, 1, 0) == 2 && smvm_time(vm) == 3);            // not the first step: no entry
+    CHECK(s_of(&t) == 99 && !smvm_stored_state(vm));        // other code has written S: it is not changed, and has no effect on the state
+    CHECK(step(&t, 12, 0, 1) == 23);                  // the step function makes a transition, then exit
     CHECK(smvm_state(vm) == 2 && smvm_time(vm) == 5 && s_of(&t) == 99);
-    CHECK(step(&t, 20, 0, 1) == 456 && smvm_time(vm) == 0 && s_of(&t) == 2);    // to itself: exit…
+    CHECK(step(&t, 20, 0, 1) == 456 && smvm_time(vm) == 0 && s_of(&t) == 2);    // a transition to itself: exit…
     CHECK(smvm_state(vm) == 2);
-    CHECK(step(&t, 21, 0, 0) == 45 && smvm_time(vm) == 0);           // …and a first step again
+    CHECK(step(&t, 21, 0, 0) == 45 && smvm_time(vm) == 0);           // …and then a first step again
     start_two_states(&t);
-    CHECK(step(&t, 0, 1, 1) == 13 && smvm_state(vm) == 2);           // entry goes: no step; G may be 0
+    CHECK(step(&t, 0, 1, 1) == 13 && smvm_state(vm) == 2);           // the entry function makes a transition: no step function; G may be 0
     CHECK(init(&t, t.memory, sizeof t.memory, t.sv, 2) == SM_OK && s_of(&t) == 2);
     CHECK(step(&t, 0, 0, 0) == 45);
 }

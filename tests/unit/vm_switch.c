@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decoded form as compilers have it that know no addresses of labels: the same test.
+// The same test as vm_decode, with the decoded form for compilers that have no addresses of labels.
 #define SMVM_COMPUTED_GOTO 0
 #include "bytecode-vm/fast.c"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verifier: one good image, each rule broken in it once and in each way open to a hostile image, and each refused by
-// that rule and no other.  Then the longest step.
+// The verifier.  A valid image is changed so that it violates each rule, in each way that a hostile image can.  It must be refused for exactly
+// this rule.  Then the longest step.
 #include <string.h>
 
 #include "bytecode-vm/smvm.h"
@@ -12,7 +12,7 @@ enum { IN = 32, COUNT = 2 };  // an element, F64; a local, U16
 
 static void put_load_input(Build *b) { typed(b, SMVM_ldx_elem, SM_F64, IN); }
 
-// Puts a valid machine with one of each thing: two windows of which the second follows the first, and two states.
+// Builds a valid machine with each kind of item: two windows, of which the second follows the first, and two states.
 static void put_good_machine(Build *b)
 {
     memset(b, 0, sizeof *b);
@@ -132,7 +132,7 @@ static void test_truncated_image_is_refused(void)
         memcpy(copy, image, n);
         CHECK(smvm_verify(copy, i, &v) == SMVM_R_LENGTH);
     }
-    for (uint32_t i = 0; i < n; i++) {                // with the right length and checksum
+    for (uint32_t i = 0; i < n; i++) {                // with the correct length and checksum
         uint8_t copy[512];
         memcpy(copy, image, n);
         copy[8] = (uint8_t)i;
@@ -187,7 +187,7 @@ static void test_verdict_has_the_position(void)
     b.size++;
     CHECK(verify(&b, &v) == SMVM_R_FUNCTIONS && v.at == machine + NUMBERS + 8 + 6 + 6);
     b = build_good_machine();
-    b.code[b.end[0] + 3] = 8;                         // the place that st_local stores to
+    b.code[b.end[0] + 3] = 8;                         // the variable to which st_local stores
     CHECK(verify(&b, &v) == SMVM_R_OPERAND && v.at == code_at + b.end[0] + 3 && v.machine == 0);
 }
 
@@ -224,12 +224,12 @@ static void test_wrong_section_table_is_refused(void)
     CHECK(verify_patched(SECOND + 2, 45, true) == SMVM_R_SECTION);          // over the end of the first
     CHECK(verify_patched(THIRD + 4, 0x80, true) == SMVM_R_SECTION);         // a section that ends far beyond the image
     CHECK(verify_patched(THIRD + 4, 0xff, true) == SMVM_R_SECTION);
-    CHECK(verify_patched(FOURTH + 7, 0xff, true) == SMVM_R_SECTION);        // an end far behind the end
+    CHECK(verify_patched(FOURTH + 7, 0xff, true) == SMVM_R_SECTION);        // an end far after the end of the image
     CHECK(verify_patched(FOURTH + 5, 6, true) == SMVM_R_SECTION);
     CHECK(verify_patched(FIRST, 0xff, true) == SMVM_R_UNKNOWN);
     CHECK(verify_patched(FIRST, 0x84, true) == SMVM_R_UNKNOWN);
     CHECK(verify_patched(FIRST, 0x80, true) == SMVM_R_UNKNOWN);
-    CHECK(verify_patched(FIRST + 1, 9, true) == 0);                         // one that can be skipped, whatever its version
+    CHECK(verify_patched(FIRST + 1, 9, true) == 0);                         // an optional section, whatever its version
     CHECK(verify_patched(SECOND + 1, 1, true) == SMVM_R_UNKNOWN);
     CHECK(verify_patched(THIRD + 1, 0, true) == SMVM_R_UNKNOWN);
     CHECK(verify_patched(FOURTH + 1, 3, true) == SMVM_R_UNKNOWN);
@@ -304,11 +304,11 @@ static void test_safe_marks_are_checked(void)                         // of a ma
     b[1].safe_size = 1;
     b[1].safe[0] = 2;
     CHECK(smvm_verify(image, build_sections(b, 5, (const uint8_t[]){0x81, 0x82, 0x81, 0x82, 0x05}, image), &v) == 0);
-    CHECK(smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));      // it marks none
+    CHECK(smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));  // the section of this machine marks no state
     CHECK(smvm_machine(image, 1, &m) && !smvm_state_is_safe(&m, 1) && smvm_state_is_safe(&m, 2));
     CHECK(smvm_verify(image, build_sections(b + 1, 4, (const uint8_t[]){0x81, 0x05, 0x82, 0x05}, image), &v) == SMVM_R_GROUP);
     build_sections(b + 1, 3, (const uint8_t[]){0x81, 0x82, 0x05}, image);
-    image[12 + 16 + 1] = 9;                           // another version of it is nobody's
+    image[12 + 16 + 1] = 9;                           // a section with another version is ignored
     fix_crc(image);
     CHECK(smvm_verify(image, 500, &v) == 0 && smvm_machine(image, 0, &m) && smvm_state_is_safe(&m, 1));
 }
@@ -459,12 +459,12 @@ static void test_wrong_outputs_are_refused(void)
         b.output[VALUE] = fine[i];
         CHECK(verify(&b, &v) == 0);
     }
-    b = build_good_machine();                                      // beside S on both sides
+    b = build_good_machine();                                      // S is directly between two outputs
     b.s = 3;
     b.output[FLAG] = PLACE(U32, 8);
     b.output[VALUE] = PLACE(U8, 16);
     CHECK(verify(&b, &v) == 0);
-    b = build_good_machine();                                      // before the part that is named
+    b = build_good_machine();                                      // before the part that the machine uses
     b.from = 1;
     b.g = 1;
     b.s = 4;
@@ -528,7 +528,7 @@ static void test_initial_values_after_the_last_are_refused(void)
             uint8_t *p = b.init;
             SmvmVerdict v;
             b.locals = 13;
-            b.size = b.ends = 0;                      // (no code that uses more)
+            b.size = b.ends = 0;                      // (without code that uses more)
             b.windows = 0;
             for (int k = 0; k < 7; k++)
                 end_function(&b);
@@ -538,7 +538,7 @@ static void test_initial_values_after_the_last_are_refused(void)
         }
 }
 
-// Either of two machines can be the wrong one.
+// Either of two machines can be the invalid one.
 static void test_verdict_names_the_machine(void)
 {
     static const uint8_t id[] = {0x81, 0x82, 0x02, 0x81, 0x82, 0x83, 0x02};
@@ -571,23 +571,23 @@ static void test_wrong_function_ends_are_refused(void)
 {
     Build b = build_good_machine();
 
-    b.end[2]--;                                       // the last one but `end`
+    b.end[2]--;                                       // the last instruction before `end`
     REFUSED(&b, FALLS_OUT);
     b = build_good_machine();
     b.end[2] -= 2;                                    // into the middle of an instruction
     REFUSED(&b, TRUNCATED);
     b = build_good_machine();
-    b.end[2] = b.end[1] - 1;                          // backwards
+    b.end[2] = b.end[1] - 1;                          // an end before the start
     REFUSED(&b, FUNCTIONS);
     b = build_good_machine();
-    b.end[6] = b.size + 1;                            // behind the code
+    b.end[6] = b.size + 1;                            // after the end of the code
     b.end[5] = b.size;
     REFUSED(&b, FUNCTIONS);
     b = build_good_machine();
     b.end[6] = 255;
     REFUSED(&b, FUNCTIONS);
     b = build_good_machine();
-    b.size++;                                         // code that belongs to no function
+    b.size++;                                         // code outside all functions
     REFUSED(&b, FUNCTIONS);
 }
 
@@ -631,7 +631,7 @@ static void test_unknown_opcodes_are_refused(void)
     }
 }
 
-// The registers hold something, then op with these numbers, and `end`.
+// Loads the registers, then appends op with these numbers, and `end`.
 #define WITH_BOTH(op, n, a, c, rule)                              \
     STEP_REFUSED(put_load_input(&b); typed(&b, SMVM_ldy_elem, SM_F64, IN);    \
                  code(&b, op, n, a, c); code(&b, SMVM_end, 0), rule)
@@ -699,7 +699,7 @@ static void test_operands_out_of_range_are_refused(void)
     WITH_BOTH(SMVM_ldy_f64, 1, 1, 0, OPERAND);
 }
 
-// Elements before and after the part of the vector that the machine names.
+// Elements before and after the part of the vector that the machine uses.
 static void test_elements_outside_the_part_are_refused(void)
 {
     for (unsigned t = 0; t < SM_TYPE_COUNT; t++)
@@ -725,7 +725,7 @@ static void test_statistics_that_a_window_lacks_are_refused(void)
 {
     static const struct { unsigned stat, window; uint8_t rule; } row[] = {
         {SM_STAT_AVG, 2, SMVM_R_WINDOW_USED}, {SM_STAT_AVG, 0x1000c5f, SMVM_R_WINDOW_USED}, {SM_STAT_AVG, 0x10000, SMVM_R_WINDOW_USED},
-        {SM_STAT_AVG, 1, SMVM_R_WINDOW_USED}, {SM_STAT_MEDIAN, 0, SMVM_R_WINDOW_USED}, {SM_STAT_MIN, 1, SMVM_R_WINDOW_USED},       // not kept
+        {SM_STAT_AVG, 1, SMVM_R_WINDOW_USED}, {SM_STAT_MEDIAN, 0, SMVM_R_WINDOW_USED}, {SM_STAT_MIN, 1, SMVM_R_WINDOW_USED},       // not in the window
         {SM_STAT_MAX, 0, SMVM_R_WINDOW_USED}, {SM_STAT_RANGE, 0, SMVM_R_WINDOW_USED}, {SM_STAT_COUNT, 0, SMVM_R_OPERAND},
         {0x10000, 0, SMVM_R_OPERAND}, {0x1000c5f, 0, SMVM_R_OPERAND}, {SM_STAT_AVG, 0, 0}, {SM_STAT_MIN, 0, 0}, {SM_STAT_MEDIAN, 1, 0},
     };
@@ -757,15 +757,15 @@ static void put_average(Build *b) { code(b, SMVM_stat, 2, SM_STAT_AVG, 0); }
 
 static void test_each_window_is_sampled_once(void)
 {
-    SAMPLE_REFUSED((void)b, SAMPLE);                                                            // no sample at all
-    SAMPLE_REFUSED(put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);                               // one is missing
+    SAMPLE_REFUSED((void)b, SAMPLE);                                                            // the sample function has no sample
+    SAMPLE_REFUSED(put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);                               // one sample is missing
     SAMPLE_REFUSED(put_sample(&b, 1); put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
     SAMPLE_REFUSED(put_sample(&b, 0); put_sample(&b, 0); code(&b, SMVM_end, 0), SAMPLE);
     SAMPLE_REFUSED(put_sample(&b, 0); put_sample(&b, 1); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(put_average(&b); code(&b, SMVM_end, 0), SAMPLE);                                 // read before
+    SAMPLE_REFUSED(put_average(&b); code(&b, SMVM_end, 0), SAMPLE);  // a statistic is read before its window is sampled
     SAMPLE_REFUSED(put_average(&b); put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);
-    SAMPLE_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_sample, 1, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);      // passed over
-    SAMPLE_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0); put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);     // over by then
+    SAMPLE_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_sample, 1, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);      // can be skipped
+    SAMPLE_REFUSED(put_load_input(&b); code(&b, SMVM_jt, 1, 1); code(&b, SMVM_end, 0); put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_end, 0), SAMPLE);     // can end before
     SAMPLE_REFUSED(put_sample(&b, 0); put_sample(&b, 1); code(&b, SMVM_goto, 1, 1), GOTO);
 }
 
@@ -813,7 +813,7 @@ static void load_both_registers(Build *b)
 // Each instruction leaves a value in X, in Y, in both or in neither.  Reading a register without a value is refused.
 static void test_registers_without_value_are_refused(void)
 {
-    THEN(code(&b, SMVM_addi, 1, 1), REGISTER);                                                  // it has no value yet
+    THEN(code(&b, SMVM_addi, 1, 1), REGISTER);                                                  // X has no value yet
     THEN(code(&b, SMVM_ldy_plus, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
     THEN(put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_add, 0); code(&b, SMVM_mul, 0), OK);
@@ -824,16 +824,16 @@ static void test_registers_without_value_are_refused(void)
     THEN(load_both_registers(&b); code(&b, SMVM_fn, 1, SMVM_FN_exp); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_set, 1, 1); code(&b, SMVM_add, 0), OK);
     THEN(load_both_registers(&b); code(&b, SMVM_addi, 1, 1); code(&b, SMVM_cvt, 1, 0); code(&b, SMVM_neg, 0); code(&b, SMVM_or, 0), OK);
-    THEN(load_both_registers(&b); put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);                                    // Y is forgotten
+    THEN(load_both_registers(&b); put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);  // Y no longer has a value
     THEN(load_both_registers(&b); code(&b, SMVM_ldx_time, 0); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_ldx_plus, 1, 0); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_stat, 2, 0, 0); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_add, 0), REGISTER);
-    THEN(load_both_registers(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_neg, 0), OK);              // and X kept
+    THEN(load_both_registers(&b); typed(&b, SMVM_st_local, SM_I8, 0); code(&b, SMVM_neg, 0), OK);              // X is not changed
     THEN(load_both_registers(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_add, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_out, 1, 0); code(&b, SMVM_jt, 1, 0), OK);
     THEN(load_both_registers(&b); code(&b, SMVM_jmp, 1, 0); code(&b, SMVM_ldy_plus, 1, 0), REGISTER);          // (a jump to ldy)
-    THEN(load_both_registers(&b); code(&b, SMVM_end, 0); code(&b, SMVM_neg, 0), REGISTER);                     // behind the end
+    THEN(load_both_registers(&b); code(&b, SMVM_end, 0); code(&b, SMVM_neg, 0), REGISTER);                     // after the end
     THEN(load_both_registers(&b); code(&b, SMVM_goto, 1, 1); code(&b, SMVM_neg, 0), REGISTER);
     THEN(load_both_registers(&b); code(&b, SMVM_jt, 1, 2); code(&b, SMVM_jmp, 1, 0); put_load_input(&b); code(&b, SMVM_add, 0), REGISTER);
     SAMPLE_REFUSED(load_both_registers(&b); code(&b, SMVM_sample, 1, 0); code(&b, SMVM_add, 0); code(&b, SMVM_sample, 1, 1); code(&b, SMVM_end, 0), REGISTER);
@@ -886,7 +886,7 @@ static uint32_t longest_step_of(Build *b)
     b->end[5] = b->end[3] + 2;
     b->end[6] = b->end[3] + 3;
     CHECK(verify(b, &v) == 0);
-    return v.longest - 5;                             // less the sample function
+    return v.longest - 5;                             // without the sample function
 }
 
 static void test_longest_step_is_exact(void)
@@ -902,7 +902,7 @@ static void test_longest_step_is_exact(void)
     code(&b, SMVM_ldx_time, 0);
     code(&b, SMVM_end, 0);
     CHECK(longest_step_of(&b) == 2 + 4 + 1 + 1);
-    open_step(&b);                                    // unreachable code costs nothing
+    open_step(&b);                                    // unreachable code has no cost
     code(&b, SMVM_jmp, 1, 3);
     for (unsigned i = 0; i < 3; i++)
         code(&b, SMVM_ldx_time, 0);
@@ -910,8 +910,8 @@ static void test_longest_step_is_exact(void)
     CHECK(longest_step_of(&b) == 2);
 }
 
-// n conditions each jump to an `end` of their own after 96 loads, the first condition to the last `end`.  While the verifier can follow all
-// n jumps, the longest path passes all conditions.  Beyond that limit the verifier adds up everything.
+// n conditions each jump to a separate `end` after 96 loads, the first condition to the last `end`.  While the verifier can follow all n jumps,
+// the longest path passes all conditions.  Beyond that limit the verifier adds the costs of all code.
 static void test_longest_step_of_many_jumps(void)
 {
     enum { LOADS = 96, MOST = SMVM_JOINS + 20 };

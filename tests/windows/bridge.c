@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A serial line between two programs: two terminal devices, and every byte that one end sends arrives at the other.  When this program ends, both ends
-// are gone, as if the adapter was pulled out.
-//   bridge FILE              writes the names of both devices to FILE, one a line
+// Connects two programs by a serial line: two terminal devices, of which each receives every byte that is written to the other.  When this
+// program ends, both devices disappear, as if the adapter was unplugged.
+//   bridge FILE              writes the names of both devices to FILE, one per line
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
 #include <errno.h>
@@ -13,7 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-// Opens a terminal device, and keeps its other end open, so that it does not hang up between two programs.
+// Opens a terminal device, and holds its other end open, so that it does not hang up between two programs.
 static int open_line(FILE *names)
 {
     const int master = posix_openpt(O_RDWR | O_NOCTTY);

@@ -124,7 +124,7 @@ static void try_diagnostics(int32_t session)
     CHECK(smclv_clear(session, MESSAGE_ARGUMENTS) == 0);
 }
 
-// Compiles the tank, runs its script, steps it, and swaps it for one with another limit while it runs.
+// Compiles the tank, runs its script, steps it, and swaps it for a tank with another limit while it runs.
 static void try_tank(int32_t session, const char *folder)
 {
     int32_t size = read_example(folder, "tank/tank.sm"), n = 0, old, changed, state = 0, states = 0, variables[2];
@@ -207,7 +207,7 @@ static void try_ignition(int32_t session, const char *folder)
     CHECK(smclv_machine_open_image(session, bytes, 9, 0, &n, MESSAGE_ARGUMENTS) == -8);
 }
 
-// Every function refuses handles of nothing, and pointers and lengths that are not valid, with a message.
+// Every function refuses invalid handles, pointers and lengths with a message.
 static void try_wrong_arguments(int32_t session)
 {
     const int32_t wrong[] = {0, -1, 1, 0x7FFFFFFF, session};
@@ -238,7 +238,7 @@ static void try_wrong_arguments(int32_t session)
     CHECK(smclv_source(session, 1, NULL, bytes, 1, &n, MESSAGE_ARGUMENTS) == -1 && smclv_source(session, 1, "a.sm", bytes, -1, &n, MESSAGE_ARGUMENTS) == -1);
 }
 
-// 64 sessions can be open, and their handles are not used again.
+// 64 sessions can be open, and a handle is not used again after its session was closed.
 static void try_handles(void)
 {
     int32_t handle[64], more = 0, again = 0, n = 0;

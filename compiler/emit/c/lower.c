@@ -350,7 +350,7 @@ static void choose_forms_of_block(CFn *fn, uint32_t b)
         CIns *c = &fn->ins[r];
         c->form = choose_form(fn, i, c);
         if (c->form != C_OMITTED) {
-            const bool own = c->form != C_SUBEXPRESSION;  // the instruction is a statement of its own
+            const bool own = c->form != C_SUBEXPRESSION;  // the instruction is a separate statement
             record_use(fn, i->a, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
             record_use(fn, i->b, own ? (uint32_t)p : c->latest, own ? 1 : c->level + 1);
         }

@@ -25,7 +25,7 @@ static void write_kind(const IrWindow *w, Buf *out)
             buf_printf(out, " | SM_ROLL_%s", stat[s]);
 }
 
-// The words of a window without its ring, which is a member of its own.
+// The words of a window without its ring, which is a separate member.
 static unsigned window_words(const CUnit *u, size_t w) { return sm_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))) - 1; }
 static unsigned small_window_words(const CUnit *u, size_t w) { return c_small_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))) - 1; }
 

@@ -9,7 +9,7 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/table.h"
 
-// Paths of the system's devices; tests replace them with folders of their own.
+// Paths of the system's devices; tests replace them with separate folders.
 #ifndef PSL_LINUX_GPIO
 #define PSL_LINUX_GPIO "/dev/gpiochip"
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Altitudes are compared as whole numbers in the order of the floats, which an 8-bit chip does faster.
+// Compares altitudes as integers that have the order of the floats: an 8-bit chip does this faster.
 #include <string.h>
 
 #include "dual.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machines of this folder as an expert writes them for an ATmega328P, with the checks that the language makes: time advances, a NaN
+// The machines of this folder as an expert writes them for an ATmega328P, with the checks that the language requires: time advances, and a NaN
 // is read as 0.
 #ifndef BENCH_AVR_HAND_H
 #define BENCH_AVR_HAND_H
@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-// Whether a step at this time runs; the time in the state.
+// The times of a machine.  `ran`: the current step is executed.  `first`: it is the first step in its state.
 typedef struct HandTime { uint64_t last, start; bool ran, first; } HandTime;
 
 static inline bool hand_time(HandTime *t, uint64_t time)
@@ -21,7 +21,7 @@ static inline bool hand_time(HandTime *t, uint64_t time)
     return true;
 }
 
-// A window of SIZE samples with a copy in ascending order: a sample that enters moves to its place from where the oldest was.
+// A window of SIZE samples, with a copy in ascending order.  A new sample replaces the oldest in the copy, and moves from there to its position.
 #define HAND_SORTED(Name, name, Type, SIZE)                                                                    \
     typedef struct Name { Type sample[SIZE], sorted[SIZE]; uint8_t n, next; } Name;                            \
                                                                                                                \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firmware: a machine of this folder in one form, which steps each time the emulating computer (run.c) has written its inputs.  avr.sh
-// defines HEADER, which declares the rest; MACHINE; SV, the type of the state vector; ROW_INIT and ROW_STEP.
+// Firmware: one machine of this folder in one form.  It steps each time the emulating computer (run.c) has written its inputs.  avr.sh defines
+// HEADER, which contains the other declarations; MACHINE; SV, the type of the state vector; ROW_INIT and ROW_STEP.
 #include HEADER
 #include "tests/avr/mailbox.h"
 

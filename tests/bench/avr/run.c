@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps firmware of row.c on an emulated ATmega328P, each on the same inputs; their state vectors must be the same after every step.
-//     run dual|median ELF…     for each: cycles a step on average, and the most
+// Steps each firmware of row.c on an emulated ATmega328P with the same inputs.  After every step all state vectors must be equal.
+//     run dual|median ELF…     for each ELF: cycles of a step, average and most
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -55,7 +55,7 @@ static void put_inputs(uint8_t *sv, int dual, Flight *f, unsigned i)
     memcpy(sv + INPUT_AT, in, sizeof in);
 }
 
-// Whether the row does the same as the first.
+// Runs the firmware of a row.  Checks that it computes the same as the first.
 static int run(const char *elf, int dual, int first)
 {
     Flight f = {0, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine on the VM, its image in flash.
+// A machine on the VM, with its image in flash.
 #include <stdlib.h>
 
 #include "bytecode-vm/smvm.h"

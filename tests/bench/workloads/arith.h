@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic by hand.
+// The arithmetic, handwritten.
 #ifndef BENCH_ARITH_H
 #define BENCH_ARITH_H
 

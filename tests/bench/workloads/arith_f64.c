@@ -15,7 +15,7 @@ void arith_f64_init(ArithF64 *m, ArithSv *sv)
     sv->state = 1;
 }
 
-// What is stored in a float or a double is read so.
+// Reads values as the language does from variables of types F32 and F64.
 #define F(x) sm_read_f32(x)
 #define D(x) sm_read_f64(x)
 #define I(x) ((double)(x))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic as a flight-software engineer writes it: float where the result is a float, whole numbers where the operands
-// are, constants put together, a limit only where a value can reach it.
+// The arithmetic as a flight-software engineer writes it: float where the result is a float, integers where the operands are integers, constants
+// combined by hand, and limits only where a value can reach them.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

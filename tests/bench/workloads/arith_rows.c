@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic: readings that wander, rates that sometimes leave their types, now and then a sensor at its stop.
+// The arithmetic.  Readings drift, rates sometimes exceed their types, and at times a sensor is at its limit.
 #include "tests/bench/workloads/arith.h"
 
 #include "arith_o0.h"
@@ -15,7 +15,7 @@ static double limit(double x, double least, double most)
     return x < least ? least : x > most ? most : x;
 }
 
-static uint16_t reading(Rng *r, double *mean)                  // of an analogue input: 0 … 4095
+static uint16_t reading(Rng *r, double *mean)                  // returns a reading of an analogue input: 0 … 4095
 {
     *mean = limit(*mean + rng_noise(r, 60), 200, 3900);
     if (rng_below(r, 64) == 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine with 200 states by hand.
+// The machine with 200 states, handwritten.
 #ifndef BENCH_BIG200_H
 #define BENCH_BIG200_H
 

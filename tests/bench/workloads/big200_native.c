@@ -15,7 +15,7 @@ void big200_native_init(Big200Native *m, Big200Sv *sv)
 #define KIND_3(number, a) (sv->open = (sv->level > a) & (sv->ready != 0))
 #define KIND_4(number, a) (sv->run = (uint8_t)(!sv->ready ? 0 : sv->run < UINT8_MAX ? sv->run + 1 : UINT8_MAX), sv->ready)
 
-// Every step leaves its state.
+// Every step makes a transition.
 void big200_native_step(Big200Native *m, Big200Sv *sv)
 {
     sv->state = m->state;

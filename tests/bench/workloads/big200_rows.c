@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 200 states: inputs without any memory, so that no branch predictor knows the next state.
+// 200 states.  Each input is independent of the ones before, so that a branch predictor cannot know the next state.
 #include "tests/bench/workloads/big200.h"
 
 #include "big200_o0.h"

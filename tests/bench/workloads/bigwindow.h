@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The large window by hand.
+// The large window, handwritten.
 #ifndef BENCH_BIGWINDOW_H
 #define BENCH_BIGWINDOW_H
 

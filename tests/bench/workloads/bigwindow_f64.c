@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The large window by the definitions of the language: -0 before +0, NaN as 0, the middle of two without overflow; otherwise as
-// bigwindow_native.c.
+// The large window by the definitions of the language: -0 precedes +0, NaN is read as 0, the middle of two samples does not overflow.  Otherwise
+// like bigwindow_native.c.
 #include <math.h>
 
 #include "stdlib/f64.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The large window as a flight-software engineer writes it: a ring, and beside it the same samples in order.  Binary search
-// finds the positions of the old and the new sample; the samples between them move by one.
+// The large window as a flight-software engineer writes it: a ring, and a sorted copy of the same samples.  Binary search finds the positions of
+// the old and the new sample.  The samples between them move by one.
 #include <string.h>
 
 #include "tests/bench/workloads/bigwindow.h"
@@ -12,7 +12,7 @@ void bigwindow_native_init(BigwindowNative *m, BigwindowSv *sv)
     sv->state = 1;
 }
 
-// How many are less than x; without branches on samples.
+// Returns how many samples are less than x, without branches that depend on samples.
 static unsigned place(const double *sorted, unsigned n, double x)
 {
     unsigned at = 0;

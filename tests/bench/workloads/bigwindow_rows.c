@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The large window: a pressure that drifts over hundreds of steps, with noise.  The window is full before time is taken.
+// The large window: a pressure that drifts over hundreds of steps, with noise.  The window is full before the measurement starts.
 #include "tests/bench/workloads/bigwindow.h"
 
 #include "bigwindow_o0.h"

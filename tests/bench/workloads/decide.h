@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decisions by hand.
+// The decisions, handwritten.
 #ifndef BENCH_DECIDE_H
 #define BENCH_DECIDE_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decisions: every input is drawn again at every step.
+// The decisions.  Every input has a new random value in every step.
 #include "tests/bench/workloads/decide.h"
 
 #include "decide_o0.h"

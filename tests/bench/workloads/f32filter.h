@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filters by hand.
+// The filters, handwritten.
 #ifndef BENCH_F32FILTER_H
 #define BENCH_F32FILTER_H
 

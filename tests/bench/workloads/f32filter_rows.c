@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filters: accelerations and rates with noise, a height that wanders, a command that jumps.
+// The filters.  Accelerations and rates have noise, a height drifts, and a command changes in steps.
 #include "tests/bench/workloads/f32filter.h"
 
 #include "f32filter_o0.h"

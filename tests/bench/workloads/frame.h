@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times and first steps of a machine as the language defines them (language.md 6), for the rows `f64`; their conversions.
+// Times, first steps and conversions as the language defines them (language.md 6), for the rows `f64`.
 #ifndef BENCH_FRAME_H
 #define BENCH_FRAME_H
 
@@ -26,7 +26,7 @@ static inline void frame_init(Frame *f)
     *f = none;
 }
 
-// false: the step is refused.
+// Returns false if the step is refused.
 static inline bool frame_begin(Frame *f, uint64_t time, uint32_t *state)
 {
     if (time == UINT64_MAX || (f->ran && time <= f->last))
@@ -41,7 +41,7 @@ static inline bool frame_begin(Frame *f, uint64_t time, uint32_t *state)
     return true;
 }
 
-static inline void frame_end(Frame *f, uint32_t to)           // to: a state, or 0
+static inline void frame_end(Frame *f, uint32_t to)           // `to`: a state, or 0 for no transition
 {
     f->first = to != 0;
     if (to != 0)

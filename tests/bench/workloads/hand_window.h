@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows as an expert writes them for a fixed size: rings, and statistics that do not branch on samples, so that noise costs nothing.
-// Medians are sorting networks, of which the compiler leaves out what the middle does not need.  A ring is filled with its first sample,
-// so that least and most always read all of it; the average and the median of a ring that is not full are slow.
+// Windows as an expert writes them for a fixed size.  They are rings, with statistics that do not branch on samples, so that noise costs no
+// time.  Medians are sorting networks, from which the compiler removes what the middle does not need.  The first sample fills the whole ring, so
+// that the minimum and the maximum always read all of it.  The average and the median of a ring that is not full are slow.
 #ifndef BENCH_HAND_WINDOW_H
 #define BENCH_HAND_WINDOW_H
 
 #include <stdbool.h>
 #include <string.h>
 
-// HAND_RING: a ring Name of SIZE samples, its average; HAND_ENDS: its least and most sample; HAND_MEDIAN_5: its median.
+// HAND_RING: a ring Name of SIZE samples, and its average.  HAND_ENDS: its minimum and maximum.  HAND_MEDIAN_5: its median.
 #define HAND_RING(Name, name, Type, SIZE)                                                                      \
     typedef struct Name { Type sample[SIZE]; unsigned n, next; } Name;                                         \
                                                                                                                \
@@ -21,7 +21,7 @@
         w->n += w->n < SIZE;                                                                                   \
     }
 
-// Four sums, which do not wait for each other.
+// Four sums that do not depend on each other.
 #define HAND_AVERAGE(Name, name, Type, SIZE)                                                                   \
     static inline Type name##_average(const Name *w)                                                           \
     {                                                                                                          \
@@ -41,7 +41,7 @@
 #define HAND_LESS(x, y) ((x) < (y) ? (x) : (y))
 #define HAND_MORE(x, y) ((x) > (y) ? (x) : (y))
 
-// Four lanes, which the compiler puts into a vector where it can.
+// Four lanes, which the compiler can put into a vector.
 #define HAND_END(Name, name, Type, SIZE, which, PICK)                                                          \
     static inline Type name##_##which(const Name *w)                                                           \
     {                                                                                                          \

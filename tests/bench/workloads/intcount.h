@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counters by hand.
+// The counters, handwritten.
 #ifndef BENCH_INTCOUNT_H
 #define BENCH_INTCOUNT_H
 

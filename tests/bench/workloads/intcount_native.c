@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counters as a flight-software engineer writes them: in int where it suffices, in int64_t elsewhere, limits where they can be reached.
+// The counters as a flight-software engineer writes them: int where it is large enough, int64_t elsewhere, and limits only where a value can
+// reach them.
 #include <string.h>
 
 #include "tests/bench/workloads/intcount.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counters: readings that wander, and sums that reach the ends of the small types.
+// The counters.  Readings drift, and sums reach the limits of the small types.
 #include "tests/bench/workloads/intcount.h"
 
 #include "intcount_o0.h"

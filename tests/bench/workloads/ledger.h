@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sixteen channels by hand.
+// The sixteen channels, handwritten.
 #ifndef BENCH_LEDGER_H
 #define BENCH_LEDGER_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sixteen channels as a flight-software engineer writes them: arrays, a loop, integers of 64 bits, which nothing here can exceed.
+// The sixteen channels as a flight-software engineer writes them: arrays, a loop, and 64-bit integers, which no value here can overflow.
 #include <string.h>
 
 #include "tests/bench/workloads/ledger.h"
@@ -21,7 +21,7 @@ static void ledger(LedgerNative *m, LedgerSv *sv)
     uint64_t distance = 0;
     uint32_t late = 0;
 
-    memcpy(in, &sv->in0, sizeof in);                             // the elements follow each other
+    memcpy(in, &sv->in0, sizeof in);                             // the elements are adjacent
     for (int i = 0; i < CHANNELS; i++) {
         const int64_t moved = (int64_t)in[i] - m->last[i];
         const int64_t p = m->position[i] + (int64_t)in[i] * (i + 3), size = p < 0 ? -p : p;

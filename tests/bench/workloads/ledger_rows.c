@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sixteen channels: readings that wander, times in nanoseconds.
+// The sixteen channels.  Readings drift; times are in nanoseconds.
 #include "tests/bench/workloads/ledger.h"
 
 #include "ledger_o0.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mission by hand.
+// The mission, handwritten.
 #ifndef BENCH_MISSION_H
 #define BENCH_MISSION_H
 
@@ -30,7 +30,7 @@ typedef struct MissionNative {
     uint32_t state;
     bool first;
     uint64_t start;
-    uint32_t in_state;        // ms
+    uint32_t in_state;        // time in the current state, ms
     double ground, top;
     float peak;
     uint16_t calm;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mission as an expert writes it.  A statistic is computed where it is needed, from a ring (hand_window.h): a running sum would drift.
+// The mission as an expert writes it.  A statistic is computed from a ring where it is needed (hand_window.h), because a running sum would
+// accumulate errors.
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mission: flights of 130 s, each with its own thrust and noise; the motor of every eighth does not light.
+// The mission: flights of 130 s, each with its own thrust and noise.  In every eighth flight the motor does not ignite.
 #include "tests/bench/workloads/mission.h"
 
 #include "mission_o0.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The red lines by hand.
+// The red lines, handwritten.
 #ifndef BENCH_REDLINES_H
 #define BENCH_REDLINES_H
 
@@ -22,8 +22,8 @@ typedef struct RedlinesNative {
     uint32_t state;
     bool first;
     uint64_t start;
-    uint32_t n;                        // samples taken
-    float sample[4][SENSORS];          // by number mod 4
+    uint32_t n;                        // number of samples taken
+    float sample[4][SENSORS];          // sample i is in sample[i % 4]
 } RedlinesNative;
 
 void redlines_native_init(RedlinesNative *m, RedlinesSv *sv);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The red lines as an expert writes them: the last samples of all sensors side by side, one loop without branches that finds whether any limit
-// is violated, and only then another that finds which.
+// The red lines as an expert writes them: the last samples of all sensors are adjacent.  A loop without branches finds whether any limit is
+// violated, and only then a second loop finds which one.
 #include <string.h>
 
 #include "tests/bench/workloads/redlines.h"
@@ -21,10 +21,10 @@ void redlines_native_init(RedlinesNative *m, RedlinesSv *sv)
 static inline float less(float x, float y) { return x < y ? x : y; }
 static inline float more(float x, float y) { return x > y ? x : y; }
 
-// Two samples count as three, of which one is in the middle of the others.
+// Stores a sample.  The median of two samples is computed as that of three, of which one is the mean of the others.
 static void put(RedlinesNative *m, const RedlinesSv *sv)
 {
-    memcpy(m->sample[m->n % 4], &sv->s0, sizeof *m->sample);          // the elements follow each other
+    memcpy(m->sample[m->n % 4], &sv->s0, sizeof *m->sample);          // the elements are adjacent
     if (m->n == 0)
         memcpy(m->sample[3], m->sample[0], sizeof *m->sample);
     if (m->n == 1)
@@ -47,7 +47,7 @@ static float average(const RedlinesNative *m, int i)
     return sum / (float)(m->n < 4 ? m->n : 4);
 }
 
-static int violated(const RedlinesNative *m)                        // the number of the first such sensor; 0: none
+static int violated(const RedlinesNative *m)                        // returns the number of the first sensor beyond its limit; 0: none
 {
     const float *a = m->sample[(m->n - 1) % 4], *b = m->sample[(m->n - 2) % 4], *c = m->sample[m->n < 3 ? 3 : (m->n - 3) % 4];
     int any = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The red lines: sensors with single outliers, which the medians drop; one in a while stays beyond its limit.
+// The red lines.  Sensors have single outliers, which the medians remove.  Now and then a sensor stays beyond its limit.
 #include "tests/bench/workloads/redlines.h"
 
 #include "redlines_o0.h"

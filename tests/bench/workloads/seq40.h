@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The launch sequencer by hand.
+// The launch sequencer, handwritten.
 #ifndef BENCH_SEQ40_H
 #define BENCH_SEQ40_H
 

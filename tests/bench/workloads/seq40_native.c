@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The launch sequencer as a flight-software engineer writes it: a function for each kind of state, which the compiler puts into the
-// cases with their constants.
+// The launch sequencer as a flight-software engineer writes it: one function for each kind of state.  The compiler inlines it with the constants
+// of each state.
 #include "tests/bench/workloads/seq40.h"
 
 enum { BUS_LOW = 22000 };                                        // mV
@@ -58,7 +58,7 @@ static inline void settle(Seq40Native *m, Seq40Sv *sv, uint64_t in_state, float 
         go_to(m, sv->lowest > least ? next : SEQ_Hold);
 }
 
-// What happens in all states but Hold and Abort; whether it stops the state.
+// Makes the transition to Abort if the machine must stop, and returns whether it does.  All states but Hold and Abort call it first.
 static inline bool stops(Seq40Native *m, Seq40Sv *sv)
 {
     if (sv->stop || sv->bus < BUS_LOW) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The launch sequencer: tanks that fill while their valve opens in most of the episodes, a feed line that cools; now and then the operator
-// takes the go back, the stop button is pressed, or the chamber pressure is lost.
+// The launch sequencer.  In most episodes tanks fill while their valve opens, and a feed line cools.  In some the operator revokes the go, the
+// stop button is pressed, or the chamber pressure is lost.
 #include "tests/bench/workloads/seq40.h"
 
 #include "seq40_o0.h"
@@ -11,7 +11,7 @@
 
 WORKLOAD_ROWS(seq40, Seq40)
 
-// The inputs do not see the machine: pressures rise and fall over seconds, whatever the valves do.
+// The inputs do not depend on the machine: pressures rise and fall over seconds, whatever the valves do.
 static void inputs(Rng *r, void *at, unsigned n, unsigned episode)
 {
     float lox = 10, fuel = 12;

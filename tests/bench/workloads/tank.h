@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tank of the thesis (Figure 2.7) by hand.
+// The tank of the thesis (Figure 2.7), handwritten.
 #ifndef BENCH_TANK_H
 #define BENCH_TANK_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tank as a flight-software engineer writes it: native types, constants that are constants, time taken on trust.
+// The tank as a flight-software engineer writes it: native types, compile-time constants, and no check that time advances.
 #include "tests/bench/workloads/tank.h"
 
 enum { VENT_CONTROL = 1, IDLE, ABORT };

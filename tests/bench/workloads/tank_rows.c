@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tank: the pressure wanders about the vent threshold, drawn back to it, so that no branch predictor learns the pattern; at the end
-// of an episode it is lost and the machine aborts.  An episode is too short for the machine to go idle.
+// The tank.  The pressure varies around the vent threshold, so that a branch predictor cannot learn the pattern.  At the end of an episode the
+// pressure is lost and the machine aborts.  An episode is too short for the machine to go idle.
 #include "tests/bench/workloads/tank.h"
 
 #include "tank_o0.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vote by hand.
+// The vote, handwritten.
 #ifndef BENCH_VOTE_H
 #define BENCH_VOTE_H
 
@@ -45,7 +45,7 @@ typedef struct VoteNative {
     Fifty p1_fifty, a2_fifty;
     Three t2_three;
     Warm t1_warm;
-    int32_t t1_sum;               // of t1_warm; exact, since it is whole
+    int32_t t1_sum;               // sum of t1_warm; exact, since all samples are integers
 } VoteNative;
 
 void vote_native_init(VoteNative *m, VoteSv *sv);

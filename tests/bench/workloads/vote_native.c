@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vote as an expert writes it: floats, windows that do not branch on samples, an exact running sum where samples are whole.
+// The vote as an expert writes it: floats, windows that do not branch on samples, and an exact running sum where samples are integers.
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vote: sensors with noise; now and then one of the pressures drifts away, or sticks for a while.
+// The vote.  Sensors have noise.  At times one of the pressures drifts away, or does not change for a while.
 #include "tests/bench/workloads/vote.h"
 
 #include "tests/bench/rows.h"

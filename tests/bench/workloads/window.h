@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows as the language defines them (language.md 7), on doubles, without optimisation: each access computes its statistic again.
+// Windows as the language defines them (language.md 7), of doubles, without optimisation: each access computes its statistic again.
 #ifndef BENCH_WINDOW_H
 #define BENCH_WINDOW_H
 
@@ -27,12 +27,12 @@ static inline void window_put(Window *w, double x)
         w->n++;
 }
 
-static inline bool comes_before(double x, double y)           // -0 before +0
+static inline bool comes_before(double x, double y)           // -0 precedes +0
 {
     return x < y || (x == y && sm_bits(x) > sm_bits(y));
 }
 
-// Sums in pairs, those in pairs, and so on.
+// Returns the average by pairwise summation: sums of pairs, then sums of these sums, and so on.
 static inline double window_avg(const Window *w)
 {
     double sum[MOST_SLOTS];

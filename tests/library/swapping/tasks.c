@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application whose machine is replaced by a text that arrives on standard input.  A thread without a deadline compiles the text and begins the
-// swap; `watch` observes it, and prints what the new machine has after its first step.
+// An application whose machine is replaced by a source from standard input.  A thread without a deadline compiles the source and begins the
+// swap.  `watch` observes the swap, and prints the values of the new machine after its first step.
 #include <stdio.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@
 
 enum { MEMORY = 8 << 20, TEXT = 65536, STACK = 1 << 20, TICKS_BEFORE = 40 };
 
-static uint64_t memory[MEMORY / 8];           // of the compiler: the application allocates nothing while it runs
+static uint64_t memory[MEMORY / 8];           // the compiler's memory: the application allocates nothing while it runs
 static PalThread thread;
 static uint32_t ticks, is_observed, is_done;  // runtime-c/shared.h
 static uint32_t machine;                      // the number of its source in the session
@@ -37,7 +37,7 @@ static void print_what_is_kept(SmcSession *s, SmcMachine from, SmcMachine to)
         printf("%s %s is %s\n", kind[smc_swap_item_kind(s, i)], smc_swap_item_name(s, i), smc_swap_fate_text(smc_swap_item_fate(s, i)));
 }
 
-// The state vector and the machine that runs, as sources.  Returns that machine, for the comparison.
+// Adds the state vector and the running machine as sources.  Returns that machine, for the comparison.
 static SmcMachine open_running(SmcSession *s)
 {
     static char text[TEXT];
@@ -56,7 +56,8 @@ static SmcMachine open_running(SmcSession *s)
     return m;
 }
 
-// Compiles a text, and begins to swap the machine for it.  The image belongs to the session: it stays until the next call that emits or compiles.
+// Compiles a source, and begins to swap the machine for it.  The image belongs to the session, and is valid until the next call that emits or
+// compiles.
 static SmResult swap(SmcSession *s, const char *text, uint64_t size)
 {
     SmSwapChange change = {.machine = "valve", .mode = SM_SWAP_CONTINUE};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole flights of the example machines as tasks of the runtime: at every step every element and T are what the script engine had.
+// Whole flights of the example machines as tasks of the runtime.  After every step, every element and T must equal those of the script engine.
 //     flights IMAGE TRACE…      TRACE as `smc test --trace --trace-format=exact` writes it; its name begins with that of the machine
-// Each flight is flown six times: emitted, from the image, from its decoded form; in place and guarded.  The events
-// must be the same each time, and must agree with S.
+// Each flight is run six times: emitted, from the image, and from its decoded form; each of them in place and guarded.  The events must be the
+// same each time, and must agree with S.
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,11 +52,11 @@ static bool read_trace(const char *path)
 // ---- the machines ----
 
 typedef struct Subject {
-    const char *name, *state;                 // the element that is S
+    const char *name, *state;                 // state: the name of the element that is S
     const SmMachineType *type;
     void *self;
-    uint32_t number;                          // in the image
-    const char *output[3];                    // the elements that it stores; everything else is input
+    uint32_t number;                          // number of the machine in the image
+    const char *output[3];                    // the elements that it stores; all others are inputs
 } Subject;
 
 static Mission mission;
@@ -94,7 +94,7 @@ static void set_up(const Subject *s, int way)
 
 // ---- a flight ----
 
-// The element behind each name of the trace; NULL: T, or a local.
+// Finds the element of each name of the trace; NULL: T, or a local.
 static const SmElement *element[NAMES];
 static bool output[NAMES];
 

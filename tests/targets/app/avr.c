@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An application's main on AVR, where the emulator ends with the input (tests/avr/console.c), and no program else.
+// The main function of an application on AVR.  The emulator ends when the input ends (tests/avr/console.c).
 #include <stdio.h>
 
 #include "stand_app.h"

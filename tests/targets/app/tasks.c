@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tasks of stand.app: a sensor whose readings swing, a valve that may be safed, and one that writes the state vector down, in wire
-// form: a line of hexadecimal digits a tick.
+// The tasks of stand.app: a sensor with oscillating readings, a valve with a safe position, and a task that prints the state vector in its wire
+// form, one line of hexadecimal digits per tick.
 #include <stdio.h>
 
 #include "stand_app.h"

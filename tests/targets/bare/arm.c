@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors of a Cortex-M: stack, start, and faults without return.
+// Vectors of a Cortex-M: stack pointer, start, and faults, whose handlers do not return.
 #include <stdint.h>
 
 extern uint32_t stack_top[];
@@ -9,7 +9,7 @@ void reset(void);
 
 enum { CCR_UNALIGN_TRP = 1u << 3, CP10_CP11 = 0xfu << 20 };
 
-// A Cortex-M0 cannot read misaligned data; a larger one that replaces it is configured to trap on it.  An FPU must be enabled.
+// A Cortex-M0 cannot read misaligned data, so a larger chip that emulates it is set to trap on it.  An FPU must be enabled.
 void reset(void)
 {
 #if defined(__ARM_FP)

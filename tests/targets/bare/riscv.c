@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where QEMU's "virt" begins a program: the first address of its RAM.
+// QEMU's "virt" starts a program at the first address of its RAM.
 __asm__(".section .vectors, \"ax\"\n"
         ".globl _start\n"
         "_start:\n"
@@ -10,7 +10,7 @@ __asm__(".section .vectors, \"ax\"\n"
         "    la sp, stack_top\n"
         "    la t0, trapped\n"
         "    csrw mtvec, t0\n"
-        "    li t0, 0x6000\n"             // mstatus.FS: an FPU has to be switched on
+        "    li t0, 0x6000\n"             // mstatus.FS: enables the FPU
         "    csrs mstatus, t0\n"
         "    j begin\n"
         ".option pop\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard input and output of a chip that has none: of the emulator it runs in, by semihosting, through the two headers beside this
-// file.  And where it begins.
+// Standard input and output for a chip without them: the emulator provides them by semihosting, through the two headers beside this file.  Also
+// the start of the program.
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// As much of <stdio.h> as emitted C's driver and vm.c use; semihost.c is behind it.
+// The part of <stdio.h> that emitted C's driver and vm.c use.  semihost.c implements it.
 #ifndef SM_BARE_STDIO_H
 #define SM_BARE_STDIO_H
 
@@ -8,6 +8,6 @@ typedef int FILE;
 #define stdout ((FILE *)0)
 int getchar(void);
 int putchar(int c);
-int fflush(FILE *stream);             // getchar does so before it waits
+int fflush(FILE *stream);             // getchar also does this before it waits
 
 #endif
