@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // [data] of a script (language.md 8.54, 8.55): its settings, and the variables of its columns. The file itself is not read here.
+#include "compiler/sema/application.h"
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -90,6 +91,10 @@ void check_data(Sema *s, Script *script, const AstSection *in)
     }
     if (report_second(s, script, in))
         return;
+    if (s->p->joint && s->p->time_unit == TIME_NONE) {
+        diag_report(s->diags, DIAG_app_time_literal, in->header, "[data]", app_time_text(s->arena, s->p->joint->unit));
+        return;
+    }
     check_complete(s, in);
     d = ARENA_NEW(s->arena, ScriptData);
     d->span = in->header;

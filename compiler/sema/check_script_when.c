@@ -219,6 +219,8 @@ void propose_when(Sema *s, const AstExpr *guard, uint64_t delta_t)
 
 static const char *format_units(const Sema *s, SmF64 units)
 {
+    if (s->p->joint && s->p->time_unit == TIME_NONE)
+        return const_text(s->arena, units);
     return format_in(s->arena, "%s %s", const_text(s->arena, units), time_unit_name(s->p->time_unit));
 }
 

@@ -19,9 +19,6 @@ static bool split(Sema *s, Str name, Dotted *out)
 
 static bool knows(const Program *p, Str name, bool is_state) { return map_find(is_state ? &p->state_by_name : &p->by_name, name) != NULL; }
 
-// Brackets a name if it is that of a section.
-static const char *shown(Sema *s, const char *name, bool is_state) { return is_state ? format_in(s->arena, "[%s]", name) : name; }
-
 // Reports `deploy.T` in the script of one machine, where it is T.
 static void report_one_machine(Sema *s, Str name, const Dotted *d, Span span, bool is_state)
 {
@@ -29,7 +26,7 @@ static void report_one_machine(Sema *s, Str name, const Dotted *d, Span span, bo
 
     if (!knows(s->p, d->rest, is_state))
         return;
-    diag_label(s->diags, x, DIAG_label_write, shown(s, d->rest->text, is_state));
+    diag_label(s->diags, x, DIAG_label_write, d->rest->text);
     if (d->machine == s->p->name)
         diag_edit(s->diags, x, span, d->rest->text);
 }
@@ -68,7 +65,7 @@ typedef enum Bare { BARE_VARIABLE, BARE_SECTION, BARE_STATE } Bare;
 // Reports `T`, which the machines have. Returns false if no machine has the name.
 static bool report_missing_machine(Sema *s, Str name, Span span, Bare bare)
 {
-    static const char *const form[] = {"%s.%s", "[%s.%s]", "%s.S == %s"};
+    static const char *const form[] = {"%s.%s", "%s.%s", "%s.S == %s"};
     const Joint *j = s->p->joint;
     const char *list = "", *only = NULL;
     size_t n = 0;

@@ -1,4 +1,4 @@
-spec 8.39, 8.44, 8.46   Guards by time, states as values and nested conditionals in the script of an application.
+spec 8.39, 8.44, 8.46, 8.77   Guards by time, states as values and nested conditionals in the script of an application.
 
 -- rocket.app --
 [options]

@@ -16,7 +16,7 @@ S == 1: ready = true          #! E0790 a.S or b.S
 ready == Wait: ready = true   #! E0790 a.S == Wait
 seen > 0: ready = true        #! E0790 a.seen
 G == 10: @stop
-[Wait]                        #! E0790 [a.Wait]
+[Wait]                        #! E0790 a.Wait
 G == 1: ready = true
 -- rocket.sv --
 [A]

@@ -31,5 +31,5 @@ a.T == 0: pressure = 11           #! E0791 write T
 app.seen == 0: pressure = 11      #! E0791 write seen
 a.nosuch == 0: pressure = 11      #! E0791
 G == 100: @stop
-[a.Wait]                          #! E0791 write [Wait]
+[a.Wait]                          #! E0791 write Wait
 G == 1: pressure = 1
