@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds places that no run can cover, by facts (facts.h).  The facts assume that the machine can be started in any state, as a script can do
 // it, and that elements and locals that scripts write have any value.  A place with several copies is impossible only if all of them are.
-#include <math.h>
 
 #include "compiler/analysis/transitions.h"
 #include "compiler/cover/cover.h"
@@ -20,15 +19,17 @@ static void allow(Finder *k, uint32_t place) { k->possible[place] = true; }
 
 // ---- reasons ----
 
+static bool is_infinite(double x) { return x - x != 0; }
+
 static void append_bounds(Buf *out, Arena *arena, Fact f)
 {
-    if (isinf(f.lo) && isinf(f.hi))
+    if (is_infinite(f.lo) && is_infinite(f.hi))
         buf_str(out, "a number");
     else if (f.lo == f.hi)
         buf_printf(out, "always %s", const_text(arena, f.lo));
-    else if (isinf(f.hi))
+    else if (is_infinite(f.hi))
         buf_printf(out, "at least %s", const_text(arena, f.lo));
-    else if (isinf(f.lo))
+    else if (is_infinite(f.lo))
         buf_printf(out, "at most %s", const_text(arena, f.hi));
     else
         buf_printf(out, "from %s to %s", const_text(arena, f.lo), const_text(arena, f.hi));
@@ -40,7 +41,7 @@ static void append_operand(const Finder *k, Buf *out, IrRef ref)
     const IrIns *i = &k->fn->ins.at[ref];
     const Fact f = k->flow.of[ref];
 
-    if (i->op == IR_const || (isinf(f.lo) && isinf(f.hi)))
+    if (i->op == IR_const || (is_infinite(f.lo) && is_infinite(f.hi)))
         return;
     buf_printf(out, "%s`%s` is ", out->n ? " and " : "", source_text(k->c->arena, i->span));
     append_bounds(out, k->c->arena, f);
