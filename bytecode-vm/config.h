@@ -103,9 +103,13 @@
 #endif
 
 // 1: the VM runs images whose machines have parameters (language.md 5.77).  0: the verifier refuses them, because their section is unknown,
-// which saves 1.1 KB of flash and 8 bytes of stack on AVR.
+// which saves 1.1 KB of flash and 8 bytes of stack on AVR.  The boot loader of an Arduino Pro takes 2 KB, which leaves no room for parameters.
 #ifndef SMVM_PARAMETERS
+#ifdef ARDUINO_AVR_PRO
+#define SMVM_PARAMETERS 0
+#else
 #define SMVM_PARAMETERS 1
+#endif
 #endif
 
 // 1: the store (target/store.h) supports only memory that can be written byte by byte and again without erasing, such as EEPROM.

@@ -51,7 +51,7 @@ run_makes() {
         +*) mkdir "$work/$m.begun" 2>/dev/null && run "$m" "$making" ;;
         esac
     done <"$work/lines"
-    rmdir "$work/make"
+    rmdir "$work/make" 2>/dev/null        # all may have been reported meanwhile, and the folder be gone
 }
 
 # Runs, in order, the commands that no other worker has begun.  Those that call make come first, or after the first of several parts: they run

@@ -280,7 +280,8 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
     f->op = k.op.at;
     f->ops = k.op.n;
     f->frame = ARENA_ARRAY(arena, double, k.temps + k.number.n + 1);
-    memcpy(f->frame + k.temps, k.number.at, k.number.n * sizeof *f->frame);
+    if (k.number.n)
+        memcpy(f->frame + k.temps, k.number.at, k.number.n * sizeof *f->frame);
     f->decision_at = k.decision_at;
     f->value_at = k.value_at;
     return f;

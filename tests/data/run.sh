@@ -113,8 +113,14 @@ peak() {
     ( ulimit -v $((limit)) 2>/dev/null; "$smc" test m.sm many.ss >out 2>&1 )
 }
 limit=40000
-expect 'few rows in 40 MB of addresses' 0 '' peak 100 10 50
-expect 'many rows in as much' 0 '' peak 300000 1000 299000
+if ( ulimit -v $limit && "$smc" --version ) >/dev/null 2>&1; then
+    expect 'few rows in 40 MB of addresses' 0 '' peak 100 10 50
+    expect 'many rows in as much' 0 '' peak 300000 1000 299000
+    skipped=
+else
+    echo "smc does not start in 40 MB of addresses, as with sanitizers"
+    skipped=', 2 skipped'
+fi
 
-echo "data: $passed passed, $failed failed"
+echo "data: $passed passed, $failed failed$skipped"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
