@@ -58,7 +58,7 @@ static void run_script(Session *s, const TestFile *f)
         p = made.of[i].scripted ? made.of[i].scripted : p;
         script = script ? script : made.of[i].script;
     }
-    if (!script)
+    if (!script || script->program->joint)            // tests/joint runs scripts of applications
         return;
     fuzz_reached++;
     r = script_run(&s->arena, &s->diags, script, engine, open_engines(s, p, engine), &o);
