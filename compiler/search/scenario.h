@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scenario: what the outside does to a machine from its start on.  Searches produce scenarios, and scripts are written from them.
+//
+// The machine starts in `init_state`.  Step k, counted from 1, runs with G = (k - 1) * delta_t.  Before it runs, the inputs are set: for each
+// variable the last change whose step is not after k decides.  A variable without one keeps the value of the start, as in a script
+// (language.md 8.12).  The scenario ends after step `steps`.
+#ifndef SMC_SCENARIO_H
+#define SMC_SCENARIO_H
+
+#include "compiler/sema/program.h"
+
+typedef enum ScenarioKind {
+    SCENARIO_HOLD,            // the value is a
+    SCENARIO_ALTERNATE,       // a in the step of the change, b in the next one, then a again: a sensor with noise
+    SCENARIO_RAMP,            // a in the step of the change, and b more in each step after it
+    SCENARIO_COPY             // the value that `source` has when the step begins, as a feedback has it
+} ScenarioKind;
+
+typedef struct ScenarioChange {
+    uint64_t step;            // the first step with it
+    uint32_t var;             // index into Program.var: what is set
+    ScenarioKind kind;
+    double a, b;              // stored as an assignment stores them (language.md 2.13)
+    uint32_t source;          // COPY: index into Program.var
+} ScenarioChange;
+
+typedef struct Scenario {
+    const State *init_state;
+    uint64_t delta_t;         // by how much G grows in a step; at least 1
+    uint64_t steps;
+    const ScenarioChange *change;     // by step; at most one for a variable and a step
+    size_t changes;
+} Scenario;
+
+#endif
