@@ -79,6 +79,10 @@ CoverTotal cover_total(const Cover *c, CoverKind kind);
 
 // Opens an engine on a flat machine, for runs in lock step.
 Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f);
+// Makes the engine continue with another machine of the same program, in the state `run`, which the caller owns.
+void engine_flat_set(Engine *e, FlatMachine *f, void *run);
+// Returns the state of the run.
+void *engine_flat_run(const Engine *e);
 
 // ---- impossible.c ----
 

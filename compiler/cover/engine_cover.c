@@ -68,3 +68,13 @@ Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f)
     c->engine.close = cover_close;
     return &c->engine;
 }
+
+void engine_flat_set(Engine *e, FlatMachine *f, void *run)
+{
+    CoverEngine *c = e->self;
+
+    c->flat = f;
+    c->run = run;
+}
+
+void *engine_flat_run(const Engine *e) { return ((const CoverEngine *)e->self)->run; }

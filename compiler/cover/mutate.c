@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/cover/cover.h"
+#include "compiler/cover/mutant_runs.h"
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 
@@ -20,18 +20,15 @@ struct MutantEdit {
     SmOperator op;            // OPERATOR, LINK: the new operator
     double number;            // NUMBER, GUARD, INITIAL: the new number
     State *target;            // TARGET
+    uint32_t at;              // the statement that contains it, MUTANT_EACH_STEP or MUTANT_START
     const MutantEdit *next;
 };
 
 struct Mutation {
     Arena *arena, work;       // `work` is emptied before every mutant
     const Program *p;
-    const Script *const *script;
+    MutantRuns *runs;
     uint32_t scripts;
-    uint64_t *most;           // by script: the steps that a mutant may take
-    uint8_t **reached;        // by script: by Stmt.number, whether it was executed
-    uint32_t failing;
-    uint32_t last;            // the script that has noticed the last mutant: it is tried first
     VEC(Mutant) mutant;
     uint32_t next;
     const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
@@ -50,8 +47,9 @@ static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at,
 static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
 {
     MutantEdit *copy;
-    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, u->stmt, MUTANT_WAITING, 0};
+    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0};
 
+    edit.at = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {
         Mutant *same = &u->mutant.at[i];
         if (same->span.at != span.at || same->span.len != span.len || strcmp(same->text, text) != 0)
@@ -59,7 +57,6 @@ static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit
         edit.next = same->edit;
         same->edit = arena_copy(u->arena, &edit, sizeof edit);
         same->state = same->state == u->state ? same->state : NULL;
-        same->stmt = same->state ? same->stmt : 0;
         same->danger = same->danger > u->danger ? same->danger : u->danger;
         return;
     }
@@ -258,7 +255,7 @@ static void list_statements(Mutation *u, const Stmts *list)
 // What windows sample is computed at every step; the danger of its changes is not known.
 static void list_windows(Mutation *u)
 {
-    u->stmt = 0;
+    u->stmt = MUTANT_EACH_STEP;
     u->state = NULL;
     u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->window.n; i++)
@@ -276,6 +273,7 @@ static bool sizes_a_window(const Program *p)
 // Initial values that are numbers.  If a window's size depends on some local, they are left out, because windows are not built again.
 static void list_initial_values(Mutation *u)
 {
+    u->stmt = MUTANT_START;
     u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->var.n && !sizes_a_window(u->p); i++) {
         Var *v = u->p->var.at[i];
@@ -405,20 +403,6 @@ static uint32_t count_edits(const Mutant *m)
 
 // ---- running ----
 
-// Whether the script passes on the current program.
-static bool script_passes(Mutation *u, Engine *e, uint32_t script, uint64_t max_steps, uint64_t *steps)
-{
-    const ScriptOptions o = {.max_steps = max_steps, .is_silent = true, .is_compared = true};
-    Diags unused;
-    ScriptResult r;
-
-    diags_init(&unused, &u->work);
-    unused.muted = true;
-    r = script_run(&u->work, &unused, u->script[script], &e, 1, &o);
-    *steps = r.steps;
-    return r.outcome == SCRIPT_PASSED;
-}
-
 static const char *optimised_text(Mutation *u, Arena *arena)
 {
     const PassOptions o = {2, NULL, false, false, NULL, NULL};
@@ -431,22 +415,14 @@ static const char *optimised_text(Mutation *u, Arena *arena)
     return buf_text(&out);
 }
 
-// Whether the script executes the statement of the mutant without the change.  Otherwise it cannot notice the change.
-static bool can_notice(const Mutation *u, const Mutant *m, uint32_t script) { return m->stmt == 0 || u->reached[script][m->stmt]; }
-
-// Returns the first script that fails on the current program, or `scripts`.  The one that noticed the last mutant is tried first.
+// Returns the first script that fails on the current program, or the number of scripts.
 static uint32_t find_noticing(Mutation *u, const Mutant *m)
 {
-    FlatMachine *f = flat_new(&u->work, ir_build(&u->work, u->p), NULL);
-    Engine *e = engine_flat_open(&u->work, u->p, f);
-    uint64_t steps;
+    uint32_t n = 0, *stmt = ARENA_ARRAY(&u->work, uint32_t, count_edits(m));
 
-    for (uint32_t i = 0; i <= u->scripts; i++) {
-        const uint32_t script = i == 0 ? u->last : i - 1;
-        if (can_notice(u, m, script) && (i == 0 || script != u->last) && !script_passes(u, e, script, u->most[script], &steps))
-            return script;
-    }
-    return u->scripts;
+    for (const MutantEdit *d = m->edit; d; d = d->next)
+        stmt[n++] = d->at;
+    return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n);
 }
 
 bool mutation_run_next(Mutation *u)
@@ -465,24 +441,8 @@ bool mutation_run_next(Mutation *u)
     noticing = find_noticing(u, m);
     m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0 ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
     m->script = noticing;
-    u->last = noticing < u->scripts ? noticing : u->last;
     undo_edits(u, m->edit, undo);
     return true;
-}
-
-// Runs a script without a change, and stores which statements it executes.
-static void run_original(Mutation *u, uint32_t script)
-{
-    Cover *c;
-    uint64_t steps;
-
-    arena_reset(&u->work);
-    c = cover_new(&u->work, u->p);
-    if (!script_passes(u, cover_open_engine(c), script, u->most[script], &steps) && u->failing == u->scripts)
-        u->failing = script;
-    u->most[script] = steps < UINT64_MAX / 8 ? 4 * steps + 1000 : steps;
-    for (uint32_t s = 0; s <= u->p->stmts; s++)
-        u->reached[script][s] = c->hits[c->probes.stmt[s]] > 0;
 }
 
 Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps)
@@ -492,25 +452,18 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
     u->arena = arena;
     arena_init(&u->work, arena->alloc, arena->context, arena->oom);
     u->p = p;
-    u->script = script;
-    u->scripts = u->failing = scripts;
-    u->most = ARENA_ARRAY(arena, uint64_t, scripts);
-    u->reached = arena_array(arena, scripts, sizeof *u->reached);
+    u->scripts = scripts;
+    u->runs = mutant_runs_new(arena, p, script, scripts, max_steps);
     u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
     for (size_t i = 0; i < p->var.n; i++)
         u->initial[i] = p->var.at[i]->init;
-    for (uint32_t i = 0; i < scripts; i++) {
-        u->most[i] = max_steps;
-        u->reached[i] = arena_alloc(arena, p->stmts + 1);
-        run_original(u, i);
-    }
     arena_reset(&u->work);
     u->original = optimised_text(u, arena);
     list_mutants(u);
     return u;
 }
 
-uint32_t mutation_find_failing(const Mutation *u) { return u->failing; }
+uint32_t mutation_find_failing(const Mutation *u) { return mutant_runs_find_failing(u->runs); }
 
 const Mutant *mutation_list(const Mutation *u, uint32_t *n)
 {

@@ -31,7 +31,6 @@ typedef struct Mutant {
     MutantDanger danger;
     const State *state;       // in which it is; NULL: in several, or in none
     const MutantEdit *edit;   // a list: one edit for each copy in the program
-    uint32_t stmt;            // Stmt.number of a copy of its statement; 0: of none
     MutantVerdict verdict;
     uint32_t script;          // NOTICED: the index of the script
 } Mutant;
