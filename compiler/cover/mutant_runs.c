@@ -8,9 +8,9 @@
 #include "compiler/script/script_run.h"
 
 enum {
-    POINTS_MOST = 64,         // points of a run
-    POINT_STEPS = 16,         // the least number of steps between two of them
-    WRITES_MOST = 1 << 21     // values that the record of a script can have; longer runs are not recorded
+    POINTS_MOST = 128,        // points of a run
+    POINT_STEPS = 8,          // the least number of steps between two of them
+    VALUES_MOST = 1 << 23     // values that all records can have together; a run for which no room is left is not recorded
 };
 
 // The state of an unchanged run before a step.
@@ -31,8 +31,10 @@ typedef struct Record {
     VEC(uint32_t) write_end;  // by step, from 0: the end of its writes
     VEC(uint8_t *) executed;  // by point: by Stmt.number: it was executed between this point and the next one
     uint8_t *reached;         // by Stmt.number: it was executed at all
-    const uint32_t *seen;     // the variables that the script reads (Var.index), `seens` of them
+    const uint32_t *seen;     // the variables that the script reads (Var.index), `seens` of them, without constants
     uint32_t seens;
+    bool reads_constants;     // the script reads constants of the machine
+    VEC(uint64_t) value;      // by step: the next state, whether its step is the first, and the cells of `seen`
     ScriptRun run;            // the run of the script, to be continued from its points
     uint32_t noticed;         // number of mutants that the script has noticed
 } Record;
@@ -44,7 +46,8 @@ struct MutantRuns {
     uint32_t records;
     uint32_t *order;          // the scripts in the order in which they are tried
     FlatMachine *original;
-    void *state[3];           // of the original; of the mutant; of the mutant at the last point
+    void *state, *at_point;   // of the current mutant: now, and at the last point
+    size_t values;            // of all records
     Cover *cover;             // counts what the unchanged runs execute
     Engine *engine;           // runs the current mutant
     Diags muted;
@@ -72,7 +75,7 @@ static void mark_seen_by_item(const ScriptItem *item, bool *seen)
 }
 
 // Lists the variables of the machine that the script reads.
-static void list_seen(Arena *arena, const Program *p, Record *r)
+static void list_seen(Arena *arena, const Program *p, const uint32_t *var_of, Record *r)
 {
     const Script *s = r->script;
     bool *seen = arena_alloc(arena, p->var.n + s->local.n);
@@ -84,8 +87,10 @@ static void list_seen(Arena *arena, const Program *p, Record *r)
         for (size_t k = 0; k < s->section.at[i].item.n; k++)
             mark_seen_by_item(s->section.at[i].item.at[k], seen);
     for (uint32_t v = 0; v < p->var.n; v++)
-        if (seen[v])
+        if (seen[v] && var_of[v] != IR_NONE)
             list[r->seens++] = v;
+        else
+            r->reads_constants = r->reads_constants || seen[v];
     r->seen = list;
 }
 
@@ -109,11 +114,17 @@ static EngineStatus recorder_init(Engine *e, uint32_t state, EngineStep *out)
 static EngineStatus recorder_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Recorder *c = e->self;
+    Record *r = c->record;
+    const EngineStatus status = c->machine->step(c->machine, write, n, out);
 
     for (uint32_t i = 0; i < n; i++)
-        vec_push(c->arena, &c->record->write, write[i]);
-    vec_push(c->arena, &c->record->write_end, c->record->write.n);
-    return c->machine->step(c->machine, write, n, out);
+        vec_push(c->arena, &r->write, write[i]);
+    vec_push(c->arena, &r->write_end, r->write.n);
+    vec_push(c->arena, &r->value, out->next_state);
+    vec_push(c->arena, &r->value, out->next_is_first);
+    for (uint32_t i = 0; i < r->seens; i++)
+        vec_push(c->arena, &r->value, out->cell[r->seen[i]]);
+    return status;
 }
 
 // Adds a point at the current step of the run.
@@ -156,12 +167,13 @@ static void record_run(MutantRuns *u, Record *r)
     r->every = r->steps / POINTS_MOST + 1 > POINT_STEPS ? r->steps / POINTS_MOST + 1 : POINT_STEPS;
     engine_flat_set(u->engine, u->cover->flat, engine_flat_run(u->engine));
     begin_run(u, r, &engine);
-    while (!r->run.ended && r->run.result.steps < r->steps && r->write.n < WRITES_MOST) {
+    while (!r->run.ended && u->values + r->write.n + r->value.n < VALUES_MOST) {
         add_point(u, r);
         run_continue(&r->run, r->run.result.steps + r->every);
         vec_push(u->arena, &r->executed, take_executed(u));
     }
     r->is_complete = r->run.ended;
+    u->values += r->write.n + r->value.n;
     r->run.engine = arena_copy(u->arena, &u->engine, sizeof u->engine);
 }
 
@@ -187,7 +199,7 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     if (!passes && u->failing == u->records)
         u->failing = script;
     r->reached = take_executed(u);
-    list_seen(u->arena, u->p, r);
+    list_seen(u->arena, u->p, u->original->m->var_of, r);
     if (passes && run_has_points(r->script))
         record_run(u, r);
     r->options.max_steps = r->steps < UINT64_MAX / 8 ? 4 * r->steps + 1000 : r->steps;
@@ -203,8 +215,8 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const 
     u->record = arena_array(arena, scripts, sizeof *u->record);
     u->order = ARENA_ARRAY(arena, uint32_t, scripts);
     u->original = flat_new(arena, ir_build(arena, p), NULL);
-    for (int i = 0; i < 3; i++)
-        u->state[i] = arena_alloc(arena, u->original->size);
+    u->state = arena_alloc(arena, u->original->size);
+    u->at_point = arena_alloc(arena, u->original->size);
     u->cover = cover_new(arena, p);
     u->engine = cover_open_engine(u->cover);
     diags_init(&u->muted, arena);
@@ -274,84 +286,78 @@ static void write_cells(const FlatMachine *f, void *state, const EngineWrite *wr
             cell[f->m->var_of[write[i].var]] = write[i].cell;
 }
 
-// Whether the script sees a difference between the two states.
-static bool is_seen(const Race *c)
+// Whether the script sees that the cells of the mutant are not those of a recorded step.
+static bool has_other_cells(const Race *c, const uint64_t *recorded)
 {
-    const FlatState *a = c->u->state[0], *b = c->u->state[1];
-    const uint64_t *cell_a = flat_cells(c->u->original, c->u->state[0]), *cell_b = flat_cells(c->mutant, c->u->state[1]);
-    const uint32_t *of_a = c->u->original->m->var_of, *of_b = c->mutant->m->var_of;
+    const uint64_t *cell = flat_cells(c->mutant, c->u->state);
+    const uint32_t *var_of = c->mutant->m->var_of;
 
-    if (a->state != b->state || a->first != b->first)
-        return true;
-    for (uint32_t i = 0; i < c->r->seens; i++) {
-        const uint32_t v = c->r->seen[i];
-        if (of_a[v] != IR_NONE && (of_b[v] == IR_NONE || cell_a[of_a[v]] != cell_b[of_b[v]]))
+    for (uint32_t i = 0; i < c->r->seens; i++)
+        if (cell[var_of[c->r->seen[i]]] != recorded[i])
             return true;
-    }
     return false;
 }
 
-// Runs both machines from a point to the next one.  Returns whether the script sees a difference.
-static bool run_together(Race *c, uint32_t point)
+// Runs the mutant from a point to the next one.  Returns whether the script sees a difference to the recorded run.
+static bool run_to_next_point(Race *c, uint32_t point)
 {
     const Record *r = c->r;
+    const FlatState *s = c->u->state;
     const uint64_t from = point * r->every, to = from + r->every < r->steps ? from + r->every : r->steps;
 
     for (uint64_t k = from; k < to; k++) {
-        const uint32_t first = k ? r->write_end.at[k - 1] : 0, n = r->write_end.at[k] - first;
-        write_cells(c->u->original, c->u->state[0], r->write.at + first, n);
-        write_cells(c->mutant, c->u->state[1], r->write.at + first, n);
-        flat_step(c->u->original, c->u->state[0]);
-        flat_step(c->mutant, c->u->state[1]);
-        if (is_seen(c))
+        const uint32_t first = k ? r->write_end.at[k - 1] : 0;
+        const uint64_t *recorded = r->value.at + k * (2 + r->seens);
+        write_cells(c->mutant, c->u->state, r->write.at + first, r->write_end.at[k] - first);
+        flat_step(c->mutant, c->u->state);
+        if (s->state != recorded[0] || s->first != recorded[1] || has_other_cells(c, recorded + 2))
             return true;
     }
     return false;
 }
 
-// Sets both states to that of a point.
-static void go_to_point(Race *c, uint32_t point)
-{
-    for (int i = 0; i < 2; i++)
-        memcpy(c->u->state[i], c->r->point.at[point].machine, c->u->original->size);
-    if (point == 0 && !c->same_start)
-        flat_start(c->mutant, c->u->state[1], c->r->script->init_state->number);
-}
+static void go_to_point(Race *c, uint32_t point) { memcpy(c->u->state, c->r->point.at[point].machine, c->u->original->size); }
 
-// Whether the script sees an initial value that was changed.
-static bool sees_start(Race *c)
+// Whether the script can see an initial value that was changed, before the first step.
+static bool sees_start(const Race *c)
 {
+    const uint64_t *cell = flat_cells(c->mutant, c->u->state), *original = flat_cells(c->u->original, c->r->point.at[0].machine);
+    const uint32_t *var_of = c->mutant->m->var_of;
+
+    flat_start(c->mutant, c->u->state, c->r->script->init_state->number);
     for (uint32_t i = 0; i < c->r->seens; i++)
-        if (c->u->original->m->var_of[c->r->seen[i]] == IR_NONE)
-            return true;                              // a constant; not compared
-    go_to_point(c, 0);
-    return is_seen(c);
+        if (cell[var_of[c->r->seen[i]]] != original[var_of[c->r->seen[i]]])
+            return true;
+    return c->r->reads_constants;
 }
 
 // Whether the recorded run can be used.
 static bool can_replay(Race *c) { return c->r->is_complete && c->same_layout && (c->same_start || !sees_start(c)); }
 
-// Returns the point before the first difference that the script sees; the number of points if it sees none.  state[2] is then the state of
-// the mutant at this point.
+// Returns the point before the first difference that the script sees; the number of points if it sees none.
 static uint32_t find_difference(Race *c)
 {
     const size_t size = c->u->original->size;
     uint32_t point = find_executed(c, 0);
 
-    if (point < c->r->point.n)
-        go_to_point(c, point);
-    while (point < c->r->point.n) {
-        memcpy(c->u->state[2], c->u->state[1], size);
-        if (run_together(c, point))
-            break;
-        point++;
-        if (memcmp(c->u->state[0], c->u->state[1], size) != 0)
+    if (point == c->r->point.n)
+        return point;
+    go_to_point(c, point);
+    if (!c->same_start)
+        flat_start(c->mutant, c->u->state, c->r->script->init_state->number);
+    for (;;) {
+        memcpy(c->u->at_point, c->u->state, size);
+        if (run_to_next_point(c, point))
+            return point;
+        if (++point == c->r->point.n)
+            return point;
+        if (memcmp(c->u->state, c->r->point.at[point].machine, size) != 0)
             continue;
         point = find_executed(c, point);
-        if (point < c->r->point.n)
-            go_to_point(c, point);
+        if (point == c->r->point.n)
+            return point;
+        go_to_point(c, point);
     }
-    return point;
 }
 
 // Runs the script on the mutant from a point on.  Returns whether it passes.
@@ -360,8 +366,8 @@ static bool passes_from(Race *c, uint32_t point)
     ScriptRun *run = &c->r->run;
 
     run_restore_point(run, c->r->point.at[point].script);
-    memcpy(c->u->state[1], c->u->state[2], c->u->original->size);
-    engine_flat_set(c->u->engine, c->mutant, c->u->state[1]);
+    memcpy(c->u->state, c->u->at_point, c->u->original->size);
+    engine_flat_set(c->u->engine, c->mutant, c->u->state);
     run_continue(run, c->r->options.max_steps);
     return run->ended && run->result.outcome == SCRIPT_PASSED;
 }

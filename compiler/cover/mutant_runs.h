@@ -3,9 +3,9 @@
 // writes in each step, and at some steps, the *points*, the state of the machine and of the script.
 //
 // A mutant behaves as the machine until it first executes what was changed.  So its run begins at the last point before that.  From there
-// both step together, with the recorded inputs and without the script.  As long as the script sees no difference, it does in the run of the
-// mutant what was recorded.  Only from the point before the first difference on does the script itself run.  When both are in the same
-// state at a point, the steps up to the next execution of what was changed are left out.
+// it steps with the recorded inputs, without the script.  As long as what the script reads is as recorded, the script does what it did in the
+// recorded run.  Only from the point before the first difference on does the script itself run.  When the mutant is in the recorded state at
+// a point, the steps up to the next execution of what was changed are left out.
 #ifndef SMC_MUTANT_RUNS_H
 #define SMC_MUTANT_RUNS_H
 

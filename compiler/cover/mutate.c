@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/cover/mutate.h"
+#include "compiler/cover/mutant.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -10,24 +10,11 @@
 
 const char *const mutant_danger_name[] = {"other", "transition", "output", "abort"};
 
-// What one copy of a mutant changes, and what it was before.
-struct MutantEdit {
-    enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_NOT, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
-    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT
-    Stmt *stmt;               // GUARD, TARGET, DELETE
-    Var *var;                 // INITIAL
-    uint32_t link;            // LINK: which operator of the chain
-    SmOperator op;            // OPERATOR, LINK: the new operator
-    double number;            // NUMBER, GUARD, INITIAL: the new number
-    State *target;            // TARGET
-    uint32_t at;              // the statement that contains it, MUTANT_EACH_STEP or MUTANT_START
-    const MutantEdit *next;
-};
-
 struct Mutation {
     Arena *arena, work;       // `work` is emptied before every mutant
     const Program *p;
     MutantRuns *runs;
+    uint64_t step;            // mutant_step
     uint32_t scripts;
     VEC(Mutant) mutant;
     uint32_t next;
@@ -35,7 +22,7 @@ struct Mutation {
     uint64_t *initial;        // by Var.index: the initial value as it was
     // The current place, while mutants are listed:
     const State *state;
-    uint32_t stmt;
+    Stmt *stmt;               // NULL: none
     MutantDanger danger;
 };
 
@@ -49,7 +36,7 @@ static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit
     MutantEdit *copy;
     Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0};
 
-    edit.at = u->stmt;
+    edit.stmt = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {
         Mutant *same = &u->mutant.at[i];
         if (same->span.at != span.at || same->span.len != span.len || strcmp(same->text, text) != 0)
@@ -214,7 +201,7 @@ static void add_target(Mutation *u, Stmt *s)
         State *other = u->p->state.at[(s->target->number + i) % n];
         if (other == s->target || other == u->state)
             continue;
-        add_mutant(u, name, other->name->text, (MutantEdit){.kind = EDIT_TARGET, .stmt = s, .target = other});
+        add_mutant(u, name, other->name->text, (MutantEdit){.kind = EDIT_TARGET, .target = other});
         return;
     }
 }
@@ -225,21 +212,21 @@ static void list_statement(Mutation *u, Stmt *s)
 {
     const Stmts only = {&s, 1, 1};
 
-    u->stmt = s->number;
+    u->stmt = s;
     u->danger = danger_of(&only);
     switch (s->kind) {
     case ST_ASSIGN:
         list_expression(u, s->value, NULL);
-        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE, .stmt = s});
+        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE});
         break;
     case ST_TRANSITION:
         add_target(u, s);
-        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE, .stmt = s});
+        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE});
         break;
     case ST_IF:
         list_expression(u, s->value, NULL);
-        add_mutant(u, s->value->span, "0", (MutantEdit){.kind = EDIT_GUARD, .stmt = s, .number = 0});
-        add_mutant(u, s->value->span, "1", (MutantEdit){.kind = EDIT_GUARD, .stmt = s, .number = 1});
+        add_mutant(u, s->value->span, "0", (MutantEdit){.kind = EDIT_GUARD, .number = 0});
+        add_mutant(u, s->value->span, "1", (MutantEdit){.kind = EDIT_GUARD, .number = 1});
         list_statements(u, &s->then);
         list_statements(u, &s->otherwise);
         break;
@@ -255,7 +242,7 @@ static void list_statements(Mutation *u, const Stmts *list)
 // What windows sample is computed at every step; the danger of its changes is not known.
 static void list_windows(Mutation *u)
 {
-    u->stmt = MUTANT_EACH_STEP;
+    u->stmt = NULL;
     u->state = NULL;
     u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->window.n; i++)
@@ -273,7 +260,7 @@ static bool sizes_a_window(const Program *p)
 // Initial values that are numbers.  If a window's size depends on some local, they are left out, because windows are not built again.
 static void list_initial_values(Mutation *u)
 {
-    u->stmt = MUTANT_START;
+    u->stmt = NULL;
     u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->var.n && !sizes_a_window(u->p); i++) {
         Var *v = u->p->var.at[i];
@@ -421,7 +408,7 @@ static uint32_t find_noticing(Mutation *u, const Mutant *m)
     uint32_t n = 0, *stmt = ARENA_ARRAY(&u->work, uint32_t, count_edits(m));
 
     for (const MutantEdit *d = m->edit; d; d = d->next)
-        stmt[n++] = d->at;
+        stmt[n++] = d->stmt ? d->stmt->number : d->kind == EDIT_INITIAL ? MUTANT_START : MUTANT_EACH_STEP;
     return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n);
 }
 
@@ -442,6 +429,8 @@ bool mutation_run_next(Mutation *u)
     m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0 ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
     m->script = noticing;
     undo_edits(u, m->edit, undo);
+    if (m->verdict == MUTANT_UNNOTICED && mutant_is_equivalent(&u->work, u->p, m->edit, u->step))
+        m->verdict = MUTANT_EQUIVALENT;
     return true;
 }
 
@@ -453,6 +442,7 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
     arena_init(&u->work, arena->alloc, arena->context, arena->oom);
     u->p = p;
     u->scripts = scripts;
+    u->step = mutant_step(p, script, scripts);
     u->runs = mutant_runs_new(arena, p, script, scripts, max_steps);
     u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
     for (size_t i = 0; i < p->var.n; i++)
