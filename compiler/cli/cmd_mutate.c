@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc mutate: changes a machine in one place at a time, and lists the changes that no script notices.
+#include <inttypes.h>
 #include <stdlib.h>
 
 #include "compiler/analysis/transitions.h"
@@ -8,8 +9,12 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
+#include "stdlib/convert.h"
 
-enum { STEPS_MOST = 1000000 };
+enum {
+    STEPS_MOST = 1000000,
+    SEARCH_STEPS = 1000000    // steps of a search for one change: about 0.2 s
+};
 
 typedef struct MutateRun {
     Cli *c;
@@ -18,29 +23,30 @@ typedef struct MutateRun {
     Mutation *u;
     VEC(const Script *) script;
     uint32_t tried;
+    bool is_searched;         // --generate has begun
     double least;             // --min-score
 } MutateRun;
 
-typedef struct Score { unsigned long all, noticed, unnoticed, equivalent; } Score;
+typedef struct Score { unsigned long all, of[MUTANT_VERDICT_COUNT]; } Score;       // by MutantVerdict
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 
 static Score count_verdicts(const MutateRun *r)
 {
-    Score s = {0, 0, 0, 0};
+    Score s = {0, {0}};
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
 
     s.all = n;
-    for (uint32_t i = 0; i < n; i++) {
-        s.noticed += m[i].verdict == MUTANT_NOTICED;
-        s.unnoticed += m[i].verdict == MUTANT_UNNOTICED;
-        s.equivalent += m[i].verdict == MUTANT_EQUIVALENT;
-    }
+    for (uint32_t i = 0; i < n; i++)
+        s.of[m[i].verdict]++;
     return s;
 }
 
-static double percent_of(Score s) { return s.noticed + s.unnoticed ? 100 * (double)s.noticed / (double)(s.noticed + s.unnoticed) : 100; }
+// Changes that a script can notice, as far as is known.
+static unsigned long count_noticeable(Score s) { return s.of[MUTANT_NOTICED] + s.of[MUTANT_GENERATED] + s.of[MUTANT_UNNOTICED]; }
+
+static double percent_of(Score s) { return count_noticeable(s) ? 100 * (double)s.of[MUTANT_NOTICED] / (double)count_noticeable(s) : 100; }
 
 // ---- text ----
 
@@ -52,6 +58,36 @@ static int compare_danger(const void *a, const void *b)
     if (x->danger != y->danger)
         return x->danger > y->danger ? -1 : 1;
     return x < y ? -1 : x > y;
+}
+
+// Appends what an input does from a step on: "pressure = 776", "pressure from 776 by 0.5 a step".
+static void write_change(const MutateRun *r, const ScenarioChange *c, Buf *out)
+{
+    const Var *v = r->p->var.at[c->var];
+
+    buf_printf(out, "%s %s ", v->report_name->text, c->kind == SCENARIO_RAMP ? "from" : "=");
+    format_cell_shortest(out, v->type, sm_cell_from_f64(v->type, c->a));
+    if (c->kind != SCENARIO_RAMP)
+        return;
+    buf_str(out, " by ");
+    format_number_shortest(out, c->b);
+    buf_str(out, " a step");
+}
+
+// Appends a scenario in words: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs".
+static void write_scenario(const MutateRun *r, const Mutant *m, Buf *out)
+{
+    const Scenario *s = m->scenario;
+
+    buf_printf(out, "from %s", s->init_state->name->text);
+    for (size_t i = 0; i < s->changes; i++) {
+        if (i > 0 && s->change[i].step == s->change[i - 1].step)
+            buf_str(out, ", ");
+        else
+            buf_printf(out, "%s at G = %" PRIu64 ": ", i ? ";" : ",", (s->change[i].step - 1) * s->delta_t);
+        write_change(r, &s->change[i], out);
+    }
+    buf_printf(out, "%s at G = %" PRIu64 ", %s differs", s->changes ? ";" : ",", (s->steps - 1) * s->delta_t, (m->differs ? m->differs : r->p->s)->report_name->text);
 }
 
 static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
@@ -69,6 +105,11 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     if (m->state)
         buf_printf(out, " in %s", m->state->name->text);
     buf_printf(out, "%s\n", about[m->danger]);
+    if (m->scenario) {
+        buf_str(out, "    ");
+        write_scenario(r, m, out);
+        buf_char(out, '\n');
+    }
 }
 
 static void write_list(const MutateRun *r, MutantVerdict verdict, const char *title, Buf *out)
@@ -90,13 +131,14 @@ static void write_text(const MutateRun *r, Buf *out)
 {
     const Score s = count_verdicts(r);
 
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.noticed, s.noticed + s.unnoticed, percent_of(s));
-    if (s.equivalent)
-        buf_printf(out, ", and %lu make no difference", s.equivalent);
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.of[MUTANT_NOTICED], count_noticeable(s), percent_of(s));
+    if (s.of[MUTANT_EQUIVALENT])
+        buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)
         buf_printf(out, ", and %lu were not tried", s.all - r->tried);
     buf_char(out, '\n');
-    write_list(r, MUTANT_UNNOTICED, "not noticed:\n", out);
+    write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
+    write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
     if (r->c->given[OPT_VERBOSE]) {
         write_list(r, MUTANT_NOTICED, "noticed:\n", out);
         write_list(r, MUTANT_EQUIVALENT, "no difference:\n", out);
@@ -107,7 +149,6 @@ static void write_text(const MutateRun *r, Buf *out)
 
 static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 {
-    static const char *const verdict[] = {"waiting", "noticed", "unnoticed", "equivalent"};
     const LineCol at = source_position(m->span.src, m->span.at);
 
     buf_printf(out, "{\"line\":%lu,\"column\":%lu,\"at\":%lu,\"length\":%lu,\"old\":", (unsigned long)at.line, (unsigned long)at.col,
@@ -115,10 +156,17 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     json_put_string(out, source_text(r->arena, m->span));
     buf_str(out, ",\"new\":");
     json_put_string(out, m->text);
-    buf_printf(out, ",\"danger\":\"%s\",\"verdict\":\"%s\"", mutant_danger_name[m->danger], verdict[m->verdict]);
+    buf_printf(out, ",\"danger\":\"%s\",\"verdict\":\"%s\"", mutant_danger_name[m->danger], mutant_verdict_name[m->verdict]);
     if (m->verdict == MUTANT_NOTICED) {
         buf_str(out, ",\"script\":");
         json_put_string(out, path_portable_name(r->script.at[m->script]->src->name));
+    }
+    if (m->scenario) {
+        Buf words;
+        buf_init(&words, r->arena);
+        write_scenario(r, m, &words);
+        buf_str(out, ",\"inputs\":");
+        json_put_string(out, buf_text(&words));
     }
     buf_char(out, '}');
 }
@@ -129,8 +177,10 @@ static void write_json(const MutateRun *r, Buf *out)
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
 
-    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"noticed\":%lu,\"unnoticed\":%lu,\"equivalent\":%lu,\"mutants\":[\n", r->p->name->text,
-               s.noticed, s.unnoticed, s.equivalent);
+    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->p->name->text, percent_of(s));
+    for (int v = MUTANT_NOTICED; v < MUTANT_VERDICT_COUNT; v++)
+        buf_printf(out, ",\"%s\":%lu", mutant_verdict_name[v], s.of[v]);
+    buf_printf(out, ",\"waiting\":%lu,\"mutants\":[\n", s.of[MUTANT_WAITING]);
     for (uint32_t i = 0; i < n; i++) {
         write_json_mutant(r, &m[i], out);
         buf_str(out, i + 1 < n ? ",\n" : "\n");
@@ -147,6 +197,9 @@ static void run_mutants(MutateRun *r)
     os_signals_delay();
     while (!os_signal_waiting() && mutation_run_next(r->u))
         r->tried++;
+    r->is_searched = r->c->given[OPT_GENERATE] && !os_signal_waiting();
+    while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutation_search_next(r->u, SEARCH_STEPS))
+        ;
 }
 
 static int write_result(MutateRun *r, size_t format)

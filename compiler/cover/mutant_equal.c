@@ -8,7 +8,6 @@
 // If facts (facts.h) exclude every path to the probe, the mutant is equivalent.
 #include "compiler/cover/mutant.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "compiler/facts/facts.h"
@@ -270,7 +269,7 @@ static bool same_at_steps(const Program *p, const Expr *old, const Expr *new, ui
     if (step == 0 || !is_time_comparison(p, old) || !is_time_comparison(p, new))
         return false;
     for (int i = 0; i < 2; i++) {
-        const double x = expr_constant_value(both[i]->arg[1]), near = floor(x / (double)step);
+        const double x = expr_constant_value(both[i]->arg[1]), near = (double)(int64_t)(x / (double)step);
         if (!(x >= 0 && x < FACT_EXACT / 2))
             return false;
         for (int by = -1; by <= 2; by++) {

@@ -5,10 +5,12 @@
 #include <string.h>
 
 #include "compiler/cover/mutant_runs.h"
+#include "compiler/cover/mutant_search.h"
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 
 const char *const mutant_danger_name[] = {"other", "transition", "output", "abort"};
+const char *const mutant_verdict_name[] = {"waiting", "noticed", "unnoticed", "equivalent", "generated"};
 
 struct Mutation {
     Arena *arena, work;       // `work` is emptied before every mutant
@@ -17,7 +19,10 @@ struct Mutation {
     uint64_t step;            // mutant_step
     uint32_t scripts;
     VEC(Mutant) mutant;
-    uint32_t next;
+    uint32_t next, next_search;       // the next mutant to run; to search for
+    MutantSearch *search;     // NULL: not needed yet
+    const State **start;      // in which scenarios begin, `starts` of them
+    uint32_t starts;
     const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
     uint64_t *initial;        // by Var.index: the initial value as it was
     // The current place, while mutants are listed:
@@ -34,7 +39,7 @@ static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at,
 static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
 {
     MutantEdit *copy;
-    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0};
+    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0, NULL, NULL};
 
     edit.stmt = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {
@@ -412,25 +417,101 @@ static uint32_t find_noticing(Mutation *u, const Mutant *m)
     return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n);
 }
 
+// Makes the program that of the mutant.  Returns what undo_edits needs.
+static Undo *apply_edits(Mutation *u, const Mutant *m)
+{
+    Undo *undo = arena_array(&u->work, count_edits(m), sizeof *undo);
+    uint32_t n = 0;
+
+    for (const MutantEdit *d = m->edit; d; d = d->next)
+        apply_edit(u, d, &undo[n++]);
+    return undo;
+}
+
 bool mutation_run_next(Mutation *u)
 {
     Mutant *m;
     Undo *undo;
-    uint32_t n = 0, noticing;
+    uint32_t noticing;
 
     if (u->next == u->mutant.n)
         return false;
     arena_reset(&u->work);
     m = &u->mutant.at[u->next++];
-    undo = arena_array(&u->work, count_edits(m), sizeof *undo);
-    for (const MutantEdit *d = m->edit; d; d = d->next)
-        apply_edit(u, d, &undo[n++]);
+    undo = apply_edits(u, m);
     noticing = find_noticing(u, m);
     m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0 ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
     m->script = noticing;
     undo_edits(u, m->edit, undo);
     if (m->verdict == MUTANT_UNNOTICED && mutant_is_equivalent(&u->work, u->p, m->edit, u->step))
         m->verdict = MUTANT_EQUIVALENT;
+    return true;
+}
+
+// ---- searching ----
+
+// The numbers that a change concerns.
+typedef struct Around { double at[32]; uint32_t n; } Around;
+
+static void add_around(Around *list, double x)
+{
+    if (list->n < sizeof list->at / sizeof *list->at)
+        list->at[list->n++] = x;
+}
+
+static void collect_around(Expr *e, void *context)
+{
+    if (e->kind == EX_NUMBER || (e->kind == EX_VAR && e->var->is_constant))
+        add_around(context, expr_constant_value(e));
+}
+
+static Around find_around(const Mutant *m)
+{
+    Around list = {.n = 0};
+
+    for (const MutantEdit *d = m->edit; d; d = d->next) {
+        if (d->kind == EDIT_NUMBER || d->kind == EDIT_INITIAL)
+            add_around(&list, d->number);
+        if (d->kind == EDIT_INITIAL)
+            add_around(&list, d->var->init_value->number);
+        if (d->stmt && d->stmt->value)
+            expr_walk(d->stmt->value, collect_around, &list);
+        else if (d->e)
+            expr_walk(d->e, collect_around, &list);
+    }
+    return list;
+}
+
+static void add_start(Mutation *u, const State *start)
+{
+    for (uint32_t i = 0; i < u->starts; i++)
+        if (u->start[i] == start)
+            return;
+    u->start[u->starts++] = start;
+}
+
+bool mutation_search_next(Mutation *u, uint64_t steps)
+{
+    Mutant *m;
+    FlatMachine *mutant;
+    Undo *undo;
+    Around around;
+
+    while (u->next_search < u->mutant.n && u->mutant.at[u->next_search].verdict != MUTANT_UNNOTICED)
+        u->next_search++;
+    if (u->next_search == u->mutant.n)
+        return false;
+    m = &u->mutant.at[u->next_search++];
+    if (!u->search)
+        u->search = mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), u->step, u->start, u->starts);
+    arena_reset(&u->work);
+    undo = apply_edits(u, m);
+    mutant = flat_new(&u->work, ir_build(&u->work, u->p), NULL);
+    undo_edits(u, m->edit, undo);
+    around = find_around(m);
+    m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, around.at, around.n, steps, &m->differs);
+    if (m->scenario)
+        m->verdict = MUTANT_GENERATED;
     return true;
 }
 
@@ -443,6 +524,10 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
     u->p = p;
     u->scripts = scripts;
     u->step = mutant_step(p, script, scripts);
+    u->start = arena_array(arena, scripts + (size_t)1, sizeof *u->start);
+    add_start(u, p->state.at[0]);
+    for (uint32_t i = 0; i < scripts; i++)
+        add_start(u, script[i]->init_state);
     u->runs = mutant_runs_new(arena, p, script, scripts, max_steps);
     u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
     for (size_t i = 0; i < p->var.n; i++)

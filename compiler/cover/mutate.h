@@ -10,18 +10,22 @@
 #define SMC_MUTATE_H
 
 #include "compiler/script/script.h"
+#include "compiler/search/scenario.h"
 
 typedef enum MutantVerdict {
     MUTANT_WAITING,           // it has not been run
     MUTANT_NOTICED,           // a script fails
     MUTANT_UNNOTICED,         // every script passes as before
-    MUTANT_EQUIVALENT         // the compiler makes the same program of it
+    MUTANT_EQUIVALENT,        // it is proved that the change makes no difference
+    MUTANT_GENERATED,         // every script passes as before, and a scenario was found in which the mutant differs
+    MUTANT_VERDICT_COUNT
 } MutantVerdict;
 
 // How dangerous a change is that no script notices, by what it can affect.
 typedef enum MutantDanger { DANGER_OTHER, DANGER_TRANSITION, DANGER_OUTPUT, DANGER_ABORT } MutantDanger;
 
 extern const char *const mutant_danger_name[];        // by MutantDanger: "other", "transition", "output", "abort"
+extern const char *const mutant_verdict_name[];       // by MutantVerdict: "waiting", "noticed", "unnoticed", "equivalent", "generated"
 
 typedef struct MutantEdit MutantEdit;
 
@@ -33,6 +37,8 @@ typedef struct Mutant {
     const MutantEdit *edit;   // a list: one edit for each copy in the program
     MutantVerdict verdict;
     uint32_t script;          // NOTICED: the index of the script
+    const Scenario *scenario; // GENERATED: in its last step the mutant differs
+    const Var *differs;       // GENERATED: in this variable
 } Mutant;
 
 typedef struct Mutation Mutation;
@@ -44,6 +50,8 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
 uint32_t mutation_find_failing(const Mutation *u);
 // Runs the next mutant.  Returns false if there is none.
 bool mutation_run_next(Mutation *u);
+// Searches a scenario for the next mutant that no script notices, for at most `steps` steps (mutant_search.h).  Returns false if there is none.
+bool mutation_search_next(Mutation *u, uint64_t steps);
 // Returns the mutants, in the order of the source.
 const Mutant *mutation_list(const Mutation *u, uint32_t *n);
 // Frees working memory.
