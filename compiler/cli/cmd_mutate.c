@@ -13,7 +13,7 @@
 
 enum {
     STEPS_MOST = 1000000,
-    SEARCH_STEPS = 1000000    // steps of a search for one change: about 0.2 s
+    SEARCH_STEPS = 500000     // steps of a search for one change: about 0.2 s
 };
 
 typedef struct MutateRun {

@@ -6,6 +6,7 @@
 
 #include "compiler/cover/cover.h"
 #include "compiler/script/script_run.h"
+#include "stdlib/convert.h"
 
 enum {
     POINTS_MOST = 128,        // points of a run
@@ -38,6 +39,8 @@ typedef struct Record {
     ScriptRun run;            // the run of the script, to be continued from its points
     uint32_t noticed;         // number of mutants that the script has noticed
 } Record;
+
+typedef VEC(ScenarioChange) Changes;
 
 struct MutantRuns {
     Arena *arena;
@@ -232,6 +235,38 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const 
 uint32_t mutant_runs_find_failing(const MutantRuns *u) { return u->failing; }
 
 FlatMachine *mutant_runs_original(const MutantRuns *u) { return u->original; }
+
+// Adds the inputs that a step writes, if they change.  cell: by Var.index, what was written last; is_set: whether anything was.
+static void add_changes(const MutantRuns *u, Arena *arena, Changes *list, uint64_t step, const EngineWrite *write, uint32_t n, uint64_t *cell, bool *is_set)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const Var *v = u->p->var.at[write[i].var];
+        const ScenarioChange change = {step, v->index, SCENARIO_HOLD, sm_cell_to_f64(v->type, write[i].cell), 0, 0};
+        if (v == u->p->g || v == u->p->s || v->written || v->parameter || (is_set[v->index] && cell[v->index] == write[i].cell))
+            continue;
+        is_set[v->index] = true;
+        cell[v->index] = write[i].cell;
+        vec_push(arena, list, change);
+    }
+}
+
+const Scenario *mutant_runs_scenario(const MutantRuns *u, Arena *arena, uint32_t script)
+{
+    const Record *r = &u->record[script];
+    Scenario *s = ARENA_NEW(arena, Scenario);
+    uint64_t *cell = ARENA_ARRAY(arena, uint64_t, u->p->var.n);
+    bool *is_set = arena_alloc(arena, u->p->var.n);
+    Changes list = {0};
+
+    if (!r->is_complete)
+        return NULL;
+    for (uint64_t k = 0; k < r->steps; k++) {
+        const uint32_t first = k ? r->write_end.at[k - 1] : 0;
+        add_changes(u, arena, &list, k + 1, r->write.at + first, r->write_end.at[k] - first, cell, is_set);
+    }
+    *s = (Scenario){r->script->init_state, r->script->delta_t, r->steps, list.at, list.n};
+    return s;
+}
 
 // ---- running mutants ----
 

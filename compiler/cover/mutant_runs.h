@@ -10,6 +10,7 @@
 #define SMC_MUTANT_RUNS_H
 
 #include "compiler/cover/flat.h"
+#include "compiler/search/scenario.h"
 #include "compiler/sema/program.h"
 
 typedef struct MutantRuns MutantRuns;
@@ -25,6 +26,9 @@ uint32_t mutant_runs_find_failing(const MutantRuns *r);
 // Returns a script that fails on the mutant, or `scripts`.  stmt: the n places that were changed, each a Stmt.number or one of the above.  A run that takes more than four times as many steps as before, and 1000, has failed.  `work` receives what is
 // needed during the call.
 uint32_t mutant_runs_find_noticing(MutantRuns *r, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n);
+// Returns what a recorded run writes to the inputs of the machine, as a scenario; NULL: the run was not recorded.  What a script writes to
+// variables that the machine stores is left out.
+const Scenario *mutant_runs_scenario(const MutantRuns *r, Arena *arena, uint32_t script);
 // Returns the unchanged machine.
 FlatMachine *mutant_runs_original(const MutantRuns *r);
 

@@ -8,7 +8,8 @@
 enum {
     NODES_MOST = 512,         // stored situations
     SEEN_SLOTS = 4096,        // a power of two
-    HOLD_MOST = 5000          // steps of one extension
+    HOLD_MOST = 5000,         // steps of one extension
+    MINIMISE_STEPS = 300000
 };
 
 typedef VEC(double) Numbers;
@@ -42,6 +43,8 @@ struct MutantSearch {
     uint64_t delta_t;
     const State *const *start;
     uint32_t starts;
+    const Scenario *const *given;
+    uint32_t givens;
     VEC(Input) input;
     Numbers number;           // all numbers of the machine
     VEC(uint64_t) hold;       // durations, in steps
@@ -232,7 +235,8 @@ static void list_durations(MutantSearch *k)
     add_hold(k, 2);
 }
 
-MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts)
+MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
+                                const Scenario *const *given, uint32_t givens)
 {
     MutantSearch *k = ARENA_NEW(arena, MutantSearch);
 
@@ -242,6 +246,8 @@ MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *ori
     k->delta_t = delta_t ? delta_t : 10;
     k->start = start;
     k->starts = starts;
+    k->given = given;
+    k->givens = givens;
     list_inputs(k);
     list_values(k);
     list_durations(k);
@@ -373,7 +379,7 @@ static Node *copy_node(Lockstep *l, const Node *n)
     return copy;
 }
 
-static void add_start(Lockstep *l, const State *start)
+static Node *new_start(const Lockstep *l, const State *start)
 {
     Node *n = ARENA_NEW(l->work, Node);
 
@@ -383,7 +389,7 @@ static void add_start(Lockstep *l, const State *start)
     n->start = start;
     flat_start(l->k->original, n->original, start->number);
     flat_start(l->mutant, n->mutant, start->number);
-    vec_push(l->work, &l->node, n);
+    return n;
 }
 
 // ---- extensions ----
@@ -520,54 +526,82 @@ static Scenario *scenario_of(const Lockstep *l, Arena *arena, const Node *last)
     return s;
 }
 
-static uint32_t input_of(const MutantSearch *k, uint32_t var)
+static Course *course_of(const Lockstep *l, const Node *n, uint32_t var)
 {
-    uint32_t i = 0;
+    for (uint32_t i = 0; i < l->k->input.n; i++)
+        if (l->k->input.at[i].var == var)
+            return &n->course[i];
+    return NULL;
+}
 
-    while (k->input.at[i].var != var)
-        i++;
-    return i;
+// Begins the changes of a scenario that belong to the next step.  *next: the first change that has not begun.
+static void begin_changes(const Lockstep *l, const Node *n, const Scenario *s, size_t *next)
+{
+    for (; *next < s->changes && s->change[*next].step == n->steps + 1; (*next)++) {
+        const ScenarioChange *c = &s->change[*next];
+        Course *course = course_of(l, n, c->var);
+        if (course)                                   // else the machine does not read it
+            *course = (Course){c->a, c->b, c->step, c->kind == SCENARIO_RAMP};
+    }
 }
 
 // Runs a scenario from its start.  Returns whether a difference is visible, and sets s->steps to the first step in which it is.
 static bool replay(Lockstep *l, Scenario *s)
 {
-    Node *n;
+    Node *n = new_start(l, s->init_state);
     size_t next = 0;
 
-    l->node.n = 0;
-    add_start(l, s->init_state);
-    n = l->node.at[0];
     while (n->steps < s->steps) {
-        for (; next < s->changes && s->change[next].step == n->steps + 1; next++) {
-            const ScenarioChange *c = &s->change[next];
-            n->course[input_of(l->k, c->var)] = (Course){c->a, c->b, c->step, c->kind == SCENARIO_RAMP};
-        }
+        begin_changes(l, n, s, &next);
         if (run_step(l, n)) {
             s->steps = n->steps;
-            while (s->changes > 0 && s->change[s->changes - 1].step > s->steps)
-                s->changes--;
+            s->changes = next;
             return true;
         }
     }
     return false;
 }
 
-// Leaves out each change without which the difference is still visible.
+// Runs a given scenario, and stores its new situations.  Returns whether a difference is visible; *n is then the last situation.
+static bool run_given(Lockstep *l, Node *n, const Scenario *s)
+{
+    size_t next = 0, stored_at = 0;
+
+    while (n->steps < s->steps && l->left > 0) {
+        const Node *stored;
+        begin_changes(l, n, s, &next);
+        n->change = s->change + stored_at;
+        n->changes = (uint32_t)(next - stored_at);
+        if (run_step(l, n))
+            return true;
+        n->differs = is_apart(l, n);
+        if ((stored = store(l, n)) != NULL) {
+            n->parent = stored;
+            stored_at = next;
+        }
+    }
+    return false;
+}
+
+// Leaves out the changes without which the difference is still visible: first many at once, then each.
 static void minimise(Lockstep *l, Arena *arena, Scenario *s)
 {
-    for (size_t i = s->changes; i-- > 0; ) {
-        Scenario shorter = *s;
-        ScenarioChange *change = arena_alloc(arena, (s->changes + 1) * sizeof *change);
-        if (i >= s->changes)
-            continue;
-        memcpy(change, s->change, i * sizeof *change);
-        memcpy(change + i, s->change + i + 1, (s->changes - i - 1) * sizeof *change);
-        shorter.change = change;
-        shorter.changes--;
-        if (replay(l, &shorter))
-            *s = shorter;
-    }
+    uint64_t work = 0;
+
+    for (size_t n = s->changes / 2 ? s->changes / 2 : 1; n > 0; n /= 2)
+        for (size_t end = s->changes; end >= n && work < MINIMISE_STEPS; end -= n) {
+            Scenario shorter = *s;
+            ScenarioChange *change = arena_array(arena, s->changes + 1, sizeof *change);
+            if (end > s->changes)
+                continue;
+            memcpy(change, s->change, (end - n) * sizeof *change);
+            memcpy(change + end - n, s->change + end, (s->changes - end) * sizeof *change);
+            shorter.change = change;
+            shorter.changes -= n;
+            work += s->steps;
+            if (replay(l, &shorter))
+                *s = shorter;
+        }
 }
 
 static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Program *p)
@@ -576,37 +610,50 @@ static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Pr
         && memcmp(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of) == 0;
 }
 
+// Returns the scenario of a run whose last step shows a difference, without the changes that it does not need.
+static const Scenario *finish(Lockstep *l, Arena *out, const Node *last, const Var **what)
+{
+    Scenario *s = scenario_of(l, out, last);
+
+    l->left = UINT64_MAX;
+    minimise(l, out, s);
+    replay(l, s);
+    *what = l->what;
+    return s;
+}
+
+// Sets *at to a stored situation, to be continued.
+static void begin_at(const Lockstep *l, Node *at, const Node *from)
+{
+    void *original = at->original, *mutant = at->mutant;
+    Course *course = at->course;
+
+    *at = (Node){.parent = from, .start = from->start, .steps = from->steps, .original = original, .mutant = mutant, .course = course};
+    memcpy(original, from->original, l->k->original->size);
+    memcpy(mutant, from->mutant, l->mutant->size);
+    memcpy(course, from->course, (l->k->input.n + 1) * sizeof *course);
+}
+
 const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const double *around, uint32_t n, uint64_t steps,
                                   const Var **what)
 {
     Lockstep *l = ARENA_NEW(work, Lockstep);
     ScenarioChange *list = arena_array(work, k->input.n + 1, sizeof *list);
-    Node *at = ARENA_NEW(work, Node);
+    Node *at = NULL;
 
     *l = (Lockstep){.k = k, .work = work, .mutant = mutant, .around = around, .arounds = n, .left = steps};
     l->same_layout = has_same_layout(k->original, mutant, k->p);
     k->random = 1;
     for (uint32_t i = 0; i < k->starts; i++)
-        add_start(l, k->start[i]);
-    at->original = arena_alloc(work, k->original->size);
-    at->mutant = arena_alloc(work, mutant->size);
-    at->course = ARENA_ARRAY(work, Course, k->input.n + 1);
+        vec_push(work, &l->node, new_start(l, k->start[i]));
+    for (uint32_t i = 0; i < k->givens; i++)
+        if (run_given(l, at = new_start(l, k->given[i]->init_state), k->given[i]))
+            return finish(l, out, at, what);
+    at = new_start(l, k->start[0]);
     while (l->left) {
-        const Node *from = choose_node(l);
-        void *original = at->original, *other = at->mutant;
-        Course *course = at->course;
-        *at = (Node){.parent = from, .start = from->start, .steps = from->steps, .original = original, .mutant = other, .course = course};
-        memcpy(original, from->original, k->original->size);
-        memcpy(other, from->mutant, mutant->size);
-        memcpy(course, from->course, (k->input.n + 1) * sizeof *course);
-        if (extend(l, at, list)) {
-            Scenario *s = scenario_of(l, out, at);
-            l->left = UINT64_MAX;
-            minimise(l, out, s);
-            replay(l, s);
-            *what = l->what;
-            return s;
-        }
+        begin_at(l, at, choose_node(l));
+        if (extend(l, at, list))
+            return finish(l, out, at, what);
     }
     return NULL;
 }

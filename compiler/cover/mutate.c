@@ -450,6 +450,11 @@ bool mutation_run_next(Mutation *u)
 
 // ---- searching ----
 
+enum {
+    SEARCH_STEP = 10,         // by how much G grows, if it is not known
+    GIVEN_STEPS_MOST = 20000  // of a script whose situations the search uses
+};
+
 // The numbers that a change concerns.
 typedef struct Around { double at[32]; uint32_t n; } Around;
 
@@ -490,6 +495,19 @@ static void add_start(Mutation *u, const State *start)
     u->start[u->starts++] = start;
 }
 
+static MutantSearch *new_search(Mutation *u)
+{
+    const uint64_t step = u->step ? u->step : SEARCH_STEP;
+    const Scenario **given = arena_array(u->arena, u->scripts + (size_t)1, sizeof *given);
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < u->scripts; i++) {
+        given[n] = mutant_runs_scenario(u->runs, u->arena, i);
+        n += given[n] && given[n]->delta_t == step && given[n]->steps <= GIVEN_STEPS_MOST;
+    }
+    return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), step, u->start, u->starts, given, n);
+}
+
 bool mutation_search_next(Mutation *u, uint64_t steps)
 {
     Mutant *m;
@@ -503,7 +521,7 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
         return false;
     m = &u->mutant.at[u->next_search++];
     if (!u->search)
-        u->search = mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), u->step, u->start, u->starts);
+        u->search = new_search(u);
     arena_reset(&u->work);
     undo = apply_edits(u, m);
     mutant = flat_new(&u->work, ir_build(&u->work, u->p), NULL);
