@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc mutate: changes a machine in one place at a time, and lists the changes that no script notices.
-#include <inttypes.h>
-#include <stdlib.h>
-
 #include "compiler/analysis/transitions.h"
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
-#include "stdlib/convert.h"
 
 enum {
     STEPS_MOST = 1000000,
@@ -27,100 +23,28 @@ typedef struct MutateRun {
     double least;             // --min-score
 } MutateRun;
 
-typedef struct Score { unsigned long all, of[MUTANT_VERDICT_COUNT]; } Score;       // by MutantVerdict
-
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
-
-static Score count_verdicts(const MutateRun *r)
-{
-    Score s = {0, {0}};
-    uint32_t n;
-    const Mutant *m = mutation_list(r->u, &n);
-
-    s.all = n;
-    for (uint32_t i = 0; i < n; i++)
-        s.of[m[i].verdict]++;
-    return s;
-}
-
-// Changes that a script can notice, as far as is known.
-static unsigned long count_noticeable(Score s) { return s.of[MUTANT_NOTICED] + s.of[MUTANT_GENERATED] + s.of[MUTANT_UNNOTICED]; }
-
-static double percent_of(Score s) { return count_noticeable(s) ? 100 * (double)s.of[MUTANT_NOTICED] / (double)count_noticeable(s) : 100; }
 
 // ---- text ----
 
-// The most dangerous ones first, then in the order of the source.
-static int compare_danger(const void *a, const void *b)
-{
-    const Mutant *x = *(const Mutant *const *)a, *y = *(const Mutant *const *)b;
-
-    if (x->danger != y->danger)
-        return x->danger > y->danger ? -1 : 1;
-    return x < y ? -1 : x > y;
-}
-
-// Appends what an input does from a step on: "pressure = 776", "pressure from 776 by 0.5 a step".
-static void write_change(const MutateRun *r, const ScenarioChange *c, Buf *out)
-{
-    const Var *v = r->p->var.at[c->var];
-
-    buf_printf(out, "%s %s ", v->report_name->text, c->kind == SCENARIO_RAMP ? "from" : "=");
-    format_cell_shortest(out, v->type, sm_cell_from_f64(v->type, c->a));
-    if (c->kind != SCENARIO_RAMP)
-        return;
-    buf_str(out, " by ");
-    format_number_shortest(out, c->b);
-    buf_str(out, " a step");
-}
-
-// Appends a scenario in words: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs".
-static void write_scenario(const MutateRun *r, const Mutant *m, Buf *out)
-{
-    const Scenario *s = m->scenario;
-
-    buf_printf(out, "from %s", s->init_state->name->text);
-    for (size_t i = 0; i < s->changes; i++) {
-        if (i > 0 && s->change[i].step == s->change[i - 1].step)
-            buf_str(out, ", ");
-        else
-            buf_printf(out, "%s at G = %" PRIu64 ": ", i ? ";" : ",", (s->change[i].step - 1) * s->delta_t);
-        write_change(r, &s->change[i], out);
-    }
-    buf_printf(out, "%s at G = %" PRIu64 ", %s differs", s->changes ? ";" : ",", (s->steps - 1) * s->delta_t, (m->differs ? m->differs : r->p->s)->report_name->text);
-}
-
 static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 {
-    static const char *const about[] = {"", "", ", an output", ", on the way to an @abort state"};
     const LineCol at = source_position(m->span.src, m->span.at);
 
-    buf_printf(out, "  line %lu:%lu: `%s` ", (unsigned long)at.line, (unsigned long)at.col, source_text(r->arena, m->span));
-    if (m->text[0] == 'i')
-        buf_str(out, "removed");
-    else if (m->text[0] == '\0')
-        buf_str(out, "left out");
-    else
-        buf_printf(out, "changed to `%s`", m->text);
-    if (m->state)
-        buf_printf(out, " in %s", m->state->name->text);
-    buf_printf(out, "%s\n", about[m->danger]);
+    buf_printf(out, "  line %lu:%lu: ", (unsigned long)at.line, (unsigned long)at.col);
+    mutant_write_change(r->arena, m, out);
     if (m->scenario) {
-        buf_str(out, "    ");
-        write_scenario(r, m, out);
-        buf_char(out, '\n');
+        buf_str(out, "\n    ");
+        mutant_write_scenario(r->p, m, out);
     }
+    buf_char(out, '\n');
 }
 
 static void write_list(const MutateRun *r, MutantVerdict verdict, const char *title, Buf *out)
 {
-    uint32_t n, shown = 0;
-    const Mutant *m = mutation_list(r->u, &n), **order = arena_array(r->arena, n + 1, sizeof *order);
+    uint32_t shown;
+    const Mutant **order = mutation_order(r->u, r->arena, verdict, &shown);
 
-    for (uint32_t i = 0; i < n; i++)
-        if (m[i].verdict == verdict)
-            order[shown++] = &m[i];
-    qsort(order, shown, sizeof *order, compare_danger);
     if (shown)
         buf_str(out, title);
     for (uint32_t i = 0; i < shown; i++)
@@ -129,9 +53,9 @@ static void write_list(const MutateRun *r, MutantVerdict verdict, const char *ti
 
 static void write_text(const MutateRun *r, Buf *out)
 {
-    const Score s = count_verdicts(r);
+    const MutationScore s = mutation_score(r->u);
 
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.of[MUTANT_NOTICED], count_noticeable(s), percent_of(s));
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.of[MUTANT_NOTICED], s.noticeable, s.percent);
     if (s.of[MUTANT_EQUIVALENT])
         buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)
@@ -164,7 +88,7 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     if (m->scenario) {
         Buf words;
         buf_init(&words, r->arena);
-        write_scenario(r, m, &words);
+        mutant_write_scenario(r->p, m, &words);
         buf_str(out, ",\"inputs\":");
         json_put_string(out, buf_text(&words));
     }
@@ -173,11 +97,11 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 
 static void write_json(const MutateRun *r, Buf *out)
 {
-    const Score s = count_verdicts(r);
+    const MutationScore s = mutation_score(r->u);
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
 
-    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->p->name->text, percent_of(s));
+    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->p->name->text, s.percent);
     for (int v = MUTANT_NOTICED; v < MUTANT_VERDICT_COUNT; v++)
         buf_printf(out, ",\"%s\":%lu", mutant_verdict_name[v], s.of[v]);
     buf_printf(out, ",\"waiting\":%lu,\"mutants\":[\n", s.of[MUTANT_WAITING]);
@@ -219,11 +143,11 @@ static int write_result(MutateRun *r, size_t format)
 
 static int judge_score(MutateRun *r)
 {
-    const Score s = count_verdicts(r);
+    const MutationScore s = mutation_score(r->u);
 
-    if (!r->c->given[OPT_MIN_SCORE] || percent_of(s) >= r->least)
+    if (!r->c->given[OPT_MIN_SCORE] || s.percent >= r->least)
         return EXIT_OK;
-    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", percent_of(s)), format_in(r->arena, "%g %%", r->least));
+    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", s.percent), format_in(r->arena, "%g %%", r->least));
     return EXIT_PROBLEM;
 }
 
@@ -243,8 +167,8 @@ static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
     code = write_result(r, format);
     if (code == EXIT_OK)
         code = judge_score(r);
-    if (r->tried < count_verdicts(r).all)
-        cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, count_verdicts(r).all);
+    if (r->tried < mutation_score(r->u).all)
+        cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, mutation_score(r->u).all);
     mutation_end(r->u);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

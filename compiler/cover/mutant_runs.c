@@ -15,10 +15,10 @@ enum {
 };
 
 // The state of an unchanged run before a step.
-typedef struct Point {
+typedef struct RecordPoint {
     void *machine;            // the state of MutantRuns.original
     RunPoint *script;
-} Point;
+} RecordPoint;
 
 // An unchanged run.
 typedef struct Record {
@@ -27,7 +27,7 @@ typedef struct Record {
     ScriptOptions options;    // of the runs of mutants
     bool is_complete;         // the run was recorded
     uint64_t every;           // steps between two points
-    VEC(Point) point;
+    VEC(RecordPoint) point;
     VEC(EngineWrite) write;
     VEC(uint32_t) write_end;  // by step, from 0: the end of its writes
     VEC(uint8_t *) executed;  // by point: by Stmt.number: it was executed between this point and the next one
@@ -133,7 +133,7 @@ static EngineStatus recorder_step(Engine *e, const EngineWrite *write, uint32_t 
 // Adds a point at the current step of the run.
 static void add_point(MutantRuns *u, Record *r)
 {
-    const Point p = {arena_copy(u->arena, engine_flat_run(u->engine), u->original->size), run_save_point(&r->run, u->arena)};
+    const RecordPoint p = {arena_copy(u->arena, engine_flat_run(u->engine), u->original->size), run_save_point(&r->run, u->arena)};
 
     vec_push(u->arena, &r->point, p);
 }

@@ -54,7 +54,24 @@ bool mutation_run_next(Mutation *u);
 bool mutation_search_next(Mutation *u, uint64_t steps);
 // Returns the mutants, in the order of the source.
 const Mutant *mutation_list(const Mutation *u, uint32_t *n);
+// Returns the mutants with this verdict, the most dangerous ones first, then in the order of the source; allocated in `arena`.
+const Mutant **mutation_order(const Mutation *u, Arena *arena, MutantVerdict verdict, uint32_t *n);
+
+typedef struct MutationScore {
+    unsigned long all, of[MUTANT_VERDICT_COUNT];      // how many mutants; by MutantVerdict
+    unsigned long noticeable; // those that a script can notice, as far as is known
+    double percent;           // how many of these are noticed; 100 if there are none
+} MutationScore;
+
+MutationScore mutation_score(const Mutation *u);
 // Frees working memory.
 void mutation_end(Mutation *u);
+
+// ---- mutant_words.c ----
+
+// Appends a change: "`>` changed to `>=` in Fill, an output".
+void mutant_write_change(Arena *arena, const Mutant *m, Buf *out);
+// Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs".
+void mutant_write_scenario(const Program *p, const Mutant *m, Buf *out);
 
 #endif
