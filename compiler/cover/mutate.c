@@ -508,11 +508,19 @@ static MutantSearch *new_search(Mutation *u)
     return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), step, u->start, u->starts, given, n);
 }
 
+FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m)
+{
+    Undo *undo = apply_edits(u, m);
+    FlatMachine *f = flat_new(arena, ir_build(arena, u->p), NULL);
+
+    undo_edits(u, m->edit, undo);
+    return f;
+}
+
 bool mutation_search_next(Mutation *u, uint64_t steps)
 {
     Mutant *m;
     FlatMachine *mutant;
-    Undo *undo;
     Around around;
 
     while (u->next_search < u->mutant.n && u->mutant.at[u->next_search].verdict != MUTANT_UNNOTICED)
@@ -523,9 +531,7 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
     if (!u->search)
         u->search = new_search(u);
     arena_reset(&u->work);
-    undo = apply_edits(u, m);
-    mutant = flat_new(&u->work, ir_build(&u->work, u->p), NULL);
-    undo_edits(u, m->edit, undo);
+    mutant = mutation_build(u, &u->work, m);
     around = find_around(m);
     m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, around.at, around.n, steps, &m->differs);
     if (m->scenario)

@@ -9,6 +9,7 @@
 #ifndef SMC_MUTATE_H
 #define SMC_MUTATE_H
 
+#include "compiler/cover/flat.h"
 #include "compiler/script/script.h"
 #include "compiler/search/scenario.h"
 
@@ -52,6 +53,8 @@ uint32_t mutation_find_failing(const Mutation *u);
 bool mutation_run_next(Mutation *u);
 // Searches a scenario for the next mutant that no script notices, for at most `steps` steps (mutant_search.h).  Returns false if there is none.
 bool mutation_search_next(Mutation *u, uint64_t steps);
+// Returns the machine of a mutant, allocated in `arena`.
+FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m);
 // Returns the mutants, in the order of the source.
 const Mutant *mutation_list(const Mutation *u, uint32_t *n);
 // Returns the mutants with this verdict, the most dangerous ones first, then in the order of the source; allocated in `arena`.
