@@ -251,6 +251,14 @@ $(B)/cost: $(COST_SRC) tests/cost/config.h $(filter-out %/main.o,$(DIFF_OBJ)) $(
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(COST_FLAGS) $(WARN) $(CFLAGS) $(COST_SRC) -o $@ $(GEN_OBJ) $(B)/libsmc.a
 
+# tests/cover: mutants that are called equivalent.  `make equivalent N=10000 SEED=1` is the campaign.
+$(B)/equivalent: tests/cover/equivalent.c $(filter-out %/main.o,$(DIFF_OBJ)) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $< -o $@ $(GEN_OBJ) $(B)/libsmc.a
+equivalent: $(B)/equivalent
+	$(B)/equivalent $(N) $(SEED)
+.PHONY: equivalent
+
 # tests/emitc
 ENGINE_C_OBJ = $(patsubst %.c,$(B)/obj/%.o,compiler/device/engine_c.c $(OS_FILES))
 $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) $(B)/libsmc.a
@@ -848,6 +856,7 @@ $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementa
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
+$(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')

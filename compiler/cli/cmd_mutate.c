@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc mutate: changes a machine in one place at a time, and lists the changes that no script notices.
-#include <stdlib.h>
-
 #include "compiler/analysis/transitions.h"
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
@@ -9,7 +7,10 @@
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
 
-enum { STEPS_MOST = 1000000 };
+enum {
+    STEPS_MOST = 1000000,
+    SEARCH_STEPS = 500000     // steps of a search for one change: about 0.2 s
+};
 
 typedef struct MutateRun {
     Cli *c;
@@ -18,68 +19,32 @@ typedef struct MutateRun {
     Mutation *u;
     VEC(const Script *) script;
     uint32_t tried;
+    bool is_searched;         // --generate has begun
     double least;             // --min-score
 } MutateRun;
 
-typedef struct Score { unsigned long all, noticed, unnoticed, equivalent; } Score;
-
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
-
-static Score count_verdicts(const MutateRun *r)
-{
-    Score s = {0, 0, 0, 0};
-    uint32_t n;
-    const Mutant *m = mutation_list(r->u, &n);
-
-    s.all = n;
-    for (uint32_t i = 0; i < n; i++) {
-        s.noticed += m[i].verdict == MUTANT_NOTICED;
-        s.unnoticed += m[i].verdict == MUTANT_UNNOTICED;
-        s.equivalent += m[i].verdict == MUTANT_EQUIVALENT;
-    }
-    return s;
-}
-
-static double percent_of(Score s) { return s.noticed + s.unnoticed ? 100 * (double)s.noticed / (double)(s.noticed + s.unnoticed) : 100; }
 
 // ---- text ----
 
-// The most dangerous ones first, then in the order of the source.
-static int compare_danger(const void *a, const void *b)
-{
-    const Mutant *x = *(const Mutant *const *)a, *y = *(const Mutant *const *)b;
-
-    if (x->danger != y->danger)
-        return x->danger > y->danger ? -1 : 1;
-    return x < y ? -1 : x > y;
-}
-
 static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 {
-    static const char *const about[] = {"", "", ", an output", ", on the way to an @abort state"};
     const LineCol at = source_position(m->span.src, m->span.at);
 
-    buf_printf(out, "  line %lu:%lu: `%s` ", (unsigned long)at.line, (unsigned long)at.col, source_text(r->arena, m->span));
-    if (m->text[0] == 'i')
-        buf_str(out, "removed");
-    else if (m->text[0] == '\0')
-        buf_str(out, "left out");
-    else
-        buf_printf(out, "changed to `%s`", m->text);
-    if (m->state)
-        buf_printf(out, " in %s", m->state->name->text);
-    buf_printf(out, "%s\n", about[m->danger]);
+    buf_printf(out, "  line %lu:%lu: ", (unsigned long)at.line, (unsigned long)at.col);
+    mutant_write_change(r->arena, m, out);
+    if (m->scenario) {
+        buf_str(out, "\n    ");
+        mutant_write_scenario(r->p, m, out);
+    }
+    buf_char(out, '\n');
 }
 
 static void write_list(const MutateRun *r, MutantVerdict verdict, const char *title, Buf *out)
 {
-    uint32_t n, shown = 0;
-    const Mutant *m = mutation_list(r->u, &n), **order = arena_array(r->arena, n + 1, sizeof *order);
+    uint32_t shown;
+    const Mutant **order = mutation_order(r->u, r->arena, verdict, &shown);
 
-    for (uint32_t i = 0; i < n; i++)
-        if (m[i].verdict == verdict)
-            order[shown++] = &m[i];
-    qsort(order, shown, sizeof *order, compare_danger);
     if (shown)
         buf_str(out, title);
     for (uint32_t i = 0; i < shown; i++)
@@ -88,15 +53,16 @@ static void write_list(const MutateRun *r, MutantVerdict verdict, const char *ti
 
 static void write_text(const MutateRun *r, Buf *out)
 {
-    const Score s = count_verdicts(r);
+    const MutationScore s = mutation_score(r->u);
 
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.noticed, s.noticed + s.unnoticed, percent_of(s));
-    if (s.equivalent)
-        buf_printf(out, ", and %lu make no difference", s.equivalent);
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.of[MUTANT_NOTICED], s.noticeable, s.percent);
+    if (s.of[MUTANT_EQUIVALENT])
+        buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)
         buf_printf(out, ", and %lu were not tried", s.all - r->tried);
     buf_char(out, '\n');
-    write_list(r, MUTANT_UNNOTICED, "not noticed:\n", out);
+    write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
+    write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
     if (r->c->given[OPT_VERBOSE]) {
         write_list(r, MUTANT_NOTICED, "noticed:\n", out);
         write_list(r, MUTANT_EQUIVALENT, "no difference:\n", out);
@@ -107,7 +73,6 @@ static void write_text(const MutateRun *r, Buf *out)
 
 static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 {
-    static const char *const verdict[] = {"waiting", "noticed", "unnoticed", "equivalent"};
     const LineCol at = source_position(m->span.src, m->span.at);
 
     buf_printf(out, "{\"line\":%lu,\"column\":%lu,\"at\":%lu,\"length\":%lu,\"old\":", (unsigned long)at.line, (unsigned long)at.col,
@@ -115,22 +80,31 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     json_put_string(out, source_text(r->arena, m->span));
     buf_str(out, ",\"new\":");
     json_put_string(out, m->text);
-    buf_printf(out, ",\"danger\":\"%s\",\"verdict\":\"%s\"", mutant_danger_name[m->danger], verdict[m->verdict]);
+    buf_printf(out, ",\"danger\":\"%s\",\"verdict\":\"%s\"", mutant_danger_name[m->danger], mutant_verdict_name[m->verdict]);
     if (m->verdict == MUTANT_NOTICED) {
         buf_str(out, ",\"script\":");
         json_put_string(out, path_portable_name(r->script.at[m->script]->src->name));
+    }
+    if (m->scenario) {
+        Buf words;
+        buf_init(&words, r->arena);
+        mutant_write_scenario(r->p, m, &words);
+        buf_str(out, ",\"inputs\":");
+        json_put_string(out, buf_text(&words));
     }
     buf_char(out, '}');
 }
 
 static void write_json(const MutateRun *r, Buf *out)
 {
-    const Score s = count_verdicts(r);
+    const MutationScore s = mutation_score(r->u);
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
 
-    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"noticed\":%lu,\"unnoticed\":%lu,\"equivalent\":%lu,\"mutants\":[\n", r->p->name->text,
-               s.noticed, s.unnoticed, s.equivalent);
+    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->p->name->text, s.percent);
+    for (int v = MUTANT_NOTICED; v < MUTANT_VERDICT_COUNT; v++)
+        buf_printf(out, ",\"%s\":%lu", mutant_verdict_name[v], s.of[v]);
+    buf_printf(out, ",\"waiting\":%lu,\"mutants\":[\n", s.of[MUTANT_WAITING]);
     for (uint32_t i = 0; i < n; i++) {
         write_json_mutant(r, &m[i], out);
         buf_str(out, i + 1 < n ? ",\n" : "\n");
@@ -147,6 +121,9 @@ static void run_mutants(MutateRun *r)
     os_signals_delay();
     while (!os_signal_waiting() && mutation_run_next(r->u))
         r->tried++;
+    r->is_searched = r->c->given[OPT_GENERATE] && !os_signal_waiting();
+    while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutation_search_next(r->u, SEARCH_STEPS))
+        ;
 }
 
 static int write_result(MutateRun *r, size_t format)
@@ -166,11 +143,11 @@ static int write_result(MutateRun *r, size_t format)
 
 static int judge_score(MutateRun *r)
 {
-    const Score s = count_verdicts(r);
+    const MutationScore s = mutation_score(r->u);
 
-    if (!r->c->given[OPT_MIN_SCORE] || percent_of(s) >= r->least)
+    if (!r->c->given[OPT_MIN_SCORE] || s.percent >= r->least)
         return EXIT_OK;
-    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", percent_of(s)), format_in(r->arena, "%g %%", r->least));
+    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", s.percent), format_in(r->arena, "%g %%", r->least));
     return EXIT_PROBLEM;
 }
 
@@ -190,8 +167,8 @@ static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
     code = write_result(r, format);
     if (code == EXIT_OK)
         code = judge_score(r);
-    if (r->tried < count_verdicts(r).all)
-        cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, count_verdicts(r).all);
+    if (r->tried < mutation_score(r->u).all)
+        cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, mutation_score(r->u).all);
     mutation_end(r->u);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

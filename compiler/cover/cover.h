@@ -24,7 +24,8 @@
     KIND(GUARD,      "guards",      "each guard, and each other decision, was true and was false") \
     KIND(CONDITION,  "conditions",  "each condition was true and was false while it decided") \
     KIND(WINDOW,     "windows",     "each window was full while what reads it decided") \
-    KIND(STATE,      "states",      "each state was entered, and left if it can be left")
+    KIND(STATE,      "states",      "each state was entered, and left if it can be left") \
+    KIND(PARAMETER,  "parameters",  "each parameter had its default, and both ends of its range, in some run")
 
 typedef enum CoverKind {
 #define KIND(constant, name, sentence) COVER_##constant,
@@ -45,6 +46,8 @@ typedef struct CoverPlace {
     uint32_t part_of;         // the place without which this one cannot be covered, and which a report names instead; 0: none
     uint32_t result;          // CONDITION: the place of the decision's outcome to which this value leads
     bool assigned;            // GUARD: the decision is no guard
+    const Var *parameter;     // PARAMETER
+    uint64_t cell;            // PARAMETER: the value that it had when a run began
     const char *impossible;   // why no run can cover it; NULL: it is not proved
 } CoverPlace;
 
@@ -71,6 +74,8 @@ typedef struct Cover {
 
 // Lists the places of a machine, as its scripts run it.
 Cover *cover_new(Arena *arena, const Program *p);
+// Counts the values of parameters, when a run begins.  cell: by Var.index.
+void cover_count_parameters(Cover *c, const uint64_t *cell);
 // Opens the engine that counts.  It can run any number of scripts, one after another.
 Engine *cover_open_engine(Cover *c);
 // Completes the counts after the runs, and finds the places that are impossible.
@@ -79,6 +84,10 @@ CoverTotal cover_total(const Cover *c, CoverKind kind);
 
 // Opens an engine on a flat machine, for runs in lock step.
 Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f);
+// Makes the engine continue with another machine of the same program, in the state `run`, which the caller owns.
+void engine_flat_set(Engine *e, FlatMachine *f, void *run);
+// Returns the state of the run.
+void *engine_flat_run(const Engine *e);
 
 // ---- impossible.c ----
 

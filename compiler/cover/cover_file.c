@@ -16,6 +16,7 @@
 #include "compiler/base/json.h"
 #include "compiler/base/path.h"
 #include "compiler/cover/cover.h"
+#include "compiler/script/script.h"
 
 static const char head[] = "smc-coverage 1\nmachine ";
 
@@ -108,6 +109,10 @@ static void write_json_place(const Cover *c, uint32_t i, Buf *out)
         buf_printf(out, ",\"outcome\":%s", p->value ? "true" : "false");
     if (p->kind == COVER_STATE)
         buf_printf(out, ",\"event\":\"%s\"", p->value ? "entered" : "left");
+    if (p->kind == COVER_PARAMETER) {
+        buf_str(out, ",\"value\":");
+        format_cell_shortest(out, p->parameter->type, p->cell);
+    }
     buf_printf(out, ",\"count\":%" PRIu64, c->hits[i]);
     if (p->impossible) {
         buf_str(out, ",\"impossible\":");
@@ -152,24 +157,40 @@ static void write_lcov_states(const Cover *c, Buf *out)
     buf_printf(out, "FNF:%lu\nFNH:%lu\n", found, hit);
 }
 
-// Writes the outcomes of decisions, which are in pairs: true, false.  Impossible ones are left out.
+static void write_lcov_branch(const Cover *c, uint32_t i, uint32_t number, bool evaluated, unsigned long *found, unsigned long *hit, Buf *out)
+{
+    const CoverPlace *p = &c->place.at[i];
+
+    buf_printf(out, "BRDA:%lu,%lu,%lu,", (unsigned long)line_of(p), (unsigned long)p->where.at, (unsigned long)number);
+    buf_printf(out, evaluated ? "%" PRIu64 "\n" : "-\n", c->hits[i]);
+    ++*found;
+    *hit += c->hits[i] > 0;
+}
+
+// Returns the first place of the parameter of place i: its places are in a row.
+static uint32_t first_value_of(const Cover *c, uint32_t i)
+{
+    while (c->place.at[i - 1].parameter == c->place.at[i].parameter)
+        i--;
+    return i;
+}
+
+// Writes the outcomes of decisions, which are in pairs: true, false.  Impossible ones are left out.  The values of a parameter are branches at
+// its declaration.
 static void write_lcov_branches(const Cover *c, Buf *out)
 {
     unsigned long found = 0, hit = 0;
 
-    for (uint32_t i = 1; i + 1 < c->place.n; i++) {
+    for (uint32_t i = 1; i < c->place.n; i++) {
         const CoverPlace *p = &c->place.at[i];
-        const bool evaluated = c->hits[i] || c->hits[i + 1];
+        const bool evaluated = c->hits[i] || (i + 1 < c->place.n && c->hits[i + 1]);
+        if (p->kind == COVER_PARAMETER)
+            write_lcov_branch(c, i, i - first_value_of(c, i), true, &found, &hit, out);
         if (p->kind != COVER_GUARD || !p->value)
             continue;
-        for (uint32_t k = 0; k < 2; k++) {
-            if (c->place.at[i + k].impossible)
-                continue;
-            buf_printf(out, "BRDA:%lu,%lu,%lu,", (unsigned long)line_of(p), (unsigned long)p->where.at, (unsigned long)k);
-            buf_printf(out, evaluated ? "%" PRIu64 "\n" : "-\n", c->hits[i + k]);
-            found++;
-            hit += c->hits[i + k] > 0;
-        }
+        for (uint32_t k = 0; k < 2; k++)
+            if (!c->place.at[i + k].impossible)
+                write_lcov_branch(c, i + k, k, evaluated, &found, &hit, out);
     }
     buf_printf(out, "BRF:%lu\nBRH:%lu\n", found, hit);
 }

@@ -4,6 +4,8 @@
 
 #include "compiler/analysis/transitions.h"
 #include "compiler/cover/cover.h"
+#include "compiler/script/script.h"
+#include "stdlib/convert.h"
 
 static bool is_open(const Cover *c, uint32_t i) { return c->hits[i] == 0; }
 
@@ -42,6 +44,19 @@ static const char *list_origins(const Cover *c, uint32_t first, unsigned kinds, 
     return buf_text(&out);
 }
 
+// Returns the value of a parameter: "its default 15", "its lowest value 5".
+static const char *describe_parameter_value(const Cover *c, const CoverPlace *p)
+{
+    const Var *v = p->parameter;
+    const bool is_default = p->cell == v->parameter->standard, is_low = p->cell == sm_cell_from_f64(v->type, v->parameter->lo);
+    Buf out;
+
+    buf_init(&out, c->arena);
+    buf_str(&out, is_default ? "its default " : is_low ? "its lowest value " : "its highest value ");
+    format_cell_shortest(&out, v->type, p->cell);
+    return buf_text(&out);
+}
+
 static const char *text_of_place(const Cover *c, uint32_t i, unsigned kinds)
 {
     const CoverPlace *p = &c->place.at[i];
@@ -55,6 +70,7 @@ static const char *text_of_place(const Cover *c, uint32_t i, unsigned kinds)
     case COVER_CONDITION: return format_in(c->arena, "`%s` was never %s while it decided", text, p->value ? "true" : "false");
     case COVER_WINDOW: return format_in(c->arena, "`%s` was never full when its value mattered", text);
     case COVER_STATE: return format_in(c->arena, "state %s was never %s", text, p->value ? "entered" : "left");
+    case COVER_PARAMETER: return format_in(c->arena, "parameter `%s` never had %s", text, describe_parameter_value(c, p));
     case COVER_KIND_COUNT: break;
     }
     return "";

@@ -10,6 +10,8 @@ typedef struct CoverEngine {
     FlatMachine *flat;
     void *run;                // the state of the run
     const Program *p;
+    Cover *cover;             // counts the values of parameters; or NULL
+    uint64_t *parameter;      // by Var.index: its value when the run began; room for the call
 } CoverEngine;
 
 // Copies the state of the machine to *out; returns `status`.
@@ -30,6 +32,15 @@ static EngineStatus fill_result(const CoverEngine *c, EngineStatus status, Engin
     return status;
 }
 
+// Counts the values that parameters have in the first step of a run.
+static void count_parameters(const CoverEngine *c)
+{
+    for (size_t i = 0; i < c->p->var.n; i++)
+        if (c->p->var.at[i]->parameter)
+            c->parameter[i] = flat_cells(c->flat, c->run)[c->flat->m->var_of[i]];
+    cover_count_parameters(c->cover, c->parameter);
+}
+
 static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     CoverEngine *c = e->self;
@@ -39,6 +50,8 @@ static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, 
         if (at != IR_NONE)
             flat_cells(c->flat, c->run)[at] = write[i].cell;
     }
+    if (c->cover && !((const FlatState *)c->run)->ran)
+        count_parameters(c);
     return fill_result(c, flat_step(c->flat, c->run) ? ENGINE_OK : ENGINE_REFUSED, out);
 }
 
@@ -68,3 +81,26 @@ Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f)
     c->engine.close = cover_close;
     return &c->engine;
 }
+
+Engine *cover_open_engine(Cover *c)
+{
+    Engine *e = engine_flat_open(c->arena, c->p, c->flat);
+    CoverEngine *self = e->self;
+
+    if (program_has_parameters(c->p)) {
+        self->cover = c;
+        self->parameter = ARENA_ARRAY(c->arena, uint64_t, c->p->var.n);
+    }
+    return e;
+}
+
+void engine_flat_set(Engine *e, FlatMachine *f, void *run)
+{
+    CoverEngine *c = e->self;
+
+    c->flat = f;
+    c->run = run;
+    c->cover = NULL;
+}
+
+void *engine_flat_run(const Engine *e) { return ((const CoverEngine *)e->self)->run; }

@@ -1,44 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/cover/mutate.h"
+#include "compiler/cover/mutant.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/cover/cover.h"
+#include "compiler/cover/mutant_runs.h"
+#include "compiler/cover/mutant_search.h"
 #include "compiler/passes/pass.h"
 #include "stdlib/convert.h"
 
 const char *const mutant_danger_name[] = {"other", "transition", "output", "abort"};
-
-// What one copy of a mutant changes, and what it was before.
-struct MutantEdit {
-    enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_NOT, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
-    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT
-    Stmt *stmt;               // GUARD, TARGET, DELETE
-    Var *var;                 // INITIAL
-    uint32_t link;            // LINK: which operator of the chain
-    SmOperator op;            // OPERATOR, LINK: the new operator
-    double number;            // NUMBER, GUARD, INITIAL: the new number
-    State *target;            // TARGET
-    const MutantEdit *next;
-};
+const char *const mutant_verdict_name[] = {"waiting", "noticed", "unnoticed", "equivalent", "generated"};
 
 struct Mutation {
     Arena *arena, work;       // `work` is emptied before every mutant
     const Program *p;
-    const Script *const *script;
+    MutantRuns *runs;
+    uint64_t step;            // mutant_step
     uint32_t scripts;
-    uint64_t *most;           // by script: the steps that a mutant may take
-    uint8_t **reached;        // by script: by Stmt.number, whether it was executed
-    uint32_t failing;
-    uint32_t last;            // the script that has noticed the last mutant: it is tried first
     VEC(Mutant) mutant;
-    uint32_t next;
+    uint32_t next, next_search;       // the next mutant to run; to search for
+    MutantSearch *search;     // NULL: not needed yet
+    const State **start;      // in which scenarios begin, `starts` of them
+    uint32_t starts;
     const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
     uint64_t *initial;        // by Var.index: the initial value as it was
     // The current place, while mutants are listed:
     const State *state;
-    uint32_t stmt;
+    Stmt *stmt;               // NULL: none
     MutantDanger danger;
 };
 
@@ -50,8 +39,9 @@ static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at,
 static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
 {
     MutantEdit *copy;
-    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, u->stmt, MUTANT_WAITING, 0};
+    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0, NULL, NULL};
 
+    edit.stmt = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {
         Mutant *same = &u->mutant.at[i];
         if (same->span.at != span.at || same->span.len != span.len || strcmp(same->text, text) != 0)
@@ -59,7 +49,6 @@ static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit
         edit.next = same->edit;
         same->edit = arena_copy(u->arena, &edit, sizeof edit);
         same->state = same->state == u->state ? same->state : NULL;
-        same->stmt = same->state ? same->stmt : 0;
         same->danger = same->danger > u->danger ? same->danger : u->danger;
         return;
     }
@@ -217,7 +206,7 @@ static void add_target(Mutation *u, Stmt *s)
         State *other = u->p->state.at[(s->target->number + i) % n];
         if (other == s->target || other == u->state)
             continue;
-        add_mutant(u, name, other->name->text, (MutantEdit){.kind = EDIT_TARGET, .stmt = s, .target = other});
+        add_mutant(u, name, other->name->text, (MutantEdit){.kind = EDIT_TARGET, .target = other});
         return;
     }
 }
@@ -228,21 +217,21 @@ static void list_statement(Mutation *u, Stmt *s)
 {
     const Stmts only = {&s, 1, 1};
 
-    u->stmt = s->number;
+    u->stmt = s;
     u->danger = danger_of(&only);
     switch (s->kind) {
     case ST_ASSIGN:
         list_expression(u, s->value, NULL);
-        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE, .stmt = s});
+        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE});
         break;
     case ST_TRANSITION:
         add_target(u, s);
-        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE, .stmt = s});
+        add_mutant(u, s->span, "if 0 { } else { }", (MutantEdit){.kind = EDIT_DELETE});
         break;
     case ST_IF:
         list_expression(u, s->value, NULL);
-        add_mutant(u, s->value->span, "0", (MutantEdit){.kind = EDIT_GUARD, .stmt = s, .number = 0});
-        add_mutant(u, s->value->span, "1", (MutantEdit){.kind = EDIT_GUARD, .stmt = s, .number = 1});
+        add_mutant(u, s->value->span, "0", (MutantEdit){.kind = EDIT_GUARD, .number = 0});
+        add_mutant(u, s->value->span, "1", (MutantEdit){.kind = EDIT_GUARD, .number = 1});
         list_statements(u, &s->then);
         list_statements(u, &s->otherwise);
         break;
@@ -258,7 +247,7 @@ static void list_statements(Mutation *u, const Stmts *list)
 // What windows sample is computed at every step; the danger of its changes is not known.
 static void list_windows(Mutation *u)
 {
-    u->stmt = 0;
+    u->stmt = NULL;
     u->state = NULL;
     u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->window.n; i++)
@@ -276,6 +265,7 @@ static bool sizes_a_window(const Program *p)
 // Initial values that are numbers.  If a window's size depends on some local, they are left out, because windows are not built again.
 static void list_initial_values(Mutation *u)
 {
+    u->stmt = NULL;
     u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->var.n && !sizes_a_window(u->p); i++) {
         Var *v = u->p->var.at[i];
@@ -405,20 +395,6 @@ static uint32_t count_edits(const Mutant *m)
 
 // ---- running ----
 
-// Whether the script passes on the current program.
-static bool script_passes(Mutation *u, Engine *e, uint32_t script, uint64_t max_steps, uint64_t *steps)
-{
-    const ScriptOptions o = {.max_steps = max_steps, .is_silent = true, .is_compared = true};
-    Diags unused;
-    ScriptResult r;
-
-    diags_init(&unused, &u->work);
-    unused.muted = true;
-    r = script_run(&u->work, &unused, u->script[script], &e, 1, &o);
-    *steps = r.steps;
-    return r.outcome == SCRIPT_PASSED;
-}
-
 static const char *optimised_text(Mutation *u, Arena *arena)
 {
     const PassOptions o = {2, NULL, false, false, NULL, NULL};
@@ -431,58 +407,136 @@ static const char *optimised_text(Mutation *u, Arena *arena)
     return buf_text(&out);
 }
 
-// Whether the script executes the statement of the mutant without the change.  Otherwise it cannot notice the change.
-static bool can_notice(const Mutation *u, const Mutant *m, uint32_t script) { return m->stmt == 0 || u->reached[script][m->stmt]; }
-
-// Returns the first script that fails on the current program, or `scripts`.  The one that noticed the last mutant is tried first.
+// Returns the first script that fails on the current program, or the number of scripts.
 static uint32_t find_noticing(Mutation *u, const Mutant *m)
 {
-    FlatMachine *f = flat_new(&u->work, ir_build(&u->work, u->p), NULL);
-    Engine *e = engine_flat_open(&u->work, u->p, f);
-    uint64_t steps;
+    uint32_t n = 0, *stmt = ARENA_ARRAY(&u->work, uint32_t, count_edits(m));
 
-    for (uint32_t i = 0; i <= u->scripts; i++) {
-        const uint32_t script = i == 0 ? u->last : i - 1;
-        if (can_notice(u, m, script) && (i == 0 || script != u->last) && !script_passes(u, e, script, u->most[script], &steps))
-            return script;
-    }
-    return u->scripts;
+    for (const MutantEdit *d = m->edit; d; d = d->next)
+        stmt[n++] = d->stmt ? d->stmt->number : d->kind == EDIT_INITIAL ? MUTANT_START : MUTANT_EACH_STEP;
+    return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n);
+}
+
+// Makes the program that of the mutant.  Returns what undo_edits needs.
+static Undo *apply_edits(Mutation *u, const Mutant *m)
+{
+    Undo *undo = arena_array(&u->work, count_edits(m), sizeof *undo);
+    uint32_t n = 0;
+
+    for (const MutantEdit *d = m->edit; d; d = d->next)
+        apply_edit(u, d, &undo[n++]);
+    return undo;
 }
 
 bool mutation_run_next(Mutation *u)
 {
     Mutant *m;
     Undo *undo;
-    uint32_t n = 0, noticing;
+    uint32_t noticing;
 
     if (u->next == u->mutant.n)
         return false;
     arena_reset(&u->work);
     m = &u->mutant.at[u->next++];
-    undo = arena_array(&u->work, count_edits(m), sizeof *undo);
-    for (const MutantEdit *d = m->edit; d; d = d->next)
-        apply_edit(u, d, &undo[n++]);
+    undo = apply_edits(u, m);
     noticing = find_noticing(u, m);
     m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0 ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
     m->script = noticing;
-    u->last = noticing < u->scripts ? noticing : u->last;
     undo_edits(u, m->edit, undo);
+    if (m->verdict == MUTANT_UNNOTICED && mutant_is_equivalent(&u->work, u->p, m->edit, u->step))
+        m->verdict = MUTANT_EQUIVALENT;
     return true;
 }
 
-// Runs a script without a change, and stores which statements it executes.
-static void run_original(Mutation *u, uint32_t script)
-{
-    Cover *c;
-    uint64_t steps;
+// ---- searching ----
 
+enum {
+    SEARCH_STEP = 10,         // by how much G grows, if it is not known
+    GIVEN_STEPS_MOST = 20000  // of a script whose situations the search uses
+};
+
+// The numbers that a change concerns.
+typedef struct Around { double at[32]; uint32_t n; } Around;
+
+static void add_around(Around *list, double x)
+{
+    if (list->n < sizeof list->at / sizeof *list->at)
+        list->at[list->n++] = x;
+}
+
+static void collect_around(Expr *e, void *context)
+{
+    if (e->kind == EX_NUMBER || (e->kind == EX_VAR && e->var->is_constant))
+        add_around(context, expr_constant_value(e));
+}
+
+static Around find_around(const Mutant *m)
+{
+    Around list = {.n = 0};
+
+    for (const MutantEdit *d = m->edit; d; d = d->next) {
+        if (d->kind == EDIT_NUMBER || d->kind == EDIT_INITIAL)
+            add_around(&list, d->number);
+        if (d->kind == EDIT_INITIAL)
+            add_around(&list, d->var->init_value->number);
+        if (d->stmt && d->stmt->value)
+            expr_walk(d->stmt->value, collect_around, &list);
+        else if (d->e)
+            expr_walk(d->e, collect_around, &list);
+    }
+    return list;
+}
+
+static void add_start(Mutation *u, const State *start)
+{
+    for (uint32_t i = 0; i < u->starts; i++)
+        if (u->start[i] == start)
+            return;
+    u->start[u->starts++] = start;
+}
+
+static MutantSearch *new_search(Mutation *u)
+{
+    const uint64_t step = u->step ? u->step : SEARCH_STEP;
+    const Scenario **given = arena_array(u->arena, u->scripts + (size_t)1, sizeof *given);
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < u->scripts; i++) {
+        given[n] = mutant_runs_scenario(u->runs, u->arena, i);
+        n += given[n] && given[n]->delta_t == step && given[n]->steps <= GIVEN_STEPS_MOST;
+    }
+    return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), step, u->start, u->starts, given, n);
+}
+
+FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m)
+{
+    Undo *undo = apply_edits(u, m);
+    FlatMachine *f = flat_new(arena, ir_build(arena, u->p), NULL);
+
+    undo_edits(u, m->edit, undo);
+    return f;
+}
+
+bool mutation_search_next(Mutation *u, uint64_t steps)
+{
+    Mutant *m;
+    FlatMachine *mutant;
+    Around around;
+
+    while (u->next_search < u->mutant.n && u->mutant.at[u->next_search].verdict != MUTANT_UNNOTICED)
+        u->next_search++;
+    if (u->next_search == u->mutant.n)
+        return false;
+    m = &u->mutant.at[u->next_search++];
+    if (!u->search)
+        u->search = new_search(u);
     arena_reset(&u->work);
-    c = cover_new(&u->work, u->p);
-    if (!script_passes(u, cover_open_engine(c), script, u->most[script], &steps) && u->failing == u->scripts)
-        u->failing = script;
-    u->most[script] = steps < UINT64_MAX / 8 ? 4 * steps + 1000 : steps;
-    for (uint32_t s = 0; s <= u->p->stmts; s++)
-        u->reached[script][s] = c->hits[c->probes.stmt[s]] > 0;
+    mutant = mutation_build(u, &u->work, m);
+    around = find_around(m);
+    m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, around.at, around.n, steps, &m->differs);
+    if (m->scenario)
+        m->verdict = MUTANT_GENERATED;
+    return true;
 }
 
 Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps)
@@ -492,25 +546,23 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
     u->arena = arena;
     arena_init(&u->work, arena->alloc, arena->context, arena->oom);
     u->p = p;
-    u->script = script;
-    u->scripts = u->failing = scripts;
-    u->most = ARENA_ARRAY(arena, uint64_t, scripts);
-    u->reached = arena_array(arena, scripts, sizeof *u->reached);
+    u->scripts = scripts;
+    u->step = mutant_step(p, script, scripts);
+    u->start = arena_array(arena, scripts + (size_t)1, sizeof *u->start);
+    add_start(u, p->state.at[0]);
+    for (uint32_t i = 0; i < scripts; i++)
+        add_start(u, script[i]->init_state);
+    u->runs = mutant_runs_new(arena, p, script, scripts, max_steps);
     u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
     for (size_t i = 0; i < p->var.n; i++)
         u->initial[i] = p->var.at[i]->init;
-    for (uint32_t i = 0; i < scripts; i++) {
-        u->most[i] = max_steps;
-        u->reached[i] = arena_alloc(arena, p->stmts + 1);
-        run_original(u, i);
-    }
     arena_reset(&u->work);
     u->original = optimised_text(u, arena);
     list_mutants(u);
     return u;
 }
 
-uint32_t mutation_find_failing(const Mutation *u) { return u->failing; }
+uint32_t mutation_find_failing(const Mutation *u) { return mutant_runs_find_failing(u->runs); }
 
 const Mutant *mutation_list(const Mutation *u, uint32_t *n)
 {

@@ -9,19 +9,24 @@
 #ifndef SMC_MUTATE_H
 #define SMC_MUTATE_H
 
+#include "compiler/cover/flat.h"
 #include "compiler/script/script.h"
+#include "compiler/search/scenario.h"
 
 typedef enum MutantVerdict {
     MUTANT_WAITING,           // it has not been run
     MUTANT_NOTICED,           // a script fails
     MUTANT_UNNOTICED,         // every script passes as before
-    MUTANT_EQUIVALENT         // the compiler makes the same program of it
+    MUTANT_EQUIVALENT,        // it is proved that the change makes no difference
+    MUTANT_GENERATED,         // every script passes as before, and a scenario was found in which the mutant differs
+    MUTANT_VERDICT_COUNT
 } MutantVerdict;
 
 // How dangerous a change is that no script notices, by what it can affect.
 typedef enum MutantDanger { DANGER_OTHER, DANGER_TRANSITION, DANGER_OUTPUT, DANGER_ABORT } MutantDanger;
 
 extern const char *const mutant_danger_name[];        // by MutantDanger: "other", "transition", "output", "abort"
+extern const char *const mutant_verdict_name[];       // by MutantVerdict: "waiting", "noticed", "unnoticed", "equivalent", "generated"
 
 typedef struct MutantEdit MutantEdit;
 
@@ -31,9 +36,10 @@ typedef struct Mutant {
     MutantDanger danger;
     const State *state;       // in which it is; NULL: in several, or in none
     const MutantEdit *edit;   // a list: one edit for each copy in the program
-    uint32_t stmt;            // Stmt.number of a copy of its statement; 0: of none
     MutantVerdict verdict;
     uint32_t script;          // NOTICED: the index of the script
+    const Scenario *scenario; // GENERATED: in its last step the mutant differs
+    const Var *differs;       // GENERATED: in this variable
 } Mutant;
 
 typedef struct Mutation Mutation;
@@ -45,9 +51,30 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
 uint32_t mutation_find_failing(const Mutation *u);
 // Runs the next mutant.  Returns false if there is none.
 bool mutation_run_next(Mutation *u);
+// Searches a scenario for the next mutant that no script notices, for at most `steps` steps (mutant_search.h).  Returns false if there is none.
+bool mutation_search_next(Mutation *u, uint64_t steps);
+// Returns the machine of a mutant, allocated in `arena`.
+FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m);
 // Returns the mutants, in the order of the source.
 const Mutant *mutation_list(const Mutation *u, uint32_t *n);
+// Returns the mutants with this verdict, the most dangerous ones first, then in the order of the source; allocated in `arena`.
+const Mutant **mutation_order(const Mutation *u, Arena *arena, MutantVerdict verdict, uint32_t *n);
+
+typedef struct MutationScore {
+    unsigned long all, of[MUTANT_VERDICT_COUNT];      // how many mutants; by MutantVerdict
+    unsigned long noticeable; // those that a script can notice, as far as is known
+    double percent;           // how many of these are noticed; 100 if there are none
+} MutationScore;
+
+MutationScore mutation_score(const Mutation *u);
 // Frees working memory.
 void mutation_end(Mutation *u);
+
+// ---- mutant_words.c ----
+
+// Appends a change: "`>` changed to `>=` in Fill, an output".
+void mutant_write_change(Arena *arena, const Mutant *m, Buf *out);
+// Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs".
+void mutant_write_scenario(const Program *p, const Mutant *m, Buf *out);
 
 #endif

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "stdlib/convert.h"
+
 const char *const cover_kind_name[COVER_KIND_COUNT] = {
 #define KIND(constant, name, sentence) name,
     COVER_KINDS(KIND)
@@ -554,6 +556,28 @@ static uint64_t identity_of(const Program *p)
     return h;
 }
 
+static void add_parameter_value(Plan *k, const Var *v, uint64_t cell)
+{
+    const CoverPlace p = {.kind = COVER_PARAMETER, .span = v->span, .where = v->span, .parameter = v, .cell = cell};
+
+    for (uint32_t i = 1; i < k->c->place.n; i++)
+        if (k->c->place.at[i].parameter == v && k->c->place.at[i].cell == cell)
+            return;                                   // the default is an end of the range
+    push_place(k, p);
+}
+
+static void plan_parameters(Plan *k, const Program *p)
+{
+    for (size_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        if (!v->parameter)
+            continue;
+        add_parameter_value(k, v, v->parameter->standard);
+        add_parameter_value(k, v, sm_cell_from_f64(v->type, v->parameter->lo));
+        add_parameter_value(k, v, sm_cell_from_f64(v->type, v->parameter->hi));
+    }
+}
+
 static void plan_places(Plan *k, const Program *p)
 {
     const CoverPlace none = {.kind = COVER_KIND_COUNT};
@@ -567,6 +591,7 @@ static void plan_places(Plan *k, const Program *p)
     plan_windows(k);
     for (size_t s = 0; s < p->state.n; s++)
         plan_state(k, p->state.at[s]);
+    plan_parameters(k, p);
 }
 
 // Replaces windows of the program in the lists of statements by those of the IR.
@@ -603,7 +628,12 @@ Cover *cover_new(Arena *arena, const Program *p)
     return c;
 }
 
-Engine *cover_open_engine(Cover *c) { return engine_flat_open(c->arena, c->p, c->flat); }
+void cover_count_parameters(Cover *c, const uint64_t *cell)
+{
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (c->place.at[i].kind == COVER_PARAMETER)
+            c->hits[i] += c->place.at[i].cell == cell[c->place.at[i].parameter->index];
+}
 
 void cover_settle(Cover *c)
 {

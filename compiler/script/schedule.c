@@ -173,6 +173,7 @@ struct Schedule {
     bool grows;               // G is another one in each step
     Group all_states;
     Group **of_state;         // by State.number - 1; NULL: the script has no section for it
+    size_t states;
 };
 
 // Adds an item to the entries by G or to those by T, whichever gives it the shorter interval.
@@ -239,6 +240,7 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
     h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has a T for each machine
     h->grows = s->delta_t > 0 || s->by_rows;                                  // otherwise the ticks of an application are no whole units apart
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
+    h->states = s->program->state.n;
     reserve_items(h, &h->all_states, count_items_of_all_states(s));
     for (size_t i = 0; i < s->section.n; i++) {
         const ScriptSection *section = &s->section.at[i];
@@ -285,4 +287,17 @@ void schedule_find_due(Schedule *h, const State *const *state, size_t n, const u
         add_due(h, h->of_state[state[i]->number - 1], cell, due);
     if (!is_sorted(due))
         qsort(due->at, due->n, sizeof *due->at, compare_items);
+}
+
+static void rewind_group(Group *g)
+{
+    for (size_t i = 0; g && i < g->periodic.n; i++)
+        g->periodic.at[i].next = 0;
+}
+
+void schedule_rewind(Schedule *h)
+{
+    rewind_group(&h->all_states);
+    for (size_t i = 0; i < h->states; i++)
+        rewind_group(h->of_state[i]);
 }

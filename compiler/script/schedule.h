@@ -17,5 +17,7 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell);
 // Replaces `due` by the items of [all_states] and of the sections of n states whose guards can be true, in source order.  Every other guard
 // of these sections is false.  cell: the values before the step, with its G and T; G never decreases from call to call.
 void schedule_find_due(Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due);
+// Allows the next call to have a smaller G than the last one.
+void schedule_rewind(Schedule *h);
 
 #endif

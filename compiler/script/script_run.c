@@ -388,8 +388,7 @@ static void close_data(ScriptRun *r)
         r->result.outcome = SCRIPT_FAILED;
 }
 
-// Runs the script from its first step until it ends.
-void run_to_the_end(ScriptRun *r)
+void run_begin(ScriptRun *r)
 {
     r->result.is_random = r->s->random.n > 0;
     r->result.seed = r->o->seed ? *r->o->seed : r->s->seed;
@@ -402,8 +401,19 @@ void run_to_the_end(ScriptRun *r)
     init_engines(r);
     open_data(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
-    while (!r->ended && r->result.steps < r->o->max_steps)
+}
+
+void run_continue(ScriptRun *r, uint64_t steps)
+{
+    while (!r->ended && r->result.steps < steps)
         run_step(r);
+}
+
+// Runs the script from its first step until it ends.
+void run_to_the_end(ScriptRun *r)
+{
+    run_begin(r);
+    run_continue(r, r->o->max_steps);
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
     close_data(r);

@@ -74,6 +74,7 @@ typedef struct ScriptRun {
     void *situation;          // that of the monitor
     RequirementRun *requirement;      // by requirement
     const Requirement *violated;      // the first that the last step has violated; or NULL
+    const void *pieces;       // of run_point.c; NULL: no point was saved
     ScriptResult result;
     bool ended;               // then result.outcome is the reason
 } ScriptRun;
@@ -91,6 +92,21 @@ const ScriptItem *script_first_stop(const Script *s);
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
+// Prepares the first step.
+void run_begin(ScriptRun *r);
+// Runs further steps, until the run has ended or `steps` steps have run since the beginning.
+void run_continue(ScriptRun *r, uint64_t steps);
+
+// ---- run_point.c: runs that are continued more than once ----
+
+// The state of a run of one machine between two steps.  That of the engine is not part of it.
+typedef struct RunPoint RunPoint;
+
+// Whether the points of a script can be saved: it has no recorded data, and its machine is no application.
+bool run_has_points(const Script *s);
+RunPoint *run_save_point(ScriptRun *r, Arena *arena);
+// Makes r continue from the point, which was saved from r.  The caller restores the engine.
+void run_restore_point(ScriptRun *r, const RunPoint *p);
 
 // ---- asserts.c ----
 

@@ -42,5 +42,22 @@ compare examples/recovery/recovery.sm examples/recovery/recovery.ss
 for machine in tests/cover/*.sm; do
     compare "$machine" "${machine%.sm}"*.ss
 done
+
+# Ctrl-C: what is known so far is complete, and the process ends by the signal.
+interrupt() {
+    "$smc" mutate -w examples/teststand/stand.sm examples/teststand/stand*.ss --generate --format=json >"$dir/partial.json" 2>"$dir/errors" &
+    pid=$!
+    sleep 1
+    kill -TERM $pid
+    wait $pid
+    code=$?
+    if test $code = 143 && test "$(tail -n 1 "$dir/partial.json")" = ']}' && head -n 1 "$dir/partial.json" | grep -q '"smc-mutations":1'; then
+        passed=$((passed + 1))
+    else
+        fail "interrupted: exit code $code, $(head -n 1 "$dir/errors")"
+    fi
+}
+
+interrupt
 echo "mutation: $passed passed, $failed failed"
 test "$failed" -eq 0

@@ -216,6 +216,16 @@ static EngineStatus answer(const Model *m, EngineStatus status, EngineStep *out)
     return status;
 }
 
+// A parameter has its default, the lowest or the highest value of its range in the first step of a run.
+static void note_parameters(Model *m)
+{
+    for (uint32_t i = 1; i < m->c->place.n; i++) {
+        const CoverPlace *p = &m->c->place.at[i];
+        if (p->kind == COVER_PARAMETER && m->cell[p->parameter->index] == p->cell)
+            m->hits[i]++;
+    }
+}
+
 static EngineStatus model_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Model *m = e->self;
@@ -229,6 +239,8 @@ static EngineStatus model_step(Engine *e, const EngineWrite *write, uint32_t n, 
     g = m->cell[m->p->g->index];
     if (g == UINT64_MAX || (m->ran && g <= m->last_g))
         return answer(m, ENGINE_REFUSED, out);
+    if (!m->ran)
+        note_parameters(m);
     m->ran = true;
     m->last_g = g;
     m->first = false;

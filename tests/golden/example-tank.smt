@@ -2,14 +2,14 @@
 args test --engine=all "$ROOT/examples/tank/tank.sm" "$ROOT/examples/tank/tank.ss"
 
 -- stdout --
-state script ran for 101 steps
-100 asserts passed
+state script ran for 111 steps
+110 asserts passed
 final state vector:
-  G = 1000
+  G = 1100
   P_AbortThreshold = 825
   P_WarnThreshold = 800
-  S = 1
-  T = 1000
-  counter = 0
-  tankPressure = 701.000000
-  valveOpen = false
+  S = 3
+  T = 110
+  counter = 72
+  tankPressure = 837.000000
+  valveOpen = true

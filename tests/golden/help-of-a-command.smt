@@ -23,7 +23,7 @@ Options:
   --seed=N                 the seed of the scripts' random numbers, from 0 (default: that of each script, else 0)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
-  --coverage               measure which transitions, statements, guards, conditions, windows and states the scripts test
+  --coverage               measure which transitions, statements, guards, conditions, windows, states and parameters the scripts test
   --coverage-data=FILE     write the counts to FILE, as .cov; later calls accept such files as arguments and add them
   --coverage-json=FILE     write each place with its count as JSON
   --coverage-lcov=FILE     write lines and branches for genhtml and CI servers, as lcov does

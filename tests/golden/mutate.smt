@@ -2,6 +2,7 @@
 args mutate a.sm a.ss -v
 args mutate a.sm a.ss --min-score=40 --format=json -o m.json && head -n 3 m.json
 args mutate a.sm a.ss --min-score=100 -o m.txt; head -n 1 m.txt
+args mutate a.sm a.ss --generate
 args mutate a.sm a.ss bad.ss
 args mutate a.sm
 args mutate a.sm a.ss --min-score=all
@@ -73,6 +74,38 @@ noticed:
   line 9:32: `>` changed to `<=` in Fill, an output
   line 14:5: `open = true` removed in Abort, an output
 mutations of a: 8 of 23 changes are noticed (34.8 %)
+mutations of a: 8 of 23 changes are noticed (34.8 %)
+not noticed; these inputs would show it:
+  line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
+    from Fill, at G = 10, S differs
+  line 10:7: `>` changed to `<=` in Fill, on the way to an @abort state
+    from Fill, at G = 10, S differs
+  line 10:7: `>` changed to `>=` in Fill, on the way to an @abort state
+    from Fill, at G = 0: p = 825; at G = 10, S differs
+  line 10:9: `825` changed to `743` in Fill, on the way to an @abort state
+    from Fill, at G = 0: p = 825; at G = 10, S differs
+  line 10:9: `825` changed to `907` in Fill, on the way to an @abort state
+    from Fill, at G = 0: p = 825.825; at G = 10, S differs
+  line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state
+    from Fill, at G = 10, S differs
+  line 10:18: `<` changed to `>=` in Fill, on the way to an @abort state
+    from Fill, at G = 10, S differs
+  line 10:20: `0` changed to `1` in Fill, on the way to an @abort state
+    from Fill, at G = 10, S differs
+  line 9:19: `>` changed to `>=` in Fill, an output
+    from Fill, at G = 730: p = 700; at G = 730, open differs
+  line 9:21: `700` changed to `630` in Fill, an output
+    from Fill, at G = 20: p = 699.3; at G = 20, open differs
+  line 9:21: `700` changed to `770` in Fill, an output
+    from Fill, at G = 780: p = 735; at G = 780, open differs
+  line 9:26: `and` changed to `or` in Fill, an output
+    from Fill, at G = 30: p = 1000; at G = 30, open differs
+  line 9:32: `>` changed to `>=` in Fill, an output
+    from Fill, at G = 100: p = -1; at G = 100, open differs
+  line 9:35: `1` changed to `0` in Fill, an output
+    from Fill, at G = 0, open differs
+  line 9:35: `1` changed to `2` in Fill, an output
+    from Fill, at G = 710: p = -1.05; at G = 710, open differs
 -- stderr --
 smc: the scripts notice 34.8 % of the changes, and 40 % are required
 smc: the scripts notice 34.8 % of the changes, and 100 % are required
@@ -86,4 +119,4 @@ broken.ss:4:9: error: unknown element 'q' [E0204]
       |         ^
 1 error
 -- exit --
-0 1 0 1 2 2 1
+0 1 0 0 1 2 2 1

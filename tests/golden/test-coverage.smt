@@ -229,7 +229,7 @@ TAP version 13
 ok 1 - b.ss
 ok 2 - coverage of a.sm
 {"smc-coverage":1,"machine":"a","identity":"aabebaf07e0b4bbd","file":"a.sm",
-"totals":{"transitions":{"covered":3,"possible":4,"impossible":0},"statements":{"covered":9,"possible":9,"impossible":0},"guards":{"covered":10,"possible":10,"impossible":0},"conditions":{"covered":13,"possible":15,"impossible":1},"windows":{"covered":1,"possible":1,"impossible":0},"states":{"covered":5,"possible":5,"impossible":0}},
+"totals":{"transitions":{"covered":3,"possible":4,"impossible":0},"statements":{"covered":9,"possible":9,"impossible":0},"guards":{"covered":10,"possible":10,"impossible":0},"conditions":{"covered":13,"possible":15,"impossible":1},"windows":{"covered":1,"possible":1,"impossible":0},"states":{"covered":5,"possible":5,"impossible":0},"parameters":{"covered":0,"possible":0,"impossible":0}},
 "places":[
 {"kind":"guards","line":11,"column":25,"text":"p > 300","outcome":true,"count":13},
 {"kind":"guards","line":11,"column":25,"text":"p > 300","outcome":false,"count":18},
@@ -260,9 +260,9 @@ smc: 'one.cov' has the coverage of the machine 'a', not of 'other'
 smc: 'a2.cov' has the coverage of another version of 'a': run its scripts again
 smc: 'a3.cov' is no file that --coverage-data has written
 smc: 'a4.cov' is damaged: the name of its machine is missing
-smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows and states
+smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows, states and parameters
 Try 'smc test --help'.
-smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows and states
+smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows, states and parameters
 Try 'smc test --help'.
 smc: a file of counts (.cov) requires a machine and --coverage
 Try 'smc test --help'.

@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cover/mutant_runs.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/cover/cover.h"
+#include "compiler/script/script_run.h"
+#include "stdlib/convert.h"
+
+enum {
+    POINTS_MOST = 128,        // points of a run
+    POINT_STEPS = 8,          // the least number of steps between two of them
+    VALUES_MOST = 1 << 23     // values that all records can have together; a run for which no room is left is not recorded
+};
+
+// The state of an unchanged run before a step.
+typedef struct RecordPoint {
+    void *machine;            // the state of MutantRuns.original
+    RunPoint *script;
+} RecordPoint;
+
+// An unchanged run.
+typedef struct Record {
+    const Script *script;
+    uint64_t steps;
+    ScriptOptions options;    // of the runs of mutants
+    bool is_complete;         // the run was recorded
+    uint64_t every;           // steps between two points
+    VEC(RecordPoint) point;
+    VEC(EngineWrite) write;
+    VEC(uint32_t) write_end;  // by step, from 0: the end of its writes
+    VEC(uint8_t *) executed;  // by point: by Stmt.number: it was executed between this point and the next one
+    uint8_t *reached;         // by Stmt.number: it was executed at all
+    const uint32_t *seen;     // the variables that the script reads (Var.index), `seens` of them, without constants
+    uint32_t seens;
+    bool reads_constants;     // the script reads constants of the machine
+    VEC(uint64_t) value;      // by step: the next state, whether its step is the first, and the cells of `seen`
+    ScriptRun run;            // the run of the script, to be continued from its points
+    uint32_t noticed;         // number of mutants that the script has noticed
+} Record;
+
+typedef VEC(ScenarioChange) Changes;
+
+struct MutantRuns {
+    Arena *arena;
+    const Program *p;
+    Record *record;
+    uint32_t records;
+    uint32_t *order;          // the scripts in the order in which they are tried
+    FlatMachine *original;
+    void *state, *at_point;   // of the current mutant: now, and at the last point
+    size_t values;            // of all records
+    Cover *cover;             // counts what the unchanged runs execute
+    Engine *engine;           // runs the current mutant
+    Diags muted;
+    uint32_t failing;
+};
+
+// ---- what a script reads ----
+
+static void mark_seen(Expr *e, void *context)
+{
+    bool *seen = context;
+
+    if (e->kind == EX_VAR)
+        seen[e->var->index] = true;
+}
+
+static void mark_seen_by_item(const ScriptItem *item, bool *seen)
+{
+    expr_walk(item->guard, mark_seen, seen);
+    for (size_t i = 0; i < item->inputs.n; i++)
+        expr_walk(item->inputs.at[i]->value, mark_seen, seen);
+    for (size_t i = 0; i < item->asserts.n; i++)
+        if (item->asserts.at[i].condition)
+            expr_walk(item->asserts.at[i].condition, mark_seen, seen);
+}
+
+// Lists the variables of the machine that the script reads.
+static void list_seen(Arena *arena, const Program *p, const uint32_t *var_of, Record *r)
+{
+    const Script *s = r->script;
+    bool *seen = arena_alloc(arena, p->var.n + s->local.n);
+    uint32_t *list = ARENA_ARRAY(arena, uint32_t, p->var.n);
+
+    for (size_t i = 0; i < s->window.n; i++)
+        expr_walk(s->window.at[i].sample, mark_seen, seen);
+    for (size_t i = 0; i < s->section.n; i++)
+        for (size_t k = 0; k < s->section.at[i].item.n; k++)
+            mark_seen_by_item(s->section.at[i].item.at[k], seen);
+    for (uint32_t v = 0; v < p->var.n; v++)
+        if (seen[v] && var_of[v] != IR_NONE)
+            list[r->seens++] = v;
+        else
+            r->reads_constants = r->reads_constants || seen[v];
+    r->seen = list;
+}
+
+// ---- recording ----
+
+// An engine that stores what is written, and has another engine run the step.
+typedef struct Recorder {
+    Engine engine;
+    Engine *machine;
+    Arena *arena;
+    Record *record;
+} Recorder;
+
+static EngineStatus recorder_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    Recorder *c = e->self;
+
+    return c->machine->init(c->machine, state, out);
+}
+
+static EngineStatus recorder_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    Recorder *c = e->self;
+    Record *r = c->record;
+    const EngineStatus status = c->machine->step(c->machine, write, n, out);
+
+    for (uint32_t i = 0; i < n; i++)
+        vec_push(c->arena, &r->write, write[i]);
+    vec_push(c->arena, &r->write_end, r->write.n);
+    vec_push(c->arena, &r->value, out->next_state);
+    vec_push(c->arena, &r->value, out->next_is_first);
+    for (uint32_t i = 0; i < r->seens; i++)
+        vec_push(c->arena, &r->value, out->cell[r->seen[i]]);
+    return status;
+}
+
+// Adds a point at the current step of the run.
+static void add_point(MutantRuns *u, Record *r)
+{
+    const RecordPoint p = {arena_copy(u->arena, engine_flat_run(u->engine), u->original->size), run_save_point(&r->run, u->arena)};
+
+    vec_push(u->arena, &r->point, p);
+}
+
+// Returns by Stmt.number whether it was executed since the last call.
+static uint8_t *take_executed(MutantRuns *u)
+{
+    const Cover *c = u->cover;
+    uint8_t *executed = arena_alloc(u->arena, u->p->stmts + 1);
+
+    for (uint32_t s = 1; s <= u->p->stmts; s++)
+        executed[s] = c->hits[c->probes.stmt[s]] > 0;
+    memset(c->hits, 0, c->probes.counters * sizeof *c->hits);
+    return executed;
+}
+
+// Prepares the run of the script on an engine, which stays open.
+static void begin_run(MutantRuns *u, Record *r, Engine **engine)
+{
+    r->run = (ScriptRun){.arena = u->arena, .diags = &u->muted, .s = r->script, .p = u->p, .engine = engine, .engines = 1, .o = &r->options};
+    run_begin(&r->run);
+}
+
+// Runs the script again, and records it.
+static void record_run(MutantRuns *u, Record *r)
+{
+    Recorder recorder = {.machine = u->engine, .arena = u->arena, .record = r};
+    Engine *engine = &recorder.engine;
+
+    recorder.engine = *u->engine;
+    recorder.engine.self = &recorder;
+    recorder.engine.init = recorder_init;
+    recorder.engine.step = recorder_step;
+    r->every = r->steps / POINTS_MOST + 1 > POINT_STEPS ? r->steps / POINTS_MOST + 1 : POINT_STEPS;
+    engine_flat_set(u->engine, u->cover->flat, engine_flat_run(u->engine));
+    begin_run(u, r, &engine);
+    while (!r->run.ended && u->values + r->write.n + r->value.n < VALUES_MOST) {
+        add_point(u, r);
+        run_continue(&r->run, r->run.result.steps + r->every);
+        vec_push(u->arena, &r->executed, take_executed(u));
+    }
+    r->is_complete = r->run.ended;
+    u->values += r->write.n + r->value.n;
+    r->run.engine = arena_copy(u->arena, &u->engine, sizeof u->engine);
+}
+
+// Runs the script once on its own, with everything that ends a run.  Returns whether it passes.
+static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
+{
+    ScriptResult result = script_run(work, &u->muted, r->script, &u->engine, 1, &r->options);
+
+    *steps = result.steps;
+    return result.outcome == SCRIPT_PASSED;
+}
+
+static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
+{
+    Record *r = &u->record[script];
+    Arena work;
+    bool passes;
+
+    arena_init_within(&work, u->arena);
+    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true};
+    engine_flat_set(u->engine, u->cover->flat, engine_flat_run(u->engine));
+    passes = run_whole(u, r, &work, &r->steps);
+    if (!passes && u->failing == u->records)
+        u->failing = script;
+    r->reached = take_executed(u);
+    list_seen(u->arena, u->p, u->original->m->var_of, r);
+    if (passes && run_has_points(r->script))
+        record_run(u, r);
+    r->options.max_steps = r->steps < UINT64_MAX / 8 ? 4 * r->steps + 1000 : r->steps;
+}
+
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps)
+{
+    MutantRuns *u = ARENA_NEW(arena, MutantRuns);
+
+    u->arena = arena;
+    u->p = p;
+    u->records = u->failing = scripts;
+    u->record = arena_array(arena, scripts, sizeof *u->record);
+    u->order = ARENA_ARRAY(arena, uint32_t, scripts);
+    u->original = flat_new(arena, ir_build(arena, p), NULL);
+    u->state = arena_alloc(arena, u->original->size);
+    u->at_point = arena_alloc(arena, u->original->size);
+    u->cover = cover_new(arena, p);
+    u->engine = cover_open_engine(u->cover);
+    diags_init(&u->muted, arena);
+    u->muted.muted = true;
+    for (uint32_t i = 0; i < scripts; i++) {
+        u->record[i].script = script[i];
+        u->order[i] = i;
+        add_record(u, i, max_steps);
+    }
+    return u;
+}
+
+uint32_t mutant_runs_find_failing(const MutantRuns *u) { return u->failing; }
+
+FlatMachine *mutant_runs_original(const MutantRuns *u) { return u->original; }
+
+// Adds the inputs that a step writes, if they change.  cell: by Var.index, what was written last; is_set: whether anything was.
+static void add_changes(const MutantRuns *u, Arena *arena, Changes *list, uint64_t step, const EngineWrite *write, uint32_t n, uint64_t *cell, bool *is_set)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const Var *v = u->p->var.at[write[i].var];
+        const ScenarioChange change = {step, v->index, SCENARIO_HOLD, sm_cell_to_f64(v->type, write[i].cell), 0, 0};
+        if (v == u->p->g || v == u->p->s || v->written || v->parameter || (is_set[v->index] && cell[v->index] == write[i].cell))
+            continue;
+        is_set[v->index] = true;
+        cell[v->index] = write[i].cell;
+        vec_push(arena, list, change);
+    }
+}
+
+const Scenario *mutant_runs_scenario(const MutantRuns *u, Arena *arena, uint32_t script)
+{
+    const Record *r = &u->record[script];
+    Scenario *s = ARENA_NEW(arena, Scenario);
+    uint64_t *cell = ARENA_ARRAY(arena, uint64_t, u->p->var.n);
+    bool *is_set = arena_alloc(arena, u->p->var.n);
+    Changes list = {0};
+
+    if (!r->is_complete)
+        return NULL;
+    for (uint64_t k = 0; k < r->steps; k++) {
+        const uint32_t first = k ? r->write_end.at[k - 1] : 0;
+        add_changes(u, arena, &list, k + 1, r->write.at + first, r->write_end.at[k] - first, cell, is_set);
+    }
+    *s = (Scenario){r->script->init_state, r->script->delta_t, r->steps, list.at, list.n};
+    return s;
+}
+
+// ---- running mutants ----
+
+// A mutant in the run of a script.
+typedef struct Race {
+    MutantRuns *u;
+    Record *r;
+    FlatMachine *mutant;
+    bool same_layout;         // the states of both machines have the same parts at the same offsets
+    bool same_start;          // no initial value was changed
+    const uint32_t *stmt;     // what was changed
+    uint32_t stmts;
+} Race;
+
+static bool has_same_layout(const Program *p, const FlatMachine *a, const FlatMachine *b)
+{
+    return a->size == b->size && a->m->var.n == b->m->var.n && a->m->window.n == b->m->window.n
+        && memcmp(a->m->var_of, b->m->var_of, p->var.n * sizeof *a->m->var_of) == 0
+        && memcmp(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of) == 0
+        && memcmp(a->window_at, b->window_at, a->m->window.n * sizeof *a->window_at) == 0
+        && memcmp(a->window_kind, b->window_kind, a->m->window.n * sizeof *a->window_kind) == 0;
+}
+
+static bool includes_any(const Race *c, const uint8_t *executed)
+{
+    for (uint32_t i = 0; i < c->stmts; i++)
+        if (c->stmt[i] == MUTANT_EACH_STEP || c->stmt[i] == MUTANT_START || executed[c->stmt[i]])
+            return true;
+    return false;
+}
+
+// Whether what was changed is executed between a point and the next one.
+static bool is_executed(const Race *c, uint32_t point)
+{
+    return includes_any(c, c->r->executed.at[point]);
+}
+
+// Returns the first point from `point` on after which what was changed is executed; the number of points if there is none.
+static uint32_t find_executed(const Race *c, uint32_t point)
+{
+    while (point < c->r->point.n && !is_executed(c, point))
+        point++;
+    return point;
+}
+
+static void write_cells(const FlatMachine *f, void *state, const EngineWrite *write, uint32_t n)
+{
+    uint64_t *cell = flat_cells(f, state);
+
+    for (uint32_t i = 0; i < n; i++)
+        if (f->m->var_of[write[i].var] != IR_NONE)
+            cell[f->m->var_of[write[i].var]] = write[i].cell;
+}
+
+// Whether the script sees that the cells of the mutant are not those of a recorded step.
+static bool has_other_cells(const Race *c, const uint64_t *recorded)
+{
+    const uint64_t *cell = flat_cells(c->mutant, c->u->state);
+    const uint32_t *var_of = c->mutant->m->var_of;
+
+    for (uint32_t i = 0; i < c->r->seens; i++)
+        if (cell[var_of[c->r->seen[i]]] != recorded[i])
+            return true;
+    return false;
+}
+
+// Runs the mutant from a point to the next one.  Returns whether the script sees a difference to the recorded run.
+static bool run_to_next_point(Race *c, uint32_t point)
+{
+    const Record *r = c->r;
+    const FlatState *s = c->u->state;
+    const uint64_t from = point * r->every, to = from + r->every < r->steps ? from + r->every : r->steps;
+
+    for (uint64_t k = from; k < to; k++) {
+        const uint32_t first = k ? r->write_end.at[k - 1] : 0;
+        const uint64_t *recorded = r->value.at + k * (2 + r->seens);
+        write_cells(c->mutant, c->u->state, r->write.at + first, r->write_end.at[k] - first);
+        flat_step(c->mutant, c->u->state);
+        if (s->state != recorded[0] || s->first != recorded[1] || has_other_cells(c, recorded + 2))
+            return true;
+    }
+    return false;
+}
+
+static void go_to_point(Race *c, uint32_t point) { memcpy(c->u->state, c->r->point.at[point].machine, c->u->original->size); }
+
+// Whether the script can see an initial value that was changed, before the first step.
+static bool sees_start(const Race *c)
+{
+    const uint64_t *cell = flat_cells(c->mutant, c->u->state), *original = flat_cells(c->u->original, c->r->point.at[0].machine);
+    const uint32_t *var_of = c->mutant->m->var_of;
+
+    flat_start(c->mutant, c->u->state, c->r->script->init_state->number);
+    for (uint32_t i = 0; i < c->r->seens; i++)
+        if (cell[var_of[c->r->seen[i]]] != original[var_of[c->r->seen[i]]])
+            return true;
+    return c->r->reads_constants;
+}
+
+// Whether the recorded run can be used.
+static bool can_replay(Race *c) { return c->r->is_complete && c->same_layout && (c->same_start || !sees_start(c)); }
+
+// Returns the point before the first difference that the script sees; the number of points if it sees none.
+static uint32_t find_difference(Race *c)
+{
+    const size_t size = c->u->original->size;
+    uint32_t point = find_executed(c, 0);
+
+    if (point == c->r->point.n)
+        return point;
+    go_to_point(c, point);
+    if (!c->same_start)
+        flat_start(c->mutant, c->u->state, c->r->script->init_state->number);
+    for (;;) {
+        memcpy(c->u->at_point, c->u->state, size);
+        if (run_to_next_point(c, point))
+            return point;
+        if (++point == c->r->point.n)
+            return point;
+        if (memcmp(c->u->state, c->r->point.at[point].machine, size) != 0)
+            continue;
+        point = find_executed(c, point);
+        if (point == c->r->point.n)
+            return point;
+        go_to_point(c, point);
+    }
+}
+
+// Runs the script on the mutant from a point on.  Returns whether it passes.
+static bool passes_from(Race *c, uint32_t point)
+{
+    ScriptRun *run = &c->r->run;
+
+    run_restore_point(run, c->r->point.at[point].script);
+    memcpy(c->u->state, c->u->at_point, c->u->original->size);
+    engine_flat_set(c->u->engine, c->mutant, c->u->state);
+    run_continue(run, c->r->options.max_steps);
+    return run->ended && run->result.outcome == SCRIPT_PASSED;
+}
+
+// Runs the script on the mutant.  Returns whether it passes.
+static bool passes(Race *c, Arena *work)
+{
+    uint64_t steps;
+    uint32_t point;
+
+    if (!includes_any(c, c->r->reached))
+        return true;
+    if (can_replay(c)) {
+        point = find_difference(c);
+        return point == c->r->point.n || passes_from(c, point);
+    }
+    engine_flat_set(c->u->engine, c->mutant, arena_alloc(work, c->mutant->size));
+    return run_whole(c->u, c->r, work, &steps);
+}
+
+// Whether script x is tried before y: it notices more, or it is shorter.
+static bool is_before(const MutantRuns *u, uint32_t x, uint32_t y)
+{
+    const Record *a = &u->record[x], *b = &u->record[y];
+
+    return a->noticed != b->noticed ? a->noticed > b->noticed : a->steps < b->steps;
+}
+
+// Moves the script at `i` in the order up, past those that notice less.
+static void move_up(MutantRuns *u, uint32_t i)
+{
+    for (; i > 0 && is_before(u, u->order[i], u->order[i - 1]); i--) {
+        const uint32_t other = u->order[i - 1];
+        u->order[i - 1] = u->order[i];
+        u->order[i] = other;
+    }
+}
+
+uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n)
+{
+    Race c = {u, NULL, mutant, has_same_layout(u->p, u->original, mutant), true, stmt, n};
+
+    for (uint32_t i = 0; i < n; i++)
+        c.same_start = c.same_start && stmt[i] != MUTANT_START;
+    for (uint32_t i = 0; i < u->records; i++) {
+        const uint32_t script = u->order[i];
+        c.r = &u->record[script];
+        if (passes(&c, work))
+            continue;
+        c.r->noticed++;
+        move_up(u, i);
+        return script;
+    }
+    return u->records;
+}

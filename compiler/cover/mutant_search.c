@@ -1,0 +1,659 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cover/mutant_search.h"
+
+#include <string.h>
+
+#include "stdlib/convert.h"
+
+enum {
+    NODES_MOST = 512,         // stored situations
+    SEEN_SLOTS = 4096,        // a power of two
+    HOLD_MOST = 5000,         // steps of one extension
+    MINIMISE_STEPS = 300000
+};
+
+typedef VEC(double) Numbers;
+
+// An input, and the values that are tried.
+typedef struct Input {
+    uint32_t var;
+    SmType type;
+    Numbers value;
+} Input;
+
+// What an input does from a step on.
+typedef struct Course { double a, b; uint64_t step; bool is_ramp; } Course;
+
+// A stored situation.  The path from the root to it is the scenario that reaches it.
+typedef struct Node {
+    const struct Node *parent;
+    const ScenarioChange *change;     // after the parent
+    uint32_t changes;
+    const State *start;
+    uint64_t steps;           // that have run
+    void *original, *mutant;  // the states of both machines
+    Course *course;           // by input
+    bool differs;             // the states are not equal, which no output shows
+} Node;
+
+struct MutantSearch {
+    Arena *arena;
+    const Program *p;
+    FlatMachine *original;
+    uint64_t delta_t;
+    const State *const *start;
+    uint32_t starts;
+    const Scenario *const *given;
+    uint32_t givens;
+    VEC(Input) input;
+    Numbers number;           // all numbers of the machine
+    VEC(uint64_t) hold;       // durations, in steps
+    VEC(uint32_t) output;     // variables that the machine stores (Var.index) and a script can read
+    uint64_t random;
+};
+
+// ---- random numbers: splitmix64 ----
+
+static uint64_t draw(MutantSearch *k)
+{
+    uint64_t x = k->random += UINT64_C(0x9e3779b97f4a7c15);
+
+    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
+    return x ^ x >> 31;
+}
+
+static uint32_t below(MutantSearch *k, uint32_t n) { return (uint32_t)(draw(k) % n); }
+
+// ---- values ----
+
+static void add_number(Arena *arena, Numbers *list, double x)
+{
+    for (uint32_t i = 0; i < list->n; i++)
+        if (list->at[i] == x)
+            return;
+    if (x - x == 0)
+        vec_push(arena, list, x);
+}
+
+// Which inputs a variable depends on, by assignments and windows: a bit for each of the first 64 inputs.
+typedef struct Origins {
+    MutantSearch *k;
+    uint64_t *of;             // by Var.index
+    uint64_t found;           // of the current expression
+    Stmt *stmt;
+    bool changed;
+} Origins;
+
+static void add_origin(Expr *e, void *context)
+{
+    Origins *o = context;
+
+    if (e->kind == EX_VAR)
+        o->found |= o->of[e->var->index];
+    if (e->kind == EX_ROLL)
+        expr_walk(o->k->p->window.at[e->window].sample, add_origin, o);
+}
+
+static uint64_t origins_of(Origins *o, Expr *e)
+{
+    o->found = 0;
+    expr_walk(e, add_origin, o);
+    return o->found;
+}
+
+static void add_values_of(Origins *o, Expr *a, Expr *b)
+{
+    const uint64_t from = origins_of(o, a);
+
+    if (!expr_is_constant(b) || b->kind == EX_ROLL)
+        return;
+    for (uint32_t i = 0; i < o->k->input.n && i < 64; i++)
+        if (from >> i & 1)
+            add_number(o->k->arena, &o->k->input.at[i].value, expr_constant_value(b));
+}
+
+static void collect_values(Expr *e, void *context)
+{
+    Origins *o = context;
+
+    if (e->kind == EX_NUMBER)
+        add_number(o->k->arena, &o->k->number, e->number);
+    if (e->kind == EX_VAR && e->var->is_constant)
+        add_number(o->k->arena, &o->k->number, sm_cell_to_f64(e->var->type, e->var->init));
+    for (uint32_t i = 0; (e->kind == EX_CHAIN || (e->kind == EX_BINARY && e->op >= SM_OP_EQ && e->op <= SM_OP_GE)) && i + 1 < e->n; i++) {
+        add_values_of(o, e->arg[i], e->arg[i + 1]);
+        add_values_of(o, e->arg[i + 1], e->arg[i]);
+    }
+}
+
+static void each_statement(const Stmts *list, void (*f)(Stmt *s, void *context), void *context)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        f(list->at[i], context);
+        each_statement(&list->at[i]->then, f, context);
+        each_statement(&list->at[i]->otherwise, f, context);
+    }
+}
+
+static void each_statement_of(const Program *p, void (*f)(Stmt *s, void *context), void *context)
+{
+    for (size_t s = 0; s < p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            each_statement(&p->state.at[s]->block[b], f, context);
+}
+
+static void spread_origins(Stmt *s, void *context)
+{
+    Origins *o = context;
+    uint64_t from;
+
+    if (s->kind != ST_ASSIGN)
+        return;
+    from = origins_of(o, s->value);
+    o->changed = o->changed || (from & ~o->of[s->var->index]);
+    o->of[s->var->index] |= from;
+}
+
+static void collect_values_of_statement(Stmt *s, void *context)
+{
+    if (s->value)
+        expr_walk(s->value, collect_values, context);
+}
+
+// Adds what is beside each value: the neighbours, and what is in the middle of two values.
+static void add_neighbours(Arena *arena, Numbers *list, SmType type)
+{
+    const uint32_t n = list->n;
+    const bool is_float = type == SM_F32 || type == SM_F64;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = list->at[i], size = x < 0 ? -x : x, by = is_float ? 0.001 * (size > 1 ? size : 1) : 1;
+        add_number(arena, list, x + by);
+        add_number(arena, list, x - by);
+        add_number(arena, list, x * 1.05);
+        add_number(arena, list, x * 0.95);
+        for (uint32_t other = 0; other < i; other++)
+            add_number(arena, list, (x + list->at[other]) / 2);
+    }
+}
+
+static void list_inputs(MutantSearch *k)
+{
+    for (uint32_t i = 0; i < k->p->var.n; i++) {
+        const Var *v = k->p->var.at[i];
+        const bool is_input = v->kind == VAR_ELEMENT ? v != k->p->g && v != k->p->s && !v->written && v->read : v->kind == VAR_LOCAL && v->outside && !v->parameter;
+        const Input in = {.var = i, .type = v->type};
+        if (is_input)
+            vec_push(k->arena, &k->input, in);
+        if (v->kind == VAR_ELEMENT && v->written)
+            vec_push(k->arena, &k->output, i);
+    }
+}
+
+static void list_values(MutantSearch *k)
+{
+    Origins o = {.k = k, .of = ARENA_ARRAY(k->arena, uint64_t, k->p->var.n)};
+
+    for (uint32_t i = 0; i < k->input.n && i < 64; i++)
+        o.of[k->input.at[i].var] |= UINT64_C(1) << i;
+    do {
+        o.changed = false;
+        each_statement_of(k->p, spread_origins, &o);
+    } while (o.changed);
+    each_statement_of(k->p, collect_values_of_statement, &o);
+    for (size_t i = 0; i < k->p->window.n; i++)
+        expr_walk(k->p->window.at[i].sample, collect_values, &o);
+    for (uint32_t i = 0; i < k->input.n; i++) {
+        Input *in = &k->input.at[i];
+        if (in->type != SM_BOOL) {
+            add_neighbours(k->arena, &in->value, in->type);
+            add_number(k->arena, &in->value, 0);
+        } else {
+            in->value.n = 0;
+            add_number(k->arena, &in->value, 0);
+            add_number(k->arena, &in->value, 1);
+        }
+    }
+}
+
+static void add_hold(MutantSearch *k, double steps)
+{
+    for (int by = -1; by <= 1; by++)
+        if (steps + by >= 1 && steps + by <= HOLD_MOST)
+            vec_push(k->arena, &k->hold, (uint64_t)(steps + by));
+}
+
+static void list_durations(MutantSearch *k)
+{
+    for (uint32_t i = 0; i < k->number.n; i++) {
+        add_hold(k, k->number.at[i] / (double)k->delta_t);
+        add_hold(k, k->number.at[i]);
+    }
+    for (size_t i = 0; i < k->p->window.n; i++)
+        add_hold(k, k->p->window.at[i].size);
+    add_hold(k, 2);
+}
+
+MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
+                                const Scenario *const *given, uint32_t givens)
+{
+    MutantSearch *k = ARENA_NEW(arena, MutantSearch);
+
+    k->arena = arena;
+    k->p = p;
+    k->original = original;
+    k->delta_t = delta_t ? delta_t : 10;
+    k->start = start;
+    k->starts = starts;
+    k->given = given;
+    k->givens = givens;
+    list_inputs(k);
+    list_values(k);
+    list_durations(k);
+    return k;
+}
+
+// ---- a run ----
+
+typedef struct Lockstep {
+    MutantSearch *k;
+    Arena *work;
+    FlatMachine *mutant;
+    const double *around;
+    uint32_t arounds;
+    bool same_layout;
+    uint64_t left;            // steps that can still run
+    VEC(Node *) node;
+    VEC(Node *) apart;        // nodes whose states differ
+    uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
+    const Var *what;          // what differs
+} Lockstep;
+
+static double value_at(const Course *c, uint64_t step) { return c->is_ramp ? c->a + c->b * (double)(step - c->step) : c->a; }
+
+static void write_cell(const FlatMachine *f, void *state, uint32_t var, uint64_t cell)
+{
+    if (f->m->var_of[var] != IR_NONE)
+        flat_cells(f, state)[f->m->var_of[var]] = cell;
+}
+
+static void write_inputs(const Lockstep *l, Node *n, uint64_t step)
+{
+    const MutantSearch *k = l->k;
+
+    write_cell(k->original, n->original, k->p->g->index, (step - 1) * k->delta_t);
+    write_cell(l->mutant, n->mutant, k->p->g->index, (step - 1) * k->delta_t);
+    for (uint32_t i = 0; i < k->input.n; i++) {
+        uint64_t cell;
+        if (n->course[i].step == 0)
+            continue;
+        cell = sm_cell_from_f64(k->input.at[i].type, value_at(&n->course[i], step));
+        write_cell(k->original, n->original, k->input.at[i].var, cell);
+        write_cell(l->mutant, n->mutant, k->input.at[i].var, cell);
+    }
+}
+
+// Whether a script can see a difference: S or an output differs.
+static bool is_visible(Lockstep *l, Node *n)
+{
+    const MutantSearch *k = l->k;
+
+    if (flat_cells(k->original, n->original)[k->original->m->s] != flat_cells(l->mutant, n->mutant)[l->mutant->m->s]) {
+        l->what = NULL;
+        return true;
+    }
+    for (uint32_t i = 0; i < k->output.n; i++) {
+        const uint32_t v = k->output.at[i];
+        if (flat_cells(k->original, n->original)[k->original->m->var_of[v]] != flat_cells(l->mutant, n->mutant)[l->mutant->m->var_of[v]]) {
+            l->what = k->p->var.at[v];
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool run_step(Lockstep *l, Node *n)
+{
+    n->steps++;
+    l->left -= l->left > 0;
+    write_inputs(l, n, n->steps);
+    flat_step(l->k->original, n->original);
+    flat_step(l->mutant, n->mutant);
+    return is_visible(l, n);
+}
+
+// ---- situations ----
+
+static bool is_apart(const Lockstep *l, const Node *n) { return l->same_layout && memcmp(n->original, n->mutant, l->k->original->size) != 0; }
+
+// A number that is equal for situations that are taken as the same: state, whether both machines differ, roughly the time in the state, and
+// what the small variables of the machine are.
+static uint64_t hash_of(const Lockstep *l, const Node *n)
+{
+    const MutantSearch *k = l->k;
+    const FlatState *s = n->original;
+    const uint64_t *cell = flat_cells(k->original, n->original);
+    uint64_t t = (n->steps ? (n->steps - 1) * k->delta_t - s->start : 0) / k->delta_t, h = s->state * 2 + n->differs;
+    unsigned bits = 0;
+
+    for (; t > 0; t /= 4)
+        bits++;
+    h = h * 64 + bits;
+    for (size_t v = 0; v < k->p->var.n; v++) {
+        const Var *x = k->p->var.at[v];
+        const uint32_t at = k->original->m->var_of[v];
+        double number;
+        if (!x->written || at == IR_NONE)
+            continue;
+        number = sm_cell_to_f64(x->type, cell[at]);
+        h = (h ^ (number >= 0 && number <= 8 ? (uint64_t)number : 9)) * UINT64_C(0x100000001b3);
+    }
+    return h | 1;
+}
+
+// Whether no situation like this one was stored.
+static bool is_new(Lockstep *l, const Node *n)
+{
+    const uint64_t h = hash_of(l, n);
+    uint32_t at = (uint32_t)(h * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (SEEN_SLOTS - 1);
+
+    for (uint32_t i = 0; i < 16; i++, at = (at + 1) & (SEEN_SLOTS - 1)) {
+        if (l->seen[at] == h)
+            return false;
+        if (l->seen[at] == 0) {
+            l->seen[at] = h;
+            return true;
+        }
+    }
+    return false;
+}
+
+static Node *copy_node(Lockstep *l, const Node *n)
+{
+    Node *copy = arena_copy(l->work, n, sizeof *n);
+
+    copy->original = arena_copy(l->work, n->original, l->k->original->size);
+    copy->mutant = arena_copy(l->work, n->mutant, l->mutant->size);
+    copy->course = arena_copy(l->work, n->course, (l->k->input.n + 1) * sizeof *n->course);
+    return copy;
+}
+
+static Node *new_start(const Lockstep *l, const State *start)
+{
+    Node *n = ARENA_NEW(l->work, Node);
+
+    n->original = arena_alloc(l->work, l->k->original->size);
+    n->mutant = arena_alloc(l->work, l->mutant->size);
+    n->course = ARENA_ARRAY(l->work, Course, l->k->input.n + 1);
+    n->start = start;
+    flat_start(l->k->original, n->original, start->number);
+    flat_start(l->mutant, n->mutant, start->number);
+    return n;
+}
+
+// ---- extensions ----
+
+static double choose_value(const Lockstep *l, const Input *in)
+{
+    MutantSearch *k = l->k;
+
+    if (in->type != SM_BOOL && l->arounds && below(k, 4) == 0) {
+        const double a = l->around[below(k, l->arounds)], b = l->around[below(k, l->arounds)];
+        return below(k, 2) ? a : (a + b) / 2;
+    }
+    if (in->value.n && (in->type == SM_BOOL || below(k, 8)))
+        return in->value.at[below(k, in->value.n)];
+    return k->number.n ? k->number.at[below(k, k->number.n)] : below(k, 2);
+}
+
+static uint64_t choose_duration(const Lockstep *l)
+{
+    MutantSearch *k = l->k;
+    static const uint32_t plain[] = {1, 1, 2, 3, 5, 10, 30, 100, 300};
+    const uint32_t which = below(k, 8);
+
+    if (which == 0 && l->arounds) {
+        const double steps = l->around[below(k, l->arounds)] / (double)k->delta_t + below(k, 3) - 1;
+        if (steps >= 1 && steps <= HOLD_MOST)
+            return (uint64_t)steps;
+    }
+    if (which < 4 && k->hold.n)
+        return k->hold.at[below(k, k->hold.n)];
+    return plain[below(k, sizeof plain / sizeof *plain)];
+}
+
+// Changes some inputs from the next step on.  Adds the changes to *list.
+static void change_inputs(Lockstep *l, Node *n, uint64_t duration, ScenarioChange *list, uint32_t *changes)
+{
+    MutantSearch *k = l->k;
+    const bool is_first = n->steps == 0;
+
+    for (uint32_t i = 0; i < k->input.n; i++) {
+        Course *c = &n->course[i];
+        ScenarioChange change = {n->steps + 1, k->input.at[i].var, SCENARIO_HOLD, 0, 0, 0};
+        double now;
+        if (!is_first && below(k, k->input.n < 3 ? 2 : k->input.n / 2 + 1))
+            continue;
+        now = c->step ? value_at(c, n->steps + 1) : 0;
+        change.a = choose_value(l, &k->input.at[i]);
+        if (!is_first && k->input.at[i].type != SM_BOOL && below(k, 5) == 0) {
+            change.kind = SCENARIO_RAMP;
+            change.b = (change.a - now) / (double)(duration ? duration : 1);
+            change.a = now;
+        }
+        *c = (Course){change.a, change.b, change.step, change.kind == SCENARIO_RAMP};
+        list[(*changes)++] = change;
+    }
+}
+
+static Node *choose_node(const Lockstep *l)
+{
+    MutantSearch *k = l->k;
+    const uint32_t newest = l->node.n > 16 && below(k, 3) == 0 ? below(k, 16) : below(k, l->node.n);
+
+    if (l->apart.n && below(k, 2))
+        return l->apart.at[below(k, l->apart.n)];
+    return l->node.at[l->node.n - 1 - newest];
+}
+
+// Stores a situation, if it is new.
+static const Node *store(Lockstep *l, const Node *n)
+{
+    Node *copy;
+
+    if (l->node.n + l->apart.n >= NODES_MOST || !is_new(l, n))
+        return NULL;
+    copy = copy_node(l, n);
+    if (copy->differs)
+        vec_push(l->work, &l->apart, copy);
+    else
+        vec_push(l->work, &l->node, copy);
+    return copy;
+}
+
+// Continues a situation with other inputs for some time.  Returns whether a difference is visible; *n is then the last situation.
+static bool extend(Lockstep *l, Node *n, ScenarioChange *list)
+{
+    const uint64_t duration = choose_duration(l);
+    uint32_t changes = 0;
+    uint32_t state = ((FlatState *)n->original)->state;
+
+    change_inputs(l, n, duration, list, &changes);
+    n->change = list;
+    n->changes = changes;
+    for (uint64_t i = 0; i < duration && l->left; i++) {
+        const FlatState *s = n->original;
+        const Node *stored = NULL;
+        if (run_step(l, n))
+            return true;
+        if (s->state != state || i + 1 == duration) {
+            n->differs = is_apart(l, n);
+            stored = store(l, n);
+        }
+        state = s->state;
+        if (stored && stored->changes)                // the changes belong to the first node that was stored
+            ((Node *)stored)->change = arena_copy(l->work, list, changes * sizeof *list);
+        if (stored) {
+            n->parent = stored;
+            n->changes = 0;
+        }
+    }
+    return false;
+}
+
+// ---- the scenario ----
+
+static Scenario *scenario_of(const Lockstep *l, Arena *arena, const Node *last)
+{
+    Scenario *s = ARENA_NEW(arena, Scenario);
+    ScenarioChange *change;
+    size_t n = 0;
+
+    for (const Node *i = last; i; i = i->parent)
+        n += i->changes;
+    change = arena_array(arena, n + 1, sizeof *change);
+    s->init_state = last->start;
+    s->delta_t = l->k->delta_t;
+    s->steps = last->steps;
+    s->change = change;
+    s->changes = n;
+    for (const Node *i = last; i; i = i->parent) {
+        n -= i->changes;
+        if (i->changes)
+            memcpy(change + n, i->change, i->changes * sizeof *change);
+    }
+    return s;
+}
+
+static Course *course_of(const Lockstep *l, const Node *n, uint32_t var)
+{
+    for (uint32_t i = 0; i < l->k->input.n; i++)
+        if (l->k->input.at[i].var == var)
+            return &n->course[i];
+    return NULL;
+}
+
+// Begins the changes of a scenario that belong to the next step.  *next: the first change that has not begun.
+static void begin_changes(const Lockstep *l, const Node *n, const Scenario *s, size_t *next)
+{
+    for (; *next < s->changes && s->change[*next].step == n->steps + 1; (*next)++) {
+        const ScenarioChange *c = &s->change[*next];
+        Course *course = course_of(l, n, c->var);
+        if (course)                                   // else the machine does not read it
+            *course = (Course){c->a, c->b, c->step, c->kind == SCENARIO_RAMP};
+    }
+}
+
+// Runs a scenario from its start.  Returns whether a difference is visible, and sets s->steps to the first step in which it is.
+static bool replay(Lockstep *l, Scenario *s)
+{
+    Node *n = new_start(l, s->init_state);
+    size_t next = 0;
+
+    while (n->steps < s->steps) {
+        begin_changes(l, n, s, &next);
+        if (run_step(l, n)) {
+            s->steps = n->steps;
+            s->changes = next;
+            return true;
+        }
+    }
+    return false;
+}
+
+// Runs a given scenario, and stores its new situations.  Returns whether a difference is visible; *n is then the last situation.
+static bool run_given(Lockstep *l, Node *n, const Scenario *s)
+{
+    size_t next = 0, stored_at = 0;
+
+    while (n->steps < s->steps && l->left > 0) {
+        const Node *stored;
+        begin_changes(l, n, s, &next);
+        n->change = s->change + stored_at;
+        n->changes = (uint32_t)(next - stored_at);
+        if (run_step(l, n))
+            return true;
+        n->differs = is_apart(l, n);
+        if ((stored = store(l, n)) != NULL) {
+            n->parent = stored;
+            stored_at = next;
+        }
+    }
+    return false;
+}
+
+// Leaves out the changes without which the difference is still visible: first many at once, then each.
+static void minimise(Lockstep *l, Arena *arena, Scenario *s)
+{
+    uint64_t work = 0;
+
+    for (size_t n = s->changes / 2 ? s->changes / 2 : 1; n > 0; n /= 2)
+        for (size_t end = s->changes; end >= n && work < MINIMISE_STEPS; end -= n) {
+            Scenario shorter = *s;
+            ScenarioChange *change = arena_array(arena, s->changes + 1, sizeof *change);
+            if (end > s->changes)
+                continue;
+            memcpy(change, s->change, (end - n) * sizeof *change);
+            memcpy(change + end - n, s->change + end, (s->changes - end) * sizeof *change);
+            shorter.change = change;
+            shorter.changes -= n;
+            work += s->steps;
+            if (replay(l, &shorter))
+                *s = shorter;
+        }
+}
+
+static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Program *p)
+{
+    return a->size == b->size && a->m->window.n == b->m->window.n && memcmp(a->m->var_of, b->m->var_of, p->var.n * sizeof *a->m->var_of) == 0
+        && memcmp(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of) == 0;
+}
+
+// Returns the scenario of a run whose last step shows a difference, without the changes that it does not need.
+static const Scenario *finish(Lockstep *l, Arena *out, const Node *last, const Var **what)
+{
+    Scenario *s = scenario_of(l, out, last);
+
+    l->left = UINT64_MAX;
+    minimise(l, out, s);
+    replay(l, s);
+    *what = l->what;
+    return s;
+}
+
+// Sets *at to a stored situation, to be continued.
+static void begin_at(const Lockstep *l, Node *at, const Node *from)
+{
+    void *original = at->original, *mutant = at->mutant;
+    Course *course = at->course;
+
+    *at = (Node){.parent = from, .start = from->start, .steps = from->steps, .original = original, .mutant = mutant, .course = course};
+    memcpy(original, from->original, l->k->original->size);
+    memcpy(mutant, from->mutant, l->mutant->size);
+    memcpy(course, from->course, (l->k->input.n + 1) * sizeof *course);
+}
+
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const double *around, uint32_t n, uint64_t steps,
+                                  const Var **what)
+{
+    Lockstep *l = ARENA_NEW(work, Lockstep);
+    ScenarioChange *list = arena_array(work, k->input.n + 1, sizeof *list);
+    Node *at = NULL;
+
+    *l = (Lockstep){.k = k, .work = work, .mutant = mutant, .around = around, .arounds = n, .left = steps};
+    l->same_layout = has_same_layout(k->original, mutant, k->p);
+    k->random = 1;
+    for (uint32_t i = 0; i < k->starts; i++)
+        vec_push(work, &l->node, new_start(l, k->start[i]));
+    for (uint32_t i = 0; i < k->givens; i++)
+        if (run_given(l, at = new_start(l, k->given[i]->init_state), k->given[i]))
+            return finish(l, out, at, what);
+    at = new_start(l, k->start[0]);
+    while (l->left) {
+        begin_at(l, at, choose_node(l));
+        if (extend(l, at, list))
+            return finish(l, out, at, what);
+    }
+    return NULL;
+}

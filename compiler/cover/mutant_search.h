@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Searches for inputs with which a mutant behaves differently from the machine: both run in lockstep under the same random scenario, until S
+// or an element that the machine stores differs.  Values come from the numbers with which the machine compares its inputs, and
+// durations from those with which it compares T.  Situations that are new are stored, and later runs begin at them.
+#ifndef SMC_MUTANT_SEARCH_H
+#define SMC_MUTANT_SEARCH_H
+
+#include "compiler/cover/flat.h"
+#include "compiler/search/scenario.h"
+
+typedef struct MutantSearch MutantSearch;
+
+// delta_t: by how much G grows in a step.  `given`: scenarios with this step, in whose situations the search also begins.  `start`: the states
+// in which scenarios can begin.  The arguments must outlive the result.
+MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
+                                const Scenario *const *given, uint32_t givens);
+// Returns a scenario in whose last step the mutant differs, allocated in `out`; NULL: none was found in `steps` steps.  around: the numbers, n
+// of them, that the change concerns; they are tried more often.  *what receives the variable that differs; NULL: S.
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const double *around, uint32_t n, uint64_t steps,
+                                  const Var **what);
+
+#endif
