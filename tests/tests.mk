@@ -485,6 +485,15 @@ $(B)/store/new.smb: examples/chilldown/chilldown.sm $(B)/smc
 	@mkdir -p $(@D)
 	$(B)/smc build -w $< -o $@
 
+# The same image with two values of its parameters.
+LIMITS_SMB = $(B)/device/limits.smb
+$(LIMITS_SMB): tests/device/limits.sm $(B)/smc
+	@mkdir -p $(@D)
+	$(B)/smc build -w $< -o $@
+LIMITS_SET = $(B)/device/set.smb
+$(LIMITS_SET): $(LIMITS_SMB)
+	$(B)/smc set $< limit=750 count=9 -o $@
+
 # The link between a host and a board, over lines that lose and damage bytes.  `make link-trouble N=100000 SEED=2`: N updates.
 BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
 AGENT_SRC = tests/store/agent.c bytecode-vm/target/state_log.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
@@ -496,8 +505,8 @@ AUTH_SRC = tests/store/auth.c compiler/device/sign.c $(BOARD_SRC)
 $(B)/store/auth: $(AUTH_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
-link-trouble: $(B)/store/agent $(STORE_SMB)
-	$(B)/store/agent $(STORE_SMB) $(or $(N),100000) $(or $(SEED),1)
+link-trouble: $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB)
+	$(B)/store/agent $(STORE_SMB) $(LIMITS_SMB) $(or $(N),100000) $(or $(SEED),1)
 $(B)/fuzz/link $(B)/fuzz-cov/link: $(BOARD_SRC)
 LINK_SEEDS = $(B)/corpus/link/slots-1 $(B)/corpus/link/slots-2
 $(LINK_SEEDS): $(B)/corpus/link/slots-%: tests/fuzz/link_seed.sh $(B)/store/old.smb
@@ -514,8 +523,8 @@ $(B)/device/board: $(DEVICE_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 $(B)/device/link: tests/device/link.c
 	@mkdir -p $(@D)
 	$(call say,CC)$(CC) $(STRICT_C) $(WARN) $(CFLAGS) $< -o $@
-DEVICE_RUN = $(B)/device/link $(B)/smc $(B)/device/board $(B)/device $(STORE_SMB)
-device-trouble: $(B)/device/link $(B)/device/board $(STORE_SMB)
+DEVICE_RUN = $(B)/device/link $(B)/smc $(B)/device/board $(B)/device $(STORE_SMB) $(LIMITS_SMB)
+device-trouble: $(B)/device/link $(B)/device/board $(STORE_SMB) $(LIMITS_SMB)
 	$(DEVICE_RUN) $(or $(N),1000) $(or $(SEED),1)
 .PHONY: device-trouble
 store-cuts: $(B)/store/cuts $(STORE_SMB)
@@ -523,7 +532,7 @@ store-cuts: $(B)/store/cuts $(STORE_SMB)
 .PHONY: store-cuts
 
 # `make firmware-trouble N=100 SEED=2`: N updates of emulated boards.
-firmware-trouble: $(B)/device/link $(STORE_SMB)
+firmware-trouble: $(B)/device/link $(STORE_SMB) $(LIMITS_SMB)
 	sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)' $(or $(N),100) $(or $(SEED),1)
 .PHONY: firmware-trouble
 
@@ -901,13 +910,15 @@ $(foreach t,$(RUNTIME_TESTS),$(call test,runtime-$(notdir $(t)),thorough,$(t),$(
 $(foreach t,$(RUNTIME_TSAN),$(call test,runtime-$(notdir $(t)),thorough,$(t),if test -x $(t); then $(t); else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi))
 $(call test, runtime-flights,      thorough, $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES), $(FLIGHTS)/flights $(FLIGHTS)/flight.smb $(FLIGHT_TRACES))
 $(call test, store,                thorough, $(B)/store/cuts $(STORE_SMB), $(B)/store/cuts $(STORE_SMB))
-$(call test, agent,                thorough, $(B)/store/agent $(STORE_SMB), $(B)/store/agent $(STORE_SMB))
+$(call test, store-parameters,     thorough, $(B)/store/cuts $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/cuts $(LIMITS_SMB) $(LIMITS_SET))
+$(call test, agent,                thorough, $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB), $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB))
+$(call test, agent-parameters,     thorough, $(B)/store/agent $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent $(LIMITS_SET) $(LIMITS_SMB) $(LIMITS_SMB))
 $(call test, auth,                 thorough, $(B)/store/auth $(STORE_SMB), $(B)/store/auth $(STORE_SMB))
-$(call test, device,               thorough, $(B)/device/link $(B)/device/board $(STORE_SMB), $(DEVICE_RUN))
+$(call test, device,               thorough, $(B)/device/link $(B)/device/board $(STORE_SMB) $(LIMITS_SMB), $(DEVICE_RUN))
 
 # targets: other compilers and processors, emulated boards, measurements.
 
-$(call test, +firmware,            targets, $(B)/device/link $(STORE_SMB), sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)')
+$(call test, +firmware,            targets, $(B)/device/link $(STORE_SMB) $(LIMITS_SMB), sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)')
 $(call test, +processors,          targets, $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE), sh tests/targets/run.sh $(B))
 $(call test, +native-x86-32,       targets, $(B)/golden, sh tests/targets/native.sh $(B) '$(MAKE)' x86-32)
 $(call test, +tcc,                 targets, $(B)/golden, sh tests/targets/tcc.sh $(B) '$(MAKE)')

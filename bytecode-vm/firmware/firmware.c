@@ -234,7 +234,8 @@ static SmResult fits_board(void *context, SmvmBytes image)
 static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n);
 
 static AgentBoard board = {
-    .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, .windows = !SM_ROLL_NONE, .functions = SMVM_FUNCTIONS,
+    .ram = FIRMWARE_MEMORY - (sizeof(SmVm) + 7) / 8 * 8, .machines = SMVM_RUNNER_MACHINES, 
+    .abilities = (SM_ROLL_NONE ? 0 : LINK_WINDOWS) | (SMVM_PARAMETERS ? LINK_PARAMETERS : 0), .functions = SMVM_FUNCTIONS,
     .ram_digital = SMVM_RUNNER_DIGITAL, .ram_analog = SMVM_RUNNER_ANALOG, .period = PERIOD, .cycles = STEP_CYCLES,
     .physical_pin = physical_pin_of, .may_update = may_update, .fits = fits_board, .leave_slot = leave_slot, .built_in_size = sizeof built_in};
 

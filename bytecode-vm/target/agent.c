@@ -53,7 +53,7 @@ static SmResult answer_hello(Agent *a)
     put_u8(a, (uint8_t)board->may_update(board->context));
     put_u8(a, smvm_store_has_key(a->store));
     put_uint(a, sm_link_load(a->store->choice.newest, 4), 4);
-    put_u8(a, (uint8_t)(board->machines | (board->windows ? LINK_WINDOWS : 0)));
+    put_u8(a, (uint8_t)(board->machines | board->abilities));
     put_u8(a, board->ram_digital);
     put_u8(a, board->ram_analog);
     put_uint(a, board->period, 2);

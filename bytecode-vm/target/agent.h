@@ -24,8 +24,8 @@ typedef struct AgentBoard {
     void *context;
     uint32_t ram;             // bytes available to machines
     uint32_t longest_step;    // limit on the instructions of a step; 0: none
-    uint8_t machines;         // the most machines that an image may have; 0: any number
-    bool windows;             // whether machines may have windows
+    uint8_t machines;         // the most machines that an image may have, up to 63; 0: any number
+    uint8_t abilities;        // what machines may have: LINK_WINDOWS, LINK_PARAMETERS (runtime-c/link/link.h)
     uint32_t functions;       // the elementary functions that machines can call (SMVM_FUNCTIONS)
     uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital pin takes, and each analog pin
     uint16_t period;          // milliseconds between steps of an image that was sent without a period

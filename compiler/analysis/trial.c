@@ -109,7 +109,7 @@ static void add_elapsed_steps(TrialSearch *k, double before)
     }
     k->steps += n > 1 ? (uint32_t)n : 1;
     if (n > 1)
-        ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, NULL, NULL);
+        ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, t->dt, NULL, NULL);
 }
 
 // Runs one step, or, with `to_event`, up to the next transition, timer or counter limit (trial_advance_to_event).  After a transition, stores
@@ -307,6 +307,8 @@ Trials *trials_of(Analysis *a)
     trial_find_inputs(t);
     // If the step is unknown, assumes milliseconds and steps of 10.  If all times are below 100, assumes another unit and steps of 1.
     t->dt = a->step > 0 ? (double)a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
+    if (t->run_time > 0)
+        t->window = (uint32_t)sm_min(sm_max(t->window, sm_ceil(t->run_time / t->dt) + 1), SM_WINDOW_MAX);
     search_situations(t);
     return t;
 }

@@ -78,7 +78,8 @@ typedef struct Trials {
     bool stamped;                     // some variable contains a time: waits may begin at any time
     double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
-    uint32_t window;                  // samples until every window is full
+    double run_time;                  // the longest time that a condition must be true (`held`); 0: none
+    uint32_t window;                  // samples until every window is full, and every such time is over
     bool *samples_written;            // by index in IrMachine.window: the window samples variables that the machine writes
     uint32_t count;                   // number of limits of all counters (`limit`)
     uint64_t random;
@@ -110,8 +111,8 @@ static inline bool trial_is_entering(const void *situation) { return ((const IrS
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
 // Returns how many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
-// Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  Windows keep
-// their samples.
+// Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  If the machine
+// has conditions that must be true for some time, samples windows with the inputs of the last step; else windows keep their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
 // Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition, skips
 // the steps that remain before the next timer or counter reaches its limit.  Returns false if none will: nothing can change any more.

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compiler/analysis/input_deps.h"
+#include "stdlib/math.h"
 
 // ---- dependencies ----
 
@@ -85,6 +86,13 @@ static void mark_if_written(Expr *e, void *context)
     *is_written |= e->kind == EX_VAR && e->var->written;
 }
 
+// Records the time that `held` compares the length of a run with.
+static void record_run_time(TrialFinder *f, Comparison pair)
+{
+    if (pair.a->kind == EX_ROLL && pair.a->stat == SM_STAT_RUN_TIME && expr_is_constant(pair.b))
+        f->t->run_time = sm_max(f->t->run_time, expr_constant_value(pair.b));
+}
+
 // Records the comparisons in e, the variables that it reads, and windows over variables that the machine writes.
 static void record_uses_in_expr(Expr *e, void *context)
 {
@@ -92,6 +100,8 @@ static void record_uses_in_expr(Expr *e, void *context)
 
     for (uint32_t i = 0; i < comparison_count(e); i++)
         vec_push(f->arena, &f->comparison, ((TrialComparison){comparison_at(e, i), f->state}));
+    for (uint32_t i = 0; i < comparison_count(e); i++)
+        record_run_time(f, comparison_at(e, i));
     for (uint32_t i = 1; e->kind == EX_CALL && i < e->n; i++)
         vec_push(f->arena, &f->comparison, ((TrialComparison){{e->arg[0], e->arg[i], SM_OP_COUNT}, f->state}));
     if (e->kind == EX_ROLL)

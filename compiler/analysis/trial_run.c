@@ -109,6 +109,8 @@ void trial_skip_steps(const Trials *t, const double *before, void *situation, ui
     for (uint32_t v = 0; v < m->var.n; v++)
         if (t->limit[v] && m->var.at[v].writable)
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
+    if (t->run_time > 0)
+        ir_run_fill_windows(t->run, situation, (uint32_t)sm_min(n, t->window), t->dt, NULL, NULL);
 }
 
 // Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition,
@@ -251,13 +253,28 @@ static void set_held_inputs(void *context, double *vars, uint32_t sample)
     trial_store_inputs(h->t, vars, h->in);
 }
 
+// Moves a situation to a later G, with the same T, if less time has passed since the start than the samples of the windows need.
+static void make_room_for_samples(const Trials *t, void *situation)
+{
+    IrSituation *s = situation;
+    const double later = t->window * t->dt - s->last_g;
+
+    if (later <= 0)
+        return;
+    s->last_g += later;
+    s->start += later;
+    s->ran = true;
+}
+
 // Fills every window with samples of these inputs.
 void trial_fill_windows(Trials *t, void *situation, const double *in)
 {
     void *before = trial_copy_situation(t, t->scratch, situation);
     HeldInputs h = {t, in};
 
-    ir_run_fill_windows(t->run, situation, t->window, set_held_inputs, &h);
+    if (t->run_time > 0)
+        make_room_for_samples(t, situation);
+    ir_run_fill_windows(t->run, situation, t->window, t->dt, set_held_inputs, &h);
     for (uint32_t w = 0; w < t->run->m->window.n; w++)
         if (t->samples_written[w])
             ir_run_copy_window(t->run, situation, before, w);

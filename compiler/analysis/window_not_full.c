@@ -144,10 +144,10 @@ static void fill_window(WindowTrial *w, const TrialEntry *e, void *situation, ui
     trial_copy_situation(t, w->filled, e->situation);
     ir_run_clear_windows(t->run, w->filled);
     w->in = w->earlier;
-    ir_run_fill_windows(t->run, w->filled, earlier, fill_inputs, w);
+    ir_run_fill_windows(t->run, w->filled, earlier, t->dt, fill_inputs, w);
     w->in = w->same ? in : e->in;
     w->noise = 0;                     // no noise: the samples must be equal in both machines
-    ir_run_fill_windows(t->run, w->filled, e->steps, fill_inputs, w);
+    ir_run_fill_windows(t->run, w->filled, e->steps, t->dt, fill_inputs, w);
     ir_run_copy_window(t->run, situation, w->filled, w->window);
     w->in = in;
     w->noise = usual;

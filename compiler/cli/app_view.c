@@ -149,3 +149,10 @@ int app_refuse_erase(BoardLine *b, Buf *out)
     cli_print_error(b->c, TEXT_app_no_erase);
     return EXIT_PROBLEM;
 }
+
+int app_refuse_parameters(BoardLine *b, Buf *out)
+{
+    (void)out;
+    cli_print_error(b->c, TEXT_app_no_parameters);
+    return EXIT_PROBLEM;
+}

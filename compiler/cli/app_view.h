@@ -14,6 +14,7 @@ int app_show_info(BoardLine *b, Buf *out);
 int app_list_machines(BoardLine *b, Buf *out);
 int app_confirm_swap(BoardLine *b, Buf *out);
 int app_refuse_erase(BoardLine *b, Buf *out);
+int app_refuse_parameters(BoardLine *b, Buf *out);
 
 // Loads the key that the application requires. *key is NULL if it requires none. EXIT_OK, or the exit code after a message.
 int app_load_key(BoardLine *b, uint8_t room[16], const uint8_t **key);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/cli/app_view.h"
+#include "compiler/cli/device_parameters.h"
 
 // ---- info and list ----
 
@@ -34,6 +35,7 @@ static int show_info(BoardLine *b, Buf *out)
         if (i->machines != 0)
             buf_printf(out, "at most %u machines, ", (unsigned)i->machines);
         buf_str(out, i->windows ? "with rolling windows" : "without rolling windows");
+        buf_str(out, i->parameters ? "" : ", without parameters");
         if (i->period != 0)
             buf_printf(out, ", a step every %u ms", (unsigned)i->period);
         if (i->cycles != 0)
@@ -225,7 +227,8 @@ static int show_log(BoardLine *b, Buf *out)
 // `run`: of a board; `of_application`: of an application.
 static const struct { const char *name; int (*run)(BoardLine *b, Buf *out), (*of_application)(BoardLine *b, Buf *out); } actions[] = {
     {"info", show_info, app_show_info}, {"list", list_images, app_list_machines}, {"confirm", confirm_image, app_confirm_swap},
-    {"erase", erase_image, app_refuse_erase}, {"log", show_log, show_log}};
+    {"erase", erase_image, app_refuse_erase}, {"log", show_log, show_log}, {"parameters", device_show_parameters, app_refuse_parameters},
+    {"set", device_set_parameters, app_refuse_parameters}};
 enum { ACTIONS = sizeof actions / sizeof *actions };
 
 static int run_action(Cli *c, size_t action)
@@ -242,6 +245,12 @@ static int run_action(Cli *c, size_t action)
     return cli_print(c, 1, &out) || code != EXIT_OK ? code : EXIT_ENVIRONMENT;
 }
 
+// Returns the most words that an action has, with its name.
+static size_t most_arguments(size_t action)
+{
+    return actions[action].run == device_set_parameters ? SIZE_MAX : actions[action].run == erase_image ? 2 : 1;
+}
+
 int cmd_device(Cli *c)
 {
     const char *names[ACTIONS], *near;
@@ -254,9 +263,11 @@ int cmd_device(Cli *c)
     if (strcmp(c->file[0], "erase") == 0 &&
         (c->files != 2 || strlen(c->file[1]) != 8 || strspn(c->file[1], "0123456789abcdefABCDEF") != 8))
         return cli_usage_error(c, TEXT_erase_what);
+    if (strcmp(c->file[0], "set") != 0 && (c->given[OPT_CONFIRM] || c->given[OPT_DRY_RUN]))
+        return cli_usage_error(c, TEXT_device_set_options, c->file[0]);
     for (size_t i = 0; i < ACTIONS; i++)
-        if (strcmp(c->file[0], names[i]) == 0 && c->files <= (actions[i].run == erase_image ? 2u : 1u))
-            return run_action(c, i);
+        if (strcmp(c->file[0], names[i]) == 0 && c->files <= most_arguments(i))
+            return actions[i].run == device_set_parameters && !device_check_settings(c) ? EXIT_USAGE : run_action(c, i);
     near = str_nearest(c->file[0], names, ACTIONS);
     return near && strcmp(near, c->file[0]) == 0 ? cli_usage_error(c, TEXT_device_extra, near)
            : near ? cli_usage_error(c, TEXT_device_action_near, c->file[0], near)

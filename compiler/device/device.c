@@ -32,7 +32,8 @@ static bool send_request(LinkHost *h, LinkMessage message, const uint8_t *body, 
 static void read_limits(const uint8_t *b, DeviceInfo *info)
 {
     info->windows = (b[0] & LINK_WINDOWS) != 0;
-    info->machines = (uint8_t)(b[0] & ~LINK_WINDOWS);
+    info->parameters = (b[0] & LINK_PARAMETERS) != 0;
+    info->machines = (uint8_t)(b[0] & ~(LINK_WINDOWS | LINK_PARAMETERS));
     info->ram_digital = b[1];
     info->ram_analog = b[2];
     info->period = (uint16_t)sm_link_load(b + 3, 2);
@@ -248,6 +249,11 @@ static bool read_slot(LinkHost *h, const DeviceInfo *info, uint8_t slot, uint32_
         done += part;
     }
     return true;
+}
+
+bool device_read_image(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, uint8_t *bytes)
+{
+    return read_slot(h, info, image->slot, 0, bytes, image->length);
 }
 
 // Sorts records from the oldest to the newest.  No two have the same number.

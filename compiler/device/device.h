@@ -22,6 +22,7 @@ typedef struct DeviceInfo {
     uint32_t mark;
     bool reports_limits;      // the firmware reports its limits; the following fields are valid only then
     bool windows;             // the firmware supports rolling windows
+    bool parameters;          // the firmware supports parameters (language.md 5.77); older firmware does not
     uint32_t functions;       // the elementary functions that it has: bit n for number n (stdlib/elementary.def); 0 of older firmware
     uint8_t machines;         // the most machines in an image; 0: any number
     uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital and each analog pin takes
@@ -57,6 +58,8 @@ bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage 
 bool device_confirm_image(LinkHost *h, uint32_t checksum);
 // From the board's next start on, the image with this checksum does not run (smvm_store_erase).
 bool device_erase_image(LinkHost *h, uint32_t checksum);
+// Reads an image from its slot into `bytes`, which has room for image->length bytes.
+bool device_read_image(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, uint8_t *bytes);
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // Finds the image whose trial has ended.  False with SM_OK if there is none.

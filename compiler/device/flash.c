@@ -13,7 +13,7 @@ enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
 
 static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const FlashImage *image)
 {
-    ImageNeeds n = {0, image->longest, 0, 0, 0, 0};
+    ImageNeeds n = {0, image->longest, 0, 0, 0, 0, 0};
     SmvmMachine m;
     SmvmPins all;
     SmvmPin p;
@@ -24,6 +24,7 @@ static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const F
         n.cycles += cost.worst;
         n.functions |= cost.functions;
         n.windows += m.windows;
+        n.parameters += m.parameters_size > 0;
         n.machines++;
         n.ram += i == 0 ? m.sv_size : 0;              // the machines of an image share one state vector
         n.ram += smvm_ram_size(&m) - ((uint32_t)sizeof(SmVm) + 7) / 8 * 8 - (m.windows * (uint32_t)sizeof(uint64_t *) + 7) / 8 * 8;
@@ -57,6 +58,8 @@ static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, F
         return FLASH_STEP_TOO_LONG;
     if (i->reports_limits && !i->windows && n->windows > 0)
         return FLASH_HAS_WINDOWS;
+    if (!i->parameters && n->parameters > 0)
+        return FLASH_HAS_PARAMETERS;
     if ((n->functions & ~i->functions) != 0) {
         c->function = name_of_first(n->functions & ~i->functions);
         return FLASH_CALLS_FUNCTION;

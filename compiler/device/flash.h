@@ -19,13 +19,13 @@ typedef struct FlashImage {
 // What an image requires on any computer.  `ram`: bytes for the state vector, its machines and pins, without the VM's own structures, whose
 // size differs between computers.  `cycles`: of its longest steps, estimated for an ATmega.
 // `functions`: those of stdlib/elementary.def that it calls, bit n for number n.
-typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, cycles, functions; } ImageNeeds;
+typedef struct ImageNeeds { uint32_t ram, longest, machines, windows, parameters, cycles, functions; } ImageNeeds;
 
 typedef enum FlashRefusal {
     FLASH_ACCEPTED,
     FLASH_LINK_FAILED,        // the request for FlashCheck.asking failed; the reason is in the LinkHost
     // The board has too little for the image:
-    FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_CALLS_FUNCTION, FLASH_TOO_MANY_MACHINES, FLASH_STEP_TOO_SLOW,
+    FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_HAS_PARAMETERS, FLASH_CALLS_FUNCTION, FLASH_TOO_MANY_MACHINES, FLASH_STEP_TOO_SLOW,
     // A board of this kind would refuse or ignore a pin:
     FLASH_PIN_ABSENT, FLASH_PINS_CLASH,
     // The board accepts this image, or any image, only later or never:

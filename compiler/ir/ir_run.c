@@ -216,10 +216,17 @@ bool ir_run_step(IrRun *r, void *situation, IrTrace *trace)
     return true;
 }
 
-// Samples every window n times.  `inputs` may be NULL; it is called before each sample to set the inputs.
-void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context)
+// Samples every window n times, at times that are dt apart and end with the last step.  `inputs` may be NULL; it is called before each sample to
+// set the inputs.
+void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, double dt, void (*inputs)(void *context, double *vars, uint32_t sample),
+                         void *context)
 {
+    const IrSituation *s = situation;
+
     for (uint32_t k = 0; r->sample && k < n; k++) {
+        const double g = sm_max(s->last_g - (n - 1.0 - k) * dt, 0);
+        ir_run_vars(r, situation)[r->m->g] = g;
+        ir_run_vars(r, situation)[r->m->t] = sm_max(g - s->start, 0);
         if (inputs)
             inputs(context, ir_run_vars(r, situation), k);
         run_function(r, r->sample, situation, NULL);

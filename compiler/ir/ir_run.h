@@ -54,8 +54,9 @@ double *ir_run_vars(const IrRun *r, void *situation);
 const uint32_t *ir_run_writers(const IrRun *r, const void *situation);
 // Runs one step.  Returns false and leaves the situation unchanged if G forbids the step (language.md 6.3).  `trace` may be NULL.
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);
-// Samples every window n times.  `inputs` may be NULL; it is called before each sample to set the inputs.
-void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
+// Samples every window n times, at times that are dt apart and end with the last step.  `inputs` may be NULL; it is called before each sample to
+// set the inputs.
+void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, double dt, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
 
 // Removes the samples of all windows.
 void ir_run_clear_windows(const IrRun *r, void *situation);

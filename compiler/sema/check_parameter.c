@@ -73,6 +73,7 @@ const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl)
         return NULL;
     p = ARENA_NEW(s->arena, Parameter);
     p->span = mark->span;
+    p->unit = v->unit;
     if (!scope_is_doubtful(s, v->name))
         set_range(s, v, range, p);
     return p;

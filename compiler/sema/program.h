@@ -81,6 +81,7 @@ typedef enum VarKind {
 typedef struct Parameter {
     SmF64 lo, hi;             // its range: both ends are finite and exactly of its type; 0 and 1 of a bool
     uint64_t standard;        // its default, as a bit cell of its type; Var.init is the current value
+    const Measure *unit;      // its @unit as written, or NULL
     Span span;                // the annotation
 } Parameter;
 

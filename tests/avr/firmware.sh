@@ -279,15 +279,16 @@ printf '[state_vector]\nU64 time @alias G\nU32 state @alias S\nF64 tankPressure\
 build deep "$D/deep.sm" --sv tests/avr/tank.sv --io tests/avr/tank.io
 printf '[state_vector]\nU64 time @alias G\nU32 state @alias S\n[A] @safe .step\n    T >= 20: -> B\n[B] @safe .step\n    T >= 20: -> C\n[C] @safe .step\n    T >= 20: -> A\n' >"$D/toggle.sm"
 build toggle "$D/toggle.sm"
+build limits tests/device/limits.sm --sv tests/avr/tank.sv --io tests/avr/tank.io
 build plug "$D/tank.sm" --sv tests/avr/tank.sv --io "$D/plug.io"
 for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     export MCU FIRMWARE=$D/$MCU.elf
     $MAKE -s --no-print-directory firmware B="$B" MCU=$MCU ARM_PIN=7 FIRMWARE_OUT="$D" || exit 1
     bound_stack "$FIRMWARE"
     if [ $MCU = atmega328p ]; then
-        SLOTS=1 count "$B/device/link" "$smc" "$D/board" "$D" "$D/tank.smb" "$D/vent.smb" "$RUNS" "$SEED"
+        SLOTS=1 count "$B/device/link" "$smc" "$D/board" "$D" "$D/tank.smb" "$D/vent.smb" "$D/limits.smb" "$RUNS" "$SEED"
     else
-        NO_KEY=1 count "$B/device/link" "$smc" "$D/board" "$D" "$B/store/old.smb" "$B/store/new.smb" "$RUNS" "$SEED"
+        NO_KEY=1 count "$B/device/link" "$smc" "$D/board" "$D" "$B/store/old.smb" "$B/store/new.smb" "$B/device/limits.smb" "$RUNS" "$SEED"
     fi
     fly_tank
     fly_rocket

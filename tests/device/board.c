@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board without hardware: a program that runs VM, store and agent, with a terminal device as its line and a file as its non-volatile memory.
 // A test can kill it at any time and start it again.
-//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows and elementary functions
+//   board LINE MEMORY        while there is a file MEMORY.armed, it is armed; the key in MEMORY.key is its own; MEMORY.plain: it reports a VM without windows, parameters and elementary functions
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -147,8 +147,8 @@ static bool start_board(PalNvm nvm, uint8_t *frame)
     if (!reload_memory() || sm_events_init(&events) != SM_OK || !open_store(nvm, &plan) ||
         smvm_store_boot(&store, &slot) != SM_OK)
         return false;
-    board.windows = access(plain_path, F_OK) != 0;
-    board.functions = board.windows ? SMVM_FUNCTIONS : 0;
+    board.abilities = access(plain_path, F_OK) != 0 ? LINK_WINDOWS | LINK_PARAMETERS : 0;
+    board.functions = board.abilities != 0 ? SMVM_FUNCTIONS : 0;
     smvm_agent_init(&agent, &store, &board, &events, frame, BODY);
     report_events(SM_EVENT_START, 0, 0);
     machine.state = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests smc flash and smc device with a board that is a program (board.c).  This program connects them through terminals.  It loses and damages
 // bytes, and kills the board or smc during an update.  Afterwards the old or the new image must run, and another update must succeed.
-//   link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]         with SLOTS=1 in the environment the board has one slot
+//   link SMC BOARD FOLDER OLD.smb NEW.smb PARAMETERS.smb [RUNS [SEED]]         with SLOTS=1 in the environment the board has one slot
 //   link forge SIGNED.smb [N]     changes the code of a signed image, at its last byte or the N-th from the end, and corrects the checksum
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE
@@ -32,7 +32,7 @@ typedef struct Trouble {
 } Trouble;
 
 static Terminal at_board, at_smc;
-static const char *smc, *board, *images[2];
+static const char *smc, *board, *images[2], *with_parameters;
 static char memory[PATH], output[PATH], said[TEXT];
 static pid_t board_pid;
 static bool one_slot;                  // the image that is built into the board may run, too
@@ -121,10 +121,10 @@ static void read_output(void)
 }
 
 // Runs smc with these arguments and the port.  Returns its exit code, or 128 + the signal that ended it.
-static int run_smc(const Trouble *t, const char *a, const char *b, const char *c)
+static int run_smc(const Trouble *t, const char *a, const char *b, const char *c, const char *d)
 {
     char port[160];
-    const char *const argv[ARGS] = {smc, a, b, port, c, NULL};
+    const char *const argv[ARGS] = {smc, a, b, port, c, c ? d : NULL, NULL};
     struct pollfd p[2] = {{at_board.master, POLLIN, 0}, {at_smc.master, POLLIN, 0}};
     long carried = 0;
     int status;
@@ -153,7 +153,8 @@ static int run_smc(const Trouble *t, const char *a, const char *b, const char *c
 }
 
 static const Trouble none;
-static int run_on_good_line(const char *a, const char *b, const char *c) { return run_smc(&none, a, b, c); }
+static int run_on_good_line(const char *a, const char *b, const char *c) { return run_smc(&none, a, b, c, NULL); }
+static int set_on_good_line(const char *setting, const char *option) { return run_smc(&none, "device", "set", setting, option); }
 static bool output_contains(const char *text) { return strstr(said, text) != NULL; }
 
 // ---- tests ----
@@ -202,18 +203,26 @@ static void test_image_is_sent_and_stored(void)
     CHECK(run_on_good_line("device", "log", NULL) == 0 && output_contains("START of app 0") && output_contains("STATE of machine 0, from 0, to 1"));
 }
 
-static void test_armed_board_refuses(void)
+static void arm_board(bool armed)
 {
     char path[PATH + 8];
     FILE *f;
 
     snprintf(path, sizeof path, "%s.armed", memory);
-    f = fopen(path, "w");
-    CHECK(f && fclose(f) == 0);
+    if (armed)
+        CHECK((f = fopen(path, "w")) != NULL && fclose(f) == 0);
+    else
+        CHECK(remove(path) == 0);
+}
+
+static void test_armed_board_refuses(void)
+{
+    arm_board(true);
     CHECK(run_on_good_line("flash", images[0], NULL) == 1 && output_contains("nothing was sent: the board is armed; disarm it first"));
     CHECK(run_on_good_line("device", "confirm", NULL) == 1 && output_contains("the board is armed"));
     CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("no update may begin: it is armed"));
-    CHECK(remove(path) == 0 && run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs"));
+    arm_board(false);
+    CHECK(run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs"));
 }
 
 // Runs smc without a board.
@@ -299,10 +308,11 @@ static void test_too_large_image_is_not_sent(void)
         CHECK(build_image("[A] .step\n    x = roll_avg(x, 3)\n", 1, image) && run_on_good_line("flash", image, "--dry-run") == 0);
         CHECK((f = fopen(plain, "w")) != NULL && fclose(f) == 0);
         restart_board();
-        CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("at most 2 machines, without rolling windows"));
+        CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("at most 2 machines, without rolling windows, without parameters"));
         CHECK(run_on_good_line("flash", image, NULL) == 1 && output_contains("has rolling windows (roll_...), and this board's firmware is built without them; nothing was sent"));
         CHECK(build_image("[A] .step\n    x = atan2(x, 2) + cos(x)\n", 1, image) && run_on_good_line("flash", image, NULL) == 1);
         CHECK(output_contains("calls cos(), and this board's firmware is built without it: that of a Mega has all functions") && output_contains("nothing was sent"));
+        CHECK(run_on_good_line("flash", with_parameters, NULL) == 1 && output_contains("has parameters, and this board's firmware is built without them or is older than they are; nothing was sent"));
         CHECK(remove(plain) == 0);
         restart_board();
         CHECK(run_on_good_line("flash", image, "--period=100") == 0 && run_on_good_line("device", "confirm", NULL) == 0);
@@ -475,11 +485,116 @@ static void test_no_board_answers(void)
 {
     const Trouble gone = {0, 300, 0, true};
 
-    CHECK(run_smc(&gone, "flash", images[0], NULL) == 3 && output_contains(": the board no longer answers"));
+    CHECK(run_smc(&gone, "flash", images[0], NULL, NULL) == 3 && output_contains(": the board no longer answers"));
     CHECK(output_contains("the board keeps the image that it ran before"));
     CHECK(run_on_good_line("device", "info", NULL) == 3 && output_contains("no answer from '"));
     start_board();
     CHECK(run_on_good_line("device", "list", NULL) == 0 && is_listed(images[1], ", runs, confirmed"));
+}
+
+// ---- parameters ----
+
+// The parameters of the image: `F64 limit = 775 @range 700 800` and `U8 count = 3 @range 1 9`.  A setting runs on trial.  After the trial has ended, the
+// value from before is there, or with one slot the built-in image.
+static void test_parameters_are_set(void)
+{
+    CHECK(run_on_good_line("flash", with_parameters, "--period=20") == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 775 psi (F64, 700 to 800, default 775)\n"));
+    CHECK(output_contains("count = 3 (U8, 1 to 9, default 3)\n") && is_listed(with_parameters, ", runs, every 20 ms, confirmed"));
+    CHECK(set_on_good_line("limit=750", "--dry-run") == 0 && output_contains("limit = 750 psi") && output_contains("nothing was sent"));
+    CHECK(set_on_good_line("limit=775", NULL) == 0 && output_contains("the image that runs already has these values; nothing was sent"));
+    CHECK(set_on_good_line("limit=750", "count=9") == 0 && output_contains(", runs, every 20 ms, on trial (2 starts left)"));
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 750 psi") && output_contains("count = 9 "));
+    CHECK(set_on_good_line("limit=760", NULL) == 1 && output_contains(" is on trial; 'smc device confirm' keeps it"));
+    CHECK(run_on_good_line("device", "confirm", NULL) == 0);
+    restart_board();
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 750 psi") && output_contains(", runs, every 20 ms, confirmed"));
+    CHECK(set_on_good_line("limit=760", "--confirm") == 0 && output_contains(", runs, every 20 ms, confirmed"));
+    CHECK(set_on_good_line("limit=790", NULL) == 0);
+    for (int i = 0; i <= STARTS_MOST; i++) {
+        restart_board();
+        CHECK(run_on_good_line("device", "list", NULL) == 0);
+    }
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && !output_contains("limit = 790"));
+    CHECK(one_slot ? !output_contains("limit = ") : output_contains("limit = 760 psi") && output_contains("count = 9 "));
+}
+
+// Settings that are refused change nothing and send nothing.
+static void test_settings_are_refused(void)
+{
+    static const struct { const char *setting, *why; int code; } wrong[] = {
+        {"limit=801", "cannot set parameter 'limit' to 801: the value is above the range", 1},
+        {"limit=699", "cannot set parameter 'limit' to 699: the value is below the range", 1},
+        {"limit=hot", "cannot set parameter 'limit' to hot: the value is not a number", 1},
+        {"count=2.5", "cannot set parameter 'count' to 2.5: the value of an integer must be a whole number", 1},
+        {"Limit=750", "cannot set parameter 'Limit' to 750: the machine has no such parameter", 1},
+        {"limit", "expected the name of a parameter and its value", 2}, {"=3", "expected the name of a parameter and its value", 2}, {NULL, "device set requires parameters and their values", 2}};
+
+    CHECK(run_on_good_line("flash", with_parameters, "--confirm") == 0);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        CHECK(set_on_good_line(wrong[i].setting, NULL) == wrong[i].code && output_contains(wrong[i].why));
+        CHECK(wrong[i].code != 1 || output_contains("nothing was sent"));
+    }
+    CHECK(set_on_good_line("limit=750", "count=0") == 1 && output_contains("cannot set parameter 'count' to 0: the value is below the range"));
+    arm_board(true);
+    CHECK(set_on_good_line("limit=750", NULL) == 1 && output_contains("nothing was sent: the board is armed; disarm it first"));
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 775 psi") && output_contains("count = 3 "));
+    arm_board(false);
+    CHECK(run_on_good_line("device", "parameters", "--confirm") == 2 && output_contains("device parameters does not accept --confirm"));
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && is_listed(with_parameters, ", runs, confirmed"));
+    CHECK(run_on_good_line("flash", images[0], "--confirm") == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("logic ") && !output_contains(" default "));
+    CHECK(set_on_good_line("limit=750", NULL) == 1 && output_contains("cannot set parameter 'limit' to 750: the machine has no such parameter"));
+}
+
+// A board with a key accepts a setting that is signed with it, once more than before.
+static void test_settings_are_signed(void)
+{
+    char key[PATH + 8], with[PATH + 16], out[PATH + 16], to[PATH + 24];
+
+    snprintf(key, sizeof key, "%s.key", memory);
+    snprintf(with, sizeof with, "--key=%s", key);
+    snprintf(out, sizeof out, "%s.signed.smb", memory);
+    snprintf(to, sizeof to, "-o%s", out);
+    CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("sign", with_parameters, with, to) == 0);
+    restart_board();
+    CHECK(run_on_good_line("flash", out, "--confirm") == 0 && is_listed(out, ", runs, confirmed"));
+    CHECK(set_on_good_line("limit=750", NULL) == 1 && output_contains("the image is signed, and its signature covers the values: --key=FILE signs it again; nothing was sent"));
+    for (int i = 0; i < 2; i++) {
+        char setting[16];
+        snprintf(setting, sizeof setting, "limit=%d", 751 + i);
+        CHECK(run_smc(&none, "device", "set", setting, with) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+        CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains(setting[8] == '1' ? "limit = 751" : "limit = 752") && output_contains(", runs, confirmed"));
+    }
+    CHECK(remove(key) == 0 && run_without_board("key", key, NULL, NULL) == 0);             // not the board's key
+    CHECK(run_smc(&none, "device", "set", "limit=760", with) == 1 && output_contains("but the board accepts only images signed with key ") && output_contains("nothing was sent"));
+    CHECK(remove(key) == 0 && remove(out) == 0);
+    restart_board();
+    CHECK(run_on_good_line("flash", images[1], "--confirm") == 0);
+}
+
+// While a setting is sent, the line is bad, or the board or smc is killed.  Afterwards all values are those from before or all are those of the setting.
+static void test_setting_over_a_bad_line(void)
+{
+    Trouble t = {0, 0, 0, false};
+    int code;
+
+    if (run_on_good_line("device", "parameters", NULL) != 0 || !output_contains("limit = 775 ") || !output_contains("count = 3 "))
+        CHECK(run_on_good_line("device", "list", NULL) == 0 && run_on_good_line("flash", with_parameters, "--confirm") == 0);
+    switch (random_below(3)) {
+    case 0: t.bad = 300 + random_below(2000); break;
+    case 1: t.kill_board = 1 + (long)random_below(3000); break;
+    default: t.kill_smc = 1 + (long)random_below(3000);
+    }
+    code = run_smc(&t, "device", "set", "limit=750", "count=9");
+    CHECK(code == 0 || code == 1 || code == 3 || code == 128 + SIGINT || code == 128 + SIGKILL);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0);
+    if (output_contains("limit = "))
+        CHECK(output_contains("limit = 750 ") ? output_contains("count = 9 ") : code != 0 && output_contains("limit = 775 ") && output_contains("count = 3 "));
+    else
+        CHECK(one_slot && code != 0);
+    if (output_contains("on trial"))
+        CHECK(run_on_good_line("device", "confirm", NULL) == 0);
 }
 
 // Over a bad line the update succeeds or fails.  Afterwards an update over a good line succeeds.
@@ -494,7 +609,7 @@ static void test_update_over_a_bad_line(int target)
     case 2: t.kill_smc = 1 + (long)random_below(2200); break;
     default: t.bad = 1000; t.kill_board = 1 + (long)random_below(2200);
     }
-    code = run_smc(&t, "flash", images[target], NULL);
+    code = run_smc(&t, "flash", images[target], NULL, NULL);
     CHECK(code == 0 || code == 1 || code == 3 || code == 128 + SIGINT || code == 128 + SIGKILL);
     CHECK(run_on_good_line("device", "list", NULL) == 0 && (is_listed(images[0], ", runs") || is_listed(images[1], ", runs") || (one_slot && output_contains(", runs"))));
     CHECK(code != 0 || is_listed(images[target], ", runs"));
@@ -515,6 +630,8 @@ static void test_one_slot(void)
     CHECK(run_on_good_line("flash", images[0], "--dry-run") == 0 && output_contains("smc: warning: the board has one slot: image "));
     CHECK(output_contains("would be sent to the board; nothing was sent") && !output_contains("error"));
     CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("1 slot of ") && is_listed(images[1], ", runs, confirmed"));
+    test_parameters_are_set();
+    test_settings_are_refused();
 }
 
 static void test_two_slots(void)
@@ -528,24 +645,29 @@ static void test_two_slots(void)
     test_trial_ends(!getenv("NO_KEY"));
     test_image_is_erased();
     test_no_board_answers();
-    if (!getenv("NO_KEY"))             // a board that has its key from a file
+    test_parameters_are_set();
+    test_settings_are_refused();
+    if (!getenv("NO_KEY")) {           // a board that has its key from a file
         test_board_with_a_key();
+        test_settings_are_signed();
+    }
 }
 
 int main(int argc, char **argv)
 {
-    const int runs = argc > 6 ? atoi(argv[6]) : 8;
+    const int runs = argc > 7 ? atoi(argv[7]) : 8;
 
     if (argc >= 3 && argc <= 4 && strcmp(argv[1], "forge") == 0)
         return !forge_image(argv[2], argc == 4 ? strtoul(argv[3], NULL, 10) : 1);
-    if (argc < 6)
-        return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb [RUNS [SEED]]\n"), 2;
+    if (argc < 7)
+        return fprintf(stderr, "link SMC BOARD FOLDER OLD.smb NEW.smb PARAMETERS.smb [RUNS [SEED]]\n"), 2;
     one_slot = getenv("SLOTS") != NULL;
     smc = argv[1];
     board = argv[2];
     images[0] = argv[4];
     images[1] = argv[5];
-    random_state *= argc > 7 ? strtoul(argv[7], NULL, 10) : 1;
+    with_parameters = argv[6];
+    random_state *= argc > 8 ? strtoul(argv[8], NULL, 10) : 1;
     snprintf(memory, sizeof memory, "%s/board.memory", argv[3]);
     snprintf(output, sizeof output, "%s/board.memory.key", argv[3]);
     remove(memory);
@@ -560,6 +682,8 @@ int main(int argc, char **argv)
         test_two_slots();
     for (int i = 0; i < runs; i++)
         test_update_over_a_bad_line(i % 2);
+    for (int i = 0; i < runs; i++)
+        test_setting_over_a_bad_line();
     kill_board();
     return test_end("device");
 }

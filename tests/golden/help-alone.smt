@@ -33,8 +33,8 @@ Usage:
       put an image on a running board, over a serial line
   smc swap FILE...|NAME=FILE...|NAME=built-in... --to=WHERE --restart[=STATE]|--continue
       replace machines of an application that runs, without stopping it
-  smc device info|list|confirm|erase|log --port=PORT
-      ask a board or an application what it runs and what happened; keep or erase its images
+  smc device info|list|parameters|set|confirm|erase|log --port=PORT
+      ask a board or an application what it runs and what happened; set parameters; keep or erase its images
   smc emit-dictionary X.net --sv V.sv [--format=FORMAT] [-o OUT]
       write the bytes of every message as JSON, a C header, a Python module or XTCE, for programs on other computers
   smc fix FILE... [--sv V.sv]

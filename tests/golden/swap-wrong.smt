@@ -46,7 +46,7 @@ Options:
   --wait                   end when the trial has ended; an error if the old machines have returned
   --speed=N                bits a second on it (default 115200)
   --confirm                keep what was sent once it runs, without a trial
-  --key=FILE               the key, as 'smc key' makes one; flash sends nothing that is not signed with it, swap signs with it
+  --key=FILE               the key, as 'smc key' makes one; flash sends nothing that is not signed with it, swap and device set sign with it
   --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
   --color=WHEN             auto (default), always or never
   -w                       no warnings

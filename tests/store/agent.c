@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the board's end of the link and the host's.  The line between them loses, repeats, delays, cuts and damages bytes, and the board
 // restarts or loses its power at any byte.  Afterwards the old or the new image must run, and the next update over a good line must succeed.
-//   agent OLD.smb NEW.smb [RUNS [SEED]]
+//   agent OLD.smb NEW.smb PARAMETERS.smb [RUNS [SEED]]         PARAMETERS.smb: tests/device/limits.sm
 #include <stdlib.h>
 
 #include "bytecode-vm/target/state_log.h"
 #include "compiler/device/device.h"
+#include "stdlib/convert.h"
+#include "stdlib/crc32.h"
 #include "tests/store/board.h"
 #include "tests/test.h"
 
 enum { QUEUE = 4096 };
 
-static Image old_image, new_image;
+static Image old_image, new_image, limits;
 static uint64_t random_state;
 
 static uint32_t random_below(uint32_t n)
@@ -381,7 +383,7 @@ static void test_images_are_listed_and_erased(void)
     CHECK(device_query_info(&p.host, &info) && info.protocol == LINK_PROTOCOL && info.slots == 2);
     CHECK(info.ram == 1000 && info.block % 8 == 0);
     CHECK(info.functions == 0x70001 && !info.requires_signature);
-    CHECK(info.reports_limits && info.windows && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
+    CHECK(info.reports_limits && info.windows && info.parameters && info.machines == 3 && info.ram_digital == 10 && info.ram_analog == 26 && info.period == 300 && info.cycles == 14400);
     CHECK(device_read_image_info(&p.host, 0, &image) && image.state == DEVICE_WHOLE && image.checksum == old_image.checksum && !image.runs);
     CHECK(device_read_image_info(&p.host, 1, &image) && image.state == DEVICE_TRIAL && image.runs && image.chosen);
     CHECK(image.starts == STORE_TRIES - 1);
@@ -394,6 +396,62 @@ static void test_images_are_listed_and_erased(void)
     CHECK(is_running(&p.board, &old_image) && device_find_running_image(&p.host, &info, &image) && image.checksum == old_image.checksum);
     CHECK(device_erase_image(&p.host, old_image.checksum) && device_restart(&p.host, &info));
     CHECK(device_find_running_image(&p.host, &info, &image) && image.slot == DEVICE_BUILT_IN);
+}
+
+// ---- parameters ----
+
+// Writes the bits of a value that no host has judged, and the correct checksum.
+static Image forge_value(uint32_t number, uint64_t bits)
+{
+    Image image = limits;
+    SmvmMachine m;
+    SmvmReader r;
+    SmvmParameterEntry e = {.bytes = 0};
+    uint32_t crc = SM_CRC32_START;
+
+    CHECK(smvm_machine(image.bytes, 0, &m));
+    r = smvm_parameters(&m);
+    for (uint32_t i = 0; i <= number; i++)
+        CHECK(smvm_read_parameter(&r, &e));
+    for (unsigned i = 0; i < e.bytes; i++)
+        image.bytes[smvm_parameter_number(&e, SMVM_PARAMETER_VALUE) + i] = (uint8_t)(bits >> 8 * i);
+    for (uint32_t i = 0; i < image.length; i++)
+        crc = i >= SMVM_CRC_AT && i < SMVM_CRC_AT + 4 ? crc : sm_crc32_byte(crc, image.bytes[i]);
+    image.checksum = sm_crc32_end(crc);
+    sm_link_store(image.bytes + SMVM_CRC_AT, image.checksum, 4);
+    return image;
+}
+
+// A board refuses a value out of range that a host sends nevertheless, and a damaged image with parameters.  limits.sm: parameter 0 is an F64 from 700
+// to 800, parameter 1 a U8 from 1 to 9.
+static void test_values_are_verified(const char *memory, uint8_t slots)
+{
+    static const struct { uint32_t parameter; double x; uint64_t bits; } out[] = {
+        {0, 800.5, 0}, {0, -775, 0}, {0, 0, UINT64_C(0x7ff8000000000000)}, {0, 0, UINT64_C(0x7ff0000000000000)}, {0, 0, UINT64_C(0xfff8000000000001)}, {1, 0, 0}, {1, 0, 10}};
+    const Image good[] = {forge_value(0, sm_bits(sm_from_i32(800))), forge_value(1, 9)};
+    Image image;
+    Update u;
+    Pair p;
+
+    for (size_t i = 0; i < sizeof out / sizeof *out; i++) {
+        prepare_pair(&p, memory, slots);
+        image = forge_value(out[i].parameter, out[i].x != 0 ? sm_bits(out[i].x) : out[i].bits);
+        CHECK(update_image(&p, &image, &u) == DEVICE_END && p.host.answered && p.host.result == SM_E_IMAGE && u.rule == SMVM_R_VALUE);
+        CHECK(board_start(&p.board) && (slots == 1 ? p.board.slot == STORE_BUILT_IN : is_running(&p.board, &old_image)));
+    }
+    for (uint32_t bit = 0; bit < 8 * limits.length; bit += 5) {
+        prepare_pair(&p, memory, slots);
+        image = limits;
+        image.bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        image.checksum = smvm_uint(image.bytes, SMVM_CRC_AT, 4);
+        CHECK(update_image(&p, &image, &u) == DEVICE_END && p.host.answered && p.host.result != SM_OK);
+        CHECK(board_start(&p.board) && (slots == 1 ? p.board.slot == STORE_BUILT_IN : is_running(&p.board, &old_image)));
+    }
+    for (size_t i = 0; i < 2; i++) {
+        prepare_pair(&p, memory, slots);
+        CHECK(update_image(&p, &limits, &u) == DEVICE_DONE && device_confirm_image(&p.host, limits.checksum));
+        CHECK(update_image(&p, &good[i], &u) == DEVICE_DONE && is_running(&p.board, &good[i]));
+    }
 }
 
 static void test_invalid_request_is_rejected(void)
@@ -822,7 +880,7 @@ static uint32_t canned_now(void *context) { return ((const Canned *)context)->no
 // answer is still in the buffer.
 static void test_older_boards_report_less(void)
 {
-    static const uint8_t all[35] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0x83, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1, 7, 0, 3, 0};
+    static const uint8_t all[35] = {1, 200, 128, 2, 0, 4, 0, 0, 2, 0, 9, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0xc3, 10, 26, 20, 0, 0x40, 0x1f, 4, 3, 2, 1, 7, 0, 3, 0};
     static const uint8_t none[31] = {0};
     Canned c;
     SerialLine line = {&c, canned_send, canned_receive, canned_now};
@@ -836,13 +894,13 @@ static void test_older_boards_report_less(void)
     link_host_init(&host, &line, 100, 1, 0);
     for (size_t n = 14; n <= sizeof all; n++) {
         memcpy(c.body, all, c.n = sizeof all);
-        CHECK(device_query_info(&host, &info) && info.requires_signature && info.newest == 5 && info.reports_limits && info.windows && info.machines == 3);
+        CHECK(device_query_info(&host, &info) && info.requires_signature && info.newest == 5 && info.reports_limits && info.windows && info.parameters && info.machines == 3);
         CHECK(info.ram_digital == 10 && info.ram_analog == 26 && info.period == 20 && info.cycles == 8000 && info.reports_mark);
         CHECK(info.mark == 0x01020304 && info.slots == 2 && info.slot_size == 1024 && info.ram == 512 && info.longest == 9);
         c.n = n;
         CHECK(device_query_info(&host, &info) == (n >= 15) && (n >= 15 || host.result == SM_E_UNSUPPORTED));
         CHECK(n < 15 || (info.requires_signature == (n >= 20) && info.newest == (n >= 20 ? 5 : 0)));
-        CHECK(n < 15 || (info.reports_limits == (n >= 27) && info.windows == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
+        CHECK(n < 15 || (info.reports_limits == (n >= 27) && info.windows == (n >= 27) && info.parameters == (n >= 27) && info.machines == (n >= 27 ? 3 : 0)));
         CHECK(n < 15 || info.functions == (n >= 35 ? 0x30007 : 0));
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
@@ -857,15 +915,15 @@ static void test_older_boards_report_less(void)
 
 int main(int argc, char **argv)
 {
-    const unsigned long number = argc > 3 ? strtoul(argv[3], NULL, 10) : 400;
+    const unsigned long number = argc > 4 ? strtoul(argv[4], NULL, 10) : 400;
     static const char *const memories[] = {"eeprom", "flash"};
     Ends ends = {0, 0, 0};
 
-    if (argc < 3 || !image_load(argv[1], &old_image) || !image_load(argv[2], &new_image)) {
-        fprintf(stderr, "agent OLD.smb NEW.smb [RUNS [SEED]]\n");
+    if (argc < 4 || !image_load(argv[1], &old_image) || !image_load(argv[2], &new_image) || !image_load(argv[3], &limits)) {
+        fprintf(stderr, "agent OLD.smb NEW.smb PARAMETERS.smb [RUNS [SEED]]\n");
         return 2;
     }
-    random_state = UINT64_C(88172645463325252) * (argc > 4 ? strtoul(argv[4], NULL, 10) : 1);
+    random_state = UINT64_C(88172645463325252) * (argc > 5 ? strtoul(argv[5], NULL, 10) : 1);
     for (unsigned i = 0; i < 4; i++)
         test_armed_board_refuses_update(memories[i % 2], (uint8_t)(1 + i / 2));
     for (unsigned i = 0; i < 4; i++)
@@ -882,6 +940,8 @@ int main(int argc, char **argv)
     test_pins_are_found();
     test_refused_update_does_not_stop_a_trial();
     test_images_are_listed_and_erased();
+    for (unsigned i = 0; i < 4; i++)
+        test_values_are_verified(memories[i % 2], (uint8_t)(1 + i / 2));
     test_invalid_request_is_rejected();
     test_noise_before_a_request_is_skipped();
     test_update_restarts_after_a_reset();

@@ -76,7 +76,7 @@ static bool board_start(Board *b)
         b->board.leave_slot = board_leave;
         b->board.ram = 1000;
         b->board.machines = 3;
-        b->board.windows = true;
+        b->board.abilities = LINK_WINDOWS | LINK_PARAMETERS;
         b->board.functions = 0x70001;
         b->board.ram_digital = 10;
         b->board.ram_analog = 26;

@@ -246,7 +246,7 @@ static void add_parameters(ImageWriter *w, const BcMachine *m)
             write_cell(&b, var->type, p->standard);
             write_cell(&b, var->type, var->init);
             write_text(&b, var->name->text);
-            write_text(&b, "");
+            write_text(&b, p->unit ? p->unit->text : "");
         }
     if (b.n > 0)
         add_section(w, SMVM_S_PARAMETERS, SMVM_V_PARAMETERS, &b);
