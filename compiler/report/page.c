@@ -56,6 +56,7 @@ Doc *report_build(Report *r)
     report_add_abort_matrix(r, d);
     report_add_costs(r, d);
     report_add_requirements(r, d);
+    report_add_traceability(r, d);
     report_add_scripts(r, d);
     report_add_source(r, d);
     return d;

@@ -76,6 +76,7 @@ writers()
         '--coverage-data=@' 'test tank.sm tank.ss' \
         '--coverage-json=@' 'test tank.sm tank.ss' \
         '--coverage-lcov=@' 'test tank.sm tank.ss' \
+        '--traceability=@' 'test tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss --format=json' \
         '--trace=@' 'test tank.sm tank.ss' \
