@@ -380,6 +380,10 @@ static const struct {
     {"{\"smc-coverage\":", NULL},                                        // test --coverage-json
     {"mutations of ", NULL},                                              // mutate
     {"{\"smc-mutations\":", NULL},
+    {"comparison of ", NULL},                                             // diff
+    {"### *: no change of behaviour", NULL},
+    {"### *: behaviour changed: ", NULL},
+    {"{\"smc-diff\":", NULL},
     {"TN:smc\nSF:", NULL},                                               // test --coverage-lcov
     {"kind,name,text,place,requirements,by,implemented,asserts,scripts,times,result,proof\r\n", NULL},      // test --traceability
     {"{\"smc-traceability\":", NULL},
