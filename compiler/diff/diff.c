@@ -412,11 +412,28 @@ static void compare_requirements(ProgramDiff *d)
     }
 }
 
+// Whether two state vectors have the same elements in the same places.  A machine's own section is a region with the name of its file, which can
+// differ between two versions.
+static bool same_vector(const StateVec *a, const StateVec *b)
+{
+    if (a->size != b->size || a->element.n != b->element.n || a->region.n != b->region.n || a->from_machine != b->from_machine)
+        return false;
+    for (size_t i = 0; i < a->region.n && !a->from_machine; i++)
+        if (strcmp(a->region.at[i]->name->text, b->region.at[i]->name->text) != 0)
+            return false;
+    for (size_t i = 0; i < a->element.n; i++) {
+        const Element *x = a->element.at[i], *y = b->element.at[i];
+        if (strcmp(x->name->text, y->name->text) != 0 || x->type != y->type || x->offset != y->offset)
+            return false;
+    }
+    return true;
+}
+
 static void compare_layout(ProgramDiff *d)
 {
     const StateVec *a = d->old.p->sv, *b = d->new.p->sv;
 
-    d->same_layout = a->hash == b->hash && a->size == b->size;
+    d->same_layout = same_vector(a, b);
     d->same_image = d->old.identity == d->new.identity;
     if (!d->same_layout)
         diff_add(d, (DiffChange){.part = DIFF_LAYOUT, .how = DIFF_CHANGED, .weight = DIFF_INTERFACE, .what = "layout of the state vector",

@@ -60,7 +60,7 @@ static bool reads_number(const CodeMatch *m, const IrIns *i) { return i->op == I
 static bool keeps_numbers(const ProgramDiff *d)
 {
     for (uint32_t s = 1; s <= d->old.p->state.n; s++)
-        if (d->state_of[s] != s)
+        if (d->state_of[s] && d->state_of[s] != s)
             return false;
     return true;
 }

@@ -35,7 +35,7 @@ static void set_names(ProgramDiff *d, Canon canon[2])
         }
     }
     for (uint32_t s = 1; s <= d->old.p->state.n; s++)
-        canon[0].keeps_numbers = canon[1].keeps_numbers = canon[0].keeps_numbers && d->state_of[s] == s;
+        canon[0].keeps_numbers = canon[1].keeps_numbers = canon[0].keeps_numbers && (d->state_of[s] == 0 || d->state_of[s] == s);
 }
 
 // ---- by name ----
@@ -112,15 +112,45 @@ static bool same_form(const Var *a, const Var *b)
            (a->parameter != NULL) == (b->parameter != NULL);
 }
 
-static void match_locals(ProgramDiff *d, Canon canon[2])
+// Returns the uses of each local that has no match, by Var.index; NULL for all other variables.
+static const char **list_all_uses(ProgramDiff *d, const Canon *c, const Var *const *var_of)
+{
+    const char **use = ARENA_ARRAY(d->arena, const char *, c->p->var.n + 1u);
+
+    for (size_t i = 0; i < c->p->var.n; i++)
+        if (!var_of[i] && c->p->var.at[i]->kind == VAR_LOCAL)
+            use[i] = c->p->var.at[i]->is_constant ? "" : list_uses(d->arena, c, c->p->var.at[i]);
+    return use;
+}
+
+// Pairs locals with equal uses: those that have only one candidate, or the first two if `any`.  Returns whether it has paired some.
+static bool pair_locals(ProgramDiff *d, const Canon canon[2], bool any)
 {
     const Program *a = d->old.p, *b = d->new.p;
+    const char **mine = list_all_uses(d, &canon[0], d->var_of), **theirs = list_all_uses(d, &canon[1], d->old_var_of);
+    bool paired = false;
 
-    for (size_t i = 0; i < a->var.n; i++)
-        for (size_t k = 0; k < b->var.n && !d->var_of[i]; k++)
-            if (!d->old_var_of[k] && same_form(a->var.at[i], b->var.at[k]) &&
-                (a->var.at[i]->is_constant || strcmp(list_uses(d->arena, &canon[0], a->var.at[i]), list_uses(d->arena, &canon[1], b->var.at[k])) == 0))
-                pair_vars(d, a->var.at[i], b->var.at[k]);
+    for (size_t i = 0; i < a->var.n && !(any && paired); i++) {
+        const Var *found = NULL;
+        size_t candidates = 0;
+        for (size_t k = 0; mine[i] && k < b->var.n; k++)
+            if (theirs[k] && !d->old_var_of[k] && same_form(a->var.at[i], b->var.at[k]) && strcmp(mine[i], theirs[k]) == 0) {
+                found = found ? found : b->var.at[k];
+                candidates++;
+            }
+        if (candidates == 0 || (candidates > 1 && !any))
+            continue;
+        pair_vars(d, a->var.at[i], found);
+        paired = true;
+    }
+    return paired;
+}
+
+// A pair changes the names in the uses of other locals, so these can then have a single candidate.
+static void match_locals(ProgramDiff *d, Canon canon[2])
+{
+    while (pair_locals(d, canon, false) || pair_locals(d, canon, true))
+        set_names(d, canon);
 }
 
 // ---- renamed states ----
@@ -173,12 +203,17 @@ static unsigned likeness(const Texts *a, const Texts *b)
 
 enum { RENAMED_LEAST = 60 };      // percent: below it two states are not taken for the same one
 
+static void report_renamed(ProgramDiff *d, const State *from, const State *to, const char *meaning)
+{
+    diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_RENAMED, .weight = DIFF_NOTE, .where = to->name->text, .what = from->name->text,
+                             .old = from->name->text, .new = to->name->text, .meaning = meaning});
+}
+
 // Pairs the two unmatched states that are most alike.  Returns false if no two are alike enough.
 static bool match_state(ProgramDiff *d, Canon canon[2])
 {
     const State *from = NULL, *to = NULL;
     unsigned best = RENAMED_LEAST - 1;
-    DiffChange change = {.part = DIFF_STATE, .how = DIFF_RENAMED, .weight = DIFF_NOTE};
 
     set_names(d, canon);
     for (size_t i = 0; i < d->old.p->state.n; i++) {
@@ -198,11 +233,83 @@ static bool match_state(ProgramDiff *d, Canon canon[2])
     if (!from)
         return false;
     pair_states(d, from, to);
-    change.where = change.new = to->name->text;
-    change.what = change.old = from->name->text;
-    change.meaning = best == 100 ? "certain: its statements and the transitions to it are equal" : format_in(d->arena, "likely: %u %% of its statements and of the transitions to it are equal", best);
-    diff_add(d, change);
+    report_renamed(d, from, to, best == 100 ? "certain: its statements and the transitions to it are equal"
+                                            : format_in(d->arena, "likely: %u %% of its statements and of the transitions to it are equal", best));
     return true;
+}
+
+// ---- a machine in which only names have changed ----
+
+// Returns the next state from index i on that has no match.
+static uint32_t next_unmatched(const uint32_t *state_of, size_t states, uint32_t i)
+{
+    while (i < states && state_of[i + 1])
+        i++;
+    return i;
+}
+
+// Pairs the remaining states and locals in the order of their files.  Returns false if their numbers or forms differ.
+static bool pair_in_order(ProgramDiff *d)
+{
+    const Program *a = d->old.p, *b = d->new.p;
+    uint32_t s = 0, t = 0;
+    size_t k = 0;
+
+    while ((s = next_unmatched(d->state_of, a->state.n, s)) < a->state.n) {
+        t = next_unmatched(d->old_state_of, b->state.n, t);
+        if (t == b->state.n)
+            return false;
+        pair_states(d, a->state.at[s], b->state.at[t]);
+    }
+    for (size_t i = 0; i < a->var.n; i++) {
+        if (d->var_of[i] || a->var.at[i]->kind != VAR_LOCAL)
+            continue;
+        while (k < b->var.n && (d->old_var_of[k] || b->var.at[k]->kind != VAR_LOCAL))
+            k++;
+        if (k == b->var.n || !same_form(a->var.at[i], b->var.at[k]))
+            return false;
+        pair_vars(d, a->var.at[i], b->var.at[k]);
+    }
+    return true;
+}
+
+static bool states_are_equal(const ProgramDiff *d, const Canon canon[2])
+{
+    if (d->old.p->state.n != d->new.p->state.n)
+        return false;
+    for (uint32_t s = 1; s <= d->old.p->state.n; s++) {
+        Buf x, y;
+        buf_init(&x, d->arena);
+        buf_init(&y, d->arena);
+        canon_state(&canon[0], d->old.p->state.at[s - 1], &x);
+        canon_state(&canon[1], d->new.p->state.at[d->state_of[s] - 1], &y);
+        if (strcmp(buf_text(&x), buf_text(&y)) != 0)
+            return false;
+    }
+    return true;
+}
+
+// Whether the machines are equal once what has no match by name is paired in order.  If not, the match is as it was before.
+static bool match_in_order(ProgramDiff *d, Canon canon[2])
+{
+    const Program *a = d->old.p, *b = d->new.p;
+    ProgramDiff before = *d;
+
+    before.state_of = arena_copy(d->arena, d->state_of, (a->state.n + 1u) * sizeof *d->state_of);
+    before.old_state_of = arena_copy(d->arena, d->old_state_of, (b->state.n + 1u) * sizeof *d->old_state_of);
+    before.var_of = arena_copy(d->arena, d->var_of, (a->var.n + 1u) * sizeof *d->var_of);
+    before.old_var_of = arena_copy(d->arena, d->old_var_of, (b->var.n + 1u) * sizeof *d->old_var_of);
+    if (pair_in_order(d)) {
+        set_names(d, canon);
+        if (states_are_equal(d, canon)) {
+            for (uint32_t s = 1; s <= a->state.n; s++)
+                if (!before.state_of[s])
+                    report_renamed(d, a->state.at[s - 1], b->state.at[d->state_of[s] - 1], "certain: only names have changed");
+            return true;
+        }
+    }
+    *d = before;
+    return false;
 }
 
 // ---- all ----
@@ -210,12 +317,14 @@ static bool match_state(ProgramDiff *d, Canon canon[2])
 void diff_match(ProgramDiff *d, Canon canon[2])
 {
     match_names(d);
-    set_names(d, canon);
-    match_locals(d, canon);
-    while (match_state(d, canon))
-        ;
-    set_names(d, canon);
-    match_locals(d, canon);
+    if (!match_in_order(d, canon)) {
+        set_names(d, canon);
+        match_locals(d, canon);
+        while (match_state(d, canon))
+            ;
+        set_names(d, canon);
+        match_locals(d, canon);
+    }
     set_names(d, canon);
     for (int side = 0; side < 2; side++)
         for (uint32_t s = 1; s <= canon[side].p->state.n; s++)

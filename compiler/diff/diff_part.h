@@ -12,7 +12,7 @@ typedef struct Canon {
     const Program *p;
     const char **var;             // by Var.index
     const char **state;           // by State.number
-    bool keeps_numbers;           // all states have the same number in both machines
+    bool keeps_numbers;           // every state that both machines have has the same number in both
     const char *side;             // "old" or "new": a text that depends on the number of a state contains it
 } Canon;
 

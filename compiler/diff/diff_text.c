@@ -122,7 +122,7 @@ void diff_write_text(const ProgramDiff *d, Buf *out)
     }
     write_costs(d, out);
     write_findings(d, out);
-    buf_printf(out, "image: %s\nswap without stopping: %s\n", d->same_image ? "the same logic" : "other logic", d->swap);
+    buf_printf(out, "%sswap without stopping: %s\n", d->same_image ? "image: the same logic\n" : "", d->swap);
 }
 
 // ---- Markdown ----
