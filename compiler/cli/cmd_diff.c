@@ -74,14 +74,22 @@ static const Script *compile_script(Cli *c, const Version *v, const Source *src)
     return s;
 }
 
-static void run_scripts(Cli *c, ProgramDiff *d, const Version *old, const Version *new, uint64_t max_steps)
+// Runs every script on both machines.  One that has errors for both is wrong input.  EXIT_OK, or the exit code after a message.
+static int run_scripts(Cli *c, ProgramDiff *d, const Version *old, const Version *new, uint64_t max_steps)
 {
+    int code = EXIT_OK;
+
     for (size_t i = 0; i < new->in.n; i++)
         if (new->in.at[i].kind == FILE_SS && !new->made.of[i].is_included) {
             const Source *src = new->in.at[i].text;
             const Script *a = compile_script(c, old, src), *b = compile_script(c, new, src);
             diff_run_script(d, path_portable_name(src->name), a, b, max_steps);
+            if (!a && !b) {
+                session_script(&c->session, src, new->scripted);
+                code = cli_print_diagnostics(c) == EXIT_ENVIRONMENT ? EXIT_ENVIRONMENT : EXIT_USAGE;
+            }
         }
+    return code;
 }
 
 static DepInputs list_inputs(Cli *c)
@@ -141,8 +149,7 @@ int cmd_diff(Cli *c)
     if ((code = compile_version(c, &in, 0, &o, &old)) != EXIT_OK || (code = compile_version(c, &in, 1, &o, &new)) != EXIT_OK)
         return code;
     d = diff_programs(&c->session.arena, &old.side, &new.side);
-    run_scripts(c, d, &old, &new, max_steps);
-    if ((code = write_result(c, d, format)) != EXIT_OK)
+    if ((code = run_scripts(c, d, &old, &new, max_steps)) != EXIT_OK || (code = write_result(c, d, format)) != EXIT_OK)
         return code;
     return diff_is_same(d) ? EXIT_OK : EXIT_PROBLEM;
 }

@@ -6,15 +6,19 @@
 #include "stdlib/convert.h"
 #include "stdlib/f64.h"
 
-// Returns the state that a number in the source names: the number of a state beside S is written as its name (language.md 3.30).
-static const State *named_state(const Program *p, const Expr *e)
+// Returns the state that a number beside S means: the number of a state is written as its name (language.md 3.30), or as a number, which means
+// the same only if no state has another number in the other machine.
+static const State *named_state(const Canon *c, const Expr *e)
 {
+    const Program *p = c->p;
     const double x = e->kind == EX_NUMBER ? e->number : 0;
     const State *s;
 
     if (!(x >= 1 && x <= p->state.n) || !e->span.src)
         return NULL;
     s = p->state.at[(uint32_t)x - 1];
+    if (e->number == s->number && c->keeps_numbers)
+        return s;
     return e->number == s->number && e->span.len == s->name->len && memcmp(e->span.src->text + e->span.at, s->name->text, s->name->len) == 0 ? s : NULL;
 }
 
@@ -28,9 +32,9 @@ static bool canon_state_comparison(const Canon *c, const Expr *e, Buf *out)
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return false;
     if (is_s(c->p, e->arg[0]))
-        s = named_state(c->p, e->arg[1]);
+        s = named_state(c, e->arg[1]);
     else if (is_s(c->p, e->arg[1]))
-        s = named_state(c->p, e->arg[0]);
+        s = named_state(c, e->arg[0]);
     if (s)
         buf_printf(out, "(S%d %s)", (int)e->op, c->state[s->number]);
     return s != NULL;
@@ -64,7 +68,17 @@ void canon_expr(const Canon *c, const Expr *e, Buf *out)
         canon_window(c, &c->p->window.at[e->window], out);
         return;
     case EX_UNARY: buf_printf(out, "u%d(", (int)e->op); break;
-    case EX_BINARY: buf_printf(out, "b%d(", (int)e->op); break;
+    case EX_BINARY:
+        if (e->op == SM_OP_GT || e->op == SM_OP_GE) {     // a > b is b < a
+            buf_printf(out, "b%d(", (int)(e->op == SM_OP_GT ? SM_OP_LT : SM_OP_LE));
+            canon_expr(c, e->arg[1], out);
+            buf_char(out, ',');
+            canon_expr(c, e->arg[0], out);
+            buf_char(out, ')');
+            return;
+        }
+        buf_printf(out, "b%d(", (int)e->op);
+        break;
     case EX_CHAIN:
         buf_str(out, "chain");
         for (uint32_t i = 0; i + 1 < e->n; i++)
@@ -88,7 +102,7 @@ void canon_stmt(const Canon *c, const Stmt *s, Buf *out)
         buf_printf(out, "->%s;", c->state[s->target->number]);
         break;
     case ST_ASSIGN:
-        buf_printf(out, "%s:%d=", c->var[s->var->index], (int)s->var->type);
+        buf_printf(out, "%s=", c->var[s->var->index]);
         canon_expr(c, s->value, out);
         buf_char(out, ';');
         break;

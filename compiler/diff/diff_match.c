@@ -79,7 +79,7 @@ static void match_names(ProgramDiff *d)
 
 static int compare_texts(const void *a, const void *b) { return strcmp(*(const char *const *)a, *(const char *const *)b); }
 
-// Returns all statements that mention the variable, in which it is called `$`, sorted.
+// Returns all statements that mention the variable, in which it is called `$`, sorted, a line each.
 static const char *list_uses(Arena *arena, const Canon *of, const Var *v)
 {
     Canon c = *of;
@@ -102,7 +102,7 @@ static const char *list_uses(Arena *arena, const Canon *of, const Var *v)
         qsort(use.at, use.n, sizeof *use.at, compare_texts);
     buf_init(&out, arena);
     for (size_t i = 0; i < use.n; i++)
-        buf_str(&out, use.at[i]);
+        buf_printf(&out, "%s\n", use.at[i]);
     return buf_text(&out);
 }
 
@@ -144,6 +144,39 @@ static bool pair_locals(ProgramDiff *d, const Canon canon[2], bool any)
         paired = true;
     }
     return paired;
+}
+
+// Whether two lists of lines have a line in common.
+static bool shares_line(const char *a, const char *b)
+{
+    for (const char *end; (end = strchr(a, '\n')) != NULL; a = end + 1)
+        for (const char *at = b; *at; at = strchr(at, '\n') + 1)
+            if (strncmp(at, a, (size_t)(end - a) + 1) == 0)
+                return true;
+    return false;
+}
+
+static const Var *only_form(const Program *p, const Var *const *var_of, const Var *form)
+{
+    const Var *found = NULL;
+
+    for (size_t i = 0; i < p->var.n; i++)
+        if (!var_of[i] && same_form(p->var.at[i], form)) {
+            if (found)
+                return NULL;
+            found = p->var.at[i];
+        }
+    return found;
+}
+
+// Pairs locals that are the only ones of their form, and have a statement in common.
+static void match_likely_locals(ProgramDiff *d, const Canon canon[2])
+{
+    for (size_t i = 0; i < d->old.p->var.n; i++) {
+        const Var *a = d->old.p->var.at[i], *b = d->var_of[i] || a->kind != VAR_LOCAL || a->is_constant ? NULL : only_form(d->new.p, d->old_var_of, a);
+        if (b && only_form(d->old.p, d->var_of, b) == a && shares_line(list_uses(d->arena, &canon[0], a), list_uses(d->arena, &canon[1], b)))
+            pair_vars(d, a, b);
+    }
 }
 
 // A pair changes the names in the uses of other locals, so these can then have a single candidate.
@@ -324,6 +357,7 @@ void diff_match(ProgramDiff *d, Canon canon[2])
             ;
         set_names(d, canon);
         match_locals(d, canon);
+        match_likely_locals(d, canon);
     }
     set_names(d, canon);
     for (int side = 0; side < 2; side++)

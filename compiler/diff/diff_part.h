@@ -7,7 +7,7 @@
 #include "compiler/diff/diff.h"
 
 // How statements of one machine are written so that equal texts mean equal behaviour: names are those of the new machine, constants are their
-// values, windows are what they sample.
+// values, windows are what they sample.  Types of variables are not in it: compare_variables reports those that differ.
 typedef struct Canon {
     const Program *p;
     const char **var;             // by Var.index

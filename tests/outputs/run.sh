@@ -77,6 +77,10 @@ writers()
         '--coverage-json=@' 'test tank.sm tank.ss' \
         '--coverage-lcov=@' 'test tank.sm tank.ss' \
         '--traceability=@' 'test tank.sm tank.ss' \
+        '-o @' 'diff tank.sm tank.sm tank.ss' \
+        '-o @' 'diff tank.sm tank.sm --format=markdown' \
+        '-o @' 'diff tank.sm tank.sm --format=json' \
+        '-o @' 'diff tank.sm tank.sm --format=svg' \
         '-o @' 'mutate tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss --format=json' \
         '--trace=@' 'test tank.sm tank.ss' \
