@@ -217,6 +217,15 @@ requirements-campaign: $(B)/requirements/random
 	$(B)/requirements/random $(SEED) $(N)
 .PHONY: requirements-campaign
 
+# tests/compare: smc diff of random machines, their other forms and their mutants.  `make compare-campaign N=10000 SEED=1`.
+$(B)/compare/random: $(B)/obj/tests/compare/random.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+compare-campaign: $(B)/compare/random
+	$(B)/compare/random $(SEED) $(N)
+.PHONY: compare-campaign
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -879,6 +888,7 @@ $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/thread
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/random 1 300)
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
+$(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)

@@ -29,7 +29,7 @@ int cmd_graph(Cli *c)
     OsOutput file = {NULL, NULL, 0};
     static WriteGraph *const writer[FORMATS] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};
     size_t format;
-    DiagramOptions g = {NULL, NULL, NULL};
+    DiagramOptions g = {.findings = NULL};
     DiagramCounts counts;
     CompileInput in;
     CompileOptions o;

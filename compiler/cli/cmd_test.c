@@ -73,7 +73,7 @@ bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || cli_
 int test_result_fd(const Cli *c)
 {
     return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_COVERAGE_DATA) || cli_is_standard_output(c, OPT_COVERAGE_JSON) ||
-           cli_is_standard_output(c, OPT_COVERAGE_LCOV) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
+           cli_is_standard_output(c, OPT_COVERAGE_LCOV) || cli_is_standard_output(c, OPT_TRACEABILITY) || cli_is_standard_output(c, OPT_MESSAGE_FILE) ? 2 : 1;
 }
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
@@ -111,8 +111,10 @@ static int write_results(TestRun *t, bool summary)
         test_write_tap(t, &out);
     else if (summary && !test_stdout_is_for_program(t->c))
         test_write_summary(t, &out);
-    if (!tap && !test_stdout_is_for_program(t->c))
+    if (!tap && !test_stdout_is_for_program(t->c)) {
         test_requirements_write(t, &out);
+        buf_str(&out, t->traceability ? t->traceability : "");
+    }
     if (!cli_print(t->c, tap ? 1 : test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
     if (!t->c->given[OPT_JUNIT])
@@ -191,7 +193,7 @@ static int check_arguments(Cli *c, const Files *f)
 {
     static const struct { OptionId id; const char *spelling; } other[] = {
         {OPT_JUNIT, "--junit"}, {OPT_TRACE, "--trace"}, {OPT_MESSAGE_FILE, "--message-file"}, {OPT_COVERAGE_DATA, "--coverage-data"},
-        {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"}};
+        {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"}, {OPT_TRACEABILITY, "--traceability"}};
 
     if (c->files == 0)
         return cli_usage_error(c, TEXT_test_what);
@@ -273,7 +275,8 @@ int cmd_test(Cli *c)
 
     name_standard_input(c);
     f = classify_files(c);
-    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = test_coverage_check_options(c)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
+    if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = test_coverage_check_options(c)) != EXIT_OK ||
+        (code = test_traceability_check_options(c, f.machine, f.requirements)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)
         return code;
     if (c->given[OPT_TRACE] && f.cases)
         cli_print_note(c, TEXT_cases_not_traced, f.machine);

@@ -380,7 +380,13 @@ static const struct {
     {"{\"smc-coverage\":", NULL},                                        // test --coverage-json
     {"mutations of ", NULL},                                              // mutate
     {"{\"smc-mutations\":", NULL},
+    {"comparison of ", NULL},                                             // diff
+    {"### *: no change of behaviour", NULL},
+    {"### *: behaviour changed: ", NULL},
+    {"{\"smc-diff\":", NULL},
     {"TN:smc\nSF:", NULL},                                               // test --coverage-lcov
+    {"kind,name,text,place,requirements,by,implemented,asserts,scripts,times,result,proof\r\n", NULL},      // test --traceability
+    {"{\"smc-traceability\":", NULL},
     {NULL, is_junit},                                                     // test --junit
     {NULL, is_trace},                                                     // test --trace
     {NULL, is_exact_trace},
@@ -521,6 +527,7 @@ int outputs_check_options(Cli *c)
     static const struct { OptionId id; const char *spelling; } option[] = {
         {OPT_OUTPUT, "-o"}, {OPT_DEPS_FILE, "-MF"}, {OPT_TRACE, "--trace"}, {OPT_JUNIT, "--junit"},
         {OPT_COVERAGE_DATA, "--coverage-data"}, {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"},
+        {OPT_TRACEABILITY, "--traceability"},
         {OPT_MESSAGE_FILE, "--message-file"}};
     const bool is_build = c->command->run == cmd_build;
     int code = EXIT_OK;

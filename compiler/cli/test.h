@@ -5,6 +5,7 @@
 
 #include "compiler/cli/cli.h"
 #include "compiler/device/engines.h"
+#include "compiler/report/traceability.h"
 
 // ---- the results ----
 
@@ -50,6 +51,7 @@ typedef struct TestRun {      // one call of smc test
     VEC(const char *) path;   // .smt cases to run, in order
     VEC(TestResult) result;
     VEC(TestRequirement) requirement;         // in the order of their files
+    const char *traceability; // the line that sums up --traceability; NULL: none
 } TestRun;
 
 // Whether results for another program go to standard output: then reports for people do not go there.
@@ -113,6 +115,7 @@ typedef struct TestCoverage TestCoverage;
 bool test_coverage_is_wanted(const Cli *c);                         // whether an option requires coverage to be measured
 bool test_is_coverage_data(const char *path);                      // whether an argument is a file of counts (.cov)
 int test_coverage_check_options(Cli *c);                            // EXIT_OK, or EXIT_USAGE after a message
+bool test_coverage_demands_requirements(const Cli *c, double *percent);       // whether --min-coverage has requirements
 // Begins to measure p and adds an engine to the set.  Reads the files of counts that the call names.  *coverage is NULL if nothing is measured.
 // EXIT_OK, or the exit code after a message.
 int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage);
@@ -120,6 +123,14 @@ int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCov
 int test_coverage_finish(TestRun *t, TestCoverage *coverage, const char *machine);
 // Prints the session's diagnostics and stores them for a result's message (test_machine.c).
 int test_report_diagnostics(TestRun *t, const char **text);
+
+// ---- test_traceability.c: --traceability, and requirements of --min-coverage ----
+
+int test_traceability_check_options(Cli *c, const char *machine, size_t requirements);       // EXIT_OK, or EXIT_USAGE after a message
+// Returns NULL if no option asks for traceability.
+Traceability *test_traceability_begin(TestRun *t, const Program *p, const Requirements *what);
+// After the scripts: writes the file, sets t->traceability, and adds a result for --min-coverage.  `matrix` may be NULL.
+int test_traceability_finish(TestRun *t, Traceability *matrix, const char *machine);
 
 // ---- test_output.c ----
 

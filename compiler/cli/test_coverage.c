@@ -12,6 +12,9 @@ struct TestCoverage {
 
 typedef struct Demand { bool is_set; double percent; } Demand;       // of one kind, by --min-coverage
 
+// The kinds of --min-coverage: those of coverage by their numbers, and requirements, which test_traceability.c judges.
+enum { DEMAND_REQUIREMENTS = COVER_KIND_COUNT, DEMANDS };
+
 bool test_coverage_is_wanted(const Cli *c)
 {
     return c->given[OPT_COVERAGE] || c->given[OPT_MIN_COVERAGE] || c->given[OPT_COVERAGE_DATA] || c->given[OPT_COVERAGE_JSON] || c->given[OPT_COVERAGE_LCOV];
@@ -21,15 +24,17 @@ bool test_is_coverage_data(const char *path) { return has_suffix(path, ".cov"); 
 
 // ---- --min-coverage ----
 
-// Reads `kind:percent,kind:percent` into demand, by CoverKind.  Returns false if it has another form.
+static const char *demand_name(int kind) { return kind == DEMAND_REQUIREMENTS ? "requirements" : cover_kind_name[kind]; }
+
+// Reads `kind:percent,kind:percent` into demand, by kind.  Returns false if it has another form.
 static bool read_demands(const char *text, Demand *demand)
 {
     for (;; text++) {
         const size_t n = strcspn(text, ":");
         int kind = 0;
-        while (kind < COVER_KIND_COUNT && (strlen(cover_kind_name[kind]) != n || strncmp(cover_kind_name[kind], text, n) != 0))
+        while (kind < DEMANDS && (strlen(demand_name(kind)) != n || strncmp(demand_name(kind), text, n) != 0))
             kind++;
-        if (kind == COVER_KIND_COUNT || text[n] != ':' || (text = cli_read_percent(text + n + 1, &demand[kind].percent)) == NULL)
+        if (kind == DEMANDS || text[n] != ':' || (text = cli_read_percent(text + n + 1, &demand[kind].percent)) == NULL)
             return false;
         demand[kind].is_set = true;
         if (*text != ',')
@@ -42,14 +47,24 @@ static const char *list_kinds(Cli *c)
     Buf out;
 
     buf_init(&out, &c->session.arena);
-    for (int k = 0; k < COVER_KIND_COUNT; k++)
-        buf_printf(&out, "%s%s", k == 0 ? "" : k + 1 < COVER_KIND_COUNT ? ", " : " and ", cover_kind_name[k]);
+    for (int k = 0; k < DEMANDS; k++)
+        buf_printf(&out, "%s%s", k == 0 ? "" : k + 1 < DEMANDS ? ", " : " and ", demand_name(k));
     return buf_text(&out);
+}
+
+bool test_coverage_demands_requirements(const Cli *c, double *percent)
+{
+    Demand demand[DEMANDS] = {{false, 0}};
+
+    if (!c->given[OPT_MIN_COVERAGE] || !read_demands(c->value[OPT_MIN_COVERAGE], demand))
+        return false;
+    *percent = demand[DEMAND_REQUIREMENTS].percent;
+    return demand[DEMAND_REQUIREMENTS].is_set;
 }
 
 int test_coverage_check_options(Cli *c)
 {
-    Demand demand[COVER_KIND_COUNT] = {{false, 0}};
+    Demand demand[DEMANDS] = {{false, 0}};
 
     if (c->given[OPT_MIN_COVERAGE] && !read_demands(c->value[OPT_MIN_COVERAGE], demand))
         return cli_usage_error(c, TEXT_min_coverage_form, list_kinds(c));
@@ -80,7 +95,7 @@ static void report_too_low(TestRun *t, const Cover *c, int kind, double percent)
 
 static void judge(TestRun *t, const Cover *c, const char *machine)
 {
-    Demand demand[COVER_KIND_COUNT] = {{false, 0}};
+    Demand demand[DEMANDS] = {{false, 0}};
     TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
 
     if (!t->c->given[OPT_MIN_COVERAGE])

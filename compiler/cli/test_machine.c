@@ -21,6 +21,7 @@ typedef struct MachineTest {
     size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
     TestCoverage *coverage;   // what --coverage measures; or NULL
+    Traceability *matrix;     // what --traceability writes; or NULL
 } MachineTest;
 
 // Returns a script's name in results: standard input has the name that diagnostics use.
@@ -112,6 +113,8 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
     test_requirements_add(m->table, path, s, &r);
+    if (m->matrix)
+        traceability_add_run(m->matrix, path, s, &r);
     buf_str(&m->report, r.printed);
     m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
@@ -298,7 +301,7 @@ static int test_scripts(MachineTest *m)
     int code = test_trace_open(m->t, m->p, m->requirements, &m->trace), closed;
 
     m->table = test_requirements_begin(m->t, m->requirements);
-
+    m->matrix = test_traceability_begin(m->t, m->p, m->requirements);
     if (code == EXIT_ENVIRONMENT)
         add_errors(m, c->last_error, code);
     for (size_t i = 0; i < c->files && code == EXIT_OK; i++)
@@ -310,7 +313,9 @@ static int test_scripts(MachineTest *m)
     code = code == EXIT_OK ? closed : code;
     if (m->requirements && (closed = end_requirements(m, code)) != EXIT_OK && code == EXIT_OK)
         code = m->t->code = closed;
-    return code == EXIT_OK ? test_coverage_finish(m->t, m->coverage, m->path) : code;
+    if (code == EXIT_OK)
+        code = test_coverage_finish(m->t, m->coverage, m->path);
+    return code == EXIT_OK ? test_traceability_finish(m->t, m->matrix, m->path) : code;
 }
 
 int test_run_machine(TestRun *t, const char *path)

@@ -232,7 +232,7 @@ static SmcResult draw_diagram(SmcSession *s, void *argument)
     static Write *const writer[] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};      // by SMC_DIAGRAM_…
     PageRequest *q = argument;
     DiagramCounts counts;
-    DiagramOptions o = {&s->of.shown, &counts, NULL};
+    DiagramOptions o = {.findings = &s->of.shown, .counts = &counts};
     Report r;
 
     library_begin_layer(s);

@@ -19,10 +19,20 @@ typedef struct DiagramCounts {
 
 typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels, 1/96 inch
 
+// What happened to a state or transition from one machine to the next.  Text, lines and colours show it.
+typedef enum DiagramChange { DIAGRAM_SAME, DIAGRAM_ADDED, DIAGRAM_REMOVED, DIAGRAM_CHANGED } DiagramChange;
+
+typedef struct DiagramChanges {
+    const DiagramChange *state;       // by State.number - 1
+    const DiagramChange *transition;  // by Transition.number
+    const char *const *was;           // by Transition.number: the condition before the change; NULL: it is the same, or there was none
+} DiagramChanges;
+
 // Additions to the diagram; all zero: none.
 typedef struct DiagramOptions {
     const Diags *findings;        // marked on their states and transitions; or NULL
     const DiagramCounts *counts;    // written beside states and transitions; or NULL
+    const DiagramChanges *changes;  // the machine joins two; then Analysis has only arena, p and transition, and everything is reachable; or NULL
     DiagramSize *size;              // receives the size of the picture from diagram_write_svg; or NULL
 } DiagramOptions;
 

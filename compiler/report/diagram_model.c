@@ -8,7 +8,7 @@
 
 static bool is_possible(const Diagram *d, const Transition *t)
 {
-    return d->a->stmt[t->stmt->number].reached && d->node[t->from->number - 1].reached;
+    return d->o->changes || (d->a->stmt[t->stmt->number].reached && d->node[t->from->number - 1].reached);
 }
 
 // Whether the section runs in a state that some run reaches.
@@ -48,6 +48,8 @@ static void find_reached_states(Diagram *d)
             worklist_add(&waiting, to->state->number - 1);
         }
     }
+    for (size_t n = 0; n < d->states && d->o->changes; n++)
+        d->node[n].reached = true;
     for (size_t n = d->states; n < d->nodes; n++)
         d->node[n].reached = is_section_reached(d, d->node[n].all);
     for (size_t e = 0; e < d->edge.n; e++)
@@ -100,7 +102,7 @@ static void add_guard(const Analysis *a, DiagramEdge *e, const WrittenTransition
     DiagramGuard g = {.transition = w, .text = guard_text(a, t, 0), .line = fit_guard(a, t)};
 
     for (size_t k = 0; k < w->copy.n; k++)
-        g.possible = g.possible || a->stmt[w->copy.at[k]->stmt->number].reached;
+        g.possible = g.possible || !a->stmt || a->stmt[w->copy.at[k]->stmt->number].reached;
     vec_push(a->arena, &e->guard, g);
 }
 
@@ -330,6 +332,44 @@ static void add_count(const Diagram *d, DiagramEdge *e)
     vec_push(d->a->arena, &e->guard.at[e->guard.n - 1].line, line);
 }
 
+// ---- changes ----
+
+static const char *change_sign(DiagramChange c) { return c == DIAGRAM_ADDED ? "+ " : c == DIAGRAM_REMOVED ? "\xe2\x88\x92 " : c == DIAGRAM_CHANGED ? "~ " : ""; }
+
+// Precedes the lines of a guard with the sign of its change, and adds its earlier condition.
+static void show_change(Diagram *d, DiagramGuard *g)
+{
+    const uint32_t number = g->transition->copy.at[0]->number;
+    const char *was = d->o->changes->was[number];
+    DiagramLine *first = &g->line.at[0];
+
+    g->change = d->o->changes->transition[number];
+    first->text = format_in(d->a->arena, "%s%s", change_sign(g->change), first->text);
+    first->w = diagram_text_width(first->text, GUARD_SIZE, false);
+    if (was) {
+        const DiagramLines lines = diagram_text_wrap(d->a->arena, format_in(d->a->arena, "was %s", was), GUARD_SIZE, GUARD_W, GUARD_LINES);
+        for (size_t i = 0; i < lines.n; i++)
+            vec_push(d->a->arena, &g->line, lines.at[i]);
+    }
+}
+
+static void show_changes(Diagram *d)
+{
+    for (size_t n = 0; n < d->states; n++) {
+        DiagramNode *node = &d->node[n];
+        node->change = d->o->changes->state[n];
+        node->name = format_in(d->a->arena, "%s%s", change_sign(node->change), node->name);
+        node->name_w = diagram_text_width(node->name, NAME_SIZE, true);
+    }
+    for (size_t e = 0; e < d->edge.n; e++) {
+        DiagramEdge *edge = &d->edge.at[e];
+        for (size_t g = 0; g < edge->guard.n; g++) {
+            show_change(d, &edge->guard.at[g]);
+            edge->change = g == 0 || edge->guard.at[g].change == edge->change ? edge->guard.at[g].change : DIAGRAM_CHANGED;
+        }
+    }
+}
+
 // ---- the whole diagram ----
 
 enum { NAME_W = 220, SECTION_NAME_W = 320 };       // maximum width of the name of a state, and of a section [all_states]
@@ -381,6 +421,8 @@ Diagram *diagram_build(const Analysis *a, const DiagramOptions *o)
     add_edges(d);
     remove_empty_sections(d);
     find_reached_states(d);
+    if (o->changes)
+        show_changes(d);
     if (o->counts)
         count_edges(d);
     for (size_t e = 0; e < d->edge.n; e++) {

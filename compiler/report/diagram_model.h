@@ -22,6 +22,7 @@ typedef struct DiagramGuard {
     const char *text;             // the condition as text, complete; never empty
     DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take the transition
+    DiagramChange change;
     uint64_t taken;               // how often runs took it, unless counts are by pair
     DiagramFindings finding;      // findings on the transition or its guard
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
@@ -39,6 +40,7 @@ typedef struct DiagramEdge {
     VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
     bool possible;                // some run can take one of its transitions
+    DiagramChange change;         // of all its transitions, if it is the same for all; else CHANGED
     uint64_t taken, shared;       // how often runs took it: at least `taken` times, at most taken + shared times
     bool up;                      // EDGE_LINE: `to` is above `from`
     Box label;                    // box of all guards, stacked
@@ -63,6 +65,7 @@ typedef struct DiagramNode {
     VEC(DiagramAction) action;    // in file order, at most ACTIONS and a line that counts the others
     int32_t action_w;             // width of the widest action
     bool reached;                 // some run can reach it
+    DiagramChange change;
     uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge …]
     VEC(uint32_t) stub_in;        // incoming edges that are drawn as stubs beside their source states
     const char *from;             // text about the edges in stub_in, such as "from 5 states"; NULL: none

@@ -23,6 +23,9 @@ static const DiagramColour colours[] = {
     {".g-safe", "fill:#e3f3f1;stroke:#0c7268", "fill:#11322f;stroke:#5cc9bb"},
     {".g-rule", "stroke:#c9d0d9", "stroke:#465060"},
     {".g-unrun .g-line,.g-unrun .g-box", "stroke:#8a3ffc", "stroke:#c4a1ff"},
+    {".g-added .g-line,.g-added .g-box", "stroke:#1a7f37", "stroke:#56d364"},
+    {".g-removed .g-line,.g-removed .g-box", "stroke:#cf222e", "stroke:#ff7b72"},
+    {".g-changed .g-line,.g-changed .g-box", "stroke:#9a6700", "stroke:#e3b341"},
     {".g-mark", "fill:#ffcf33;stroke:#5c4700", "fill:#ffcf33;stroke:#5c4700"},
     {".g-mark.g-error", "fill:#d92d20;stroke:#7a130b", "fill:#ff6b5e;stroke:#7a130b"},
     {".g-bang", "fill:#3d2f00", "fill:#3d2f00"},
@@ -45,6 +48,10 @@ static const char common_style[] =
     ".smc-graph .g-never text{font-style:italic}\n"
     ".smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke-dasharray:1 4;stroke-linecap:round}\n"
     ".smc-graph .g-unrun text{font-weight:normal}\n"
+    ".smc-graph .g-added .g-line,.smc-graph .g-added .g-box{stroke-width:3}\n"
+    ".smc-graph .g-removed .g-line,.smc-graph .g-removed .g-box{stroke-dasharray:6 4}\n"
+    ".smc-graph .g-removed text{text-decoration:line-through}\n"
+    ".smc-graph .g-changed .g-line,.smc-graph .g-changed .g-box{stroke-width:2.4;stroke-dasharray:12 3 2 3}\n"
     ".smc-graph .g-edge:hover .g-line{stroke-width:3}\n"
     ".smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}\n";
 
@@ -113,6 +120,14 @@ static void write_mark(Buf *out, const DiagramFindings *f, uint32_t number, int3
 
 // Returns the CSS class " g-unrun" if no run has executed the state or edge, otherwise "".
 static const char *css_class_of_count(const Diagram *d, uint64_t count) { return d->o->counts && count == 0 ? " g-unrun" : ""; }
+
+// Returns the CSS class of what happened from one machine to the next; "" if nothing did.
+static const char *css_class_of_change(DiagramChange c)
+{
+    static const char *const name[] = {"", " g-added", " g-removed", " g-changed"};
+
+    return name[c];
+}
 
 // ---- states ----
 
@@ -188,7 +203,7 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     const Box b = n->box;
     const int32_t middle = b.y + b.h / 2;
 
-    buf_printf(out, "<g class=\"g-node%s%s\">", n->reached ? "" : " g-never", css_class_of_count(d, diagram_times_entered(d, n)));
+    buf_printf(out, "<g class=\"g-node%s%s%s\">", n->reached ? "" : " g-never", css_class_of_count(d, diagram_times_entered(d, n)), css_class_of_change(n->change));
     write_state_title(out, d, n);
     write_outline(out, box_class(n), n, b, 0);
     if (n->state->is_safe)
@@ -360,7 +375,7 @@ static void write_line_width(Buf *out, uint64_t count)
 
 static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
-    buf_printf(out, "<g class=\"g-edge%s%s\"", e->possible ? "" : " g-never", css_class_of_count(d, diagram_times_taken(e)));
+    buf_printf(out, "<g class=\"g-edge%s%s%s\"", e->possible ? "" : " g-never", css_class_of_count(d, diagram_times_taken(e)), css_class_of_change(e->change));
     write_line_width(out, diagram_times_taken(e));
     buf_str(out, ">");
     write_edge_title(out, d, e);

@@ -53,6 +53,7 @@ void report_add_findings(Report *r, Doc *d);
 void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);
 void report_add_requirements(Report *r, Doc *d);       // nothing if r->requirements is NULL
+void report_add_traceability(Report *r, Doc *d);       // nothing if neither a file nor a mark names a requirement
 void report_add_scripts(Report *r, Doc *d);
 
 // Number of findings that count, and of findings that an @allow covers.

@@ -166,7 +166,7 @@ static DocFigure choose_figure(DiagramSize s)
 void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramCounts *counts, const char *caption)
 {
     DiagramSize size;
-    const DiagramOptions o = {findings, counts, &size};
+    const DiagramOptions o = {.findings = findings, .counts = counts, .size = &size};
     DocPart *figure;
     Buf svg, print;
 

@@ -52,6 +52,13 @@
     "Each requirement is judged after every step of every script in which it could be violated. `Times` is the number of these steps. One " \
     "that was never judged has not been tested, and one that is undecided has not been met."
 
+// ---- traceability ----
+
+#define TEXT_TRACEABILITY \
+    "From requirements to the machine: each mark `@req`. From the machine to requirements: a part has those of its own marks, of the " \
+    "conditionals around it, and of its state; a state without a mark has those of the marks inside it. A part without any is code that no " \
+    "requirement asks for, or a mark is missing."
+
 // ---- messages ----
 
 #define TEXT_MESSAGES \

@@ -219,7 +219,7 @@ static void evaluate(ScriptRun *r, const NotedAssert *note)
 {
     const ScriptAssert *a = &note->item->asserts.at[note->assert];
 
-    r->evaluated[note->item->first_assert + note->assert] = 1;
+    r->evaluated[note->item->first_assert + note->assert]++;
     switch (a->kind) {
     case SCRIPT_ASSERT:
         if (is_true(r, a))

@@ -82,7 +82,7 @@ typedef struct ScriptResult {
     uint64_t asserts_passed;
     uint64_t *cell;           // the final values, by variable
     const char *printed;      // what @print has shown: lines; "" if nothing
-    const uint8_t *evaluated; // by number of the assert, in the order of the script: it was evaluated at least once
+    const uint64_t *evaluated;        // by number of the assert, in the order of the script: how often it was evaluated
     const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
     const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: a requirement was violated, or only a @compare was not met
     bool is_violated;         // SCRIPT_FAILED: a requirement was violated

@@ -325,7 +325,7 @@ static void allocate_run(ScriptRun *r)
     ref_windows_init(&r->windows, r->arena, &r->s->window);
     ref_random_init(&r->random, r->arena, &r->s->random, r->result.seed);
     r->windows.random = &r->random;
-    r->evaluated = arena_alloc(r->arena, t.asserts);
+    r->evaluated = ARENA_ARRAY(r->arena, uint64_t, t.asserts);
     r->is_pending = arena_alloc(r->arena, t.asserts);
     buf_init(&r->printed, r->arena);
     r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);

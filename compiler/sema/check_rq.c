@@ -190,9 +190,9 @@ Requirements *check_requirements(CheckContext *c, const AstFile *const *file, si
 
 // ---- marks ----
 
-static void add_mark(Sema *s, Str requirement, const State *state, bool is_statement, Span span)
+static void add_mark(Sema *s, Str requirement, const State *state, const Stmt *stmt, bool is_statement, Span span)
 {
-    const RequirementMark m = {requirement, state, is_statement, span};
+    const RequirementMark m = {requirement, state, is_statement, stmt, span};
 
     vec_push(s->arena, &s->building->mark, m);
 }
@@ -202,14 +202,14 @@ void add_section_marks(Sema *s, const AstSection *section, const State *state)
     for (size_t i = 0; i < section->annotations.n; i++) {
         const AstAnnotation *a = &section->annotations.at[i];
         if (a->kind == AST_REQ)
-            add_mark(s, a->name, state, false, a->name_span);
+            add_mark(s, a->name, state, NULL, false, a->name_span);
     }
 }
 
-void add_stmt_marks(Sema *s, const AstStmt *stmt)
+void add_stmt_marks(Sema *s, const AstStmt *in, const Stmt *stmt)
 {
-    for (size_t i = 0; i < stmt->marks->at.n; i++)
-        add_mark(s, stmt->marks->at.at[i], s->state, true, stmt->marks->span.at[i]);
+    for (size_t i = 0; i < in->marks->at.n; i++)
+        add_mark(s, in->marks->at.at[i], s->state, stmt, true, in->marks->span.at[i]);
 }
 
 // Warns of an @req whose requirement no file has.

@@ -205,7 +205,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (in->at[i]->marks && s->building && !is_repeated)
-            add_stmt_marks(s, in->at[i]);
+            add_stmt_marks(s, in->at[i], stmt);
         if (before && before->kind == AST_TRANSITION && !before->flawed && !is_warned) {
             warn_of_unreachable_statement(s, before, in->at[i]);
             is_warned = true;

@@ -259,6 +259,7 @@ typedef struct RequirementMark {
     Str requirement;          // its id
     const State *state;       // the state that has the mark, or its statement; NULL: a section [all_states]
     bool is_statement;        // the mark follows a statement, or a transition
+    const Stmt *stmt;         // that statement, in [all_states] its first copy; NULL: the mark is on a state or a section
     Span span;                // the annotation
 } RequirementMark;
 

@@ -257,7 +257,7 @@ void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed);
 // ---- check_rq.c: marks @req of a machine ----
 
 void add_section_marks(Sema *s, const AstSection *section, const State *state);      // of a state; NULL: of [all_states]
-void add_stmt_marks(Sema *s, const AstStmt *stmt);
+void add_stmt_marks(Sema *s, const AstStmt *in, const Stmt *stmt);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);
 

@@ -27,6 +27,7 @@ Options:
   --coverage-data=FILE     write the counts to FILE, as .cov; later calls accept such files as arguments and add them
   --coverage-json=FILE     write each place with its count as JSON
   --coverage-lcov=FILE     write lines and branches for genhtml and CI servers, as lcov does
+  --traceability=FILE      write where each requirement is implemented and tested, and which requirements each part of the machine has: as CSV, or as JSON if FILE ends in .json
   --min-coverage=LIST      fail below a percentage, as in transitions:100,conditions:90, and list what is missing
   --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
   --message-file=FILE      write the messages to FILE in that form, else as its name ends (.json, .sarif); standard error then has text

@@ -51,4 +51,35 @@ undecided has not been met.
   R4           drogue stays            a.rq:5  a.sm:14                      a.ss          13  met
   R5           through drogue          a.rq:6  nowhere                      a.ss          13  met
 
+Traceability
+------------
+
+From requirements to the machine: each mark `@req`. From the machine to requirements: a part has
+those of its own marks, of the conditionals around it, and of its state; a state without a mark has
+those of the marks inside it. A part without any is code that no requirement asks for, or a mark is
+missing.
+
+5 requirements: 5 tested; 1 output, 1 state without a requirement
+
+
+  Requirement  Implemented in         Line
+  R1           state Pad                 9
+  R3           Pad -> Drogue            11
+  R3           Drogue -> Main           16
+  R4           Drogue: drogue = true    14
+
+From the machine to requirements
+  State   Kind        Part            Condition or statement  Line  Requirements  Marked at
+  Pad     state       Pad                                        9  R1            itself
+  Pad     transition  Pad -> Drogue   p > 100                   11  R3; R1        itself
+  Drogue  state       Drogue                                    12  R4; R3        contents
+  Drogue  output      Drogue: drogue  drogue = true             14  R4            itself
+  Drogue  transition  Drogue -> Main  T > 50                    16  R3            conditional
+  Main    state       Main                                      17  none
+  Main    output      Main: main      main = true               19  none
+
+From asserts to requirements
+  Place   Text  Times  Result  Requirement
+  a.ss:5  main      1  passed  R2
+
 Findings

@@ -260,9 +260,9 @@ smc: 'one.cov' has the coverage of the machine 'a', not of 'other'
 smc: 'a2.cov' has the coverage of another version of 'a': run its scripts again
 smc: 'a3.cov' is no file that --coverage-data has written
 smc: 'a4.cov' is damaged: the name of its machine is missing
-smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows, states and parameters
+smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows, states, parameters and requirements
 Try 'smc test --help'.
-smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows, states and parameters
+smc: --min-coverage requires kinds and percentages, as in transitions:100,conditions:90; the kinds are transitions, statements, guards, conditions, windows, states, parameters and requirements
 Try 'smc test --help'.
 smc: a file of counts (.cov) requires a machine and --coverage
 Try 'smc test --help'.

@@ -76,6 +76,11 @@ writers()
         '--coverage-data=@' 'test tank.sm tank.ss' \
         '--coverage-json=@' 'test tank.sm tank.ss' \
         '--coverage-lcov=@' 'test tank.sm tank.ss' \
+        '--traceability=@' 'test tank.sm tank.ss' \
+        '-o @' 'diff tank.sm tank.sm tank.ss' \
+        '-o @' 'diff tank.sm tank.sm --format=markdown' \
+        '-o @' 'diff tank.sm tank.sm --format=json' \
+        '-o @' 'diff tank.sm tank.sm --format=svg' \
         '-o @' 'mutate tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss --format=json' \
         '--trace=@' 'test tank.sm tank.ss' \

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc test --traceability: which requirements the machine and its scripts belong to, as a file; and how many requirements are tested.
+#include "compiler/cli/test.h"
+
+static bool is_wanted(const Cli *c)
+{
+    double unused;
+
+    return c->given[OPT_TRACEABILITY] || test_coverage_demands_requirements(c, &unused);
+}
+
+int test_traceability_check_options(Cli *c, const char *machine, size_t requirements)
+{
+    double unused;
+
+    if (c->given[OPT_TRACEABILITY] && !machine)
+        return cli_usage_error(c, TEXT_traceability_of_machine);
+    if (c->given[OPT_TRACEABILITY] && has_suffix(machine, ".app"))
+        return cli_usage_error(c, TEXT_traceability_of_app, machine);
+    if (test_coverage_demands_requirements(c, &unused) && requirements == 0)
+        return cli_usage_error(c, TEXT_demand_of_requirements);
+    return EXIT_OK;
+}
+
+Traceability *test_traceability_begin(TestRun *t, const Program *p, const Requirements *what)
+{
+    return is_wanted(t->c) ? traceability_new(t->arena, p, what) : NULL;
+}
+
+static int write_file(TestRun *t, const Traceability *matrix)
+{
+    OsOutput file = {t->c->value[OPT_TRACEABILITY], NULL, 0};
+    Buf out;
+
+    if (!t->c->given[OPT_TRACEABILITY])
+        return EXIT_OK;
+    buf_init(&out, t->arena);
+    if (has_suffix(file.path, ".json"))
+        traceability_write_json(matrix, &out);
+    else
+        traceability_write_csv(matrix, &out);
+    file.bytes = buf_text(&out);
+    file.n = out.n;
+    return cli_write_outputs(t->c, &file, 1);
+}
+
+// Returns a place in a source that names the requirement.
+static Span place_of(const Traceability *matrix, const TracedRequirement *q)
+{
+    return q->what ? q->what->span : q->mark.n ? q->mark.at[0].span : matrix->assert.at[q->assert.at[0]].span;
+}
+
+// Reports that too few requirements are tested, with a note for each that is not.  One that is violated has been tested.
+static void judge(TestRun *t, const Traceability *matrix, const char *machine, double percent)
+{
+    Diags *d = &t->c->session.diags;
+    const uint32_t tested = matrix->counts.tested + matrix->counts.violated, all = matrix->requirement.n;
+    TestResult r = {.path = format_in(t->arena, "requirements of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
+    Diag *low = NULL;
+
+    for (size_t i = 0; i < all && 100.0 * tested < percent * all; i++) {
+        const TracedRequirement *q = &matrix->requirement.at[i];
+        if (q->result[0] != 'u')
+            continue;                             // "untested" and "undecided"
+        if (low == NULL)
+            low = diag_report(d, DIAG_coverage_too_low, place_of(matrix, q), "requirements",
+                              format_in(t->arena, "%lu of %lu", (unsigned long)tested, (unsigned long)all), format_in(t->arena, "%.6g", percent));
+        diag_note(d, low, place_of(matrix, q), DIAG_note_not_covered,
+                  format_in(t->arena, "%s is %s%s%s", q->id->text, q->result, q->what ? ": " : "", q->what ? q->what->text->text : ""));
+    }
+    r.code = test_report_diagnostics(t, &r.message);
+    if (r.code != EXIT_OK)
+        r.status = TEST_FAILED;
+    vec_push(t->arena, &t->result, r);
+}
+
+int test_traceability_finish(TestRun *t, Traceability *matrix, const char *machine)
+{
+    double percent;
+    Buf out;
+    int code;
+
+    if (!matrix)
+        return EXIT_OK;
+    traceability_finish(matrix);
+    if ((code = write_file(t, matrix)) != EXIT_OK)
+        return code;
+    buf_init(&out, t->arena);
+    traceability_write_summary(matrix, &out);
+    t->traceability = buf_text(&out);
+    if (test_coverage_demands_requirements(t->c, &percent))
+        judge(t, matrix, machine, percent);
+    return EXIT_OK;
+}
