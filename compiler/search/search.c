@@ -5,7 +5,7 @@
 
 #include "compiler/ir/eval.h"
 
-typedef struct Search {
+typedef struct SearchRun {
     Arena *arena;
     const Cover *c;
     const SearchOptions *o;
@@ -18,9 +18,9 @@ typedef struct Search {
     uint64_t *cell;           // by Var.index
     double *distance;
     void *situation;
-} Search;
+} SearchRun;
 
-static uint64_t next_random(Search *k)
+static uint64_t next_random(SearchRun *k)
 {
     uint64_t z = k->random += UINT64_C(0x9e3779b97f4a7c15);
 
@@ -29,7 +29,7 @@ static uint64_t next_random(Search *k)
     return z ^ z >> 31;
 }
 
-static void run_steps(Search *k, const Scenario *s)
+static void run_steps(SearchRun *k, const Scenario *s)
 {
     const Program *p = k->c->p;
     const SearchWatch *w = k->o->watch;
@@ -58,7 +58,7 @@ static void run_steps(Search *k, const Scenario *s)
     }
 }
 
-static void store_found(Search *k, const Scenario *s)
+static void store_found(SearchRun *k, const Scenario *s)
 {
     VEC(uint32_t) goal = {NULL, 0, 0};
 
@@ -76,7 +76,7 @@ static void store_found(Search *k, const Scenario *s)
     }
 }
 
-static void try_scenario(Search *k, const double *value, uint32_t values)
+static void try_scenario(SearchRun *k, const double *value, uint32_t values)
 {
     const Program *p = k->c->p;
     const uint64_t step_at[3] = {1, 2 + next_random(k) % 100, 200 + next_random(k) % 1000};
@@ -98,7 +98,7 @@ static void try_scenario(Search *k, const double *value, uint32_t values)
 
 SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
 {
-    Search k = {.arena = arena, .c = c, .o = o, .random = o->seed};
+    SearchRun k = {.arena = arena, .c = c, .o = o, .random = o->seed};
     const uint64_t effort = o->effort ? o->effort : SEARCH_EFFORT;
     const unsigned kinds = o->kinds ? o->kinds : SEARCH_KINDS;
     SearchResult *r = k.r = ARENA_NEW(arena, SearchResult);
