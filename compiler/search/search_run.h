@@ -111,6 +111,7 @@ typedef struct SearchNode {
     uint64_t at;              // steps from the start
     const SearchTurn *turn;
     uint32_t turns;
+    uint32_t depth;           // changes from the start
     char *copy;               // or NULL
     uint32_t state;
     uint64_t key;             // of what it has stored
