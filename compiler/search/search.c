@@ -205,6 +205,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     begin_result(k);
     search_study_machine(k);
     search_make_goals(k);
+    search_prove(k);
     search_begin_nodes(k);
     search_begin_solving(k);
     search_build_flat(k);

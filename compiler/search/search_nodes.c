@@ -415,7 +415,7 @@ uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn,
     node = goal == SEARCH_NONE ? add_node(k, &seg) : SEARCH_NONE;
     store_near(k, &seg, &active);
     drop_node(k, from);
-    if (k->done_since > 8 + k->open / 4)
+    if (k->done_since > k->open / 8)
         search_build_flat(k);
     return node;
 }
