@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loop of a search: chooses a goal and a snapshot, solves for inputs, and runs.
+#include "compiler/search/search.h"
+
+#include <string.h>
+
+#include "compiler/search/search_run.h"
+
+enum { WALK_PERCENT = 20, WALK_LENGTH = 6, ENTRY_PERCENT = 33 };
+
+// SplitMix64: every seed, 0 included, is as good as another.
+uint64_t search_random(SearchRun *k)
+{
+    uint64_t z = k->random += UINT64_C(0x9e3779b97f4a7c15);
+
+    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+    return z ^ z >> 31;
+}
+
+// ---- goals ----
+
+// Picks an entry of a state: the simpler one of two, mostly.
+static uint32_t pick_entry(SearchRun *k, uint32_t state)
+{
+    const SearchNear *pool = &k->entry[state * SEARCH_ENTRIES];
+    const uint32_t a = pool[search_pick(k, k->entries[state])].node, b = pool[search_pick(k, k->entries[state])].node;
+
+    return (k->node.at[b].depth < k->node.at[a].depth) == search_chance(k, 75) ? b : a;
+}
+
+// Returns an entry of a state that a goal can be reached in; SEARCH_NONE: none has been visited.
+static uint32_t find_entry(SearchRun *k, const SearchGoal *g)
+{
+    uint32_t n = 0, out = SEARCH_NONE;
+
+    for (uint32_t s = 0; s < g->site.n; s++) {
+        const uint32_t state = g->site.at[s].state;
+        if (state == 0 || k->entries[state - 1] == 0 || search_pick(k, ++n) != 0)
+            continue;
+        out = pick_entry(k, state - 1);
+    }
+    return out;
+}
+
+static uint32_t find_any_entry(SearchRun *k)
+{
+    const uint32_t states = k->p->state.n, first = search_pick(k, states);
+
+    for (uint32_t i = 0; i < states; i++) {
+        const uint32_t s = (first + i) % states;
+        if (k->entries[s])
+            return pick_entry(k, s);
+    }
+    return SEARCH_NONE;
+}
+
+static bool is_approachable(const SearchRun *k, const SearchGoal *g)
+{
+    if (g->pooled || g->site.n == 0)
+        return true;
+    for (uint32_t s = 0; s < g->site.n; s++)
+        if (g->site.at[s].state == 0 || k->visited[g->site.at[s].state - 1])
+            return true;
+    return false;
+}
+
+// Chooses the open goal on which the fewest steps were spent.
+static uint32_t choose_goal(SearchRun *k)
+{
+    uint32_t best = SEARCH_NONE;
+
+    for (uint32_t g = 0; g < k->goals; g++)
+        if (!k->goal[g].done && is_approachable(k, &k->goal[g]) && (best == SEARCH_NONE || k->goal[g].cost < k->goal[best].cost))
+            best = g;
+    return best;
+}
+
+static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
+{
+    uint32_t n = SEARCH_NONE;
+
+    if (g->pooled == 0 || search_chance(k, ENTRY_PERCENT))
+        n = find_entry(k, g);
+    if (n == SEARCH_NONE && g->pooled)
+        n = g->pool[search_pick(k, g->pooled)].node;
+    return n == SEARCH_NONE ? find_any_entry(k) : n;
+}
+
+static void attempt_goal(SearchRun *k, uint32_t goal)
+{
+    SearchGoal *g = &k->goal[goal];
+    const uint64_t before = k->r->steps;
+    const uint32_t node = choose_node(k, g);
+    const uint64_t steps = search_solve_goal(k, node, goal);
+
+    search_run_segment(k, node, k->turn.at, k->turn.n, steps, goal);
+    g->cost += k->r->steps - before + 100;
+}
+
+// ---- walks ----
+
+static const SearchExit *choose_exit(SearchRun *k, uint32_t state)
+{
+    const SearchExit *out = NULL;
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < k->exit.n; i++)
+        if (k->exit.at[i].from == state && search_pick(k, ++n) == 0)
+            out = &k->exit.at[i];
+    return out;
+}
+
+// Goes from state to state by any transitions, so that entries with other stored values are found.
+static void walk(SearchRun *k)
+{
+    uint32_t node = find_any_entry(k);
+
+    if (node == SEARCH_NONE)
+        return;
+    k->node.at[node].users++;
+    for (uint32_t i = 0; i < WALK_LENGTH && search_goes_on(k); i++) {
+        const SearchExit *x = choose_exit(k, k->node.at[node].state);
+        uint32_t next;
+        if (!x || !k->node.at[node].copy)
+            break;
+        {
+            const uint64_t steps = search_solve_exit(k, node, x);
+            next = search_run_segment(k, node, k->turn.at, k->turn.n, steps, SEARCH_NONE);
+        }
+        search_drop(k, node);
+        node = next;
+    }
+    search_drop(k, node);
+}
+
+static void search(SearchRun *k)
+{
+    while (k->open && search_goes_on(k)) {
+        const uint32_t goal = search_chance(k, WALK_PERCENT) ? SEARCH_NONE : choose_goal(k);
+        if (goal == SEARCH_NONE)
+            walk(k);
+        else
+            attempt_goal(k, goal);
+    }
+}
+
+// ---- beginning and end ----
+
+static void begin_result(SearchRun *k)
+{
+    const SearchOptions *o = k->o;
+    const Cover *c = k->c;
+    const unsigned kinds = o->kinds ? o->kinds : SEARCH_KINDS;
+    SearchResult *r = k->r = ARENA_NEW(k->arena, SearchResult);
+
+    r->delta_t = k->delta_t = k->p->step ? k->p->step : o->delta_t ? o->delta_t : SEARCH_DELTA_T;
+    r->places = c->place.n;
+    r->finds = r->places + (o->watch ? o->watch->goals : 0);
+    r->find = ARENA_ARRAY(k->arena, SearchFind, r->finds);
+    for (uint32_t i = 1; i < r->finds; i++) {
+        SearchFind *f = &r->find[i];
+        const bool is_goal = i >= r->places || (!o->no_places && c->hits[i] == 0 && kinds >> c->place.at[i].kind & 1);
+        f->nearest = SEARCH_UNKNOWN;
+        f->reason = is_goal && i < r->places ? c->place.at[i].impossible : NULL;
+        f->outcome = !is_goal ? SEARCH_NO_GOAL : f->reason ? SEARCH_IMPOSSIBLE : SEARCH_NOT_FOUND;
+    }
+}
+
+// Describes what was not found.
+static void describe_missing(SearchRun *k)
+{
+    for (uint32_t i = 0; i < k->goals; i++) {
+        const SearchGoal *g = &k->goal[i];
+        SearchFind *f = &k->r->find[g->place];
+        if (f->outcome != SEARCH_NOT_FOUND)
+            continue;
+        f->nearest = g->best >= SEARCH_UNKNOWN ? SEARCH_UNKNOWN : g->best / (1 + g->best);
+        for (uint32_t s = 0; s < g->site.n; s++)
+            f->is_state_reached |= g->site.at[s].state == 0 || k->visited[g->site.at[s].state - 1];
+        if (g->best < SEARCH_UNKNOWN && g->place < k->r->places) {
+            const uint32_t place = k->decision[g->best_elem.decision].d->hit + !g->best_elem.value;
+            const uint32_t blocking = k->goal_of[place];
+            f->blocked_by = blocking != SEARCH_NONE && !k->goal[blocking].done ? place : 0;
+        }
+    }
+}
+
+SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
+{
+    SearchRun *k = ARENA_NEW(arena, SearchRun);
+
+    arena_init_within(&k->work, arena);
+    arena_init_within(&k->flats, arena);
+    k->arena = arena;
+    k->c = c;
+    k->p = c->p;
+    k->m = c->m;
+    k->o = o;
+    k->random = o->seed;
+    k->effort = o->effort ? o->effort : SEARCH_EFFORT;
+    k->memory = o->memory ? o->memory : SEARCH_MEMORY;
+    k->start = o->init_state ? o->init_state : c->p->state.at[0];
+    k->plain = flat_new(&k->work, k->m, NULL);
+    begin_result(k);
+    search_study_machine(k);
+    search_make_goals(k);
+    search_prove(k);
+    search_begin_nodes(k);
+    search_begin_solving(k);
+    search_build_flat(k);
+    search(k);
+    search_choose(k);
+    describe_missing(k);
+    arena_free(&k->flats);
+    arena_free(&k->work);
+    return k->r;
+}
