@@ -471,9 +471,11 @@ static bool add_run(Writer *w)
 
 // ---- text ----
 
-// Appends a sentence as comment lines.
+// Appends a sentence as comment lines; an empty one is an empty comment.
 static void write_comment(const char *text, Buf *out)
 {
+    if (!*text)
+        buf_str(out, "#\n");
     while (*text) {
         size_t n = strlen(text), most = LINE_MOST - 2;
         if (n > most) {
