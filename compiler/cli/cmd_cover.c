@@ -100,9 +100,9 @@ static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Co
 
 // ---- searching ----
 
-typedef struct Progress { CoverRun *r; double last; uint64_t steps; bool is_shown; } Progress;
+typedef struct CoverProgress { CoverRun *r; double last; uint64_t steps; bool is_shown; } CoverProgress;
 
-static void show_progress(Progress *k, const SearchProgress *p)
+static void show_progress(CoverProgress *k, const SearchProgress *p)
 {
     const double now = os_seconds();
     Buf out;
@@ -120,14 +120,14 @@ static void show_progress(Progress *k, const SearchProgress *p)
 
 static bool go_on(void *context, const SearchProgress *p)
 {
-    Progress *k = context;
+    CoverProgress *k = context;
 
     show_progress(k, p);
     k->r->was_interrupted = os_signal_waiting() != 0;
     return !k->r->was_interrupted;
 }
 
-static void end_progress(Progress *k)
+static void end_progress(CoverProgress *k)
 {
     Buf out;
 
@@ -139,7 +139,7 @@ static void end_progress(Progress *k)
 
 static SearchResult *search(CoverRun *r, const CoverSettings *s, const SearchWatch *watch)
 {
-    Progress progress = {r, os_seconds(), 0, false};
+    CoverProgress progress = {r, os_seconds(), 0, false};
     const SearchOptions o = {.seed = s->seed, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .delta_t = s->delta_t, .kinds = r->kinds,
                              .no_places = watch != NULL, .watch = watch, .go_on = go_on, .context = &progress};
     SearchResult *result = search_run(r->arena, r->given, &o);
@@ -169,22 +169,19 @@ static uint32_t main_goal(const CoverRun *r, const SearchScenario *s)
     return ending ? ending : found;
 }
 
-// Lists the other goals that a script is the first to reach, at most ALSO_MOST of them.
+// Lists the other goals that a script is the first to reach, at most ALSO_MOST of them: transitions first.  Statements and states follow from
+// those.
 static const char *list_others(const CoverRun *r, const SearchScenario *s, uint32_t goal)
 {
+    static const CoverKind kinds[] = {COVER_TRANSITION, COVER_GUARD, COVER_CONDITION, COVER_WINDOW};
     uint32_t n = 0;
     Buf out;
 
     buf_init(&out, r->arena);
-    for (uint32_t i = 0; i < s->goals; i++) {
-        if (s->goal[i] == goal || r->all->hits[s->goal[i]] > 0)
-            continue;
-        if (n < ALSO_MOST)
-            buf_printf(&out, "%s%s", n ? " " : "This run also shows: ", goal_sentence(r->text, s->goal[i]));
-        n++;
-    }
-    if (n > ALSO_MOST)
-        buf_printf(&out, " (and %lu more)", (unsigned long)(n - ALSO_MOST));
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (uint32_t i = 0; i < s->goals && n < ALSO_MOST; i++)
+            if (s->goal[i] != goal && r->all->hits[s->goal[i]] == 0 && r->all->place.at[s->goal[i]].kind == kinds[k])
+                buf_printf(&out, "%s%s", n++ ? " " : "The run also shows: ", goal_sentence(r->text, s->goal[i]));
     return buf_text(&out);
 }
 

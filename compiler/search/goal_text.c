@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/analysis/transitions.h"
+#include "stdlib/convert.h"
 
 struct GoalTexts {
     Arena *arena;
@@ -63,12 +64,35 @@ static const Transition *transition_of(const GoalTexts *t, const CoverPlace *p)
 
 // ---- sentences ----
 
+typedef struct Constants { Arena *arena; Buf out; } Constants;
+
+static void add_constant(Expr *e, void *context)
+{
+    Constants *k = context;
+
+    if (e->kind == EX_VAR && e->var->is_constant && !strstr(buf_text(&k->out), format_in(k->arena, "%s = ", e->var->name->text)))
+        buf_printf(&k->out, "%s%s = %s", k->out.n ? ", " : " (", e->var->name->text, const_text(k->arena, sm_cell_to_f64(e->var->type, e->var->init)));
+}
+
+// Returns the values of the constants in a condition: " (limit = 825, margin = 25)"; "" if it has none.
+static const char *constants_of(Arena *arena, const Condition *when)
+{
+    Constants k = {.arena = arena};
+
+    buf_init(&k.out, arena);
+    for (const Condition *c = when; c; c = c->outer)
+        expr_walk(c->stmt->value, add_constant, &k);
+    if (k.out.n)
+        buf_char(&k.out, ')');
+    return buf_text(&k.out);
+}
+
 static const char *transition_sentence(const GoalTexts *t, const CoverPlace *p)
 {
     const Transition *taken = transition_of(t, p);
     const char *when = taken ? condition_text(t->arena, taken->when) : "";
 
-    return *when ? format_in(t->arena, "%s -> %s, taken because %s.", p->from->name->text, p->to->name->text, when)
+    return *when ? format_in(t->arena, "%s -> %s, taken because %s%s.", p->from->name->text, p->to->name->text, when, constants_of(t->arena, taken->when))
                  : format_in(t->arena, "%s -> %s, taken without a condition.", p->from->name->text, p->to->name->text);
 }
 
