@@ -226,6 +226,20 @@ compare-campaign: $(B)/compare/random
 	$(B)/compare/random $(SEED) $(N)
 .PHONY: compare-campaign
 
+# tests/cover: scripts that are written from random scenarios, and what is called impossible.  `make scripts-campaign N=100000 SEED=1`.
+$(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+$(B)/cover/exhaustive: $(B)/obj/tests/cover/exhaustive.o $(B)/obj/tests/diff/cover_model.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+scripts-campaign: $(B)/cover/scripts $(B)/cover/exhaustive
+	$(B)/cover/scripts $(SEED) $(N)
+	$(B)/cover/exhaustive $(SEED) $(N)
+.PHONY: scripts-campaign
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -882,6 +896,9 @@ $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
 $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementary/bits)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
+$(call test, scripts-random,       quick, $(B)/cover/scripts, $(B)/cover/scripts 1 200)
+$(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 1 200)
+$(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)

@@ -19,6 +19,8 @@ Usage:
       change one number, operator, target or statement at a time, and list the changes that no script notices
   smc diff OLD.sm NEW.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       compare what two machines do: states, transitions, outputs, costs and findings, and in scripts
+  smc cover M.sm [SCRIPT.ss...] [--sv V.sv] -o FOLDER
+      find inputs that reach what no script has tested, and write them as scripts into a folder
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE
