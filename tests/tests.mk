@@ -217,6 +217,15 @@ requirements-campaign: $(B)/requirements/random
 	$(B)/requirements/random $(SEED) $(N)
 .PHONY: requirements-campaign
 
+# tests/cover: scripts that are written from random scenarios.  `make scripts-campaign N=100000 SEED=1`.
+$(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+scripts-campaign: $(B)/cover/scripts
+	$(B)/cover/scripts $(SEED) $(N)
+.PHONY: scripts-campaign
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -847,6 +856,7 @@ $(call test, soft,                 thorough, $(B)/soft/run, $(B)/soft/run)
 $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementary/bits)
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
+$(call test, scripts-random,       quick, $(B)/cover/scripts, $(B)/cover/scripts 1 200)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)

@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes a scenario as a state script.  Its inputs become items by time; the asserts come from a run of the scenario.
+//
+// 1. A value that the machine never stores is set once, `at` its time.  The machine could replace any other, so that is set in every step.
+// 2. A copy reads its source as it is when the step begins, so copies of inputs come before the items that set inputs (language.md 8.16).
+// 3. The run is divided at each change of the state or of an output.  Outputs that change often are asserted only at the end.
+#include "compiler/search/script_writer.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/script/script.h"
+#include "compiler/search/search.h"
+#include "stdlib/convert.h"
+
+enum {
+    LINE_MOST = 100,          // columns of a comment
+    TERMS_MOST = 70,          // columns of the condition of an assert
+    SPANS_MOST = 10,          // lines of the time line
+    CHANGES_MOST = 6,         // an output that changes more often is asserted only at the end
+    REPEATED_MOST = 4         // with more outputs, a line of the time line has only those that have changed
+};
+
+typedef enum Rank { RANK_EARLY, RANK_INPUT, RANK_ASSERT, RANK_STOP } Rank;
+
+// An item of the script: its guard, and a line of text for each item of its body.  A guard that begins with # is a comment without a body.
+typedef struct Item {
+    uint64_t step;            // the first step with it
+    Rank rank;
+    const char *guard;
+    VEC(const char *) body;
+    uint32_t number;
+} Item;
+
+typedef struct Writer {
+    Arena *arena;
+    const ScriptPage *page;
+    const Program *p;
+    const Scenario *s;
+    VEC(Item) item;
+    VEC(const Var *) output;  // those of the time line
+    VEC(const Var *) busy;    // those that are asserted only at the end
+} Writer;
+
+// ---- values ----
+
+// Returns the double with the fewest decimal digits that is stored as `cell`.
+static double shorten(SmType type, uint64_t cell, double x)
+{
+    char digits[40];
+
+    for (int precision = 1; precision < 17; precision++) {
+        double y;
+        snprintf(digits, sizeof digits, "%.*g", precision, x);
+        y = strtod(digits, NULL);
+        if (sm_cell_from_f64(type, y) == cell)
+            return y;
+    }
+    return x;
+}
+
+void script_write_value(Buf *out, SmType type, double x)
+{
+    const uint64_t cell = sm_cell_from_f64(type, x);
+    const double stored = sm_cell_to_f64(type, cell);
+
+    if (type == SM_BOOL)
+        buf_str(out, cell ? "true" : "false");
+    else if (stored - stored != 0 && type == SM_F32)
+        buf_str(out, stored < 0 ? "-1e39" : "1e39");            // becomes infinite when it is stored
+    else if (stored - stored != 0)
+        buf_str(out, stored < 0 ? "-1e308 * 10" : "1e308 * 10");
+    else if (type == SM_F32)
+        format_number_shortest(out, shorten(type, cell, stored));
+    else
+        format_number_shortest(out, stored);
+}
+
+void script_write_time(Buf *out, TimeUnit unit, uint64_t g)
+{
+    static const struct { TimeUnit from; uint64_t least, whole; TimeUnit unit; double factor; } row[] = {
+        {TIME_US, 1000000, 10000, TIME_S, 1e6}, {TIME_US, 1000, 10, TIME_MS, 1e3}, {TIME_MS, 1000, 10, TIME_S, 1e3}};
+
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        if (row[i].from == unit && g >= row[i].least && g % row[i].whole == 0 && g < UINT64_C(1) << 52) {
+            format_number_shortest(out, (double)g / row[i].factor);
+            buf_printf(out, " %s", time_unit_name(row[i].unit));
+            return;
+        }
+    buf_printf(out, "%llu", (unsigned long long)g);
+    if (g > 0)
+        buf_printf(out, " %s", time_unit_name(unit));
+}
+
+static const char *value_text(const Writer *w, SmType type, double x)
+{
+    Buf out;
+
+    buf_init(&out, w->arena);
+    script_write_value(&out, type, x);
+    return buf_text(&out);
+}
+
+static const char *time_text(const Writer *w, uint64_t step)
+{
+    Buf out;
+
+    buf_init(&out, w->arena);
+    script_write_time(&out, w->p->time_unit, (step - 1) * w->s->delta_t);
+    return buf_text(&out);
+}
+
+// ---- items ----
+
+// Returns the guard that is true in the steps from `from` up to `to`, which is not included; to 0: up to the end.
+static const char *guard_of(const Writer *w, uint64_t from, uint64_t to)
+{
+    if (to == from + 1 || (to == 0 && from == w->s->steps))
+        return format_in(w->arena, "at %s", time_text(w, from));
+    if (to == 0)
+        return from == 1 ? "true" : format_in(w->arena, "after %s", time_text(w, from));
+    return format_in(w->arena, "from %s to %s", time_text(w, from), time_text(w, to));
+}
+
+static Item *add_item(Writer *w, uint64_t step, Rank rank, const char *guard)
+{
+    const Item item = {.step = step, .rank = rank, .guard = guard, .number = w->item.n};
+
+    vec_push(w->arena, &w->item, item);
+    return &w->item.at[w->item.n - 1];
+}
+
+// Adds a line to the item with this guard.  The order of early items matters, so each is one line.
+static void add_line(Writer *w, uint64_t step, Rank rank, const char *guard, const char *line)
+{
+    Item *item = NULL;
+
+    for (uint32_t i = 0; i < w->item.n; i++)
+        if (rank != RANK_EARLY && w->item.at[i].rank == rank && w->item.at[i].step == step && strcmp(w->item.at[i].guard, guard) == 0)
+            item = &w->item.at[i];
+    if (!item)
+        item = add_item(w, step, rank, guard);
+    vec_push(w->arena, &item->body, line);
+}
+
+// ---- inputs ----
+
+// Returns the step of the next change of the same variable; 0: there is none.
+static uint64_t end_of(const Writer *w, const ScenarioChange *c)
+{
+    for (const ScenarioChange *n = c + 1; n < w->s->change + w->s->changes; n++)
+        if (n->var == c->var)
+            return n->step;
+    return 0;
+}
+
+static bool is_changed(const Writer *w, uint32_t var)
+{
+    for (size_t i = 0; i < w->s->changes; i++)
+        if (w->s->change[i].var == var)
+            return true;
+    return false;
+}
+
+// Sets a value that alternates with another one.  `every` counts from G = 0, so the two change places if the change is in an even step.
+static void add_alternation(Writer *w, const ScenarioChange *c, uint64_t to)
+{
+    const Var *v = w->p->var.at[c->var];
+    const bool is_even = c->step % 2 == 0;
+    const char *every = format_in(w->arena, "every %s", time_text(w, 3));
+    const char *first = format_in(w->arena, "%s = %s", v->name->text, value_text(w, v->type, is_even ? c->b : c->a));
+    const char *other = format_in(w->arena, "%s = %s", v->name->text, value_text(w, v->type, is_even ? c->a : c->b));
+
+    if (c->step == 1 && to == 0) {
+        Item *item = add_item(w, 1, RANK_INPUT, every);
+        vec_push(w->arena, &item->body, first);
+        item = add_item(w, 1, RANK_INPUT, "else");
+        vec_push(w->arena, &item->body, other);
+    } else {
+        Item *item = add_item(w, c->step, RANK_INPUT, guard_of(w, c->step, to));
+        vec_push(w->arena, &item->body, format_in(w->arena, "%s: %s", every, first));
+        vec_push(w->arena, &item->body, format_in(w->arena, "else:%*s%s", (int)strlen(every) - 3, "", other));
+    }
+}
+
+// The assignment with the value of the change in its first step.
+static const char *first_assignment(const Writer *w, const ScenarioChange *c)
+{
+    const Var *v = w->p->var.at[c->var];
+
+    return format_in(w->arena, "%s = %s", v->name->text, value_text(w, v->type, sm_cell_to_f64(v->type, scenario_cell(w->p, c, c->step, NULL))));
+}
+
+// Whether adding b in each step stores the same cells as the value of the ramp does (scenario_cell).
+static bool can_add(const Writer *w, const ScenarioChange *c, uint64_t end)
+{
+    const SmType type = w->p->var.at[c->var]->type;
+    uint64_t cell = scenario_cell(w->p, c, c->step, NULL);
+
+    if (w->p->var.at[c->var]->written)
+        return false;
+    for (uint64_t step = c->step + 1; step < end; step++) {
+        cell = sm_cell_from_f64(type, sm_cell_to_f64(type, cell) + c->b);
+        if (cell != scenario_cell(w->p, c, step, NULL))
+            return false;
+    }
+    return true;
+}
+
+static void add_ramp(Writer *w, const ScenarioChange *c, uint64_t to)
+{
+    const Var *v = w->p->var.at[c->var];
+    const char *name = v->name->text, *by = value_text(w, SM_F64, c->b < 0 ? -c->b : c->b), *sign = c->b < 0 ? "-" : "+";
+    const uint64_t end = to ? to : w->s->steps + 1;
+
+    if (!can_add(w, c, end)) {
+        add_line(w, c->step, RANK_INPUT, guard_of(w, c->step, to),
+                 format_in(w->arena, "%s = %s %s %s * ((%s - %llu) / %llu)", name, value_text(w, SM_F64, c->a), sign, by, w->p->g->name->text,
+                           (unsigned long long)((c->step - 1) * w->s->delta_t), (unsigned long long)w->s->delta_t));
+        return;
+    }
+    add_line(w, c->step, RANK_INPUT, guard_of(w, c->step, c->step + 1), first_assignment(w, c));
+    if (end > c->step + 1)
+        add_line(w, c->step + 1, RANK_INPUT, guard_of(w, c->step + 1, to), format_in(w->arena, "%s = %s %s %s", name, name, sign, by));
+}
+
+static void add_change(Writer *w, const ScenarioChange *c)
+{
+    const Var *v = w->p->var.at[c->var];
+    const uint64_t to = end_of(w, c);
+    const bool is_single = to == c->step + 1 || (to == 0 && c->step == w->s->steps);
+
+    if (c->kind == SCENARIO_COPY)
+        add_line(w, c->step, is_changed(w, c->source) ? RANK_EARLY : RANK_INPUT, guard_of(w, c->step, to),
+                 format_in(w->arena, "%s = %s", v->name->text, w->p->var.at[c->source]->name->text));
+    else if (c->kind == SCENARIO_HOLD || is_single)
+        add_line(w, c->step, RANK_INPUT, guard_of(w, c->step, v->written ? to : c->step + 1), first_assignment(w, c));
+    else if (c->kind == SCENARIO_ALTERNATE)
+        add_alternation(w, c, to);
+    else
+        add_ramp(w, c, to);
+}
+
+// Adds the copies whose variable no copy that is still to come reads, again and again.  Returns false if there is a circle.
+static bool add_early_copies(Writer *w)
+{
+    bool *is_done = arena_array(w->arena, w->s->changes + 1, sizeof *is_done);
+
+    for (size_t left = w->s->changes, before = left + 1; left > 0 && left < before; ) {
+        before = left;
+        left = 0;
+        for (size_t i = w->s->changes; i-- > 0; ) {           // an item runs before those that change what it reads
+            const ScenarioChange *c = &w->s->change[i];
+            bool waits = false;
+            if (is_done[i] || c->kind != SCENARIO_COPY || !is_changed(w, c->source))
+                continue;
+            for (size_t k = 0; k < w->s->changes; k++) {
+                const ScenarioChange *o = &w->s->change[k];
+                waits = waits || (!is_done[k] && k != i && o->kind == SCENARIO_COPY && o->source == c->var && o->var != c->var);
+            }
+            is_done[i] = !waits;
+            left += waits;
+            if (!waits)
+                add_change(w, c);
+        }
+        if (left == before)
+            return false;
+    }
+    return true;
+}
+
+static bool add_inputs(Writer *w)
+{
+    for (size_t i = 0; i < w->s->changes; i++) {
+        const ScenarioChange *c = &w->s->change[i];
+        const Var *source = w->p->var.at[c->source];
+        if (c->kind == SCENARIO_COPY && (source == w->p->g || source == w->p->s || source == w->p->t))
+            return false;
+        if (w->p->var.at[c->var]->parameter && (c->step > 1 || c->kind != SCENARIO_HOLD || end_of(w, c)))
+            return false;
+    }
+    if (!add_early_copies(w))
+        return false;
+    for (size_t i = 0; i < w->s->changes; i++) {
+        const ScenarioChange *c = &w->s->change[i];
+        if ((c->kind != SCENARIO_COPY || !is_changed(w, c->source)) && !w->p->var.at[c->var]->parameter)
+            add_change(w, c);
+    }
+    return true;
+}
+
+// ---- the run ----
+
+// A part of the run without a change of the state, or of an output of the time line.
+typedef struct Part {
+    uint64_t step;            // its first
+    uint32_t state;
+    uint64_t *cell;           // by output of the time line
+} Part;
+
+typedef struct Recording {
+    const Writer *w;
+    Part *part;               // a ring of SPANS_MOST + 1
+    uint64_t parts;           // how many the run had; the last ones are in the ring
+    uint64_t *changes;        // by Var.index
+    uint64_t *last;           // by Var.index: cells after the last step
+} Recording;
+
+static Part *part_at(const Recording *r, uint64_t i) { return &r->part[i % (SPANS_MOST + 1)]; }
+
+static void record_step(void *context, uint64_t step, const EngineStep *result)
+{
+    Recording *r = context;
+    const Writer *w = r->w;
+    const uint32_t state = (uint32_t)result->cell[w->p->s->index];
+    const Part *now = part_at(r, r->parts - 1);
+    bool differs = step == 1 || state != now->state;
+
+    for (uint32_t i = 0; i < w->p->var.n; i++)
+        r->changes[i] += step > 1 && result->cell[i] != r->last[i];
+    for (uint32_t i = 0; i < w->output.n && !differs; i++)
+        differs = result->cell[w->output.at[i]->index] != now->cell[i];
+    memcpy(r->last, result->cell, w->p->var.n * sizeof *r->last);
+    if (differs) {
+        Part *part = part_at(r, r->parts++);
+        part->step = step;
+        part->state = state;
+        for (uint32_t i = 0; i < w->output.n; i++)
+            part->cell[i] = result->cell[w->output.at[i]->index];
+    }
+}
+
+// Runs the scenario.  Returns false if the engine refuses a step.
+static bool record(Writer *w, Recording *r)
+{
+    *r = (Recording){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part), .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
+                     .last = arena_array(w->arena, w->p->var.n, sizeof *r->last)};
+    for (uint32_t i = 0; i <= SPANS_MOST; i++)
+        r->part[i].cell = arena_array(w->arena, w->output.n + 1, sizeof *r->part[i].cell);
+    return scenario_run(w->arena, w->p, w->s, w->page->engine, record_step, r) == ENGINE_OK;
+}
+
+// Moves the output with the most changes to those that are asserted only at the end.
+static void drop_busiest(Writer *w, const Recording *r)
+{
+    uint32_t most = 0;
+
+    for (uint32_t i = 1; i < w->output.n; i++)
+        if (r->changes[w->output.at[i]->index] >= r->changes[w->output.at[most]->index])
+            most = i;
+    vec_push(w->arena, &w->busy, w->output.at[most]);
+    memmove(&w->output.at[most], &w->output.at[most + 1], (w->output.n - most - 1) * sizeof *w->output.at);
+    w->output.n--;
+}
+
+static uint64_t most_changes(const Writer *w, const Recording *r)
+{
+    uint64_t most = 0;
+
+    for (uint32_t i = 0; i < w->output.n; i++)
+        if (r->changes[w->output.at[i]->index] > most)
+            most = r->changes[w->output.at[i]->index];
+    return most;
+}
+
+// Selects the outputs of the time line, and records the run.
+static bool record_time_line(Writer *w, Recording *r)
+{
+    for (uint32_t i = 0; i < w->p->var.n; i++)
+        if (w->p->var.at[i]->kind == VAR_ELEMENT && w->p->var.at[i]->written)
+            vec_push(w->arena, &w->output, w->p->var.at[i]);
+    if (!record(w, r))
+        return false;
+    while (w->output.n && most_changes(w, r) > CHANGES_MOST)
+        drop_busiest(w, r);
+    while (record(w, r) && r->parts > SPANS_MOST && w->output.n)
+        drop_busiest(w, r);
+    return true;
+}
+
+// ---- asserts ----
+
+// Returns a condition that is true of the value of a cell: the value itself, or of a long fraction the bounds of its first six digits.
+static const char *term_of(const Writer *w, const Var *v, uint64_t cell)
+{
+    const double x = sm_cell_to_f64(v->type, cell);
+    char digits[40];
+    double rounded, part = 1e-290;
+    const double size = x < 0 ? -x : x;
+    const char *name = v->name->text;
+
+    if (v->type == SM_BOOL)
+        return format_in(w->arena, "%s%s", cell ? "" : "not ", name);
+    if (x - x != 0)
+        return format_in(w->arena, x < 0 ? "%s < -1e38" : "%s > 1e38", name);
+    snprintf(digits, sizeof digits, "%.6g", x);
+    rounded = strtod(digits, NULL);
+    if (rounded == x || sm_type_info[v->type].kind != SM_KIND_FLOAT || size > 1e290 || size < 1e-280)
+        return format_in(w->arena, "%s == %s", name, value_text(w, SM_F64, x));
+    while (part * 1e6 < size)
+        part *= 10;                                             // ends as one to ten units of the sixth digit
+    snprintf(digits, sizeof digits, "%.6g", x - part);
+    rounded = strtod(digits, NULL);
+    snprintf(digits, sizeof digits, "%.6g", x + part);
+    return format_in(w->arena, "%s < %s < %s", value_text(w, SM_F64, rounded), name, value_text(w, SM_F64, strtod(digits, NULL)));
+}
+
+// Adds terms joined by `and`, in as many asserts as lines of a usual length need.
+static void add_asserts(Writer *w, uint64_t step, const char *guard, const char *const *term, uint32_t terms)
+{
+    Buf out;
+
+    buf_init(&out, w->arena);
+    for (uint32_t i = 0; i < terms; i++) {
+        if (out.n && out.n + strlen(term[i]) > TERMS_MOST) {
+            add_line(w, step, RANK_ASSERT, guard, format_in(w->arena, "@assert %s", buf_text(&out)));
+            out.n = 0;
+        }
+        buf_printf(&out, "%s%s", out.n ? " and " : "", term[i]);
+    }
+    if (out.n)
+        add_line(w, step, RANK_ASSERT, guard, format_in(w->arena, "@assert %s", buf_text(&out)));
+}
+
+static void add_part(Writer *w, const Recording *r, uint64_t i, uint64_t first)
+{
+    const Part *part = part_at(r, i), *before = i > first ? part_at(r, i - 1) : NULL;
+    const uint64_t to = i + 1 < r->parts ? part_at(r, i + 1)->step : 0;
+    const char *guard = guard_of(w, part->step, to), *state = w->p->state.at[part->state - 1]->name->text;
+    VEC(const char *) term = {NULL, 0, 0};
+
+    if (w->page->is_skeleton) {
+        add_item(w, part->step, RANK_ASSERT, format_in(w->arena, "# %s, in %s: what must be true?", strcmp(guard, "true") == 0 ? "always" : guard, state));
+        return;
+    }
+    vec_push(w->arena, &term, format_in(w->arena, "state %s", state));
+    for (uint32_t k = 0; k < w->output.n; k++)
+        if (w->output.n <= REPEATED_MOST || !before || part->cell[k] != before->cell[k])
+            vec_push(w->arena, &term, term_of(w, w->output.at[k], part->cell[k]));
+    add_asserts(w, part->step, guard, term.at, term.n);
+}
+
+static void add_end(Writer *w, const Recording *r)
+{
+    const char *guard = guard_of(w, w->s->steps, w->s->steps + 1);
+    VEC(const char *) term = {NULL, 0, 0};
+
+    for (uint32_t k = 0; k < w->busy.n; k++)
+        vec_push(w->arena, &term, term_of(w, w->busy.at[k], r->last[w->busy.at[k]->index]));
+    if (!w->page->is_skeleton)
+        add_asserts(w, w->s->steps, guard, term.at, term.n);
+    if (w->page->not_entered)
+        add_line(w, w->s->steps, RANK_ASSERT, guard, format_in(w->arena, "@assert not state %s", w->page->not_entered->name->text));
+    add_line(w, w->s->steps, RANK_STOP, guard, "@stop");
+}
+
+static bool add_run(Writer *w)
+{
+    Recording r;
+    uint64_t first;
+
+    if (!record_time_line(w, &r))
+        return false;
+    first = r.parts > SPANS_MOST ? r.parts - SPANS_MOST : 0;
+    for (uint64_t i = first; i < r.parts; i++)
+        add_part(w, &r, i, first);
+    add_end(w, &r);
+    return true;
+}
+
+// ---- text ----
+
+// Appends a sentence as comment lines.
+static void write_comment(const char *text, Buf *out)
+{
+    while (*text) {
+        size_t n = strlen(text), most = LINE_MOST - 2;
+        if (n > most) {
+            for (n = most; n > 0 && text[n] != ' '; n--)
+                ;
+            n = n ? n : strcspn(text, " ");
+        }
+        buf_printf(out, "# %.*s\n", (int)n, text);
+        text += n + (text[n] == ' ');
+    }
+}
+
+static void write_options(const Writer *w, Buf *out)
+{
+    buf_str(out, "\n[options]\ndelta_t    ");
+    script_write_time(out, w->p->time_unit, w->s->delta_t);
+    buf_printf(out, "\ninit_state %s\n", w->s->init_state->name->text);
+    for (size_t i = 0; i < w->s->changes; i++) {
+        const Var *v = w->p->var.at[w->s->change[i].var];
+        if (v->parameter)
+            buf_printf(out, "set        %s %s\n", v->name->text, value_text(w, v->type, w->s->change[i].a));
+    }
+}
+
+static int compare_items(const void *a, const void *b)
+{
+    const Item *x = a, *y = b;
+
+    if ((x->rank == RANK_EARLY) != (y->rank == RANK_EARLY))
+        return x->rank == RANK_EARLY ? -1 : 1;
+    if (x->step != y->step && x->rank != RANK_EARLY)
+        return x->step < y->step ? -1 : 1;
+    if (x->rank != y->rank)
+        return x->rank < y->rank ? -1 : 1;
+    return x->number < y->number ? -1 : 1;
+}
+
+static bool is_line(const Item *i) { return i->body.n == 1; }
+
+static void write_item(const Item *item, size_t width, Buf *out)
+{
+    if (item->body.n == 0) {
+        buf_printf(out, "%s\n", item->guard);
+    } else if (is_line(item)) {
+        const size_t n = strlen(item->guard) + 1;
+        buf_printf(out, "%s:", item->guard);
+        buf_spaces(out, n < width ? width - n : 0);
+        buf_printf(out, " %s\n", item->body.at[0]);
+    } else {
+        buf_printf(out, "%s {\n", item->guard);
+        for (uint32_t i = 0; i < item->body.n; i++)
+            buf_printf(out, "    %s\n", item->body.at[i]);
+        buf_str(out, "}\n");
+    }
+}
+
+static void write_items(Writer *w, Buf *out)
+{
+    size_t width = 0;
+
+    qsort(w->item.at, w->item.n, sizeof *w->item.at, compare_items);
+    for (uint32_t i = 0; i < w->item.n; i++)
+        if (is_line(&w->item.at[i]) && strlen(w->item.at[i].guard) + 1 > width)
+            width = strlen(w->item.at[i].guard) + 1;
+    buf_str(out, "\n[all_states]\n");
+    for (uint32_t i = 0; i < w->item.n; i++)
+        write_item(&w->item.at[i], width, out);
+}
+
+bool script_write(Arena *arena, const ScriptPage *page, Buf *out)
+{
+    Writer w = {.arena = arena, .page = page, .p = page->p, .s = page->scenario};
+
+    if (!add_inputs(&w) || !add_run(&w))
+        return false;
+    for (size_t i = 0; i < page->comments; i++)
+        write_comment(page->comment[i], out);
+    write_options(&w, out);
+    write_items(&w, out);
+    return true;
+}
