@@ -18,7 +18,7 @@ enum {
     EXIT_USAGE = 2,
     EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
     EXIT_INTERNAL = 4,        // a bug in smc
-    EXIT_INCONCLUSIVE = 5     // reserved for "a bound was reached, so there is no result"; no command returns it
+    EXIT_INCONCLUSIVE = 5     // a bound was reached, so there is no result
 };
 
 typedef enum OptionId {

@@ -57,7 +57,7 @@ static uint32_t add_var(ProveMaker *k, SmType type, ProveVarKind kind, Fact begi
         p->var = arena_grow(k->arena, p->var, k->vars * sizeof *p->var, (k->vars * 2 + 16) * sizeof *p->var);
         k->vars = k->vars * 2 + 16;
     }
-    p->var[p->ir->var.n] = (ProveVar){kind, begin, false};
+    p->var[p->ir->var.n] = (ProveVar){.kind = kind, .begin = begin};
     vec_push(k->arena, &p->ir->var, v);
     return p->ir->var.n - 1;
 }
@@ -156,6 +156,12 @@ static void add_window_vars(ProveMaker *k, MadeWindow *w, Fact sample)
     if (w->is_boolean) {              // before the first sample nothing has been false, and nothing true
         w->trues = add_var(k, SM_F64, PROVE_KEPT, exactly(is_run(w->stats) ? 0 : w->size));
         w->falses = is_run(w->stats) ? w->trues : add_var(k, SM_F64, PROVE_KEPT, exactly(w->size));
+        k->model->var[w->trues].few = k->model->var[w->falses].few = true;
+        for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+            if (w->stats >> stat & 1)
+                k->model->var[w->var[stat]].few = true;
+        if (w->last != IR_NONE)
+            k->model->var[w->last].few = true;
     }
 }
 
@@ -272,7 +278,7 @@ static void add_windows(ProveMaker *k)
 
 static IrBlkRef new_block(ProveMaker *k)
 {
-    vec_push(k->arena, &k->end, PROVE_GOES_ON);
+    vec_push(k->arena, &k->end, PROVE_END_NONE);
     return ir_add_block(k->arena, k->f);
 }
 
@@ -644,8 +650,8 @@ static void judge_requirement(ProveMaker *k)
 {
     const IrBlkRef start = k->b, met = new_block(k), violated = new_block(k);
 
-    k->end.at[met] = PROVE_MET;
-    k->end.at[violated] = PROVE_VIOLATED;
+    k->end.at[met] = PROVE_END_MET;
+    k->end.at[violated] = PROVE_END_VIOLATED;
     k->b = met;
     emit_set(k, k->sampled, 1);
     k->b = start;
@@ -927,5 +933,6 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     k->open = add_var(k, SM_F64, PROVE_KEPT, exactly(0));
     k->age = add_var(k, SM_F64, PROVE_KEPT, exactly(0));
     k->offset = add_var(k, SM_F64, PROVE_KEPT, exactly(0));
+    p->var[k->sampled].few = p->var[k->seen].few = p->var[k->open].few = true;
     return p;
 }

@@ -25,18 +25,18 @@ typedef struct ProveVar {
     ProveVarKind kind;
     Fact begin;               // KEPT: in the first step; CHOICE: in each step
     bool stored;              // a function stores it
+    bool few;                 // KEPT: it has few values, such as a flag or a count of samples
 } ProveVar;
 
 typedef struct ProveBranch {
-    IrFn *fn;                 // the block with its condition; blocks 1 and 2 are the ends of its edges
-    bool both;                // the edge to block 2 leads to `otherwise`; else it is not taken
-    IrBlkRef then, otherwise; // blocks of the step
+    IrFn *fn;                 // the block, which ends with the condition of the branch
+    IrBlkRef then;            // the block of the step to which the edge to block 1 leads; the edge to block 2 is never taken
 } ProveBranch;
 
-typedef enum ProveEnd { PROVE_GOES_ON, PROVE_MET, PROVE_VIOLATED } ProveEnd;
+typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED } ProveEnd;
 
 typedef struct ProveBlock {
-    ProveEnd end;             // not GOES_ON: the step ends here
+    ProveEnd end;             // not PROVE_END_NONE: the step ends here
     VEC(ProveBranch) branch;
     uint64_t *live;           // set of variables that this block or a later one loads
 } ProveBlock;
