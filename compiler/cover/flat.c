@@ -18,6 +18,7 @@ enum {
     OP_COUNT,                         // counts hits[to]
     OP_RESULT,                        // counts hits[to] if frame[a] is true, else hits[to + 1]
     OP_DECIDE,                        // counts decision a
+    OP_WATCH,                         // calls `watch` for decision a
     OP_FULL                           // counts hits[to] if window a is full
 };
 
@@ -37,7 +38,8 @@ typedef struct Maker {
     FlatMachine *f;
     VEC(FlatOp) op;
     VEC(double) number;               // the constants
-    uint32_t temps;                   // temporaries of the largest function; constants follow in the frame
+    uint32_t temps;                   // temporaries of all functions; constants follow in the frame
+    uint32_t base, next_base;         // of the current function: its first temporary; that of the next one
     uint32_t *slot;                   // by IrRef of the current function: its place in the frame
     uint32_t *begin;                  // by block of the current function: its first operation
     uint32_t **decision_at;           // by decision: the places of its conditions in the frame
@@ -78,9 +80,9 @@ static void add_instruction(Maker *k, const IrFn *f, const IrBlk *b, uint32_t at
 {
     const IrRef ref = b->ins.at[at];
     const IrIns *i = &f->ins.at[ref];
-    FlatOp o = {(uint16_t)i->op, (uint8_t)i->type, (uint8_t)i->stat, ref, 0, 0};
+    FlatOp o = {(uint16_t)i->op, (uint8_t)i->type, (uint8_t)i->stat, k->base + ref, 0, 0};
 
-    k->slot[ref] = ref;
+    k->slot[ref] = k->base + ref;
     switch (i->op) {
     case IR_const:
         k->slot[ref] = k->temps + k->number.n;
@@ -132,14 +134,15 @@ static void add_decision(Maker *k, uint32_t number)
     uint32_t *at = ARENA_ARRAY(k->arena, uint32_t, d->conditions + 1);
 
     k->value_at[number] = k->slot[d->value];
-    if (d->nodes == 1 && d->fulls == 0) {
-        add_op(k, OP_RESULT, d->hit, k->slot[d->value], 0);
-        return;
-    }
     for (uint32_t c = 0; c < d->conditions; c++)
         at[c] = k->slot[d->condition[c]];
     k->decision_at[number] = at;
-    add_op(k, OP_DECIDE, 0, number, 0);
+    if (d->nodes == 1 && d->fulls == 0)
+        add_op(k, OP_RESULT, d->hit, k->slot[d->value], 0);
+    else
+        add_op(k, OP_DECIDE, 0, number, 0);
+    if (k->f->probes->watched && k->f->probes->watched[number])
+        add_op(k, OP_WATCH, 0, number, 0);
 }
 
 // Adds the probes of the decisions whose value instruction `ref` computes.
@@ -196,6 +199,8 @@ static uint32_t add_function(Maker *k, const IrFn *f)
 
     if (!f)
         return FLAT_NOTHING;
+    k->base = k->next_base;
+    k->next_base += f->ins.n;
     k->slot = ARENA_ARRAY(k->arena, uint32_t, f->ins.n + 1);
     k->begin = ARENA_ARRAY(k->arena, uint32_t, f->blk.n);
     for (uint32_t b = 0; b < f->blk.n; b++) {
@@ -211,18 +216,19 @@ static uint32_t add_function(Maker *k, const IrFn *f)
         add_jump(k, &blk->jump);
     }
     resolve_jumps(k, first);
+    k->f->fn[k->f->fns++] = (FlatFn){f, k->slot};
     return first;
 }
 
+// Functions do not share temporaries, so that after a step the frame has the values of every function that it ran.
 static uint32_t count_temps(const IrMachine *m)
 {
-    uint32_t most = m->sample ? m->sample->ins.n : 0;
+    uint32_t n = m->sample ? m->sample->ins.n : 0;
 
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[s].block[b] && m->state.at[s].block[b]->ins.n > most)
-                most = m->state.at[s].block[b]->ins.n;
-    return most;
+            n += m->state.at[s].block[b] ? m->state.at[s].block[b]->ins.n : 0;
+    return n;
 }
 
 // Computes the size of a state and the offsets of its parts.  A window stores F64, because every sample is exactly an F64.
@@ -272,6 +278,7 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
     lay_out_state(arena, f);
     begin_probes(&k, probes);
     f->stored = arena_alloc(arena, m->var.n);
+    f->fn = arena_array(arena, 1 + BLOCK_COUNT * m->state.n, sizeof *f->fn);
     f->sample = add_function(&k, m->sample);
     f->block = arena_array(arena, m->state.n, sizeof *f->block);
     for (size_t s = 0; s < m->state.n; s++)
@@ -288,6 +295,8 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
 }
 
 // ---- counting a decision ----
+
+static void count(FlatMachine *f, uint32_t counter) { f->fresh += f->hits[counter]++ == 0; }
 
 static bool is_full(const FlatMachine *f, const void *run, uint32_t window)
 {
@@ -331,10 +340,10 @@ static void count_conditions(FlatMachine *f, const void *run, const FlatDecision
     for (uint32_t n = 0; n < d->nodes; n++)
         if (d->node[n].kind == NODE_CONDITION && decides[n]) {
             const uint32_t c = d->node[n].a;
-            f->hits[d->hit + 2 + 2 * c + !condition[c]]++;
+            count(f, d->hit + 2 + 2 * c + !condition[c]);
             for (uint32_t w = 0; w < d->fulls; w++)
                 if (d->full[w].condition == c && is_full(f, run, d->full[w].window))
-                    f->hits[d->full[w].hit]++;
+                    count(f, d->full[w].hit);
         }
 }
 
@@ -346,7 +355,7 @@ static void count_decision(FlatMachine *f, const void *run, uint32_t number)
     FlatSeen *seen = &f->seen[number];
     uint64_t bits = 0;
 
-    f->hits[d->hit + !(f->frame[f->value_at[number]] != 0)]++;
+    count(f, d->hit + !(f->frame[f->value_at[number]] != 0));
     if (d->conditions + d->fulls <= SEEN_BITS) {
         for (uint32_t c = 0; c < d->conditions; c++)
             bits = bits << 1 | (f->frame[at[c]] != 0);
@@ -409,10 +418,14 @@ static uint32_t run_function(FlatMachine *f, void *run, uint32_t begin)
         case OP_BRANCH: o = f->op + (frame[o->a] != 0 ? o->to : o->b) - 1; break;
         case OP_GOTO: f->taken = o->a; return o->to;
         case OP_END: return 0;
-        case OP_COUNT: f->hits[o->to]++; break;
-        case OP_RESULT: f->hits[o->to + !(frame[o->a] != 0)]++; break;
+        case OP_COUNT: count(f, o->to); break;
+        case OP_RESULT: count(f, o->to + !(frame[o->a] != 0)); break;
         case OP_DECIDE: count_decision(f, run, o->a); break;
-        case OP_FULL: f->hits[o->to] += is_full(f, run, o->a); break;
+        case OP_WATCH: f->watch(f->watcher, o->a); break;
+        case OP_FULL:
+            if (is_full(f, run, o->a))
+                count(f, o->to);
+            break;
         default: frame[o->to] = ir_eval((IrOp)o->op, (SmType)o->type, frame[o->a], frame[o->b]);
         }
 }
@@ -426,7 +439,7 @@ static void store_cell(FlatMachine *f, void *run, uint32_t var, uint64_t cell)
 static void count_state(FlatMachine *f, const uint32_t *counter, uint32_t state)
 {
     if (f->probes && counter[state - 1])
-        f->hits[counter[state - 1]]++;
+        count(f, counter[state - 1]);
 }
 
 // Runs the blocks of a state.  Returns the number of the next state, or 0 without a transition.
@@ -485,4 +498,11 @@ void flat_start(const FlatMachine *f, void *run, uint32_t state)
         if (f->m->var.at[v].space == IR_LOCAL)
             cell[v] = f->m->var.at[v].init;
     cell[f->m->s] = state;
+}
+
+void flat_clear_counts(FlatMachine *f)
+{
+    memset(f->hits, 0, (f->probes->counters + 1) * sizeof *f->hits);
+    memset(f->seen, 0, (f->probes->decisions + 1) * sizeof *f->seen);
+    f->fresh = 0;
 }

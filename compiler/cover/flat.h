@@ -54,6 +54,7 @@ typedef struct FlatProbes {
                                       // flat_each_function, and by value
     uint32_t decisions;
     uint32_t counters;
+    const bool *watched;              // by decision: FlatMachine.watch is called where it is counted; NULL: none
 } FlatProbes;
 
 // ---- the machine ----
@@ -66,6 +67,12 @@ typedef struct FlatOp {
 
 typedef struct FlatSeen FlatSeen;
 
+// Where the temporaries of a function are.
+typedef struct FlatFn {
+    const IrFn *fn;
+    const uint32_t *slot;             // by IrRef: index into FlatMachine.frame
+} FlatFn;
+
 typedef struct FlatMachine {
     const IrMachine *m;
     size_t size;                      // bytes of a state; a multiple of 8
@@ -75,7 +82,9 @@ typedef struct FlatMachine {
     uint32_t ops;
     uint32_t sample;                  // index into op; FLAT_NOTHING: no windows
     uint32_t (*block)[BLOCK_COUNT];   // by state from 0: index into op; FLAT_NOTHING: no code
-    double *frame;                    // temporaries, and then constants
+    double *frame;                    // the temporaries of each function, and then constants
+    FlatFn *fn;                       // in the order of flat_each_function: the sampling, then entry, step and exit of each state
+    uint32_t fns;
     uint8_t *stored;                  // by IR variable: the last step stored it
     const FlatProbes *probes;         // NULL: nothing is counted
     uint64_t *hits;                   // by counter
@@ -83,6 +92,9 @@ typedef struct FlatMachine {
     uint32_t **decision_at, *value_at;        // by decision: where in the frame its conditions and its value are
     bool *scratch;                    // room to judge the largest decision
     uint32_t taken;                   // Stmt.number of the transition that the last step took; 0: none
+    uint64_t fresh;                   // how many counters are no longer 0
+    void (*watch)(void *watcher, uint32_t decision);  // called at watched decisions; the frame has their operands
+    void *watcher;
 } FlatMachine;
 
 #define FLAT_NOTHING UINT32_MAX
@@ -101,5 +113,7 @@ void flat_start(const FlatMachine *f, void *run, uint32_t state);
 uint64_t *flat_cells(const FlatMachine *f, void *run);            // the cells of all variables, by IR variable
 // Runs one step.  Returns false and changes nothing if G refuses the step (language.md 6.3).
 bool flat_step(FlatMachine *f, void *run);
+// Sets all counters to 0.
+void flat_clear_counts(FlatMachine *f);
 
 #endif

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+// The loop of a search: chooses a goal and a snapshot, solves for inputs, and runs.
 #include "compiler/search/search.h"
 
 #include <string.h>
 
-#include "compiler/ir/eval.h"
+#include "compiler/search/search_run.h"
 
-typedef struct SearchRun {
-    Arena *arena;
-    const Cover *c;
-    const SearchOptions *o;
-    FlatMachine *flat;
-    void *run;
-    bool *writable;
-    VEC(SearchScenario) chosen;
-    SearchResult *r;
-    uint64_t random;
-    uint64_t *cell;           // by Var.index
-    double *distance;
-    void *situation;
-} SearchRun;
+enum { WALK_PERCENT = 20, WALK_LENGTH = 6, ENTRY_PERCENT = 33 };
 
-static uint64_t next_random(SearchRun *k)
+// SplitMix64: every seed, 0 included, is as good as another.
+uint64_t search_random(SearchRun *k)
 {
     uint64_t z = k->random += UINT64_C(0x9e3779b97f4a7c15);
 
@@ -29,122 +18,191 @@ static uint64_t next_random(SearchRun *k)
     return z ^ z >> 31;
 }
 
-static void run_steps(SearchRun *k, const Scenario *s)
-{
-    const Program *p = k->c->p;
-    const SearchWatch *w = k->o->watch;
+// ---- goals ----
 
-    flat_start(k->flat, k->run, s->init_state->number);
-    if (w)
-        w->start(w->self, k->situation);
-    for (uint64_t step = 1; step <= s->steps; step++) {
-        flat_cells(k->flat, k->run)[k->flat->m->g] = (step - 1) * s->delta_t;
-        for (size_t i = 0; i < s->changes; i++)
-            if (s->change[i].step <= step)
-                flat_cells(k->flat, k->run)[k->flat->m->var_of[s->change[i].var]] = scenario_cell(p, &s->change[i], step, k->cell);
-        flat_step(k->flat, k->run);
-        k->r->steps++;
-        for (size_t v = 0; w && v < p->var.n; v++) {
-            const uint32_t at = k->flat->m->var_of[v];
-            k->cell[v] = at == IR_NONE ? p->var.at[v]->init : flat_cells(k->flat, k->run)[at];
-        }
-        if (!w)
+// Returns an entry of a state that a goal can be reached in; SEARCH_NONE: none has been visited.
+static uint32_t find_entry(SearchRun *k, const SearchGoal *g)
+{
+    uint32_t n = 0, out = SEARCH_NONE;
+
+    for (uint32_t s = 0; s < g->site.n; s++) {
+        const uint32_t state = g->site.at[s].state;
+        if (state == 0 || k->entries[state - 1] == 0 || search_pick(k, ++n) != 0)
             continue;
-        w->step(w->self, k->situation, k->cell, k->distance);
-        for (uint32_t i = 0; i < w->goals; i++) {
-            SearchFind *f = &k->r->find[k->r->places + i];
-            f->nearest = k->distance[i] < f->nearest ? k->distance[i] : f->nearest;
+        out = k->entry[(state - 1) * SEARCH_ENTRIES + search_pick(k, k->entries[state - 1])].node;
+    }
+    return out;
+}
+
+static uint32_t find_any_entry(SearchRun *k)
+{
+    const uint32_t states = k->p->state.n, first = search_pick(k, states);
+
+    for (uint32_t i = 0; i < states; i++) {
+        const uint32_t s = (first + i) % states;
+        if (k->entries[s])
+            return k->entry[s * SEARCH_ENTRIES + search_pick(k, k->entries[s])].node;
+    }
+    return SEARCH_NONE;
+}
+
+static bool is_approachable(const SearchRun *k, const SearchGoal *g)
+{
+    if (g->pooled || g->site.n == 0)
+        return true;
+    for (uint32_t s = 0; s < g->site.n; s++)
+        if (g->site.at[s].state == 0 || k->visited[g->site.at[s].state - 1])
+            return true;
+    return false;
+}
+
+// Chooses the open goal on which the fewest steps were spent.
+static uint32_t choose_goal(SearchRun *k)
+{
+    uint32_t best = SEARCH_NONE;
+
+    for (uint32_t g = 0; g < k->goals; g++)
+        if (!k->goal[g].done && is_approachable(k, &k->goal[g]) && (best == SEARCH_NONE || k->goal[g].cost < k->goal[best].cost))
+            best = g;
+    return best;
+}
+
+static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
+{
+    uint32_t n = SEARCH_NONE;
+
+    if (g->pooled == 0 || search_chance(k, ENTRY_PERCENT))
+        n = find_entry(k, g);
+    if (n == SEARCH_NONE && g->pooled)
+        n = g->pool[search_pick(k, g->pooled)].node;
+    return n == SEARCH_NONE ? find_any_entry(k) : n;
+}
+
+static void attempt_goal(SearchRun *k, uint32_t goal)
+{
+    SearchGoal *g = &k->goal[goal];
+    const uint64_t before = k->r->steps;
+    const uint32_t node = choose_node(k, g);
+    const uint64_t steps = search_solve_goal(k, node, goal);
+
+    search_run_segment(k, node, k->turn.at, k->turn.n, steps, goal);
+    g->cost += k->r->steps - before + 100;
+}
+
+// ---- walks ----
+
+static const SearchExit *choose_exit(SearchRun *k, uint32_t state)
+{
+    const SearchExit *out = NULL;
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < k->exit.n; i++)
+        if (k->exit.at[i].from == state && search_pick(k, ++n) == 0)
+            out = &k->exit.at[i];
+    return out;
+}
+
+// Goes from state to state by any transitions, so that entries with other stored values are found.
+static void walk(SearchRun *k)
+{
+    uint32_t node = find_any_entry(k);
+
+    if (node == SEARCH_NONE)
+        return;
+    k->node.at[node].users++;
+    for (uint32_t i = 0; i < WALK_LENGTH && search_goes_on(k); i++) {
+        const SearchExit *x = choose_exit(k, k->node.at[node].state);
+        uint32_t next;
+        if (!x || !k->node.at[node].copy)
+            break;
+        {
+            const uint64_t steps = search_solve_exit(k, node, x);
+            next = search_run_segment(k, node, k->turn.at, k->turn.n, steps, SEARCH_NONE);
         }
+        search_drop(k, node);
+        node = next;
+    }
+    search_drop(k, node);
+}
+
+static void search(SearchRun *k)
+{
+    while (k->open && search_goes_on(k)) {
+        const uint32_t goal = search_chance(k, WALK_PERCENT) ? SEARCH_NONE : choose_goal(k);
+        if (goal == SEARCH_NONE)
+            walk(k);
+        else
+            attempt_goal(k, goal);
     }
 }
 
-static void store_found(SearchRun *k, const Scenario *s)
-{
-    VEC(uint32_t) goal = {NULL, 0, 0};
+// ---- beginning and end ----
 
-    for (uint32_t i = 1; i < k->r->finds; i++) {
-        SearchFind *f = &k->r->find[i];
-        if (f->outcome == SEARCH_NOT_FOUND && (i < k->r->places ? k->flat->hits[i] > 0 : f->nearest == 0)) {
-            f->outcome = SEARCH_REACHED;
-            f->scenario = k->chosen.n;
-            vec_push(k->arena, &goal, i);
-        }
-    }
-    if (goal.n) {
-        const SearchScenario found = {*s, goal.at, goal.n, k->c->p->state.at[((FlatState *)k->run)->state - 1]};
-        vec_push(k->arena, &k->chosen, found);
+static void begin_result(SearchRun *k)
+{
+    const SearchOptions *o = k->o;
+    const Cover *c = k->c;
+    const unsigned kinds = o->kinds ? o->kinds : SEARCH_KINDS;
+    SearchResult *r = k->r = ARENA_NEW(k->arena, SearchResult);
+
+    r->delta_t = k->delta_t = k->p->step ? k->p->step : o->delta_t ? o->delta_t : SEARCH_DELTA_T;
+    r->places = c->place.n;
+    r->finds = r->places + (o->watch ? o->watch->goals : 0);
+    r->find = ARENA_ARRAY(k->arena, SearchFind, r->finds);
+    for (uint32_t i = 1; i < r->finds; i++) {
+        SearchFind *f = &r->find[i];
+        const bool is_goal = i >= r->places || (!o->no_places && c->hits[i] == 0 && kinds >> c->place.at[i].kind & 1);
+        f->nearest = SEARCH_UNKNOWN;
+        f->reason = is_goal && i < r->places ? c->place.at[i].impossible : NULL;
+        f->outcome = !is_goal ? SEARCH_NO_GOAL : f->reason ? SEARCH_IMPOSSIBLE : SEARCH_NOT_FOUND;
     }
 }
 
-static void try_scenario(SearchRun *k, const double *value, uint32_t values)
+// Describes what was not found.
+static void describe_missing(SearchRun *k)
 {
-    const Program *p = k->c->p;
-    const uint64_t step_at[3] = {1, 2 + next_random(k) % 100, 200 + next_random(k) % 1000};
-    VEC(ScenarioChange) change = {NULL, 0, 0};
-    Scenario s = {k->o->init_state ? k->o->init_state : p->state.at[0], k->r->delta_t, 2000, NULL, 0};
-
-    for (int part = 0; part < 3; part++)
-        for (uint32_t v = 0; v < p->var.n; v++)
-            if (k->writable[v] && k->flat->m->var_of[v] != IR_NONE && next_random(k) % 3) {
-                const double x = value[next_random(k) % values] + (double)(next_random(k) % 3) - 1;
-                const ScenarioChange one = {step_at[part], v, SCENARIO_HOLD, x, 0, 0};
-                vec_push(k->arena, &change, one);
-            }
-    s.change = change.at;
-    s.changes = change.n;
-    run_steps(k, &s);
-    store_found(k, &s);
+    for (uint32_t i = 0; i < k->goals; i++) {
+        const SearchGoal *g = &k->goal[i];
+        SearchFind *f = &k->r->find[g->place];
+        if (f->outcome != SEARCH_NOT_FOUND)
+            continue;
+        f->nearest = g->best >= SEARCH_UNKNOWN ? SEARCH_UNKNOWN : g->best / (1 + g->best);
+        for (uint32_t s = 0; s < g->site.n; s++)
+            f->is_state_reached |= g->site.at[s].state == 0 || k->visited[g->site.at[s].state - 1];
+        if (g->best < SEARCH_UNKNOWN && g->place < k->r->places) {
+            const uint32_t place = k->decision[g->best_elem.decision].d->hit + !g->best_elem.value;
+            const uint32_t blocking = k->goal_of[place];
+            f->blocked_by = blocking != SEARCH_NONE && !k->goal[blocking].done ? place : 0;
+        }
+    }
 }
 
 SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
 {
-    SearchRun k = {.arena = arena, .c = c, .o = o, .random = o->seed};
-    const uint64_t effort = o->effort ? o->effort : SEARCH_EFFORT;
-    const unsigned kinds = o->kinds ? o->kinds : SEARCH_KINDS;
-    SearchResult *r = k.r = ARENA_NEW(arena, SearchResult);
-    VEC(double) value = {NULL, 0, 0};
-    uint32_t left = 0;
+    SearchRun *k = ARENA_NEW(arena, SearchRun);
 
-    k.flat = flat_new(arena, c->m, &c->probes);
-    k.run = arena_alloc(arena, k.flat->size);
-    k.cell = ARENA_ARRAY(arena, uint64_t, c->p->var.n);
-    k.writable = arena_alloc(arena, c->p->var.n);
-    if (o->writable)
-        memcpy(k.writable, o->writable, c->p->var.n);
-    else
-        search_default_inputs(c->p, k.writable);
-    r->delta_t = c->p->step ? c->p->step : o->delta_t ? o->delta_t : SEARCH_DELTA_T;
-    r->places = c->place.n;
-    r->finds = r->places + (o->watch ? o->watch->goals : 0);
-    r->find = ARENA_ARRAY(arena, SearchFind, r->finds);
-    for (uint32_t i = 1; i < r->finds; i++) {
-        const bool goal = i >= r->places || (!o->no_places && c->hits[i] == 0 && kinds >> c->place.at[i].kind & 1);
-        r->find[i].nearest = SEARCH_UNKNOWN;
-        r->find[i].outcome = !goal ? SEARCH_NO_GOAL : i < r->places && c->place.at[i].impossible ? SEARCH_IMPOSSIBLE : SEARCH_NOT_FOUND;
-        r->find[i].reason = i < r->places ? c->place.at[i].impossible : NULL;
-        left += r->find[i].outcome == SEARCH_NOT_FOUND;
-    }
-    if (o->watch) {
-        k.distance = ARENA_ARRAY(arena, double, o->watch->goals);
-        k.situation = arena_alloc(arena, o->watch->size);
-    }
-    vec_push(arena, &value, 0);
-    vec_push(arena, &value, 1);
-    for (uint32_t i = 0; i < o->hints; i++)
-        vec_push(arena, &value, o->hint[i].value);
-    for (size_t s = 0; s <= c->m->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++) {
-            const IrFn *f = s < c->m->state.n ? c->m->state.at[s].block[b] : b ? NULL : c->m->sample;
-            for (uint32_t i = 0; f && i < f->ins.n; i++)
-                if (f->ins.at[i].op == IR_const)
-                    vec_push(arena, &value, ir_number(f->ins.at[i].type, f->ins.at[i].bits));
-        }
-    while (left && r->steps < effort / 20 && !r->stopped) {
-        const SearchProgress p = {left, 0, left, r->steps, effort};
-        try_scenario(&k, value.at, value.n);
-        r->stopped = o->go_on && !o->go_on(o->context, &p);
-    }
-    r->chosen = k.chosen.at;
-    r->chosens = k.chosen.n;
-    return r;
+    arena_init_within(&k->work, arena);
+    arena_init_within(&k->flats, arena);
+    k->arena = arena;
+    k->c = c;
+    k->p = c->p;
+    k->m = c->m;
+    k->o = o;
+    k->random = o->seed;
+    k->effort = o->effort ? o->effort : SEARCH_EFFORT;
+    k->memory = o->memory ? o->memory : SEARCH_MEMORY;
+    k->start = o->init_state ? o->init_state : c->p->state.at[0];
+    k->plain = flat_new(&k->work, k->m, NULL);
+    begin_result(k);
+    search_study_machine(k);
+    search_make_goals(k);
+    search_begin_nodes(k);
+    search_begin_solving(k);
+    search_build_flat(k);
+    search(k);
+    search_choose(k);
+    describe_missing(k);
+    arena_free(&k->flats);
+    arena_free(&k->work);
+    return k->r;
 }

@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: Apache-2.0
+// States that have been reached, as snapshots, and runs that begin at one.
+//
+// A snapshot is one block of memory: the state of the flat machine, the situation of the caller's goals, and how each input is set.
+#include <string.h>
+
+#include "compiler/search/search_run.h"
+#include "stdlib/convert.h"
+
+enum { REPORT_STEPS = 100000 };
+
+static size_t round_up(size_t n) { return (n + 7) / 8 * 8; }
+
+// ---- memory ----
+
+static char *allocate_block(SearchRun *k)
+{
+    if (k->free.n)
+        return k->free.at[--k->free.n];
+    k->used += k->block;
+    return arena_alloc_unzeroed(&k->work, k->block);
+}
+
+static bool has_room(const SearchRun *k) { return k->free.n > 0 || k->used + k->block <= k->memory; }
+
+static void use_node(SearchRun *k, uint32_t n) { k->node.at[n].users++; }
+
+static void drop_node(SearchRun *k, uint32_t n)
+{
+    SearchNode *x = &k->node.at[n];
+
+    if (--x->users == 0 && x->copy) {
+        vec_push(&k->work, &k->free, x->copy);
+        x->copy = NULL;
+    }
+}
+
+// ---- inputs ----
+
+void search_apply(SearchRun *k, char *block, uint64_t at, const SearchTurn *turn, uint32_t turns)
+{
+    SearchSetting *s = search_settings(k, block);
+
+    for (uint32_t i = 0; i < turns; i++) {
+        s[turn[i].input] = turn[i].setting;
+        s[turn[i].input].since = at + 1;
+    }
+}
+
+// Sets input i before step `step`.
+static void set_input(SearchRun *k, char *block, uint32_t i, uint64_t step)
+{
+    const SearchSetting *s = &search_settings(k, block)[i];
+    uint64_t *cell = flat_cells(k->plain, block);
+    double x = s->a;
+
+    switch (s->kind) {
+    case SCENARIO_HOLD: break;
+    case SCENARIO_ALTERNATE: x = (step - s->since) % 2 ? s->b : s->a; break;
+    case SCENARIO_RAMP: x = s->a + s->b * (double)(step - s->since); break;
+    case SCENARIO_COPY: x = sm_cell_to_f64(k->p->var.at[s->source]->type, cell[k->m->var_of[s->source]]); break;
+    }
+    cell[k->input[i].at] = sm_cell_from_f64(k->input[i].type, x);
+}
+
+void search_set_inputs(SearchRun *k, char *block, uint64_t step)
+{
+    for (uint32_t i = 0; i < k->inputs; i++)
+        if (search_settings(k, block)[i].set)
+            set_input(k, block, i, step);
+    flat_cells(k->plain, block)[k->m->g] = (step - 1) * k->delta_t;
+}
+
+// ---- snapshots ----
+
+// Describes what the machine has stored: states that differ in it are worth a snapshot each.  Of large numbers only the magnitude counts.
+static uint64_t key_of(const SearchRun *k, const char *block)
+{
+    const uint64_t *cell = flat_cells(k->plain, (char *)block);
+    uint64_t h = ((const FlatState *)(const void *)block)->state;
+
+    for (uint32_t i = 0; i < k->output.n; i++) {
+        const Var *v = k->p->var.at[k->output.at[i]];
+        double x = sm_cell_to_f64(v->type, cell[k->m->var_of[v->index]]);
+        if (x > 16 || x < -16)
+            x = 1e6 + (double)(int64_t)(1000 * search_near(x)) * (x < 0 ? -1 : 1);
+        h = (h ^ (uint64_t)(int64_t)(4 * x)) * UINT64_C(0x9e3779b97f4a7c15);
+        h ^= h >> 29;
+    }
+    return h;
+}
+
+// The segment that is running.
+typedef struct Segment {
+    uint32_t from;
+    const SearchTurn *turn;
+    uint32_t turns;
+    bool is_stored;           // `turn` lives as long as the search
+} Segment;
+
+// Adds the current step of a segment as a node with one user.
+static uint32_t add_node(SearchRun *k, Segment *g)
+{
+    const FlatState *s = (const FlatState *)(const void *)k->now;
+    SearchNode n = {.parent = g->from, .users = 1, .at = k->at, .turns = g->turns, .state = s->state, .key = key_of(k, k->now)};
+
+    if (!g->is_stored && g->turns)
+        g->turn = arena_copy(&k->work, g->turn, g->turns * sizeof *g->turn);
+    g->is_stored = true;
+    n.turn = g->turn;
+    if (has_room(k)) {
+        n.copy = allocate_block(k);
+        memcpy(n.copy, k->now, k->block);
+    }
+    vec_push(&k->work, &k->node, n);
+    return k->node.n - 1;
+}
+
+void search_load(SearchRun *k, uint32_t node, char *to) { memcpy(to, k->node.at[node].copy, k->block); }
+
+// ---- pools ----
+
+// Returns where among the entries of its state a snapshot with this key belongs; SEARCH_NONE: one that is as good is there.
+static uint32_t find_place_of_entry(SearchRun *k, uint32_t state, uint64_t key, uint64_t at)
+{
+    const SearchNear *pool = &k->entry[(state - 1) * SEARCH_ENTRIES];
+    const uint32_t n = k->entries[state - 1];
+    uint32_t i = 0;
+
+    while (i < n && k->node.at[pool[i].node].key != key)
+        i++;
+    if (i < n)
+        return at < k->node.at[pool[i].node].at || search_chance(k, 3) ? i : SEARCH_NONE;
+    return i < SEARCH_ENTRIES ? i : search_chance(k, 25) ? search_pick(k, SEARCH_ENTRIES) : SEARCH_NONE;
+}
+
+// Adds a node to the entries of its state, in place of one with the same key if that took longer.
+static void add_entry(SearchRun *k, uint32_t n, uint32_t at)
+{
+    const uint32_t state = k->node.at[n].state;
+    SearchNear *pool = &k->entry[(state - 1) * SEARCH_ENTRIES];
+
+    if (at == SEARCH_NONE || !k->node.at[n].copy)
+        return;
+    use_node(k, n);
+    if (at < k->entries[state - 1])
+        drop_node(k, pool[at].node);
+    else
+        k->entries[state - 1]++;
+    pool[at] = (SearchNear){n, 0};
+}
+
+static void store_entry(SearchRun *k, Segment *seg)
+{
+    const FlatState *s = (const FlatState *)(const void *)k->now;
+    const uint32_t at = find_place_of_entry(k, s->state, key_of(k, k->now), k->at);
+    uint32_t n;
+
+    if (at == SEARCH_NONE)
+        return;
+    n = add_node(k, seg);
+    add_entry(k, n, at);
+    drop_node(k, n);
+}
+
+// Whether a snapshot at this distance is worth having.
+static bool is_wanted(const SearchGoal *g, double distance)
+{
+    double worst = 0;
+
+    for (uint32_t i = 0; i < g->pooled; i++) {
+        if (g->pool[i].distance == distance)
+            return false;
+        worst = g->pool[i].distance > worst ? g->pool[i].distance : worst;
+    }
+    return g->pooled < SEARCH_POOL || distance < worst;
+}
+
+static void add_near(SearchRun *k, uint32_t goal, uint32_t n, double distance)
+{
+    SearchGoal *g = &k->goal[goal];
+    uint32_t at = 0;
+
+    if (!is_wanted(g, distance))
+        return;
+    use_node(k, n);
+    if (g->pooled < SEARCH_POOL) {
+        at = g->pooled++;
+    } else {
+        for (uint32_t i = 1; i < SEARCH_POOL; i++)
+            at = g->pool[i].distance > g->pool[at].distance ? i : at;
+        drop_node(k, g->pool[at].node);
+    }
+    g->pool[at] = (SearchNear){n, distance};
+}
+
+// ---- goals ----
+
+static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
+{
+    SearchGoal *g = &k->goal[goal];
+
+    g->done = true;
+    g->found = node;
+    k->open--;
+    k->done_since++;
+    for (uint32_t i = 0; i < g->pooled; i++)
+        drop_node(k, g->pool[i].node);
+    g->pooled = 0;
+}
+
+static bool is_reached(const SearchRun *k, const SearchGoal *g)
+{
+    return g->place < k->r->places ? k->flat->hits[k->counter[g->place]] > 0 : k->o->watch && k->distance[g->place - k->r->places] == 0;
+}
+
+// Finishes the goals that the last step has reached.
+static void finish_reached(SearchRun *k, Segment *seg)
+{
+    uint32_t node = SEARCH_NONE;
+
+    for (uint32_t g = 0; g < k->goals; g++) {
+        if (k->goal[g].done || !is_reached(k, &k->goal[g]))
+            continue;
+        if (node == SEARCH_NONE)
+            node = add_node(k, seg);
+        finish_goal(k, g, node);
+    }
+    if (node == SEARCH_NONE)
+        return;
+    add_entry(k, node, find_place_of_entry(k, k->node.at[node].state, k->node.at[node].key, k->at));
+    drop_node(k, node);
+}
+
+static void judge_watch(SearchRun *k, bool is_rerun)
+{
+    const SearchWatch *w = k->o->watch;
+    const uint64_t *cell = flat_cells(k->plain, k->now);
+
+    for (uint32_t v = 0; v < k->p->var.n; v++)
+        k->cell[v] = k->m->var_of[v] == IR_NONE ? k->p->var.at[v]->init : cell[k->m->var_of[v]];
+    w->step(w->self, k->now + round_up(k->plain->size), k->cell, k->distance);
+    for (uint32_t i = 0; i < w->goals && !is_rerun; i++) {
+        const uint32_t g = k->goal_of[k->r->places + i];
+        SearchGoal *goal = g == SEARCH_NONE ? NULL : &k->goal[g];
+        if (!goal || goal->done || k->distance[i] >= SEARCH_UNKNOWN)
+            continue;
+        if (k->distance[i] == 0)
+            k->flat->fresh++;
+        if (k->distance[i] < goal->best)
+            goal->best = k->distance[i];
+        if (k->distance[i] < goal->run_best) {
+            goal->run_best = k->distance[i];
+            goal->run_step = k->at;
+            if (!goal->touched)
+                vec_push(&k->work, &k->touched, g);
+            goal->touched = true;
+        }
+    }
+}
+
+// ---- running ----
+
+typedef VEC(uint32_t) Active;         // indices of inputs
+
+// Inputs whose value has to be set before each step.
+static void find_active(SearchRun *k, Active *active)
+{
+    const SearchSetting *s = search_settings(k, k->now);
+
+    active->n = 0;
+    for (uint32_t i = 0; i < k->inputs; i++)
+        if (s[i].set && (s[i].kind != SCENARIO_HOLD || k->input[i].forced))
+            vec_push(&k->work, active, i);
+}
+
+static void run_step(SearchRun *k, FlatMachine *f, const Active *active)
+{
+    for (uint32_t i = 0; i < active->n; i++)
+        set_input(k, k->now, active->at[i], k->at + 1);
+    flat_cells(f, k->now)[k->m->g] = k->at * k->delta_t;
+    flat_step(f, k->now);
+    k->at++;
+    k->r->steps++;
+    if (k->o->watch)
+        judge_watch(k, f == k->plain);
+}
+
+static void begin_run(SearchRun *k, const Segment *seg, Active *active)
+{
+    search_load(k, seg->from, k->now);
+    k->at = k->node.at[seg->from].at;
+    search_apply(k, k->now, k->at, seg->turn, seg->turns);
+    search_set_inputs(k, k->now, k->at + 1);
+    find_active(k, active);
+}
+
+static int compare_touched(const SearchRun *k, uint32_t a, uint32_t b)
+{
+    const uint64_t x = k->goal[a].run_step, y = k->goal[b].run_step;
+
+    return x < y ? -1 : x > y;
+}
+
+static void sort_touched(SearchRun *k)
+{
+    for (uint32_t i = 1; i < k->touched.n; i++)
+        for (uint32_t j = i; j > 0 && compare_touched(k, k->touched.at[j], k->touched.at[j - 1]) < 0; j--) {
+            const uint32_t t = k->touched.at[j];
+            k->touched.at[j] = k->touched.at[j - 1];
+            k->touched.at[j - 1] = t;
+        }
+}
+
+// Leaves in `touched` the goals for which a snapshot of this segment is worth having.
+static void select_touched(SearchRun *k)
+{
+    uint32_t kept = 0;
+
+    for (uint32_t i = 0; i < k->touched.n; i++) {
+        SearchGoal *g = &k->goal[k->touched.at[i]];
+        g->touched = false;
+        if (!g->done && is_wanted(g, g->run_best))
+            k->touched.at[kept++] = k->touched.at[i];
+        else
+            g->run_best = SEARCH_UNKNOWN;
+    }
+    k->touched.n = kept;
+    sort_touched(k);
+}
+
+// Stores a snapshot before each step that came near to a goal, by running the segment again.
+static void store_near(SearchRun *k, Segment *seg, Active *active)
+{
+    uint32_t n = SEARCH_NONE;
+
+    select_touched(k);
+    if (k->touched.n == 0)
+        return;
+    begin_run(k, seg, active);
+    for (uint32_t i = 0; i < k->touched.n; i++) {
+        SearchGoal *g = &k->goal[k->touched.at[i]];
+        if (n != SEARCH_NONE && k->at + 1 < g->run_step) {
+            drop_node(k, n);
+            n = SEARCH_NONE;
+        }
+        while (k->at + 1 < g->run_step)
+            run_step(k, k->plain, active);
+        if (n == SEARCH_NONE) {
+            n = k->at == k->node.at[seg->from].at ? seg->from : add_node(k, seg);
+            k->node.at[n].users += n == seg->from;
+        }
+        if (k->node.at[n].copy)
+            add_near(k, k->touched.at[i], n, g->run_best);
+        g->run_best = SEARCH_UNKNOWN;
+    }
+    drop_node(k, n);
+    k->touched.n = 0;
+}
+
+bool search_goes_on(SearchRun *k)
+{
+    if (k->r->steps >= k->next_report && k->o->go_on && !k->r->stopped) {
+        const SearchProgress p = {k->goals, k->goals - k->open, k->open, k->r->steps, k->effort};
+        k->r->stopped = !k->o->go_on(k->o->context, &p);
+        k->next_report = k->r->steps + REPORT_STEPS;
+    }
+    return !k->r->stopped && k->r->steps < k->effort;
+}
+
+// Runs the steps of a segment.
+static void run_steps(SearchRun *k, Segment *seg, uint64_t left, uint32_t goal, const Active *active)
+{
+    const FlatState *s = (const FlatState *)(void *)k->now;
+    uint64_t fresh = k->flat->fresh;
+
+    while (left-- > 0) {
+        run_step(k, k->flat, active);
+        if (k->flat->fresh != fresh) {
+            fresh = k->flat->fresh;
+            finish_reached(k, seg);
+            if (goal != SEARCH_NONE && k->goal[goal].done)
+                return;
+        }
+        if (s->first) {
+            k->visited[s->state - 1] = true;
+            store_entry(k, seg);
+            left = left > 256 && search_chance(k, 80) ? 256 : left;
+        }
+        if (k->r->steps >= k->next_report && !search_goes_on(k))
+            return;
+    }
+}
+
+uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal)
+{
+    Segment seg = {from, turn, turns, false};
+    Active active = {NULL, 0, 0};
+    uint32_t node;
+
+    k->node.at[from].users++;
+    begin_run(k, &seg, &active);
+    for (uint32_t d = 0; d < k->decisions; d++)
+        k->decision[d].is_known = false;
+    run_steps(k, &seg, steps, goal, &active);
+    node = goal == SEARCH_NONE ? add_node(k, &seg) : SEARCH_NONE;
+    store_near(k, &seg, &active);
+    drop_node(k, from);
+    if (k->done_since > 8 + k->open / 4)
+        search_build_flat(k);
+    return node;
+}
+
+void search_drop(SearchRun *k, uint32_t node) { drop_node(k, node); }
+
+// ---- the first node ----
+
+void search_begin_nodes(SearchRun *k)
+{
+    const size_t machine = round_up(k->plain->size), situation = k->o->watch ? round_up(k->o->watch->size) : 0;
+    Segment seg = {SEARCH_NONE, NULL, 0, true};
+    uint32_t root;
+
+    k->settings = machine + situation;
+    k->block = k->settings + round_up((k->inputs + 1) * sizeof(SearchSetting));
+    k->now = arena_alloc(&k->work, k->block);
+    k->scratch = arena_alloc(&k->work, k->block);
+    k->entry = arena_array(&k->work, k->p->state.n * SEARCH_ENTRIES, sizeof *k->entry);
+    k->entries = ARENA_ARRAY(&k->work, uint32_t, k->p->state.n);
+    k->visited = arena_alloc(&k->work, k->p->state.n);
+    k->cell = ARENA_ARRAY(&k->work, uint64_t, k->p->var.n);
+    k->distance = ARENA_ARRAY(&k->work, double, k->o->watch ? k->o->watch->goals : 1);
+    flat_start(k->plain, k->now, k->start->number);
+    if (k->o->watch)
+        k->o->watch->start(k->o->watch->self, k->now + machine);
+    root = add_node(k, &seg);
+    k->visited[k->start->number - 1] = true;
+    add_entry(k, root, 0);
+}

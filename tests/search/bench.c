@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far searches come: for each machine the goals that were reached with a tenth of the effort and with all of it, and how fast.
+//
+//     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…
+//
+// A machine MACHINE.sm uses the vector MACHINE.sv, or the only .sv of its folder, if there is one.
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "compiler/search/search.h"
+#include "compiler/session.h"
+#include "tests/unit/host.h"
+
+static uint64_t effort = SEARCH_EFFORT, seed = 1;
+static int lists;
+
+static const Source *read_source(Arena *a, const char *path)
+{
+    FILE *f = fopen(path, "rb");
+    char *text = malloc(1 << 22);
+    size_t n;
+    const Source *s;
+
+    if (!f)
+        return free(text), NULL;
+    n = fread(text, 1, (1 << 22) - 1, f);
+    text[n] = 0;
+    fclose(f);
+    s = source_new(a, path, arena_copy(a, text, n + 1), n);
+    free(text);
+    return s;
+}
+
+static const Source *find_vector(Arena *a, const char *path)
+{
+    char dir[500], own[600], found[900] = "";
+    const char *slash = strrchr(path, '/');
+    struct dirent *e;
+    DIR *d;
+
+    snprintf(own, sizeof own, "%.*s.sv", (int)strlen(path) - 3, path);
+    if (read_source(a, own))
+        return read_source(a, own);
+    snprintf(dir, sizeof dir, "%.*s", slash ? (int)(slash - path) : 1, slash ? path : ".");
+    d = opendir(dir);
+    while (d && (e = readdir(d)) != NULL)
+        if (strlen(e->d_name) > 3 && strcmp(e->d_name + strlen(e->d_name) - 3, ".sv") == 0)
+            snprintf(found, sizeof found, "%s/%s", dir, e->d_name);
+    if (d)
+        closedir(d);
+    return found[0] ? read_source(a, found) : NULL;
+}
+
+typedef struct Count { unsigned goals, reached, impossible, missing; } Count;
+
+static Count count_kinds(const Cover *c, const SearchResult *r, unsigned kinds)
+{
+    Count n = {0, 0, 0, 0};
+
+    for (uint32_t i = 1; i < r->places; i++)
+        if (kinds >> c->place.at[i].kind & 1) {
+            n.goals += r->find[i].outcome != SEARCH_NO_GOAL;
+            n.reached += r->find[i].outcome == SEARCH_REACHED;
+            n.impossible += r->find[i].outcome == SEARCH_IMPOSSIBLE;
+            n.missing += r->find[i].outcome == SEARCH_NOT_FOUND;
+        }
+    return n;
+}
+
+static void list_missing(const Cover *c, const SearchResult *r)
+{
+    for (uint32_t i = 1; i < r->places; i++)
+        if (r->find[i].outcome == SEARCH_NOT_FOUND) {
+            const CoverPlace *p = &c->place.at[i];
+            printf("      %s %d line %u `%.*s` nearest %.4g blocked by %u\n", cover_kind_name[p->kind], p->value, source_position(p->span.src, p->span.at).line,
+                   (int)p->span.len, p->span.src->text + p->span.at, r->find[i].nearest, r->find[i].blocked_by);
+        }
+}
+
+static void list_scenarios(const Cover *c, const SearchResult *r)
+{
+    for (uint32_t i = 0; i < r->chosens; i++) {
+        const Scenario *s = &r->chosen[i].scenario;
+        printf("      %u goals, %lu steps:", r->chosen[i].goals, (unsigned long)s->steps);
+        for (size_t n = 0; n < s->changes; n++)
+            printf(" %lu:%s=%g%s", (unsigned long)s->change[n].step, c->p->var.at[s->change[n].var]->name->text, s->change[n].a,
+                   s->change[n].kind == SCENARIO_HOLD ? "" : s->change[n].kind == SCENARIO_COPY ? "c" : s->change[n].kind == SCENARIO_RAMP ? "r" : "~");
+        printf("\n");
+    }
+}
+
+static int compare(const void *a, const void *b) { return *(const int *)a - *(const int *)b; }
+
+static void run(const char *path)
+{
+    const unsigned guards = 1u << COVER_TRANSITION | 1u << COVER_GUARD;
+    Session s;
+    MachineInput in = {NULL, NULL, NULL, NULL};
+    Program *p;
+    double seconds = 0;
+
+    host_check(setjmp(host_oom));
+    session_init(&s, host_alloc, NULL, &host_oom);
+    in.sm = read_source(&s.arena, path);
+    p = in.sm ? session_program(&s, &in) : NULL;
+    if (!p) {
+        in.sv = find_vector(&s.arena, path);
+        p = in.sv ? session_program(&s, &in) : NULL;
+    }
+    if (!p) {
+        printf("%-30.30s does not compile\n", path);
+        return;
+    }
+    for (int part = 10; part >= 1; part -= 9) {
+        Cover *c = cover_new(&s.arena, p);
+        SearchOptions o = {.seed = seed, .effort = effort / (uint64_t)part};
+        SearchResult *r;
+        int *changes, most = 0;
+        const clock_t begin = clock();
+        cover_settle(c);
+        r = search_run(&s.arena, c, &o);
+        seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+        changes = calloc(r->chosens + 1, sizeof *changes);
+        for (uint32_t i = 0; i < r->chosens; i++) {
+            changes[i] = (int)r->chosen[i].scenario.changes;
+            most = changes[i] > most ? changes[i] : most;
+        }
+        qsort(changes, r->chosens, sizeof *changes, compare);
+        {
+            const Count a = count_kinds(c, r, guards), b = count_kinds(c, r, 1u << COVER_CONDITION), all = count_kinds(c, r, SEARCH_KINDS);
+            printf("%-30.30s %4d%% guards %4u = %4u + %3u i + %3u  mcdc %4u = %4u + %3u i + %3u  all left %3u  %3u scripts, changes %d max %d  %6.1f M steps %5.1f M/s %6.2f s\n",
+                   path + (strlen(path) > 30 ? strlen(path) - 30 : 0), 100 / part, a.goals, a.reached, a.impossible, a.missing, b.goals, b.reached,
+                   b.impossible, b.missing, all.missing, r->chosens, r->chosens ? changes[r->chosens / 2] : 0, most, (double)r->steps / 1e6,
+                   (double)r->steps / 1e6 / (seconds > 0 ? seconds : 1), seconds);
+        }
+        if (lists && part == 1)
+            list_missing(c, r);
+        if (lists > 1 && part == 1)
+            list_scenarios(c, r);
+        fflush(stdout);
+        free(changes);
+    }
+    session_free(&s);
+}
+
+int main(int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++)
+        if (strncmp(argv[i], "--effort=", 9) == 0)
+            effort = strtoull(argv[i] + 9, NULL, 10);
+        else if (strncmp(argv[i], "--seed=", 7) == 0)
+            seed = strtoull(argv[i] + 7, NULL, 10);
+        else if (strcmp(argv[i], "--list") == 0)
+            lists++;
+        else
+            run(argv[i]);
+    return 0;
+}
