@@ -91,7 +91,7 @@ static void add_machine_vars(ProveMaker *k)
         const IrVar *from = &k->m->var.at[v];
         const bool is_time = v == k->m->g || v == k->m->s || v == k->m->t;
         const bool is_local = from->space == IR_LOCAL && !from->outside;
-        const ProveVarKind kind = is_time ? PROVE_TIME : is_local ? PROVE_KEPT : from->writable ? PROVE_OUTPUT : PROVE_INPUT;
+        const ProveVarKind kind = is_time ? PROVE_TIME : is_local ? PROVE_KEPT : from->writable && !from->outside ? PROVE_OUTPUT : PROVE_INPUT;
         const uint32_t made = add_var(k, from->type, kind, is_local ? fact_of_initial_value(from) : fact_of_type(from->type));
         k->model->ir->var.at[made].space = from->space;
         k->model->ir->var.at[made].name = from->name;
