@@ -82,6 +82,7 @@ static int prove(Cli *c, const Requirements *what, const CompileOptions *o, size
 {
     const Program *p = what->program;
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES], .go_on = is_not_interrupted};
+    const Requirement *first, *second;
     const ProveResult *r;
     int code;
 
@@ -89,6 +90,10 @@ static int prove(Cli *c, const Requirements *what, const CompileOptions *o, size
         return cli_usage_error(c, TEXT_no_state, c->value[OPT_INIT_STATE]);
     if (p->step && o->step && o->step != p->step)
         return cli_usage_error(c, TEXT_other_step, (unsigned long)p->step);
+    if (prove_find_contradiction(&c->session.arena, what, &first, &second)) {
+        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text), first->span, DIAG_note_first_here);
+        return cli_print_diagnostics(c);
+    }
     os_signals_begin();
     os_signals_delay();
     r = prove_run(&c->session.arena, what, &options);

@@ -131,6 +131,64 @@ static void decide(Prover *v, ProveOf *of)
         of->verdict = PROVE_VIOLATED;
 }
 
+// ---- contradictions ----
+
+static Expr *new_expr(Arena *arena, ExprKind kind, SmOperator op, Expr *a, Expr *b)
+{
+    Expr *e = arena_alloc(arena, sizeof *e + 2 * sizeof *e->arg);
+
+    e->kind = kind;
+    e->op = op;
+    e->span = a->span;
+    e->arg = (Expr **)(void *)(e + 1);
+    e->arg[e->n++] = a;
+    if (b)
+        e->arg[e->n++] = b;
+    return e;
+}
+
+// Returns what a requirement that is judged step by step requires of a step with its premise.
+static Expr *required(Arena *arena, const Requirement *r)
+{
+    return r->kind == REQUIREMENT_NEVER ? new_expr(arena, EX_UNARY, SM_OP_NOT, r->a, NULL) : r->b;
+}
+
+static const Expr *premise_of(const Requirement *r) { return r->kind == REQUIREMENT_ALWAYS ? r->a : NULL; }
+
+// Whether the condition can be true in a step with the premise, which can be NULL.
+static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *all, const Expr *premise, Expr *condition)
+{
+    const Requirement never = {.kind = REQUIREMENT_NEVER, .a = premise ? new_expr(arena, EX_BINARY, SM_OP_AND, (Expr *)premise, condition) : condition};
+
+    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1));
+}
+
+static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
+
+static bool contradict(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
+{
+    const Expr *of_a = premise_of(a), *of_b = premise_of(b);
+
+    if (!is_judged_alone(a) || !is_judged_alone(b) || (of_a != of_b && (!of_a || !of_b || !expr_equal(of_a, of_b, NULL))))
+        return false;
+    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, required(arena, a), required(arena, b)))
+        && can_be_true(arena, m, all, of_a, required(arena, a)) && can_be_true(arena, m, all, of_a, required(arena, b));
+}
+
+bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second)
+{
+    const IrMachine *m = ir_build(arena, r->program);
+
+    for (uint32_t i = 0; i < r->at.n; i++)
+        for (uint32_t k = i + 1; k < r->at.n; k++) {
+            *first = &r->at.at[i];
+            *second = &r->at.at[k];
+            if (contradict(arena, m, r, *first, *second))
+                return true;
+        }
+    return false;
+}
+
 ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o)
 {
     ProveResult *result = ARENA_NEW(arena, ProveResult);

@@ -452,16 +452,21 @@ static void narrow(Explorer *x, const State *init)
         explore_step(x, &from->node.at[n]);
 }
 
-static ExploreEnd explore_once(Explorer *x, const State *init)
+static void new_facts(Explorer *x)
 {
-    ExploreEnd end;
-
     x->fm = facts_of_machine(x->arena, x->p->ir);
     if (!x->fm->shape.unique)
         x->fm->shape.unique = env_table_new(x->arena);        // equal facts become the same pointer
     x->at = NULL;
     x->blocks = 0;
     x->widening = find_limits(x->arena, x->p);
+}
+
+static ExploreEnd explore_once(Explorer *x, const State *init)
+{
+    ExploreEnd end;
+
+    new_facts(x);
     end = explore_all(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
         narrow(x, init);
@@ -536,4 +541,17 @@ ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state
     } while (end == EXPLORE_MANY_NODES);
     out.closed = end == EXPLORE_CLOSED;
     return out;
+}
+
+bool prove_can_violate(Arena *arena, ProveModel *p)
+{
+    const uint32_t states = p->machine->state.n;
+    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)(states + 1) * p->ir->var.n), .reached = ARENA_ARRAY(arena, bool, states + 1)};
+    Explorer x = {.p = p, .arena = arena, .visits = &out.visits, .out = &out};
+    const ProveNode anything = {.state = states};
+
+    new_facts(&x);
+    x.table = new_table(&x);
+    explore_step(&x, &anything);
+    return out.violated;
 }

@@ -29,4 +29,7 @@ typedef struct ProveExplored {
 // `assumed`: 1u << ProveAssumption of each.  `fine`: all variables that change are keys; else only those with few values.
 ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits);
 
+// Whether some values of the variables violate the requirement, whatever the machine does.
+bool prove_can_violate(Arena *arena, ProveModel *p);
+
 #endif

@@ -866,14 +866,11 @@ static ProveStep *finish_step(ProveMaker *k)
     return s;
 }
 
-static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
+// Emits the samples of the machine and its functions, and makes the block after them the current one.
+static void run_machine(ProveMaker *k, const IrState *s, bool first)
 {
-    const IrState *s = &k->m->state.at[state];
     IrBlkRef judge, leave, step, sampled;
 
-    k->f = ARENA_NEW(k->arena, IrFn);
-    k->end.n = 0;
-    k->b = new_block(k);
     for (uint32_t w = 0; w < k->of_machine; w++)
         sample_window(k, &k->window[w], 0);
     sampled = k->b;
@@ -882,6 +879,15 @@ static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
     step = copy_function(k, s->block[BLOCK_STEP], judge, leave);
     jump_from(k, sampled, first ? copy_function(k, s->block[BLOCK_ENTRY], step, leave) : step);
     k->b = judge;
+}
+
+static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
+{
+    k->f = ARENA_NEW(k->arena, IrFn);
+    k->end.n = 0;
+    k->b = new_block(k);
+    if (state < k->m->state.n)
+        run_machine(k, &k->m->state.at[state], first);
     for (uint32_t w = k->of_machine; w < k->windows; w++)
         sample_window(k, &k->window[w], k->of_machine);
     judge_requirement(k);
@@ -915,7 +921,7 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     ProveMaker *k = ARENA_NEW(arena, ProveMaker);
 
     *p = (ProveModel){.arena = arena, .machine = m, .what = what, .delta_t = delta_t, .ir = ARENA_NEW(arena, IrMachine), .maker = k};
-    p->step = arena_array(arena, m->state.n, sizeof *p->step);
+    p->step = arena_array(arena, m->state.n + 1, sizeof *p->step);
     k->model = p;
     k->arena = arena;
     k->m = m;

@@ -62,6 +62,7 @@ typedef struct ProveModel {
 } ProveModel;
 
 ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t);
+// `state` is from 0.  The number of states: the requirement is judged alone, without a step of the machine.
 const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first);
 
 #endif
