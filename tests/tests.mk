@@ -880,7 +880,7 @@ $(call test, swap-threads,         thorough, $(B)/swap/threads, $(B)/swap/thread
 $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x $(B)/swap/threads_tsan; then $(B)/swap/threads_tsan; else echo 0 passed$(,) 0 failed$(,) 1 skipped; fi)
 $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/random 1 300)
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
-$(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 60)
+$(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)

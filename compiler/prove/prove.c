@@ -29,7 +29,11 @@ static bool goes_on(const Prover *v) { return !v->o->go_on || v->o->go_on(v->o->
 // Tries a proof.  Returns whether no run violates the requirement under the assumptions.
 static bool try_proof(Prover *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
 {
-    *x = prove_explore(v->arena, model, v->result->init_state, assumed, is_fine, is_fine ? &fine : &coarse);
+    ProveLimits limits = is_fine ? fine : coarse;
+
+    if (v->o->visits)
+        limits.visits = v->o->visits;
+    *x = prove_explore(v->arena, model, v->result->init_state, assumed, is_fine, &limits);
     of->visits += x->visits;
     of->nodes = x->nodes;
     return x->closed && !x->violated;

@@ -78,6 +78,7 @@ typedef struct ProveOptions {
     const State *init_state;  // NULL: the first state
     bool assume_ranges;       // PROVE_RANGES
     uint64_t effort;          // how many steps the search for violations can run; 0: a default
+    uint64_t visits;          // how many branches an exploration can visit; 0: a default
     bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never
     void *context;
 } ProveOptions;

@@ -18,7 +18,7 @@
 #include "stdlib/convert.h"
 #include "tests/diff/subject.h"
 
-enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 3000, LAYERS = 24, CHOICES_MOST = 27 };
+enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 500, LAYERS = 24, CHOICES_MOST = 27 };
 
 typedef struct Test {
     Arena *arena;
@@ -354,7 +354,7 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
 
 static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_t steps, const char **text)
 {
-    const ProveOptions o = {.effort = 20000};
+    const ProveOptions o = {.effort = 5000, .visits = 15000};
     Gen *g = gen_program(arena, seed, 10);
     Test t = {.arena = arena, .rng = {rng_mix(seed, 4711)}};
     const char *wrong = subject_compile(s, g, arena);
