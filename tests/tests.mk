@@ -226,13 +226,18 @@ prove-campaign: $(B)/prove/random
 	$(B)/prove/random $(SEED) $(N) $(or $(STEPS),100000)
 .PHONY: prove-campaign
 
-# tests/cover: scripts that are written from random scenarios.  `make scripts-campaign N=100000 SEED=1`.
+# tests/cover: scripts that are written from random scenarios, and what is called impossible.  `make scripts-campaign N=100000 SEED=1`.
 $(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
-scripts-campaign: $(B)/cover/scripts
+$(B)/cover/exhaustive: $(B)/obj/tests/cover/exhaustive.o $(B)/obj/tests/diff/cover_model.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+scripts-campaign: $(B)/cover/scripts $(B)/cover/exhaustive
 	$(B)/cover/scripts $(SEED) $(N)
+	$(B)/cover/exhaustive $(SEED) $(N)
 .PHONY: scripts-campaign
 
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
@@ -356,6 +361,15 @@ $(B)/bench/obj/%.o: %.c $(BENCH_VM) | $(BENCH_EMITTED:%=%.h)
 $(B)/bench/obj/tests/bench/workloads/%_native.o: BENCH_FLAGS = $(BENCH_USER) -I. -I$(B)/bench/gen
 $(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(BENCH_WASM3) $(BENCH_VM) $(B)/libsmc.a | $(BENCH_WASM)
 	$(call say,LD)$(CC) -o $@ $^ -lm
+
+# tests/search: how far searches come on every machine, and how fast.  `make bench-search M=machine.sm`: one machine.
+SEARCH_MACHINES = $(filter-out %_rows.sm,$(wildcard examples/*/*.sm tests/search/machines/*.sm tests/bench/workloads/*.sm))
+$(B)/search/bench: tests/search/bench.c $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,CC)$(CC) $(STRICT_C) -D_POSIX_C_SOURCE=200809L $(WARN) $(CFLAGS) $< -o $@ $(B)/libsmc.a -lm
+bench-search: $(B)/search/bench
+	$(B)/search/bench $(or $(M),$(SEARCH_MACHINES))
+.PHONY: bench-search
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr
@@ -866,6 +880,8 @@ $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementa
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, scripts-random,       quick, $(B)/cover/scripts, $(B)/cover/scripts 1 200)
+$(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 1 200)
+$(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)

@@ -18,7 +18,7 @@ enum {
     EXIT_USAGE = 2,
     EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
     EXIT_INTERNAL = 4,        // a bug in smc
-    EXIT_INCONCLUSIVE = 5     // a bound was reached, so there is no result
+    EXIT_INCONCLUSIVE = 5     // a bound was reached: cover has not found every goal, prove has not decided every requirement
 };
 
 typedef enum OptionId {
@@ -95,6 +95,8 @@ void cli_write_pin(Buf *out, const SmvmPin *p);          // writes a pin in word
 int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
 // Writes an edited file over its input, without outputs_check. Reports hard links, because os_write_files changes only one of them.
 int cli_write_edited(Cli *c, const OsOutput *out);
+// Writes a file that a command generates into a folder of the user, without outputs_check: the caller knows that nothing of others is there.
+int cli_write_generated(Cli *c, const OsOutput *out);
 bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard output (1) or error (2); false after a message
 
 // Prints the session's diagnostics to standard error, with warnings as -W… selects them, and empties the list. Returns EXIT_PROBLEM if

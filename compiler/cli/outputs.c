@@ -382,6 +382,8 @@ static const struct {
     {"{\"smc-proofs\":", NULL},
     {"mutations of ", NULL},                                              // mutate
     {"{\"smc-mutations\":", NULL},
+    {"goals of ", NULL},                                                  // cover
+    {"{\"smc-goals\":", NULL},
     {"TN:smc\nSF:", NULL},                                               // test --coverage-lcov
     {NULL, is_junit},                                                     // test --junit
     {NULL, is_trace},                                                     // test --trace
@@ -524,7 +526,7 @@ int outputs_check_options(Cli *c)
         {OPT_OUTPUT, "-o"}, {OPT_DEPS_FILE, "-MF"}, {OPT_TRACE, "--trace"}, {OPT_JUNIT, "--junit"},
         {OPT_COVERAGE_DATA, "--coverage-data"}, {OPT_COVERAGE_JSON, "--coverage-json"}, {OPT_COVERAGE_LCOV, "--coverage-lcov"},
         {OPT_MESSAGE_FILE, "--message-file"}};
-    const bool is_build = c->command->run == cmd_build;
+    const bool can_be_folder = c->command->run == cmd_build || c->command->run == cmd_cover;
     int code = EXIT_OK;
 
     for (size_t i = 0; i < sizeof option / sizeof *option && code == EXIT_OK; i++) {
@@ -536,7 +538,7 @@ int outputs_check_options(Cli *c)
                 return cli_usage_error(c, strcmp(path, "-") == 0 ? TEXT_both_to_stdout : TEXT_outputs_equal,
                                        option[k].spelling, option[i].spelling);
         code = check_name(c, path, option[i].spelling);
-        if (code == EXIT_OK && !(is_build && option[i].id == OPT_OUTPUT))          // -o of a build can be the stem of several names
+        if (code == EXIT_OK && !(can_be_folder && option[i].id == OPT_OUTPUT))     // -o of a build can be the stem of several names
             code = check_existing(c, path);
     }
     return code;

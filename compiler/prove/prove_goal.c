@@ -208,6 +208,57 @@ static bool is_in_ranges(const Program *p, const Scenario *s)
     return true;
 }
 
+// ---- fewer changes ----
+
+enum { SIMPLIFY_CHANGES = 12, SIMPLIFY_STEPS = 20000 };       // larger scenarios are left as they are
+
+// Whether a scenario still reaches the goal.  If so, it ends there.
+static bool reaches(Arena *arena, const GoalSearch *g, Scenario *s)
+{
+    const uint64_t step = goal_confirm(arena, g, s);
+
+    if (step)
+        s->steps = step;
+    return step != 0;
+}
+
+// Replaces *s by one without change `drop`, and with the value of change `from` in change `to`, if that reaches the goal.
+static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t drop, size_t to, size_t from)
+{
+    ScenarioChange *change = ARENA_ARRAY(arena, ScenarioChange, s->changes);
+    Scenario less = *s;
+
+    less.change = change;
+    less.changes = 0;
+    for (size_t i = 0; i < s->changes; i++) {
+        ScenarioChange c = s->change[i];
+        if (i == to && from != to)
+            c.kind = SCENARIO_HOLD, c.a = s->change[from].a;
+        if (i != drop)
+            change[less.changes++] = c;
+    }
+    if (!reaches(arena, g, &less))
+        return false;
+    *s = less;
+    return true;
+}
+
+// Removes changes that the goal does not need, also those that it does not need if another change has the value of a third one.
+static void simplify(Arena *arena, const GoalSearch *g, Scenario *s)
+{
+    bool shorter = s->changes <= SIMPLIFY_CHANGES && s->steps <= SIMPLIFY_STEPS;
+
+    while (shorter) {
+        shorter = false;
+        for (size_t i = 0; !shorter && i < s->changes; i++)
+            shorter = try_without(arena, g, s, i, i, i);
+        for (size_t i = 0; !shorter && i < s->changes; i++)
+            for (size_t to = 0; !shorter && to < s->changes; to++)
+                for (size_t from = 0; !shorter && from < s->changes; from++)
+                    shorter = to != i && from != to && try_without(arena, g, s, i, to, from);
+    }
+}
+
 typedef struct GoalStop { const GoalSearch *g; } GoalStop;
 
 static bool may_go_on(void *context, const SearchProgress *progress)
@@ -247,6 +298,10 @@ GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g)
             out.scenario = s;
         while (s->changes && s->change[s->changes - 1].step > s->steps)
             s->changes--;
+        if (out.scenario)
+            simplify(arena, g, s);
+        if (out.scenario && g->assume_ranges && !is_in_ranges(g->all->program, s))
+            out.scenario = NULL;
     }
     out.premise_seen = w->premise_seen;
     return out;

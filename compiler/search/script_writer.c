@@ -299,19 +299,19 @@ typedef struct Part {
     uint64_t *cell;           // by output of the time line
 } Part;
 
-typedef struct Recording {
+typedef struct RunRecord {
     const Writer *w;
     Part *part;               // a ring of SPANS_MOST + 1
     uint64_t parts;           // how many the run had; the last ones are in the ring
     uint64_t *changes;        // by Var.index
     uint64_t *last;           // by Var.index: cells after the last step
-} Recording;
+} RunRecord;
 
-static Part *part_at(const Recording *r, uint64_t i) { return &r->part[i % (SPANS_MOST + 1)]; }
+static Part *part_at(const RunRecord *r, uint64_t i) { return &r->part[i % (SPANS_MOST + 1)]; }
 
 static void record_step(void *context, uint64_t step, const EngineStep *result)
 {
-    Recording *r = context;
+    RunRecord *r = context;
     const Writer *w = r->w;
     const uint32_t state = (uint32_t)result->cell[w->p->s->index];
     const Part *now = part_at(r, r->parts - 1);
@@ -332,9 +332,9 @@ static void record_step(void *context, uint64_t step, const EngineStep *result)
 }
 
 // Runs the scenario.  Returns false if the engine refuses a step.
-static bool record(Writer *w, Recording *r)
+static bool record(Writer *w, RunRecord *r)
 {
-    *r = (Recording){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part), .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
+    *r = (RunRecord){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part), .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
                      .last = arena_array(w->arena, w->p->var.n, sizeof *r->last)};
     for (uint32_t i = 0; i <= SPANS_MOST; i++)
         r->part[i].cell = arena_array(w->arena, w->output.n + 1, sizeof *r->part[i].cell);
@@ -342,7 +342,7 @@ static bool record(Writer *w, Recording *r)
 }
 
 // Moves the output with the most changes to those that are asserted only at the end.
-static void drop_busiest(Writer *w, const Recording *r)
+static void drop_busiest(Writer *w, const RunRecord *r)
 {
     uint32_t most = 0;
 
@@ -354,7 +354,7 @@ static void drop_busiest(Writer *w, const Recording *r)
     w->output.n--;
 }
 
-static uint64_t most_changes(const Writer *w, const Recording *r)
+static uint64_t most_changes(const Writer *w, const RunRecord *r)
 {
     uint64_t most = 0;
 
@@ -365,7 +365,7 @@ static uint64_t most_changes(const Writer *w, const Recording *r)
 }
 
 // Selects the outputs of the time line, and records the run.
-static bool record_time_line(Writer *w, Recording *r)
+static bool record_time_line(Writer *w, RunRecord *r)
 {
     for (uint32_t i = 0; i < w->p->var.n; i++)
         if (w->p->var.at[i]->kind == VAR_ELEMENT && w->p->var.at[i]->written)
@@ -423,7 +423,7 @@ static void add_asserts(Writer *w, uint64_t step, const char *guard, const char 
         add_line(w, step, RANK_ASSERT, guard, format_in(w->arena, "@assert %s", buf_text(&out)));
 }
 
-static void add_part(Writer *w, const Recording *r, uint64_t i, uint64_t first)
+static void add_part(Writer *w, const RunRecord *r, uint64_t i, uint64_t first)
 {
     const Part *part = part_at(r, i), *before = i > first ? part_at(r, i - 1) : NULL;
     const uint64_t to = i + 1 < r->parts ? part_at(r, i + 1)->step : 0;
@@ -441,7 +441,7 @@ static void add_part(Writer *w, const Recording *r, uint64_t i, uint64_t first)
     add_asserts(w, part->step, guard, term.at, term.n);
 }
 
-static void add_end(Writer *w, const Recording *r)
+static void add_end(Writer *w, const RunRecord *r)
 {
     const char *guard = guard_of(w, w->s->steps, w->s->steps + 1);
     VEC(const char *) term = {NULL, 0, 0};
@@ -457,7 +457,7 @@ static void add_end(Writer *w, const Recording *r)
 
 static bool add_run(Writer *w)
 {
-    Recording r;
+    RunRecord r;
     uint64_t first;
 
     if (!record_time_line(w, &r))
@@ -471,9 +471,11 @@ static bool add_run(Writer *w)
 
 // ---- text ----
 
-// Appends a sentence as comment lines.
+// Appends a sentence as comment lines; an empty one is an empty comment.
 static void write_comment(const char *text, Buf *out)
 {
+    if (!*text)
+        buf_str(out, "#\n");
     while (*text) {
         size_t n = strlen(text), most = LINE_MOST - 2;
         if (n > most) {

@@ -18,7 +18,7 @@ typedef struct ScriptPage {
     const Program *p;         // the machine as its scripts run it
     const Scenario *scenario;
     Engine *engine;           // runs p
-    const char *const *comment;       // sentences, one comment line each; a long one is wrapped
+    const char *const *comment;       // sentences, each a comment; a long one is wrapped, an empty one separates paragraphs
     size_t comments;
     bool is_skeleton;         // no asserts: a comment shows where a person writes them
     const State *not_entered; // the last line asserts that the machine is not in this state; NULL: no such line

@@ -20,6 +20,15 @@ uint64_t search_random(SearchRun *k)
 
 // ---- goals ----
 
+// Picks an entry of a state: the simpler one of two, mostly.
+static uint32_t pick_entry(SearchRun *k, uint32_t state)
+{
+    const SearchNear *pool = &k->entry[state * SEARCH_ENTRIES];
+    const uint32_t a = pool[search_pick(k, k->entries[state])].node, b = pool[search_pick(k, k->entries[state])].node;
+
+    return (k->node.at[b].depth < k->node.at[a].depth) == search_chance(k, 75) ? b : a;
+}
+
 // Returns an entry of a state that a goal can be reached in; SEARCH_NONE: none has been visited.
 static uint32_t find_entry(SearchRun *k, const SearchGoal *g)
 {
@@ -29,7 +38,7 @@ static uint32_t find_entry(SearchRun *k, const SearchGoal *g)
         const uint32_t state = g->site.at[s].state;
         if (state == 0 || k->entries[state - 1] == 0 || search_pick(k, ++n) != 0)
             continue;
-        out = k->entry[(state - 1) * SEARCH_ENTRIES + search_pick(k, k->entries[state - 1])].node;
+        out = pick_entry(k, state - 1);
     }
     return out;
 }
@@ -41,7 +50,7 @@ static uint32_t find_any_entry(SearchRun *k)
     for (uint32_t i = 0; i < states; i++) {
         const uint32_t s = (first + i) % states;
         if (k->entries[s])
-            return k->entry[s * SEARCH_ENTRIES + search_pick(k, k->entries[s])].node;
+            return pick_entry(k, s);
     }
     return SEARCH_NONE;
 }
@@ -196,6 +205,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     begin_result(k);
     search_study_machine(k);
     search_make_goals(k);
+    search_prove(k);
     search_begin_nodes(k);
     search_begin_solving(k);
     search_build_flat(k);

@@ -7,7 +7,10 @@
 #include "compiler/search/search_run.h"
 #include "stdlib/convert.h"
 
-enum { MANY_CHANGES = 6 };    // a scenario with more is split, if it has several goals
+enum {
+    MANY_CHANGES = 6,         // a scenario with more is split, if it has several goals
+    MOST_ENTERS = 64          // entered states that a replay records
+};
 
 typedef VEC(uint32_t) Set;            // goals, as indices into SearchRun.goal
 
@@ -17,14 +20,18 @@ typedef struct Candidate {
     bool used;
 } Candidate;
 
+typedef struct Enter { uint32_t state; uint64_t step; } Enter;        // a state that is entered after a step
+
 typedef struct Chooser {
     SearchRun *k;
     char *block;              // the state of the run, and the situation of the caller's goals
     const ScenarioChange **current;   // by input
+    bool *covered;            // by goal: a chosen scenario reaches it
     bool *seen;               // by goal of the caller: reached in this run
     uint64_t limit;           // of steps, for all of this
     VEC(SearchScenario) chosen;
     uint32_t *input_of;       // by Var.index
+    VEC(Enter) enters;        // of the last replay
 } Chooser;
 
 // ---- replaying ----
@@ -80,9 +87,11 @@ static bool has_all(const Chooser *c, const Set *want)
 static uint64_t replay(Chooser *c, const Scenario *s, const Set *want)
 {
     SearchRun *k = c->k;
+    const FlatState *run = (const FlatState *)(const void *)c->block;
     size_t next = 0;
     uint64_t fresh = 0;
 
+    c->enters.n = 0;
     flat_clear_counts(k->judge);
     flat_start(k->judge, c->block, s->init_state->number);
     memset(c->current, 0, (k->inputs + 1) * sizeof *c->current);
@@ -101,6 +110,10 @@ static uint64_t replay(Chooser *c, const Scenario *s, const Set *want)
                 set_change(c, c->current[i], step);
         flat_step(k->judge, c->block);
         k->r->steps++;
+        if (run->first && c->enters.n < MOST_ENTERS) {
+            const Enter e = {run->state, step};
+            vec_push(&k->work, &c->enters, e);
+        }
         if (k->o->watch)
             judge_watch(c);
         if (want->n && k->judge->fresh != fresh) {
@@ -264,8 +277,92 @@ static void round_values(Chooser *c, Scenario *s, const Set *want)
     }
 }
 
+// ---- shorter beginnings ----
+
+// Returns the entry of a state with the fewest changes; SEARCH_NONE: none is left.
+static uint32_t find_simplest(const SearchRun *k, uint32_t state)
+{
+    uint32_t best = SEARCH_NONE;
+
+    for (uint32_t i = 0; i < k->entries[state - 1]; i++) {
+        const uint32_t n = k->entry[(state - 1) * SEARCH_ENTRIES + i].node;
+        if (best == SEARCH_NONE || k->node.at[n].depth < k->node.at[best].depth || (k->node.at[n].depth == k->node.at[best].depth && k->node.at[n].at < k->node.at[best].at))
+            best = n;
+    }
+    return best;
+}
+
+// Returns the last change of a variable at or before a step; NULL: none.
+static const ScenarioChange *change_at(const Scenario *s, uint32_t var, uint64_t step)
+{
+    const ScenarioChange *out = NULL;
+
+    for (size_t i = 0; i < s->changes && s->change[i].step <= step; i++)
+        out = s->change[i].var == var ? &s->change[i] : out;
+    return out;
+}
+
+// Joins the way to a node and what `s` does after step `after`, where it enters the same state.
+static Scenario join_at(Chooser *c, uint32_t node, const Scenario *s, uint64_t after)
+{
+    SearchRun *k = c->k;
+    Scenario t = scenario_of(k, node);
+    const uint64_t begin = t.steps + 1;
+    ScenarioChange *change = arena_array(&k->work, t.changes + s->changes + k->inputs + 1, sizeof *change);
+    size_t n = t.changes;
+
+    memcpy(change, t.change, n * sizeof *change);
+    for (uint32_t i = 0; i < k->inputs; i++) {
+        const ScenarioChange *now = change_at(s, k->input[i].var, after + 1), *was = change_at(&t, k->input[i].var, begin);
+        ScenarioChange x = now ? *now : (ScenarioChange){0, k->input[i].var, SCENARIO_HOLD, 0, 0, 0};
+        if ((!now && !was) || (now && was && now->kind == SCENARIO_HOLD && was->kind == SCENARIO_HOLD && now->a == was->a))
+            continue;
+        x.step = begin;
+        change[n++] = x;
+    }
+    for (size_t i = 0; i < s->changes; i++)
+        if (s->change[i].step > after + 1) {
+            change[n] = s->change[i];
+            change[n++].step += begin - (after + 1);
+        }
+    t.change = change;
+    t.changes = n;
+    t.steps = begin + s->steps - (after + 1);
+    return t;
+}
+
+// Replaces the beginning of a scenario, up to where it enters a state, by the simplest known way to that state.
+static void simplify_beginning(Chooser *c, Scenario *s, const Set *want)
+{
+    const Scenario from = *s;
+    uint32_t *state;
+    uint64_t *step;
+    uint32_t n;
+
+    replay(c, s, want);
+    n = c->enters.n;
+    state = ARENA_ARRAY(&c->k->work, uint32_t, n + 1);
+    step = ARENA_ARRAY(&c->k->work, uint64_t, n + 1);
+    for (uint32_t i = 0; i < n; i++) {
+        state[i] = c->enters.at[i].state;
+        step[i] = c->enters.at[i].step;
+    }
+    for (uint32_t i = n; i-- > 0 && has_effort(c); ) {
+        const uint32_t node = find_simplest(c->k, state[i]);
+        Scenario t;
+        if (node == SEARCH_NONE || step[i] + 1 > from.steps)
+            continue;
+        t = join_at(c, node, &from, step[i]);
+        if (c->k->node.at[node].depth < from.changes && accept(c, s, &t, want))
+            return;
+    }
+}
+
 static void simplify(Chooser *c, Scenario *s, const Set *want)
 {
+    drop_changes(c, s, want);
+    if (s->changes > 2)
+        simplify_beginning(c, s, want);
     drop_changes(c, s, want);
     shorten_waits(c, s, want);
     prefer_holds(c, s, want);
@@ -282,29 +379,47 @@ static int compare_goals(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-static void store_chosen(Chooser *c, const Scenario *s, const Set *want)
+// Stores a scenario, for all goals that its last replay has reached and that no earlier one reaches.
+static void store_chosen(Chooser *c, const Scenario *s)
 {
     SearchRun *k = c->k;
-    uint32_t *goal = ARENA_ARRAY(k->arena, uint32_t, want->n);
-    SearchScenario out = {*s, goal, want->n, NULL};
+    uint32_t *goal = ARENA_ARRAY(k->arena, uint32_t, k->goals);
+    SearchScenario out = {*s, goal, 0, NULL};
 
-    for (uint32_t i = 0; i < want->n; i++) {
-        SearchFind *f = &k->r->find[k->goal[want->at[i]].place];
-        goal[i] = k->goal[want->at[i]].place;
+    for (uint32_t i = 0; i < k->goals; i++) {
+        SearchFind *f = &k->r->find[k->goal[i].place];
+        if (c->covered[i] || !is_reached(c, i))
+            continue;
+        c->covered[i] = true;
+        goal[out.goals++] = k->goal[i].place;
         f->outcome = SEARCH_REACHED;
         f->scenario = c->chosen.n;
     }
-    qsort(goal, want->n, sizeof *goal, compare_goals);
+    qsort(goal, out.goals, sizeof *goal, compare_goals);
     out.scenario.change = arena_copy(k->arena, s->change, (s->changes + 1) * sizeof *s->change);
     out.end = k->p->state.at[((const FlatState *)(const void *)c->block)->state - 1];
-    vec_push(k->arena, &c->chosen, out);
+    if (out.goals)
+        vec_push(k->arena, &c->chosen, out);
+}
+
+// Returns the goals of a set that no chosen scenario reaches.
+static Set find_left(Chooser *c, const uint32_t *goal, uint32_t n)
+{
+    Set out = {NULL, 0, 0};
+
+    for (uint32_t i = 0; i < n; i++)
+        if (!c->covered[goal[i]])
+            vec_push(&c->k->work, &out, goal[i]);
+    return out;
 }
 
 // Simplifies a scenario for its goals, and splits it while that leaves many changes.
 static void choose_scenario(Chooser *c, const Scenario *from, const Set *want)
 {
+    const uint32_t half = want->n / 2;
     Scenario s = copy_scenario(c->k, from);
-    const uint64_t end = replay(c, &s, want);
+    const uint64_t end = want->n ? replay(c, &s, want) : 0;
+    Set part;
 
     if (end == 0)
         return;
@@ -314,13 +429,14 @@ static void choose_scenario(Chooser *c, const Scenario *from, const Set *want)
     if (has_effort(c))
         simplify(c, &s, want);
     if (s.changes > MANY_CHANGES && want->n > 1 && has_effort(c)) {
-        Set half = {want->at, want->n / 2, 0}, rest = {want->at + want->n / 2, want->n - want->n / 2, 0};
-        choose_scenario(c, &s, &half);
-        choose_scenario(c, &s, &rest);
+        part = find_left(c, want->at, half);
+        choose_scenario(c, &s, &part);
+        part = find_left(c, want->at + half, want->n - half);
+        choose_scenario(c, &s, &part);
         return;
     }
     replay(c, &s, want);
-    store_chosen(c, &s, want);
+    store_chosen(c, &s);
 }
 
 static Candidate *make_candidates(Chooser *c, uint32_t *n)
@@ -346,36 +462,38 @@ static Candidate *make_candidates(Chooser *c, uint32_t *n)
     return all;
 }
 
-// Chooses the candidate that reaches most goals that are left, and of those one with few changes.
-static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, const bool *covered, Set *want)
+// Chooses the candidate that reaches most goals that are left for its number of changes.
+static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, Set *want)
 {
     Candidate *best = NULL;
     uint32_t most = 0;
 
     for (uint32_t i = 0; i < n; i++) {
         uint32_t new = 0;
+        if (all[i].used)
+            continue;
         for (uint32_t g = 0; g < c->k->goals; g++)
-            new += all[i].reached[g] && !covered[g];
-        if (new > most || (new == most && new > 0 && all[i].s.changes < best->s.changes)) {
+            new += all[i].reached[g] && !c->covered[g];
+        if (new > 0 && (!best || new * (4 + best->s.changes) > most * (4 + all[i].s.changes))) {
             best = &all[i];
             most = new;
         }
     }
     want->n = 0;
     for (uint32_t g = 0; best && g < c->k->goals; g++)
-        if (best->reached[g] && !covered[g])
+        if (best->reached[g] && !c->covered[g])
             vec_push(&c->k->work, want, g);
     return best;
 }
 
 void search_choose(SearchRun *k)
 {
-    Chooser c = {.k = k, .limit = k->r->steps + k->effort / 4};
-    bool *covered = arena_alloc(&k->work, k->goals + 1);
+    Chooser c = {.k = k, .limit = k->r->steps + k->effort / 3};
     Candidate *all, *best;
     uint32_t n = 0;
 
     k->judge = flat_new(&k->work, k->m, &k->c->probes);
+    c.covered = arena_alloc(&k->work, k->goals + 1);
     c.block = arena_alloc(&k->work, k->block);
     c.current = arena_array(&k->work, k->inputs + 1, sizeof *c.current);
     c.seen = arena_alloc(&k->work, k->o->watch ? k->o->watch->goals + 1 : 1);
@@ -385,12 +503,11 @@ void search_choose(SearchRun *k)
     all = make_candidates(&c, &n);
     for (;;) {
         Set want = {NULL, 0, 0};
-        best = choose_best(&c, all, n, covered, &want);
+        best = choose_best(&c, all, n, &want);
         if (!best)
             break;
+        best->used = true;
         choose_scenario(&c, &best->s, &want);
-        for (uint32_t i = 0; i < want.n; i++)
-            covered[want.at[i]] = true;
     }
     k->r->chosen = c.chosen.at;
     k->r->chosens = c.chosen.n;

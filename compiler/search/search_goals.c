@@ -309,12 +309,16 @@ static bool is_open(const SearchRun *k, const FlatDecision *d)
     return false;
 }
 
-static bool has_open_edge(const SearchRun *k, const SearchDecision *x)
+// Removes the edges of goals that are done.  Returns whether some are left.
+static bool has_open_edge(const SearchRun *k, SearchDecision *x)
 {
+    uint32_t n = 0;
+
     for (uint32_t i = 0; i < x->edge.n; i++)
         if (!k->goal[x->edge.at[i].goal].done)
-            return true;
-    return false;
+            x->edge.at[n++] = x->edge.at[i];
+    x->edge.n = n;
+    return n > 0;
 }
 
 void search_build_flat(SearchRun *k)

@@ -104,6 +104,7 @@ static uint32_t add_node(SearchRun *k, Segment *g)
     const FlatState *s = (const FlatState *)(const void *)k->now;
     SearchNode n = {.parent = g->from, .users = 1, .at = k->at, .turns = g->turns, .state = s->state, .key = key_of(k, k->now)};
 
+    n.depth = g->turns + (g->from == SEARCH_NONE ? 0 : k->node.at[g->from].depth);
     if (!g->is_stored && g->turns)
         g->turn = arena_copy(&k->work, g->turn, g->turns * sizeof *g->turn);
     g->is_stored = true;
@@ -120,8 +121,16 @@ void search_load(SearchRun *k, uint32_t node, char *to) { memcpy(to, k->node.at[
 
 // ---- pools ----
 
+// Whether a snapshot with so many changes and steps is simpler than a node.
+static bool is_simpler(const SearchRun *k, uint32_t depth, uint64_t at, uint32_t node)
+{
+    const SearchNode *n = &k->node.at[node];
+
+    return depth != n->depth ? depth < n->depth : at < n->at;
+}
+
 // Returns where among the entries of its state a snapshot with this key belongs; SEARCH_NONE: one that is as good is there.
-static uint32_t find_place_of_entry(SearchRun *k, uint32_t state, uint64_t key, uint64_t at)
+static uint32_t find_place_of_entry(SearchRun *k, uint32_t state, uint64_t key, uint32_t depth, uint64_t at)
 {
     const SearchNear *pool = &k->entry[(state - 1) * SEARCH_ENTRIES];
     const uint32_t n = k->entries[state - 1];
@@ -130,7 +139,7 @@ static uint32_t find_place_of_entry(SearchRun *k, uint32_t state, uint64_t key, 
     while (i < n && k->node.at[pool[i].node].key != key)
         i++;
     if (i < n)
-        return at < k->node.at[pool[i].node].at || search_chance(k, 3) ? i : SEARCH_NONE;
+        return is_simpler(k, depth, at, pool[i].node) || search_chance(k, 2) ? i : SEARCH_NONE;
     return i < SEARCH_ENTRIES ? i : search_chance(k, 25) ? search_pick(k, SEARCH_ENTRIES) : SEARCH_NONE;
 }
 
@@ -153,7 +162,7 @@ static void add_entry(SearchRun *k, uint32_t n, uint32_t at)
 static void store_entry(SearchRun *k, Segment *seg)
 {
     const FlatState *s = (const FlatState *)(const void *)k->now;
-    const uint32_t at = find_place_of_entry(k, s->state, key_of(k, k->now), k->at);
+    const uint32_t at = find_place_of_entry(k, s->state, key_of(k, k->now), seg->turns + k->node.at[seg->from].depth, k->at);
     uint32_t n;
 
     if (at == SEARCH_NONE)
@@ -228,7 +237,7 @@ static void finish_reached(SearchRun *k, Segment *seg)
     }
     if (node == SEARCH_NONE)
         return;
-    add_entry(k, node, find_place_of_entry(k, k->node.at[node].state, k->node.at[node].key, k->at));
+    add_entry(k, node, find_place_of_entry(k, k->node.at[node].state, k->node.at[node].key, k->node.at[node].depth, k->at));
     drop_node(k, node);
 }
 
@@ -360,9 +369,9 @@ static void store_near(SearchRun *k, Segment *seg, Active *active)
 
 bool search_goes_on(SearchRun *k)
 {
-    if (k->r->steps >= k->next_report && k->o->go_on && !k->r->stopped) {
+    if (k->r->steps >= k->next_report && !k->r->stopped) {
         const SearchProgress p = {k->goals, k->goals - k->open, k->open, k->r->steps, k->effort};
-        k->r->stopped = !k->o->go_on(k->o->context, &p);
+        k->r->stopped = k->o->go_on && !k->o->go_on(k->o->context, &p);
         k->next_report = k->r->steps + REPORT_STEPS;
     }
     return !k->r->stopped && k->r->steps < k->effort;
@@ -406,7 +415,7 @@ uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn,
     node = goal == SEARCH_NONE ? add_node(k, &seg) : SEARCH_NONE;
     store_near(k, &seg, &active);
     drop_node(k, from);
-    if (k->done_since > 8 + k->open / 4)
+    if (k->done_since > k->open / 8)
         search_build_flat(k);
     return node;
 }

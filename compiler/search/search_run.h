@@ -3,6 +3,7 @@
 //
 //     search_machine.c   what is constant: inputs, decisions, stores, and the path to each place
 //     search_goals.c     goals, and how far a step was from each
+//     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
 //     search_solve.c     which inputs lead to a goal: backwards from its conditions, or at random
 //     search_choose.c    few scenarios with few changes that reach what was reached
@@ -111,6 +112,7 @@ typedef struct SearchNode {
     uint64_t at;              // steps from the start
     const SearchTurn *turn;
     uint32_t turns;
+    uint32_t depth;           // changes from the start
     char *copy;               // or NULL
     uint32_t state;
     uint64_t key;             // of what it has stored
@@ -181,6 +183,7 @@ static inline bool search_chance(SearchRun *k, uint32_t percent) { return search
 void search_study_machine(SearchRun *k);
 
 void search_make_goals(SearchRun *k);
+void search_prove(SearchRun *k);              // finds goals that are impossible
 void search_build_flat(SearchRun *k);         // builds `flat` for the goals that are open
 double search_near(double difference);        // a distance from 0 to below 1
 

@@ -111,7 +111,14 @@ static void print_condition(Test *t, unsigned depth, Buf *out)
     switch (rng_below(&t->rng, 8)) {
     case 0: buf_printf(out, "(%s)", v->name->text); break;
     case 1: case 2: case 3: buf_printf(out, "(%s == %u)", t->p->s->name->text, 1 + (unsigned)rng_below(&t->rng, t->p->state.n)); break;
-    case 4: buf_printf(out, "(roll_%s(%s, %u) > %s)", rng_percent(&t->rng, 50) ? "max" : "min", v->name->text, 1 + (unsigned)rng_below(&t->rng, 4), number); break;
+    case 4:
+        if (rng_percent(&t->rng, 50)) {
+            buf_printf(out, "(roll_%s(%s %s %s, %u) == 1)", rng_percent(&t->rng, 50) ? "max" : "min", v->name->text, relation[rng_below(&t->rng, 6)], number,
+                       2 + (unsigned)rng_below(&t->rng, 3));
+            break;
+        }
+        buf_printf(out, "(roll_%s(%s, %u) > %s)", rng_percent(&t->rng, 50) ? "max" : "min", v->name->text, 1 + (unsigned)rng_below(&t->rng, 4), number);
+        break;
     case 5: buf_printf(out, "(T %s %lu)", relation[rng_below(&t->rng, 6)], (unsigned long)(rng_below(&t->rng, 8) * t->delta_t)); break;
     default: buf_printf(out, "(%s %s %s)", v->name->text, relation[rng_below(&t->rng, 6)], number);
     }

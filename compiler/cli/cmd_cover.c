@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc cover: searches for inputs that reach what no script has tested, and writes each run as a script.
+//
+// 1. The given scripts run, and those of the folder that a person has edited.  The goals are the places that they do not cover.
+// 2. The other scripts of the folder that smc has written run.  If they reach every goal that is not impossible, nothing is searched.
+// 3. Else the search is the same as without them, so a second call finds the same, and nothing is written twice.  What it finds is written if
+//    it reaches a goal that no script of the folder reaches.
+#include <string.h>
+
+#include "compiler/base/os_signal.h"
+#include "compiler/base/path.h"
+#include "compiler/cli/cover_run.h"
+#include "compiler/cli/deps.h"
+#include "compiler/cli/runs.h"
+#include "compiler/search/script_writer.h"
+
+enum { STEPS_MOST = 1000000, ALSO_MOST = 4 };
+
+static const CliFormat formats[] = {{"text", {NULL}, NULL}, {"json", {NULL}, NULL}};
+
+typedef struct CoverSettings { uint64_t effort, memory, seed, delta_t; size_t format; } CoverSettings;
+
+// ---- options ----
+
+static bool read_kinds(const char *text, unsigned *kinds)
+{
+    for (*kinds = 0;; text++) {
+        const size_t n = strcspn(text, ",");
+        int kind = 0;
+        while (kind < COVER_KIND_COUNT && (strlen(cover_kind_name[kind]) != n || strncmp(cover_kind_name[kind], text, n) != 0))
+            kind++;
+        if (kind == COVER_KIND_COUNT)
+            return false;
+        *kinds |= 1u << kind;
+        text += n;
+        if (*text == '\0')
+            return true;
+    }
+}
+
+static const char *list_kinds(Cli *c)
+{
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    for (int k = 0; k < COVER_KIND_COUNT; k++)
+        buf_printf(&out, "%s%s", k == 0 ? "" : k + 1 < COVER_KIND_COUNT ? ", " : " and ", cover_kind_name[k]);
+    return buf_text(&out);
+}
+
+static int read_options(CoverRun *r, CoverSettings *s)
+{
+    Cli *c = r->c;
+
+    *s = (CoverSettings){.effort = 150, .memory = 512, .seed = 1};
+    r->kinds = SEARCH_KINDS;
+    if (!c->given[OPT_OUTPUT] || strcmp(c->value[OPT_OUTPUT], "-") == 0 || !*c->value[OPT_OUTPUT])
+        return cli_usage_error(c, TEXT_cover_folder, c->file[0]);
+    r->folder = c->value[OPT_OUTPUT];
+    c->given[OPT_OUTPUT] = false;                              // for cli_choose_format the folder is no file with an ending
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &s->format))
+        return EXIT_USAGE;
+    c->given[OPT_OUTPUT] = true;
+    if (c->given[OPT_GOALS] && !read_kinds(c->value[OPT_GOALS], &r->kinds))
+        return cli_usage_error(c, TEXT_cover_goals, list_kinds(c));
+    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &s->effort) || s->effort > 1000000000))
+        return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
+    if (c->given[OPT_MEMORY] && (!cli_read_count(c->value[OPT_MEMORY], &s->memory) || s->memory > SIZE_MAX >> 20))
+        return cli_usage_error(c, TEXT_number_from_1, "--memory", c->value[OPT_MEMORY]);
+    if (c->given[OPT_SEED] && !cli_read_whole(c->value[OPT_SEED], &s->seed))
+        return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
+    return EXIT_OK;
+}
+
+// ---- the given scripts ----
+
+// Checks and runs the given scripts.
+static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Compiled *made)
+{
+    Engine *e[] = {cover_open_engine(r->given), cover_open_engine(r->all)};
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
+    int code;
+
+    for (size_t i = 0; i < given; i++)
+        if (in->at[i].kind == FILE_SS && !made->of[i].is_included) {
+            const Script *s = session_script(&r->c->session, in->at[i].text, r->p);
+            if (s)
+                vec_push(r->arena, &r->script, s);
+        }
+    if ((code = cli_print_diagnostics(r->c)) != EXIT_OK)
+        return code;
+    for (uint32_t i = 0; i < r->script.n; i++)
+        if (script_run(r->arena, &r->c->session.diags, r->script.at[i], e, 2, &o).outcome != SCRIPT_PASSED) {
+            cli_print_diagnostics(r->c);
+            cli_print_error(r->c, TEXT_cover_fails, r->script.at[i]->src->name);
+            return EXIT_PROBLEM;
+        }
+    return cli_print_diagnostics(r->c);
+}
+
+// ---- searching ----
+
+typedef struct CoverProgress { CoverRun *r; double last; uint64_t steps; bool is_shown; } CoverProgress;
+
+static void show_progress(CoverProgress *k, const SearchProgress *p)
+{
+    const double now = os_seconds();
+    Buf out;
+
+    if (now - k->last < 0.2 || !os_is_terminal(2))
+        return;
+    buf_init(&out, k->r->arena);
+    buf_printf(&out, "\r%lu goals reached, %lu left, %.1f million steps a second, %lu %%  ", (unsigned long)p->reached, (unsigned long)p->left,
+               (double)(p->steps - k->steps) / (now - k->last) / 1e6, (unsigned long)(p->effort ? 100 * p->steps / p->effort : 0));
+    cli_print(k->r->c, 2, &out);
+    k->last = now;
+    k->steps = p->steps;
+    k->is_shown = true;
+}
+
+static bool go_on(void *context, const SearchProgress *p)
+{
+    CoverProgress *k = context;
+
+    show_progress(k, p);
+    k->r->was_interrupted = os_signal_waiting() != 0;
+    return !k->r->was_interrupted;
+}
+
+static void end_progress(CoverProgress *k)
+{
+    Buf out;
+
+    buf_init(&out, k->r->arena);
+    buf_printf(&out, "\r%70s\r", "");
+    if (k->is_shown)
+        cli_print(k->r->c, 2, &out);
+}
+
+static SearchResult *search(CoverRun *r, const CoverSettings *s, const SearchWatch *watch)
+{
+    CoverProgress progress = {r, os_seconds(), 0, false};
+    const SearchOptions o = {.seed = s->seed, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .delta_t = s->delta_t, .kinds = r->kinds,
+                             .no_places = watch != NULL, .watch = watch, .go_on = go_on, .context = &progress};
+    SearchResult *result = search_run(r->arena, r->given, &o);
+
+    end_progress(&progress);
+    return result;
+}
+
+// ---- writing ----
+
+// Returns the goal by which a script is named: the last of its transitions that leads to where it ends, else its last transition, else
+// its first goal.
+static uint32_t main_goal(const CoverRun *r, const SearchScenario *s)
+{
+    uint32_t found = 0, ending = 0;
+
+    for (uint32_t i = 0; i < s->goals; i++) {
+        const CoverPlace *p = &r->all->place.at[s->goal[i]];
+        if (p->kind != COVER_TRANSITION || r->all->hits[s->goal[i]] > 0)
+            continue;
+        found = s->goal[i];
+        ending = p->to == s->end ? found : ending;
+    }
+    for (uint32_t i = 0; i < s->goals && !found; i++)
+        if (r->all->hits[s->goal[i]] == 0)
+            found = s->goal[i];
+    return ending ? ending : found;
+}
+
+// Lists the other goals that a script is the first to reach, at most ALSO_MOST of them: transitions first.  Statements and states follow from
+// those.
+static const char *list_others(const CoverRun *r, const SearchScenario *s, uint32_t goal)
+{
+    static const CoverKind kinds[] = {COVER_TRANSITION, COVER_GUARD, COVER_CONDITION, COVER_WINDOW};
+    uint32_t n = 0;
+    Buf out;
+
+    buf_init(&out, r->arena);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (uint32_t i = 0; i < s->goals && n < ALSO_MOST; i++)
+            if (s->goal[i] != goal && r->all->hits[s->goal[i]] == 0 && r->all->place.at[s->goal[i]].kind == kinds[k])
+                buf_printf(&out, "%s%s", n++ ? " " : "The run also shows: ", goal_sentence(r->text, s->goal[i]));
+    return buf_text(&out);
+}
+
+// Writes a scenario as a script, runs it and stores it in the folder.  EXIT_INTERNAL: the script is not what it should be.
+static int write_script(CoverRun *r, const Scenario *found, const char *stem, const char *goal, const char *also, const State *not_entered)
+{
+    const bool skeleton = r->c->given[OPT_SKELETONS];
+    Scenario s = *found;
+    const char *comment[] = {goal, "", skeleton ? "Write what must be true at each time, as an @assert." : "The asserts show what the machine does, not what it should do: check them before you rely on them.", also};
+    const ScriptPage page = {.p = r->p, .scenario = &s, .engine = engine_ref_open(r->arena, r->p), .comment = comment, .comments = *also ? 4 : 3,
+                             .is_skeleton = skeleton, .not_entered = not_entered};
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = true};
+    Engine *e = cover_open_engine(r->all);
+    const Script *script;
+    Buf body, out;
+    OsOutput file;
+    int code;
+
+    buf_init(&body, r->arena);
+    buf_init(&out, r->arena);
+    s.steps++;                                                 // shows the state to which the last step leads
+    if (!script_write(r->arena, &page, &body))
+        return EXIT_INTERNAL;
+    generated_write(r->machine, &body, &out);
+    script = session_script(&r->c->session, source_new(r->arena, stem, buf_text(&out), out.n), r->p);
+    diags_clear(&r->c->session.diags);
+    if (!script || script_run(r->arena, &r->c->session.diags, script, &e, 1, &o).outcome != SCRIPT_PASSED)
+        return EXIT_INTERNAL;
+    file = (OsOutput){cover_new_path(r, stem), buf_text(&out), out.n};
+    if ((code = cli_write_generated(r->c, &file)) == EXIT_OK) {
+        const NewScript n = {file.path, goal, file.bytes, file.n, also};
+        vec_push(r->arena, &r->new_one, n);
+    }
+    return code;
+}
+
+static int write_found(CoverRun *r)
+{
+    int code = EXIT_OK;
+
+    for (uint32_t i = 0; i < r->result->chosens && code == EXIT_OK; i++) {
+        const SearchScenario *s = &r->result->chosen[i];
+        const uint32_t goal = main_goal(r, s);
+        if (goal == 0)
+            continue;
+        code = write_script(r, &s->scenario, goal_file_stem(r->text, goal), goal_sentence(r->text, goal), list_others(r, s, goal), NULL);
+        cover_settle(r->all);
+    }
+    return code;
+}
+
+// ---- pairs of states without a transition ----
+
+static const char *pair_goal(const CoverRun *r, const MustNot *m)
+{
+    return format_in(r->arena, MUST_NOT_GOAL "%s -> %s, even while %s, which leads there from %s.", m->in->name->text, m->to->name->text,
+                     condition_text(r->arena, m->other->when), m->other->from->name->text);
+}
+
+// Returns the script of an earlier call that shows a pair, or NULL.
+static const char *find_old_pair(const CoverRun *r, const char *goal)
+{
+    for (uint32_t i = 0; i < r->old.n; i++)
+        if (r->old.at[i].verdict != OLD_STALE && strcmp(generated_goal(r->arena, r->old.at[i].src->text, r->old.at[i].src->len), goal) == 0)
+            return r->old.at[i].path;
+    return NULL;
+}
+
+static int write_pairs(CoverRun *r, const CoverSettings *s)
+{
+    const MustNots *m = must_not_list(r->arena, r->p);
+    bool is_open = false;
+    int code = EXIT_OK;
+
+    for (uint32_t i = 0; i < m->at.n; i++) {
+        const CoverPair pair = {&m->at.at[i], find_old_pair(r, pair_goal(r, &m->at.at[i]))};
+        vec_push(r->arena, &r->pair, pair);
+        is_open = is_open || !pair.path;
+    }
+    if (!is_open || r->was_interrupted)
+        return EXIT_OK;
+    SearchResult *found = search(r, s, &m->watch);
+    for (uint32_t i = 0; i < m->at.n && code == EXIT_OK; i++) {
+        const SearchFind *f = &found->find[found->places + i];
+        const MustNot *pair = &m->at.at[i];
+        if (r->pair.at[i].path || f->outcome != SEARCH_REACHED)
+            continue;
+        code = write_script(r, &found->chosen[f->scenario].scenario,
+                            format_in(r->arena, "%s-must-not-%s-to-%s", r->p->name->text, goal_name_part(r->arena, pair->in->name->text),
+                                      goal_name_part(r->arena, pair->to->name->text)),
+                            pair_goal(r, pair), "", pair->to);
+        if (code == EXIT_OK)
+            r->pair.at[i].path = r->new_one.at[r->new_one.n - 1].path;
+    }
+    return code;
+}
+
+// ---- the command ----
+
+static bool has_open_goal(const CoverRun *r)
+{
+    for (uint32_t i = 1; i < r->all->place.n; i++)
+        if (cover_is_goal(r, i) && r->all->hits[i] == 0 && !r->all->place.at[i].impossible)
+            return true;
+    return false;
+}
+
+// Searches and writes, until a signal asks to stop.
+static int search_and_write(CoverRun *r, const CoverSettings *s)
+{
+    int code = EXIT_OK;
+
+    os_signals_begin();
+    os_signals_delay();
+    if (has_open_goal(r)) {
+        r->result = search(r, s, NULL);
+        code = write_found(r);
+    }
+    if (code == EXIT_OK && r->c->given[OPT_MUST_NOT])
+        code = write_pairs(r, s);
+    return code;
+}
+
+static int write_dependencies(CoverRun *r)
+{
+    OsOutput out[2] = {{r->folder, NULL, 0}};
+    DepInputs in = {arena_array(r->arena, r->c->files + r->c->included.n + 1, sizeof *in.at), 0};
+    size_t n = 1;
+
+    if (!deps_wanted(r->c))
+        return EXIT_OK;
+    for (size_t i = 0; i < r->c->files; i++)
+        in.at[in.n++] = r->c->file[i];
+    for (size_t i = 0; i < r->c->included.n; i++)
+        in.at[in.n++] = r->c->included.at[i]->name;
+    if (r->c->given[OPT_SV])
+        in.at[in.n++] = r->c->value[OPT_SV];
+    deps_add_rule(r->c, out, &n, in);
+    return cli_write_outputs(r->c, &out[1], 1);
+}
+
+static int finish(CoverRun *r, const CoverSettings *s)
+{
+    const CoverTotals t = cover_count(r);
+    Buf out;
+
+    buf_init(&out, r->arena);
+    (s->format == 0 ? cover_write_report : cover_write_goals_json)(r, &out);
+    if (!cli_print(r->c, 1, &out))
+        return EXIT_ENVIRONMENT;
+    if (r->was_interrupted)
+        cli_print_error(r->c, TEXT_cover_interrupted);
+    else if (t.not_found)
+        cli_print_error(r->c, TEXT_cover_not_found, t.not_found, t.goals, (unsigned long)(10 * s->effort));
+    return r->was_interrupted || t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
+}
+
+static void choose_step(CoverRun *r, CoverSettings *s, const CompileOptions *o)
+{
+    s->delta_t = o->step ? o->step : r->script.n ? r->script.at[0]->delta_t : SEARCH_DELTA_T;
+}
+
+static int cover(CoverRun *r, CompileInput *in, size_t given, const CompileOptions *o, const Compiled *made, CoverSettings *s)
+{
+    int code;
+
+    r->given = cover_new(r->arena, r->p);
+    r->all = cover_new(r->arena, r->p);
+    r->text = goal_texts_new(r->arena, r->all);
+    if ((code = run_given(r, in, given, made)) != EXIT_OK || (code = cover_run_folder(r)) != EXIT_OK)
+        return code;
+    choose_step(r, s, o);
+    cover_settle(r->given);
+    cover_settle(r->all);
+    if ((code = search_and_write(r, s)) == EXIT_OK && (code = write_dependencies(r)) == EXIT_OK)
+        code = finish(r, s);
+    os_signals_resume();                  // ends the process if a signal has asked to stop
+    os_signals_end();
+    return code;
+}
+
+int cmd_cover(Cli *c)
+{
+    CoverRun r = {.c = c, .arena = &c->session.arena};
+    CoverSettings settings;
+    CompileInput in;
+    CompileOptions o;
+    Compiled made;
+    size_t given;
+    int code;
+
+    if ((code = runs_check_arguments(c)) != EXIT_OK || (code = read_options(&r, &settings)) != EXIT_OK)
+        return code;
+    if (!cli_compile_options(c, &o))
+        return EXIT_USAGE;
+    if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
+        return code;
+    given = in.n;
+    for (size_t i = 0; i < given; i++)
+        if (in.at[i].kind == FILE_SM)
+            r.machine = path_file_name(in.at[i].text->name);
+    if ((code = cover_read_folder(&r, &in)) != EXIT_OK)
+        return code;
+    o.scripts_later = true;
+    o.skip_analyses = true;
+    compile_sources(&c->session, &in, &o, &made);
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+        return code;
+    r.p = runs_find_machine(&in, &made)->scripted;
+    return cover(&r, &in, given, &o, &made, &settings);
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder of smc cover: the scripts that earlier calls have written, and the names of new ones.
+#include <string.h>
+
+#include "compiler/base/path.h"
+#include "compiler/cli/cover_run.h"
+
+enum { STEPS_MOST = 1000000 };
+
+static const char *path_in_folder(const CoverRun *r, const char *name)
+{
+    return format_in(r->arena, "%s%s%s", r->folder, path_ends_in_separator(r->folder) ? "" : "/", name);
+}
+
+// ---- reading ----
+
+static bool is_argument(const Cli *c, const char *path)
+{
+    for (size_t i = 0; i < c->files; i++)
+        if (os_same_file(c->file[i], path))
+            return true;
+    return false;
+}
+
+// Reads a file of the folder if smc has written it for this machine.
+static int read_old(CoverRun *r, const char *name)
+{
+    const char *path = path_in_folder(r, name);
+    char head[512];
+    OldScript old = {.path = path};
+    size_t n;
+
+    if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) || generated_read(r->machine, head, n) == GENERATED_OTHER)
+        return EXIT_OK;
+    if ((old.src = cli_read_source(r->c, path)) == NULL)
+        return EXIT_ENVIRONMENT;
+    old.verdict = generated_read(r->machine, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
+    vec_push(r->arena, &r->old, old);
+    return EXIT_OK;
+}
+
+static void add_sources(CoverRun *r, CompileInput *in)
+{
+    CompileSource *all = arena_array(r->arena, in->n + r->old.n, sizeof *all);
+
+    memcpy(all, in->at, in->n * sizeof *all);
+    for (uint32_t i = 0; i < r->old.n; i++)
+        all[in->n + i] = (CompileSource){.text = r->old.at[i].src, .kind = FILE_SS};
+    in->at = all;
+    in->n += r->old.n;
+}
+
+int cover_read_folder(CoverRun *r, CompileInput *in)
+{
+    const char *why = NULL;
+    int code = EXIT_OK;
+
+    if (!os_make_folder(r->folder, &why) || !os_list_folder(r->folder, &r->name, &r->names, &why)) {
+        cli_print_error(r->c, TEXT_cannot_write, cli_printable_name(r->arena, r->folder), why);
+        return EXIT_ENVIRONMENT;
+    }
+    for (size_t i = 0; i < r->names && code == EXIT_OK; i++)
+        code = read_old(r, r->name[i]);
+    add_sources(r, in);
+    return code;
+}
+
+// ---- running ----
+
+static bool run_on(CoverRun *r, const Script *s, Engine *e, bool is_silent)
+{
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = is_silent};
+
+    return script_run(r->arena, &r->c->session.diags, s, &e, 1, &o).outcome == SCRIPT_PASSED;
+}
+
+// Returns whether a run of the script covers a place with this sentence; `is_known`: some place has it.
+static bool reaches(const CoverRun *r, const Cover *c, const char *goal, bool *is_known)
+{
+    bool found = false;
+
+    *is_known = false;
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (strcmp(goal_sentence(r->text, i), goal) == 0) {
+            *is_known = true;
+            found = found || c->hits[i] > 0;
+        }
+    return found;
+}
+
+// Judges an unedited script: it is stale if it does not compile, fails or does not reach its goal.
+static void judge(CoverRun *r, OldScript *old)
+{
+    const char *goal = generated_goal(r->arena, old->src->text, old->src->len);
+    const Script *s = session_script(&r->c->session, old->src, r->p);
+    const bool is_pair = strncmp(goal, MUST_NOT_GOAL, strlen(MUST_NOT_GOAL)) == 0;
+    bool is_known = true;
+
+    diags_clear(&r->c->session.diags);
+    old->verdict = OLD_STALE;
+    if (!s) {
+        old->why = "the machine no longer fits it";
+    } else {
+        Cover *alone = cover_new(r->arena, r->p);
+        if (!run_on(r, s, cover_open_engine(alone), true))
+            old->why = "it fails";
+        cover_settle(alone);
+        if (!old->why && !is_pair && !reaches(r, alone, goal, &is_known))
+            old->why = is_known ? "it does not reach its goal" : "the machine no longer has its goal";
+    }
+    if (old->why)
+        return;
+    old->verdict = OLD_VALID;
+    run_on(r, s, cover_open_engine(r->all), true);
+}
+
+// Runs an edited script as if it were given.
+static int run_edited(CoverRun *r, const OldScript *old)
+{
+    const Script *s = session_script(&r->c->session, old->src, r->p);
+    Engine *e[] = {cover_open_engine(r->given), cover_open_engine(r->all)};
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
+
+    if (s)
+        script_run(r->arena, &r->c->session.diags, s, e, 2, &o);
+    return cli_print_diagnostics(r->c);
+}
+
+int cover_run_folder(CoverRun *r)
+{
+    int code = EXIT_OK;
+
+    for (uint32_t i = 0; i < r->old.n && code == EXIT_OK; i++)
+        if (r->old.at[i].verdict == OLD_EDITED)
+            code = run_edited(r, &r->old.at[i]);
+        else
+            judge(r, &r->old.at[i]);
+    return code;
+}
+
+// ---- new names ----
+
+static bool equal_names(const char *a, const char *b)         // without regard to case, as some file systems compare
+{
+    for (; *a && *b; a++, b++)
+        if ((*a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a) != (*b >= 'A' && *b <= 'Z' ? *b - 'A' + 'a' : *b))
+            return false;
+    return *a == *b;
+}
+
+// Whether a new script can have this name.  Marks a stale script of this name as replaced.
+static bool take_name(CoverRun *r, const char *name, const char *path)
+{
+    for (uint32_t i = 0; i < r->new_one.n; i++)
+        if (strcmp(r->new_one.at[i].path, path) == 0)
+            return false;
+    for (uint32_t i = 0; i < r->old.n; i++)
+        if (r->old.at[i].verdict == OLD_STALE && strcmp(r->old.at[i].path, path) == 0)
+            return r->old.at[i].is_replaced = true;
+    for (size_t i = 0; i < r->names; i++)
+        if (equal_names(r->name[i], name))
+            return false;
+    return true;
+}
+
+const char *cover_new_path(CoverRun *r, const char *stem)
+{
+    const char *name = format_in(r->arena, "%s.ss", stem);
+
+    for (unsigned long n = 2; !take_name(r, name, path_in_folder(r, name)); n++)
+        name = format_in(r->arena, "%s-%lu.ss", stem, n);
+    return path_in_folder(r, name);
+}

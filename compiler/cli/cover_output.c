@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// What smc cover prints: the goals with their outcomes, and the scripts.
+#include <string.h>
+
+#include "compiler/analysis/transitions.h"
+#include "compiler/base/json.h"
+#include "compiler/base/path.h"
+#include "compiler/cli/cover_run.h"
+
+// ---- outcomes ----
+
+bool cover_is_goal(const CoverRun *r, uint32_t place)
+{
+    return r->kinds >> r->given->place.at[place].kind & 1 && r->given->hits[place] == 0;
+}
+
+typedef enum Outcome { OUTCOME_REACHED, OUTCOME_IMPOSSIBLE, OUTCOME_NOT_FOUND } Outcome;
+
+static Outcome outcome_of(const CoverRun *r, uint32_t place)
+{
+    if (r->all->hits[place] > 0)
+        return OUTCOME_REACHED;
+    return r->all->place.at[place].impossible ? OUTCOME_IMPOSSIBLE : OUTCOME_NOT_FOUND;
+}
+
+CoverTotals cover_count(const CoverRun *r)
+{
+    CoverTotals t = {0, 0, 0, 0};
+
+    for (uint32_t i = 1; i < r->given->place.n; i++)
+        if (cover_is_goal(r, i)) {
+            const Outcome outcome = outcome_of(r, i);
+            t.goals++;
+            t.reached += outcome == OUTCOME_REACHED;
+            t.impossible += outcome == OUTCOME_IMPOSSIBLE;
+            t.not_found += outcome == OUTCOME_NOT_FOUND;
+        }
+    return t;
+}
+
+// Returns what the search knows about a place that it has not reached; "": nothing.
+static const char *reason_of(const CoverRun *r, uint32_t place)
+{
+    const SearchFind *f = r->result ? &r->result->find[place] : NULL;
+    const CoverPlace *blocked = f && f->blocked_by && f->blocked_by != place ? &r->all->place.at[f->blocked_by] : NULL;
+
+    if (!f || f->outcome != SEARCH_NOT_FOUND)
+        return "";
+    if (!f->is_state_reached && r->all->place.at[place].from)
+        return "no run was in its state";
+    if (blocked && f->nearest < SEARCH_UNKNOWN)
+        return format_in(r->arena, "'%s' was never %s; the nearest run missed by %.4g", source_text(r->arena, blocked->span), blocked->value ? "true" : "false",
+                         f->nearest);
+    if (blocked)
+        return format_in(r->arena, "'%s' was never %s", source_text(r->arena, blocked->span), blocked->value ? "true" : "false");
+    return f->nearest < SEARCH_UNKNOWN ? format_in(r->arena, "the nearest run missed by %.4g", f->nearest) : "no run came to what decides it";
+}
+
+// ---- text ----
+
+static void write_gaps(const CoverRun *r, bool impossible, Buf *out)
+{
+    const CoverGaps gaps = cover_list_gaps(r->all, r->kinds);
+    bool is_first = true;
+
+    for (uint32_t i = 0; i < gaps.n; i++) {
+        const CoverGap *g = &gaps.at[i];
+        const char *reason = impossible ? "" : reason_of(r, g->place);
+        if (g->is_impossible != impossible)
+            continue;
+        if (is_first)
+            buf_str(out, impossible ? "impossible:\n" : "not found:\n");
+        is_first = false;
+        buf_printf(out, "  line %lu: %s%s%s\n", (unsigned long)source_position(g->span.src, g->span.at).line, g->text, *reason ? ": " : "", reason);
+    }
+}
+
+static void write_old(const CoverRun *r, Buf *out)
+{
+    for (uint32_t i = 0; i < r->old.n; i++) {
+        const OldScript *old = &r->old.at[i];
+        if (old->verdict == OLD_EDITED)
+            buf_printf(out, "kept: %s has been edited\n", old->path);
+        else if (old->verdict == OLD_STALE && !old->is_replaced)
+            buf_printf(out, "kept: %s: %s, and no new script has its name; delete it if it is not needed\n", old->path, old->why);
+        else if (old->verdict == OLD_STALE)
+            buf_printf(out, "replaced: %s: %s\n", old->path, old->why);
+    }
+}
+
+static void write_pairs(const CoverRun *r, Buf *out)
+{
+    bool is_first = true;
+
+    for (uint32_t i = 0; i < r->pair.n; i++)
+        if (!r->pair.at[i].path) {
+            if (is_first)
+                buf_str(out, "not provoked: the condition that leads to\n");
+            is_first = false;
+            buf_printf(out, "  %s, in %s\n", r->pair.at[i].pair->to->name->text, r->pair.at[i].pair->in->name->text);
+        }
+}
+
+void cover_write_report(const CoverRun *r, Buf *out)
+{
+    const CoverTotals t = cover_count(r);
+
+    buf_printf(out, "goals of %s: %lu of %lu reached", r->p->name->text, t.reached, t.goals - t.impossible);
+    if (t.impossible)
+        buf_printf(out, ", and %lu impossible", t.impossible);
+    buf_char(out, '\n');
+    for (uint32_t i = 0; i < r->new_one.n; i++)
+        buf_printf(out, "wrote %s: %s\n", r->new_one.at[i].path, r->new_one.at[i].goal);
+    write_old(r, out);
+    write_gaps(r, false, out);
+    write_gaps(r, true, out);
+    write_pairs(r, out);
+}
+
+// ---- JSON ----
+
+static void write_field(Buf *out, const char *name, const char *text)
+{
+    buf_printf(out, ",\"%s\":", name);
+    json_put_string(out, text);
+}
+
+static void write_goal(const CoverRun *r, uint32_t i, Buf *out)
+{
+    static const char *const word[] = {"reached", "impossible", "not found"};
+    const CoverPlace *p = &r->all->place.at[i];
+    const LineCol at = source_position(p->span.src, p->span.at);
+    const Outcome outcome = outcome_of(r, i);
+
+    buf_printf(out, "{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu", cover_kind_name[p->kind], (unsigned long)at.line, (unsigned long)at.col);
+    write_field(out, "text", source_text(r->arena, p->span));
+    write_field(out, "goal", goal_sentence(r->text, i));
+    write_field(out, "outcome", word[outcome]);
+    if (outcome == OUTCOME_IMPOSSIBLE)
+        write_field(out, "reason", p->impossible);
+    if (outcome == OUTCOME_NOT_FOUND && *reason_of(r, i))
+        write_field(out, "reason", reason_of(r, i));
+    buf_char(out, '}');
+}
+
+void cover_write_goals_json(const CoverRun *r, Buf *out)
+{
+    static const char *const verdict[] = {"edited", "valid", "stale"};
+    const char *separator = "\n";
+
+    buf_str(out, "{\"smc-goals\":1");
+    write_field(out, "machine", r->p->name->text);
+    buf_str(out, ",\"goals\":[");
+    for (uint32_t i = 1; i < r->all->place.n; i++)
+        if (cover_is_goal(r, i)) {
+            buf_str(out, separator);
+            write_goal(r, i, out);
+            separator = ",\n";
+        }
+    buf_str(out, "],\"written\":[");
+    for (uint32_t i = 0; i < r->new_one.n; i++) {
+        buf_str(out, i ? ",\n{\"script\":" : "\n{\"script\":");
+        json_put_string(out, path_portable_name(r->new_one.at[i].path));
+        write_field(out, "goal", r->new_one.at[i].goal);
+        buf_char(out, '}');
+    }
+    buf_str(out, "],\"found\":[");
+    for (uint32_t i = 0; i < r->old.n; i++) {
+        buf_str(out, i ? ",\n{\"script\":" : "\n{\"script\":");
+        json_put_string(out, path_portable_name(r->old.at[i].path));
+        write_field(out, "verdict", verdict[r->old.at[i].verdict]);
+        buf_char(out, '}');
+    }
+    buf_str(out, "]}\n");
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc cover: declarations shared by its files.
+#ifndef SMC_COVER_RUN_H
+#define SMC_COVER_RUN_H
+
+#include "compiler/cli/cli.h"
+#include "compiler/search/generated.h"
+#include "compiler/search/goal_text.h"
+#include "compiler/search/must_not.h"
+
+#define MUST_NOT_GOAL "Must not: "          // begins the goal of a script for a pair of states
+
+// A script of the folder that smc cover has written for this machine.
+typedef struct OldScript {
+    const char *path;
+    const Source *src;
+    enum { OLD_EDITED, OLD_VALID, OLD_STALE } verdict;
+    const char *why;          // STALE: "it fails", or another reason, as a phrase
+    bool is_replaced;         // STALE: a new script has its name
+} OldScript;
+
+typedef struct NewScript {
+    const char *path, *goal;  // goal: as in its comment
+    const char *text;
+    size_t n;
+    const char *also;         // what else it is the first to show; ""
+} NewScript;
+
+// A pair of states without a transition.
+typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;       // path: the script that shows it; NULL: none
+
+typedef struct CoverRun {
+    Cli *c;
+    Arena *arena;
+    const Program *p;
+    const char *folder;
+    const char *machine;      // the name of its file, without folders
+    Cover *given;             // what the given and the edited scripts cover: the goals are the other places
+    Cover *all;               // what all scripts cover, the new ones included
+    GoalTexts *text;
+    unsigned kinds;           // 1u << CoverKind of each kind that has goals
+    VEC(const Script *) script;       // the given ones
+    VEC(OldScript) old;
+    VEC(NewScript) new_one;
+    VEC(CoverPair) pair;
+    char **name;              // the names in the folder; `names` of them
+    size_t names;
+    const SearchResult *result;       // NULL: nothing had to be searched
+    bool was_interrupted;
+} CoverRun;
+
+// ---- cover_folder.c ----
+
+// Creates the folder, lists it, and reads the scripts that smc has written for this machine.  Adds them to the sources.
+int cover_read_folder(CoverRun *r, CompileInput *in);
+// Runs them.  Those that pass and reach their goals count in r->all; the edited ones also in r->given.
+int cover_run_folder(CoverRun *r);
+// Returns the path for a new script: STEM.ss, or with a number if a file has this name that is not stale.
+const char *cover_new_path(CoverRun *r, const char *stem);
+
+// ---- cover_output.c ----
+
+typedef struct CoverTotals { unsigned long goals, reached, impossible, not_found; } CoverTotals;
+
+bool cover_is_goal(const CoverRun *r, uint32_t place);
+CoverTotals cover_count(const CoverRun *r);
+void cover_write_report(const CoverRun *r, Buf *out);
+void cover_write_goals_json(const CoverRun *r, Buf *out);
+
+#endif

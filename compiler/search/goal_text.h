@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The goals of a search in words, for the comments and the names of generated scripts.
+#ifndef SMC_GOAL_TEXT_H
+#define SMC_GOAL_TEXT_H
+
+#include "compiler/cover/cover.h"
+
+typedef struct GoalTexts GoalTexts;
+
+// Lists the transitions and statements of the machine of c.
+GoalTexts *goal_texts_new(Arena *arena, const Cover *c);
+// Returns what a run does that reaches a place: "Fill -> Abort, taken because pressure > 825."
+const char *goal_sentence(const GoalTexts *t, uint32_t place);
+// Returns a name for a file without ending, in lower case, that differs for each place: "tank-3-fill-to-abort".
+const char *goal_file_stem(const GoalTexts *t, uint32_t place);
+// Returns text in lower case, with a '-' for each run of other characters than letters and digits.
+const char *goal_name_part(Arena *arena, const char *text);
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Goals for scripts that show which transitions a machine does not take.  Of two states A and B without a transition from A to B, it makes the
+// condition that leads to B from a third state true while the machine stays in A.
+//
+// A condition with windows or samples is not chosen, because it depends on more than the variables, nor is one that reads only G, S and T.
+#ifndef SMC_MUST_NOT_H
+#define SMC_MUST_NOT_H
+
+#include "compiler/analysis/transitions.h"
+#include "compiler/search/search.h"
+
+typedef struct MustNot {
+    const State *in, *to;     // A and B
+    const Transition *other;  // to B, from a third state
+} MustNot;
+
+typedef struct MustNots {
+    VEC(MustNot) at;
+    const Program *p;
+    SearchWatch watch;        // goal i is at.at[i]: the condition was true in a step in A, and the next step is in A, too
+    const Expr **condition;   // those of watch
+} MustNots;
+
+MustNots *must_not_list(Arena *arena, const Program *p);
+
+// Returns how far `e` is from being true (or false, without `wanted`) with these cells: 0 if it is, else above 0.  e has no windows.
+double must_not_distance(const Expr *e, bool wanted, const uint64_t *cell);
+
+#endif

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+# smc cover as its user runs it: twice, after edits of scripts and machine, with names that are in use, interrupted, and where it cannot write.
+#     sh tests/cover/cover.sh SMC
+smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+root=$(pwd)
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-cover.XXXXXX") && cd "$dir" || exit 1
+trap 'chmod -R u+w "$dir"; rm -rf "$dir"' EXIT
+trap 'exit 130' INT TERM
+passed=0 failed=0 skipped=0
+
+check() # CODE WHAT COMMAND...: the command exits with this code
+{
+    wanted=$1 what=$2
+    shift 2
+    if test "$1" = has; then
+        "$@"
+    else
+        "$@" >out 2>err
+    fi
+    code=$?
+    if test $code = "$wanted"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "tests/cover: $what: exit code $code, not $wanted" >&2
+        sed 's/^/    /' out err >&2
+    fi
+}
+has() { grep -q -- "$1" out || grep -q -- "$1" err; }        # what the last command of `check` has printed
+
+cat >vent.sm <<'END_OF_FILE'
+[state_vector]
+U64 G
+U32 S
+F64 pressure @read_only @range 0 1000
+bool armed @read_only
+bool valveOpen
+
+[Wait] @safe
+.step
+    armed and pressure > 400: -> Vent
+
+[Vent] @safe
+.step
+    valveOpen = true
+    T > 200 and not armed: -> Wait
+.exit
+    valveOpen = false
+END_OF_FILE
+
+# ---- what is written ----
+
+check 0 "every goal is reached" "$smc" cover vent.sm -o made
+check 0 "and counted" has '^goals of vent: [0-9]* of [0-9]* reached$'
+check 0 "a script has the name of its last transition" test -s made/vent-2-vent-to-wait.ss
+check 0 "its second line is the goal" sh -c "sed -n 2p made/vent-2-vent-to-wait.ss | grep -q '^# Vent -> Wait, taken because T > 200 and not armed'"
+check 0 "the scripts pass on every engine" "$smc" test -Werror vent.sm made/*.ss --engine=ref,vm,vm-soft
+check 0 "and cover what was announced" "$smc" test vent.sm made/*.ss --min-coverage=transitions:100,statements:100,guards:100,conditions:100,states:100
+cp -r made before
+check 0 "a second call" "$smc" cover vent.sm -o made
+check 0 "changes nothing" diff -r before made
+check 0 "the same seed" "$smc" cover vent.sm -o again --seed=1
+check 0 "writes the same" diff -r before again
+check 0 "given scripts leave no goal" "$smc" cover vent.sm made/*.ss -o none
+check 0 "so nothing is written" test -z "$(ls none)"
+check 0 "skeletons" "$smc" cover vent.sm -o bare --skeletons
+check 1 "have no asserts" grep -rq '^[^#]*@assert' bare
+check 0 "and pass" sh -c "\"$smc\" test -w vent.sm bare/*.ss"
+check 0 "goals as JSON" "$smc" cover vent.sm -o made --format=json
+check 0 "name the outcome" has '"outcome":"reached"'
+check 0 "kinds of goals" "$smc" cover vent.sm -o few --goals=transitions
+check 0 "dependencies" "$smc" cover vent.sm -o made -MD -MF deps
+check 0 "name the machine" grep -qx 'made: vent.sm' deps
+check 0 "pairs of states" "$smc" cover vent.sm -o made --must-not
+
+# ---- edits ----
+
+echo '# mine' >>made/vent-2-vent-to-wait.ss
+cp made/vent-2-vent-to-wait.ss edited
+check 0 "an edited script" "$smc" cover vent.sm -o made
+check 0 "is named" has '^kept: made/vent-2-vent-to-wait.ss has been edited'
+check 0 "and kept" cmp edited made/vent-2-vent-to-wait.ss
+sed 's/T > 200/T > 300/' vent.sm >changed && mv changed vent.sm
+check 1 "an edited script that fails" "$smc" cover vent.sm -o made
+cp before/* made
+check 0 "a changed machine" "$smc" cover vent.sm -o made
+check 0 "makes scripts stale" has '^replaced: made/vent-2-vent-to-wait.ss'
+check 0 "which are replaced" grep -q 'T > 300' made/vent-2-vent-to-wait.ss
+mkdir foreign
+echo '# not generated' >foreign/vent-2-vent-to-wait.ss
+cp foreign/vent-2-vent-to-wait.ss edited
+check 0 "a script of other origin" "$smc" cover vent.sm -o foreign
+check 0 "is not touched" cmp edited foreign/vent-2-vent-to-wait.ss
+check 0 "and the new one has another name" test -s foreign/vent-2-vent-to-wait-2.ss
+mkdir crlf
+for f in again/*.ss; do sed 's/$/\r/' "$f" >crlf/"$(basename "$f")"; done
+check 0 "carriage returns are no edit" "$smc" cover vent.sm -o crlf
+check 1 "carriage returns are no edit" has 'has been edited'
+
+# ---- wrong use, and where it cannot write ----
+
+check 2 "no folder" "$smc" cover vent.sm
+check 2 "standard output" "$smc" cover vent.sm -o -
+check 2 "unknown goals" "$smc" cover vent.sm -o made --goals=all
+check 2 "no effort" "$smc" cover vent.sm -o made --effort=0
+check 2 "two machines" "$smc" cover vent.sm vent.sm -o made
+check 2 "the name of a source" "$smc" cover vent.sm -o x.ss
+echo text >file
+check 3 "a folder that is a file" "$smc" cover vent.sm -o file
+check 3 "a folder in a file" "$smc" cover vent.sm -o file/made
+printf '[options]\ndelta_t 10\n[all_states]\nG == 0: @assert state Vent\nG == 0: @stop\n' >fails.ss
+check 1 "a given script that fails" "$smc" cover vent.sm fails.ss -o made
+check 0 "is named" has 'fails.ss fails'
+mkdir locked && chmod a-w locked
+if test -w locked; then
+    echo "tests/cover: this user can write everywhere: no unwritable folder is tried"
+    skipped=$((skipped + 1))
+else
+    check 3 "an unwritable folder" "$smc" cover vent.sm -o locked
+fi
+if (mkdir small && mount -t tmpfs -o size=4k,nr_inodes=3 none small) 2>/dev/null; then
+    check 3 "a full disk" "$smc" cover vent.sm -o small
+    check 0 "leaves whole scripts only" sh -c "for f in small/*.ss; do \"$smc\" test -w vent.sm \$f || exit 1; done"
+    umount small
+else
+    echo "tests/cover: no small file system can be mounted: no full disk is tried"
+    skipped=$((skipped + 1))
+fi
+
+# ---- what is not found, and Ctrl-C ----
+
+cat >hard.sm <<'END_OF_FILE'
+[state_vector]
+U64 G
+U32 S
+F64 x @read_only
+F64 y @read_only
+[local]
+U32 count = 0
+[A] @safe
+.step
+    x > 5: -> B
+    sin(x) * 1000 == sin(y) * 1000 + 0.123456789 and x > y: -> C
+[B] @safe
+.step
+    x < 3: -> A
+[C] @safe
+END_OF_FILE
+check 5 "a goal that is not found" "$smc" cover hard.sm -o hard --effort=1
+check 0 "is named with how near a run came" has "line [0-9]*: .*never"
+check 0 "and the message says what to do" has '\-\-effort=10 searches longer'
+timeout -s INT 3 "$smc" cover hard.sm -o stopped --effort=1000000 >out 2>err
+check 0 "the message of an interrupted search" has '^smc: interrupted'
+check 0 "and leaves scripts" sh -c 'ls stopped/*.ss'
+check 0 "that are whole" sh -c "\"$smc\" test -w hard.sm stopped/*.ss"
+
+# ---- every example ----
+
+cd "$root" || exit 1
+for machine in examples/tank/tank.sm examples/ignition/ignition.sm examples/parachutes/parachutes.sm examples/chilldown/chilldown.sm; do
+    name=$(basename "$machine" .sm)
+    "$smc" cover "$machine" -o "$dir/$name" --goals=transitions --effort=20 >"$dir/out" 2>"$dir/err"
+    code=$?
+    check 0 "$name: $code" test $code = 0
+    check 0 "$name: its scripts pass" sh -c "'$smc' test -w '$machine' '$dir/$name'/*.ss --min-coverage=transitions:100"
+    check 0 "$name: no script changes inputs more often than ten times" sh -c "for f in '$dir/$name'/*.ss; do test \$(grep -c '^at.*[a-zA-Z] = ' \$f) -le 10 || exit 1; done"
+done
+echo "cover: $passed passed, $failed failed, $skipped skipped"
+test "$failed" -eq 0

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// Searches on machines whose answers are known (tests/search/machines).  Every scenario is replayed on the reference interpreter and on a flat
+// machine, which agree in every step, and reaches the goals that are stored for it.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/search/search.h"
+#include "compiler/session.h"
+#include "stdlib/convert.h"
+#include "tests/test.h"
+#include "tests/unit/host.h"
+
+enum { TEXT = 20000, EFFORT = 20000000 };
+
+static char text[TEXT];
+
+static Program *load(Session *s, const char *name)
+{
+    char path[200];
+    FILE *f;
+    size_t n;
+    MachineInput in = {NULL, NULL, NULL, NULL};
+
+    session_init(s, host_alloc, NULL, &host_oom);
+    snprintf(path, sizeof path, "tests/search/machines/%s.sm", name);
+    f = fopen(path, "rb");
+    n = f ? fread(text, 1, TEXT - 1, f) : 0;
+    if (f)
+        fclose(f);
+    text[n] = '\0';
+    in.sm = source_new(&s->arena, name, text, n);
+    return n ? session_program(s, &in) : NULL;
+}
+
+static Cover *make_cover(Session *s, const Program *p)
+{
+    Cover *c = cover_new(&s->arena, p);
+
+    cover_settle(c);
+    return c;
+}
+
+// ---- replays ----
+
+typedef struct Trace { const Program *p; uint64_t hash, steps; } Trace;
+
+static void hash_step(void *context, uint64_t step, const EngineStep *r)
+{
+    Trace *t = context;
+
+    t->steps = step;
+    for (uint32_t v = 0; v < t->p->var.n; v++)
+        t->hash = (t->hash ^ r->cell[v]) * UINT64_C(0x100000001b3);
+    t->hash = (t->hash ^ r->next_state) * UINT64_C(0x100000001b3);
+}
+
+// Whether the changes are in order, and no variable changes twice in a step.
+static bool is_well_formed(const Scenario *s)
+{
+    for (size_t i = 0; i < s->changes; i++) {
+        if (s->change[i].step == 0 || s->change[i].step > s->steps || (i && s->change[i].step < s->change[i - 1].step))
+            return false;
+        for (size_t n = 0; n < i; n++)
+            if (s->change[i].step == s->change[n].step && s->change[i].var == s->change[n].var)
+                return false;
+    }
+    return true;
+}
+
+static void check_scenarios(Session *s, const Program *p, const SearchResult *r)
+{
+    for (uint32_t i = 0; i < r->chosens; i++) {
+        const SearchScenario *x = &r->chosen[i];
+        Cover *c = make_cover(s, p);
+        Engine *ref = engine_ref_open(&s->arena, p);
+        Trace a = {p, 1, 0}, b = {p, 1, 0};
+        CHECK(is_well_formed(&x->scenario));
+        CHECK(scenario_run(&s->arena, p, &x->scenario, ref, hash_step, &a) == ENGINE_OK);
+        CHECK(scenario_run(&s->arena, p, &x->scenario, cover_open_engine(c), hash_step, &b) == ENGINE_OK);
+        CHECK(a.hash == b.hash && a.steps == x->scenario.steps && b.steps == a.steps);
+        cover_settle(c);
+        for (uint32_t g = 0; g < x->goals; g++)
+            CHECK(x->goal[g] >= r->places || c->hits[x->goal[g]] > 0);
+        for (uint32_t g = 1; g < r->places; g++)
+            CHECK(c->hits[g] == 0 || r->find[g].outcome != SEARCH_IMPOSSIBLE);
+        CHECK(x->goals > 0);
+    }
+    for (uint32_t g = 1; g < r->finds; g++)
+        CHECK(r->find[g].outcome != SEARCH_REACHED || r->find[g].scenario < r->chosens);
+}
+
+// ---- machines ----
+
+static unsigned count(const SearchResult *r, SearchOutcome outcome)
+{
+    unsigned n = 0;
+
+    for (uint32_t i = 1; i < r->finds; i++)
+        n += r->find[i].outcome == outcome;
+    return n;
+}
+
+static void check_machine_of(const char *name, unsigned impossible)
+{
+    Session s;
+    Program *p;
+    Cover *c;
+    SearchResult *r;
+    const SearchOptions o = {.seed = 1, .effort = EFFORT};
+
+    host_check(setjmp(host_oom));
+    p = load(&s, name);
+    CHECK(p != NULL);
+    if (!p)
+        return;
+    c = make_cover(&s, p);
+    r = search_run(&s.arena, c, &o);
+    test_count(count(r, SEARCH_NOT_FOUND) == 0, name);
+    test_count(count(r, SEARCH_IMPOSSIBLE) == impossible, name);
+    test_count(count(r, SEARCH_REACHED) > 10 && count(r, SEARCH_REACHED) + impossible == c->place.n - 1, name);
+    test_count(r->steps <= EFFORT + EFFORT / 2, name);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
+// ---- options ----
+
+static bool same_scenario(const Scenario *a, const Scenario *b)
+{
+    bool same = a->steps == b->steps && a->changes == b->changes && a->delta_t == b->delta_t;
+
+    for (size_t i = 0; same && i < a->changes; i++) {
+        const ScenarioChange *x = &a->change[i], *y = &b->change[i];
+        same = x->step == y->step && x->var == y->var && x->kind == y->kind && x->a == y->a && x->b == y->b && x->source == y->source;
+    }
+    return same;
+}
+
+static bool same_result(const SearchResult *a, const SearchResult *b)
+{
+    bool same = a->steps == b->steps && a->chosens == b->chosens && a->finds == b->finds;
+
+    for (uint32_t i = 0; same && i < a->finds; i++)
+        same = a->find[i].outcome == b->find[i].outcome && a->find[i].scenario == b->find[i].scenario && a->find[i].nearest == b->find[i].nearest;
+    for (uint32_t i = 0; same && i < a->chosens; i++)
+        same = same_scenario(&a->chosen[i].scenario, &b->chosen[i].scenario) && a->chosen[i].goals == b->chosen[i].goals;
+    return same;
+}
+
+// The same seed has the same result, whatever the limit of memory, if it is large enough.
+static void check_determinism(void)
+{
+    static const size_t memory[3] = {0, 0, (size_t)100 << 20};
+    SearchResult *r[3];
+    Session s;
+    Program *p;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "lock");
+    for (int i = 0; i < 3; i++)
+        r[i] = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.seed = 7, .effort = 300000, .memory = memory[i]});
+    CHECK(same_result(r[0], r[1]));
+    CHECK(same_result(r[0], r[2]));
+    session_free(&s);
+}
+
+static bool stop_soon(void *context, const SearchProgress *p)
+{
+    int *calls = context;
+
+    CHECK(p->reached + p->left == p->goals);
+    return ++*calls < 3;
+}
+
+// A caller that stops a search has what was found until then.
+static void check_stop(void)
+{
+    int calls = 0;
+    SearchResult *r;
+    Session s;
+    Program *p;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "handshake");
+    r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.go_on = stop_soon, .context = &calls});
+    CHECK(r->stopped && calls == 3);
+    CHECK(count(r, SEARCH_REACHED) > 0 && r->chosens > 0);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
+// Memory for no more than a few snapshots still leads to results.
+static void check_little_memory(void)
+{
+    SearchResult *r;
+    Session s;
+    Program *p;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "vote");
+    r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.effort = 300000, .memory = 3000});
+    CHECK(count(r, SEARCH_REACHED) > 0);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
+// Goals that some scripts have covered are no goals.
+static void check_covered(void)
+{
+    Session s;
+    Program *p;
+    Cover *c;
+    SearchResult *r;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "timer");
+    c = make_cover(&s, p);
+    for (uint32_t i = 1; i < c->place.n; i++)
+        c->hits[i] = i != c->place.n - 1;
+    r = search_run(&s.arena, c, &(SearchOptions){.effort = EFFORT});
+    CHECK(count(r, SEARCH_NO_GOAL) == c->place.n - 2 && count(r, SEARCH_REACHED) == 1 && r->chosens == 1);
+    session_free(&s);
+}
+
+// ---- goals of the caller ----
+
+// The situation counts the steps in which `fired` was true.
+typedef struct Watched { const Program *p; uint32_t fired, t; } Watched;
+
+static void start_watch(void *self, void *situation)
+{
+    (void)self;
+    *(uint64_t *)situation = 0;
+}
+
+static void step_watch(void *self, void *situation, const uint64_t *cell, double *distance)
+{
+    const Watched *w = self;
+    uint64_t *steps = situation;
+
+    *steps += cell[w->fired] != 0;
+    distance[0] = *steps >= 100 ? 0 : 100 - (double)*steps;
+    distance[1] = SEARCH_UNKNOWN;
+}
+
+static void check_watch(void)
+{
+    Session s;
+    Program *p;
+    SearchResult *r;
+    Watched w = {NULL, 0, 0};
+    SearchWatch watch = {.self = &w, .goals = 2, .size = sizeof(uint64_t), .start = start_watch, .step = step_watch};
+
+    host_check(setjmp(host_oom));
+    w.p = p = load(&s, "timer");
+    w.fired = ((Var *)map_find(&p->by_name, str_intern(&s.strings, "fired", 5)))->index;
+    r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.effort = EFFORT, .no_places = true, .watch = &watch});
+    CHECK(r->find[r->places].outcome == SEARCH_REACHED && r->find[r->places + 1].outcome == SEARCH_NOT_FOUND);
+    CHECK(r->chosens == 1 && r->chosen[0].scenario.steps > 60000 && r->chosen[0].scenario.changes <= 2);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
+int main(void)
+{
+    check_machine_of("timer", 0);
+    check_machine_of("window", 0);
+    check_machine_of("handshake", 0);
+    check_machine_of("vote", 0);
+    check_machine_of("lock", 1);
+    check_machine_of("stuck", 0);
+    check_machine_of("impossible", 15);
+    check_determinism();
+    check_stop();
+    check_little_memory();
+    check_covered();
+    check_watch();
+    return test_end("search_run");
+}
