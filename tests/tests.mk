@@ -226,6 +226,15 @@ compare-campaign: $(B)/compare/random
 	$(B)/compare/random $(SEED) $(N)
 .PHONY: compare-campaign
 
+# tests/prove: verdicts on random requirements of random machines, against random runs.  `make prove-campaign N=10000 SEED=1 STEPS=100000`.
+$(B)/prove/random: $(B)/obj/tests/prove/random.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+prove-campaign: $(B)/prove/random
+	$(B)/prove/random $(SEED) $(N) $(or $(STEPS),100000)
+.PHONY: prove-campaign
+
 # tests/cover: scripts that are written from random scenarios, and what is called impossible.  `make scripts-campaign N=100000 SEED=1`.
 $(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
@@ -915,6 +924,7 @@ $(call test, swap-tsan,            thorough, $(B)/swap/threads_tsan, if test -x 
 $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/random 1 300)
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
+$(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)

@@ -18,7 +18,7 @@ enum {
     EXIT_USAGE = 2,
     EXIT_ENVIRONMENT = 3,     // cannot read or write, out of memory, no device
     EXIT_INTERNAL = 4,        // a bug in smc
-    EXIT_INCONCLUSIVE = 5     // a bound was reached: cover has not found every goal
+    EXIT_INCONCLUSIVE = 5     // a bound was reached: cover has not found every goal, prove has not decided every requirement
 };
 
 typedef enum OptionId {

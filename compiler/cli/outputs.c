@@ -378,6 +378,8 @@ static const struct {
     {NULL, is_message_text},
     {"smc-coverage 1\n", NULL},                                          // test --coverage-data
     {"{\"smc-coverage\":", NULL},                                        // test --coverage-json
+    {"requirements of ", NULL},                                          // prove
+    {"{\"smc-proofs\":", NULL},
     {"mutations of ", NULL},                                              // mutate
     {"{\"smc-mutations\":", NULL},
     {"comparison of ", NULL},                                             // diff

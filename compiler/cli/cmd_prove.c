@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc prove: decides for each requirement of a machine whether a run can violate it.
+#include <string.h>
+
+#include "compiler/base/os_signal.h"
+#include "compiler/cli/deps.h"
+#include "compiler/cli/runs.h"
+#include "compiler/prove/prove_text.h"
+
+static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
+
+static int check_arguments(Cli *c)
+{
+    size_t machines = 0, requirements = 0;
+
+    for (size_t i = 0; i < c->files; i++) {
+        const bool is_requirements = has_suffix(c->file[i], ".rq");
+        if (!is_requirements && !has_suffix(c->file[i], ".sm"))
+            return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i], has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
+        machines += !is_requirements;
+        requirements += is_requirements;
+    }
+    if (machines != 1)
+        return cli_usage_error(c, machines ? TEXT_one_machine : TEXT_machine_required, c->command->name, c->command->name);
+    return requirements ? EXIT_OK : cli_usage_error(c, TEXT_prove_requirements);
+}
+
+static const State *find_init_state(const Cli *c, const Program *p)
+{
+    for (uint32_t s = 0; c->given[OPT_INIT_STATE] && s < p->state.n; s++)
+        if (strcmp(p->state.at[s]->name->text, c->value[OPT_INIT_STATE]) == 0)
+            return p->state.at[s];
+    return NULL;
+}
+
+static DepInputs list_inputs(Cli *c)
+{
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + 1), 0};
+
+    for (size_t i = 0; i < c->files; i++)
+        all.at[all.n++] = c->file[i];
+    if (c->given[OPT_SV])
+        all.at[all.n++] = c->value[OPT_SV];
+    return all;
+}
+
+static int write_result(Cli *c, size_t format, const Program *p, const ProveResult *r)
+{
+    OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0}};
+    size_t files = 1;
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    (format == 0 ? prove_write_text : prove_write_json)(&c->session.arena, p, r, &out);
+    file[0].bytes = buf_text(&out);
+    file[0].n = out.n;
+    if (deps_wanted(c))
+        deps_add_rule(c, file, &files, list_inputs(c));
+    return cli_write_outputs(c, file, files);
+}
+
+// Returns the exit code of the verdicts: the worst one decides.
+static int code_of_verdicts(const ProveResult *r)
+{
+    int code = EXIT_OK;
+
+    for (uint32_t i = 0; i < r->n; i++)
+        if (r->of[i].verdict == PROVE_VIOLATED)
+            return EXIT_PROBLEM;
+        else if (r->of[i].verdict == PROVE_UNDECIDED)
+            code = EXIT_INCONCLUSIVE;
+    return code;
+}
+
+static bool is_not_interrupted(void *context)
+{
+    (void)context;
+    return !os_signal_waiting();
+}
+
+static int prove(Cli *c, const Requirements *what, const CompileOptions *o, size_t format)
+{
+    const Program *p = what->program;
+    const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES], .go_on = is_not_interrupted};
+    const Requirement *first, *second;
+    const ProveResult *r;
+    int code;
+
+    if (c->given[OPT_INIT_STATE] && !options.init_state)
+        return cli_usage_error(c, TEXT_no_state, c->value[OPT_INIT_STATE]);
+    if (p->step && o->step && o->step != p->step)
+        return cli_usage_error(c, TEXT_other_step, (unsigned long)p->step);
+    if (prove_find_contradiction(&c->session.arena, what, &first, &second)) {
+        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text), first->span, DIAG_note_first_here);
+        return cli_print_diagnostics(c);
+    }
+    os_signals_begin();
+    os_signals_delay();
+    r = prove_run(&c->session.arena, what, &options);
+    code = write_result(c, format, p, r);
+    os_signals_resume();                  // ends the process if a signal has asked to stop
+    os_signals_end();
+    if (code != EXIT_OK)
+        return code;
+    if (r->bug) {
+        cli_print_error(c, TEXT_sentence, r->bug);
+        return EXIT_INTERNAL;
+    }
+    return code_of_verdicts(r);
+}
+
+int cmd_prove(Cli *c)
+{
+    const OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
+    size_t format;
+    CompileInput in;
+    CompileOptions o;
+    Compiled made;
+    int code;
+
+    if ((code = check_arguments(c)) != EXIT_OK)
+        return code;
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format) || !cli_compile_options(c, &o))
+        return EXIT_USAGE;
+    if (deps_wanted(c) && !deps_check_name(c, &file))
+        return EXIT_USAGE;
+    if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
+        return code;
+    o.skip_analyses = true;
+    compile_sources(&c->session, &in, &o, &made);
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+        return code;
+    return prove(c, runs_find_machine(&in, &made)->requirements, &o, format);
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/prove/prove.h"
+
+#include "compiler/prove/prove_explore.h"
+#include "compiler/prove/prove_goal.h"
+
+enum {
+    DELTA_T = 10,             // of a machine without a step
+    EFFORT = 30000000,        // steps of a search for a violation
+    EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
+};
+
+static const ProveLimits coarse = {1500, 300000}, fine = {4000, 1500000};
+
+typedef struct Prover {
+    Arena *arena;
+    const Requirements *all;
+    const Program *p;
+    const IrMachine *m;
+    const ProveOptions *o;
+    ProveResult *result;
+    Cover *cover;
+} Prover;
+
+static bool goes_on(const Prover *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
+
+// ---- proofs ----
+
+// Tries a proof.  Returns whether no run violates the requirement under the assumptions.
+static bool try_proof(Prover *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+{
+    ProveLimits limits = is_fine ? fine : coarse;
+
+    if (v->o->visits)
+        limits.visits = v->o->visits;
+    *x = prove_explore(v->arena, model, v->result->init_state, assumed, is_fine, &limits);
+    of->visits += x->visits;
+    of->nodes = x->nodes;
+    return x->closed && !x->violated;
+}
+
+// Removes the assumptions that the proof does not need, one after another.
+static unsigned weaken_assumptions(Prover *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+{
+    for (int a = PROVE_ASSUMPTIONS - 1; a >= 0; a--) {
+        ProveExplored without;
+        const unsigned less = assumed & ~(1u << a);
+        if (less == assumed || !goes_on(v) || !try_proof(v, model, less, is_fine, &without, of) || without.premise != x->premise)
+            continue;
+        assumed = less;
+        *x = without;
+    }
+    of->nodes = x->nodes;
+    return assumed;
+}
+
+static bool is_known(Fact f, SmType type)
+{
+    const Fact t = fact_of_type(type);
+
+    return f.lo > t.lo || f.hi < t.hi;
+}
+
+static const ProveInvariant *invariants_of(const Prover *v, const ProveModel *model, const ProveExplored *x)
+{
+    ProveInvariant *out = arena_array(v->arena, v->p->state.n, sizeof *out);
+
+    for (uint32_t s = 0; s < v->p->state.n; s++) {
+        out[s].state = v->p->state.at[s];
+        out[s].reached = x->reached[s];
+        for (uint32_t k = 0; x->reached[s] && k < v->p->var.n; k++) {
+            const Var *var = v->p->var.at[k];
+            const uint32_t at = v->m->var_of[k];
+            const Fact f = at == IR_NONE ? fact_of_type(var->type) : x->after[(size_t)s * model->ir->var.n + at];
+            const ProveBound bound = {var, f};
+            if (at != IR_NONE && (var->written || var == v->p->t) && is_known(f, var->type))
+                vec_push(v->arena, &out[s].bound, bound);
+        }
+    }
+    return out;
+}
+
+// Tries proofs with all assumptions, first with few situations and then with many.  Returns whether one is found.
+static bool prove_requirement(Prover *v, ProveOf *of)
+{
+    ProveModel *model = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t);
+    const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
+    const unsigned assumed[2] = {all, all | 1u << PROVE_PARAMETERS};
+    ProveExplored x = {.closed = false};
+
+    for (int k = 0; k < (program_has_parameters(v->p) ? 2 : 1); k++)
+        for (int is_fine = 0; is_fine < 2 && goes_on(v); is_fine++) {
+            if (!try_proof(v, model, assumed[k], is_fine, &x, of))
+                continue;
+            of->assumed = weaken_assumptions(v, model, assumed[k], is_fine, &x, of);
+            of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
+            of->invariant = invariants_of(v, model, &x);
+            return true;
+        }
+    of->obstacle = x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
+    return false;
+}
+
+// ---- violations ----
+
+static GoalFound search_for(Prover *v, ProveOf *of, GoalKind kind, uint64_t effort)
+{
+    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .effort = effort,
+                          .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
+    GoalFound found = goal_search(v->arena, v->cover, &g);
+
+    of->steps += found.steps;
+    v->result->steps += found.steps;
+    if (found.unconfirmed)
+        v->result->bug = "the reference interpreter does not confirm a run that the search has found";
+    return found;
+}
+
+static void decide(Prover *v, ProveOf *of)
+{
+    GoalFound found;
+
+    of->verdict = PROVE_UNDECIDED;
+    if (prove_requirement(v, of)) {
+        if (of->verdict == PROVE_VACUOUS || !goes_on(v))
+            return;
+        found = search_for(v, of, GOAL_PREMISE, EFFORT_PREMISE);
+        of->premise_seen = found.premise_seen;
+        return;
+    }
+    found = search_for(v, of, GOAL_VIOLATION, v->o->effort ? v->o->effort : EFFORT);
+    of->premise_seen = found.premise_seen || found.scenario != NULL;
+    of->scenario = found.scenario;
+    if (found.scenario)
+        of->verdict = PROVE_VIOLATED;
+}
+
+// ---- contradictions ----
+
+static Expr *new_expr(Arena *arena, ExprKind kind, SmOperator op, Expr *a, Expr *b)
+{
+    Expr *e = arena_alloc(arena, sizeof *e + 2 * sizeof *e->arg);
+
+    e->kind = kind;
+    e->op = op;
+    e->span = a->span;
+    e->arg = (Expr **)(void *)(e + 1);
+    e->arg[e->n++] = a;
+    if (b)
+        e->arg[e->n++] = b;
+    return e;
+}
+
+// Returns what a requirement that is judged step by step requires of a step with its premise.
+static Expr *required(Arena *arena, const Requirement *r)
+{
+    return r->kind == REQUIREMENT_NEVER ? new_expr(arena, EX_UNARY, SM_OP_NOT, r->a, NULL) : r->b;
+}
+
+static const Expr *premise_of(const Requirement *r) { return r->kind == REQUIREMENT_ALWAYS ? r->a : NULL; }
+
+// Whether the condition can be true in a step with the premise, which can be NULL.
+static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *all, const Expr *premise, Expr *condition)
+{
+    const Requirement never = {.kind = REQUIREMENT_NEVER, .a = premise ? new_expr(arena, EX_BINARY, SM_OP_AND, (Expr *)premise, condition) : condition};
+
+    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1));
+}
+
+static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
+
+static bool contradict(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
+{
+    const Expr *of_a = premise_of(a), *of_b = premise_of(b);
+
+    if (!is_judged_alone(a) || !is_judged_alone(b) || (of_a != of_b && (!of_a || !of_b || !expr_equal(of_a, of_b, NULL))))
+        return false;
+    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, required(arena, a), required(arena, b)))
+        && can_be_true(arena, m, all, of_a, required(arena, a)) && can_be_true(arena, m, all, of_a, required(arena, b));
+}
+
+bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second)
+{
+    const IrMachine *m = ir_build(arena, r->program);
+
+    for (uint32_t i = 0; i < r->at.n; i++)
+        for (uint32_t k = i + 1; k < r->at.n; k++) {
+            *first = &r->at.at[i];
+            *second = &r->at.at[k];
+            if (contradict(arena, m, r, *first, *second))
+                return true;
+        }
+    return false;
+}
+
+ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o)
+{
+    ProveResult *result = ARENA_NEW(arena, ProveResult);
+    Prover v = {.arena = arena, .all = r, .p = r->program, .o = o, .result = result};
+
+    v.m = ir_build(arena, v.p);
+    v.cover = cover_new(arena, v.p);
+    result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : DELTA_T;
+    result->init_state = o->init_state ? o->init_state : v.p->state.at[0];
+    result->n = r->at.n;
+    result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
+    for (uint32_t i = 0; i < r->at.n; i++) {
+        result->of[i].what = &r->at.at[i];
+        decide(&v, &result->of[i]);
+    }
+    return result;
+}

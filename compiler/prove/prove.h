@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides for each requirement of a machine (requirements.md 13) whether a run can violate it.
+//
+//     ProveResult *r = prove_run(arena, requirements, &(ProveOptions){.delta_t = 10});
+//     r->of[i].verdict                          // of requirement i
+//
+// The verdict is one of these:
+//
+//     proved      no run violates it.  The result has what is true after each step, and the assumptions that the proof rests on.
+//     vacuous     no run can violate it, because none comes to its premise: a of `always a implies b`, of `a leads to b` and of `never a
+//                 before b`, and a step with a after one with b of `never a after b without c`.
+//     violated    the result has a scenario that violates it, confirmed by the reference interpreter.
+//     undecided   neither a proof nor a violation was found.
+//
+// How a proof works.  A step of the machine, and the judgement of the requirement after it, become one function of variables (prove_model.h).
+// The exploration (prove_explore.h) computes facts about these variables: intervals of values, by state, by the past of the requirement and by the
+// values of variables with few of them.  It begins with all situations in which the machine can start.  It ends when each step leads to a
+// situation that the facts already cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are
+// computed with the language's own arithmetic, with infinities, NaN and saturation.
+//
+// What a proof covers:
+//
+//   - Elements that the machine does not assign have any value in each step, and parameters have any value in their ranges.
+//   - G grows by exactly delta_t from step to step.  With another delta_t, the verdict can differ.
+//   - The machine starts in init_state, with locals at their initial values.
+//   - No other code writes locals, or S.
+//
+// Where such a proof fails, assumptions are added (ProveAssumption).  The result names those that the proof needs.  Searches for violations
+// satisfy all assumptions.
+//
+// Everything depends only on the arguments, not on the time that the computer needs: limits are numbers of steps and of visits.
+#ifndef SMC_PROVE_H
+#define SMC_PROVE_H
+
+#include "compiler/facts/fact.h"
+#include "compiler/search/scenario.h"
+#include "compiler/sema/requirements.h"
+
+typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED } ProveVerdict;
+
+typedef enum ProveAssumption {
+    PROVE_OWN_OUTPUTS,        // only the machine writes the elements that it assigns
+    PROVE_ZERO_START,         // in the first step G is 0, and the elements that the machine assigns are 0, as in a script (language.md 8.12)
+    PROVE_PARAMETERS,         // the parameters have the values with which the machine was compiled
+    PROVE_RANGES,             // elements with @range have values in it; only if the caller asks for it
+    PROVE_ASSUMPTIONS
+} ProveAssumption;
+
+typedef struct ProveBound { const Var *var; Fact fact; } ProveBound;
+
+// What is true after each step in a state.
+typedef struct ProveInvariant {
+    const State *state;
+    bool reached;             // a step can run in the state
+    VEC(ProveBound) bound;    // what is known about locals, T and elements that the machine assigns beyond their types
+} ProveInvariant;
+
+typedef enum ProveObstacle {
+    PROVE_FACTS_TOO_WEAK,     // the facts allow a violation that no run was found to have
+    PROVE_TOO_LARGE           // the exploration reached its limits
+} ProveObstacle;
+
+typedef struct ProveOf {
+    const Requirement *what;
+    ProveVerdict verdict;
+    unsigned assumed;         // PROVED, VACUOUS: 1u << ProveAssumption of each that the proof needs
+    const ProveInvariant *invariant;  // PROVED, VACUOUS: by state from 0
+    const Scenario *scenario; // VIOLATED
+    bool premise_seen;        // some run that was tried could have violated the requirement; always true if VIOLATED
+    ProveObstacle obstacle;   // UNDECIDED
+    uint32_t nodes;           // situations that the last exploration distinguished
+    uint64_t steps;           // of all runs that were tried
+    uint64_t visits;          // branches that all explorations visited
+} ProveOf;
+
+typedef struct ProveOptions {
+    uint64_t delta_t;         // used if the machine declares no step; 0: 10
+    const State *init_state;  // NULL: the first state
+    bool assume_ranges;       // PROVE_RANGES
+    uint64_t effort;          // how many steps the search for violations can run; 0: a default
+    uint64_t visits;          // how many branches an exploration can visit; 0: a default
+    bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never
+    void *context;
+} ProveOptions;
+
+typedef struct ProveResult {
+    ProveOf *of;              // by requirement
+    uint32_t n;
+    uint64_t delta_t;
+    const State *init_state;
+    uint64_t steps;           // steps of all runs that were tried
+    const char *bug;          // a sentence: a found violation that the reference interpreter does not confirm; or NULL
+} ProveResult;
+
+// Finds two requirements that contradict each other: both are judged in every step, or in the same steps (the same a of `a implies b`), and no
+// values of the variables meet both.  Returns false if there are none.
+bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second);
+
+ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o);
+
+#endif

@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/prove/prove_explore.h"
+
+#include <string.h>
+
+#include "compiler/base/bitset.h"
+#include "compiler/facts/env_table.h"
+#include "compiler/ir/eval.h"
+#include "stdlib/convert.h"
+
+enum {
+    ENVS_MOST = 96,           // facts of different paths to a block that are not joined
+    CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
+    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, to a few round numbers
+    CHANGES_MOST = 40,                // after these, only the types of variables remain
+    NARROWINGS = 3,
+    LIMITS_MOST = 256
+};
+
+#define KEY_OPEN UINT64_MAX   // the key is not known exactly.  As an F64 it would be a NaN, which no variable has
+
+typedef VEC(const Env *) ProveEnvs;
+
+typedef struct ProveNode {
+    const Env *env;           // the facts when the step begins
+    uint64_t *key;            // by key: its value as the bits of an F64, or KEY_OPEN
+    uint64_t hash;
+    uint32_t state;           // from 0
+    uint32_t changes;
+    bool first, queued;
+} ProveNode;
+
+typedef struct ProveTable {
+    VEC(ProveNode) node;
+    uint32_t *slot;           // hash table: 1 + the number of a node; 0: empty
+    uint32_t slots;           // a power of 2
+    VEC(uint32_t) queue;
+    uint32_t next;            // of the queue
+} ProveTable;
+
+typedef struct Explorer {
+    ProveModel *p;
+    Arena *arena;             // freed when the exploration ends or begins again
+    FactMachine *fm;
+    unsigned assumed;
+    const uint32_t *key;      // the variables that are keys
+    uint32_t keys;
+    const ProveLimits *limits;
+    uint64_t *visits;
+    FactLimits widening;
+    ProveTable *table;        // receives nodes
+    bool widens;              // false: in the last rounds
+    ProveExplored *out;
+    const ProveStep *step;    // the current one
+    const ProveNode *from;
+    const ProveBranch *branch;
+    ProveEnvs *at;            // by block of the step: the facts at its beginning, by path
+    uint32_t blocks;          // capacity of `at`
+} Explorer;
+
+static bool assumes(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
+
+// ---- facts between steps ----
+
+// Returns a time that is delta_t larger.  From 2^53 on, an F64 does not represent every time; there the bounds are those of the type.
+static Fact advance_time(Fact f, double delta)
+{
+    const Fact type = fact_of_type(SM_U64);
+
+    f.hi = f.hi + delta < FACT_EXACT ? f.hi + delta : type.hi;
+    f.lo = f.lo + delta < FACT_EXACT ? f.lo + delta : FACT_EXACT;
+    return f;
+}
+
+// Narrows the bounds of T to multiples of delta_t.  Returns false if there are none.
+static bool round_time(Fact *f, uint64_t delta)
+{
+    uint64_t lo, hi;
+
+    if (!(f->lo >= 0) || !(f->hi < FACT_EXACT) || delta == 1)
+        return !(f->lo > f->hi);
+    lo = (uint64_t)f->lo;
+    hi = (uint64_t)f->hi;
+    if ((double)lo < f->lo)
+        lo++;
+    lo = (lo + delta - 1) / delta * delta;
+    hi = hi / delta * delta;
+    f->lo = (double)lo;
+    f->hi = (double)hi;
+    return lo <= hi;
+}
+
+static Fact fact_of_input(const Explorer *x, uint32_t v)
+{
+    const IrVar *var = &x->p->ir->var.at[v];
+    Fact f = fact_of_type(var->type);
+
+    if (!assumes(x, PROVE_RANGES))
+        return f;
+    for (uint32_t k = 0; k < x->p->machine->program->var.n; k++) {
+        const Var *of = x->p->machine->program->var.at[k];
+        if (x->p->machine->var_of[k] == v && of->range) {
+            f.lo = of->range->lo > f.lo ? of->range->lo : f.lo;
+            f.hi = of->range->hi < f.hi ? of->range->hi : f.hi;
+        }
+    }
+    return f;
+}
+
+// Returns the fact about a variable when a step begins.  `before`: after the step before, or NULL for the first step of a run.
+static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uint32_t state, bool first)
+{
+    const ProveModel *p = x->p;
+    const IrVar *var = &p->ir->var.at[v];
+    const Fact type = fact_of_type(var->type);
+
+    switch (p->var[v].kind) {
+    case PROVE_INPUT: return fact_of_input(x, v);
+    case PROVE_OUTPUT:
+        if (!before)
+            return assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+        return assumes(x, PROVE_OWN_OUTPUTS) ? *before : type;
+    case PROVE_KEPT:
+        if (before)
+            return *before;
+        return v < p->machine->var.n && assumes(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
+    case PROVE_CHOICE: return p->var[v].begin;
+    case PROVE_TIME: break;
+    }
+    if (v == p->ir->s)
+        return fact_of_cell(var->type, state + 1);
+    if (v == p->ir->t && (first || !before))
+        return fact_of_cell(var->type, 0);
+    return before ? advance_time(*before, (double)p->delta_t) : assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+}
+
+static const Env *begin_step(const Explorer *x, const Env *before, bool is_start, uint32_t state, bool first)
+{
+    const EnvShape *shape = &x->fm->shape;
+    const Env *env = NULL;
+
+    for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
+        const Fact known = env_get(shape, before, v);
+        Fact f = fact_at_begin(x, v, is_start ? NULL : &known, state, first);
+        if (v == x->p->ir->t)
+            round_time(&f, x->p->delta_t);
+        if (!fact_equal(f, fact_of_type(x->p->ir->var.at[v].type)))
+            env = env_set(shape, env, v, f);
+    }
+    return env;
+}
+
+// ---- nodes ----
+
+static uint64_t key_of(Fact f) { return f.lo == f.hi && !f.nan ? sm_bits(f.lo == 0 ? 0.0 : f.lo) : KEY_OPEN; }
+
+static uint64_t mix(uint64_t h, uint64_t x)
+{
+    h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
+    return h ^ h >> 31;
+}
+
+static uint32_t *find_slot(const Explorer *x, const ProveTable *t, const ProveNode *n)
+{
+    uint64_t at = n->hash & (t->slots - 1);
+
+    for (;; at = (at + 1) & (t->slots - 1)) {
+        const ProveNode *of = t->slot[at] ? &t->node.at[t->slot[at] - 1] : NULL;
+        if (!of || (of->hash == n->hash && of->state == n->state && of->first == n->first
+                    && (x->keys == 0 || memcmp(of->key, n->key, x->keys * sizeof *n->key) == 0)))
+            return &t->slot[at];
+    }
+}
+
+static void grow_table(Explorer *x, ProveTable *t)
+{
+    t->slots *= 2;
+    t->slot = ARENA_ARRAY(x->arena, uint32_t, t->slots);
+    for (uint32_t n = 0; n < t->node.n; n++)
+        *find_slot(x, t, &t->node.at[n]) = n + 1;
+}
+
+static ProveTable *new_table(Explorer *x)
+{
+    ProveTable *t = ARENA_NEW(x->arena, ProveTable);
+
+    t->slots = 256;
+    t->slot = ARENA_ARRAY(x->arena, uint32_t, t->slots);
+    return t;
+}
+
+static void queue_node(Explorer *x, ProveTable *t, uint32_t n)
+{
+    if (t->node.at[n].queued)
+        return;
+    t->node.at[n].queued = true;
+    vec_push(x->arena, &t->queue, n);
+}
+
+// Joins facts of one more path into those of a node.
+static void join_at_node(Explorer *x, uint32_t number, const Env *env)
+{
+    static const double round[] = {-FACT_EXACT, -1e6, -1, 0, 1, 255, 65535, 1e6, FACT_EXACT};
+    static const FactLimits few = {round, sizeof round / sizeof *round};
+    ProveNode *n = &x->table->node.at[number];
+    const FactLimits *widen = !x->widens || n->changes < CHANGES_BEFORE_WIDENING ? NULL : n->changes < CHANGES_BEFORE_FEW_LIMITS ? &x->widening : &few;
+    const Env *now = env_join(&x->fm->shape, n->env, env, widen);
+
+    if (now == n->env)
+        return;
+    if (x->widens && n->changes > CHANGES_MOST)
+        now = begin_step(x, NULL, false, n->state, n->first);
+    n->env = now;
+    n->changes++;
+    queue_node(x, x->table, number);
+}
+
+static void add_situation(Explorer *x, const Env *env, uint32_t state, bool first)
+{
+    ProveTable *t = x->table;
+    ProveNode n = {.env = env, .state = state, .first = first};
+    uint32_t *slot;
+
+    n.key = ARENA_ARRAY(x->arena, uint64_t, x->keys + 1);
+    n.hash = mix(state, first);
+    for (uint32_t k = 0; k < x->keys; k++) {
+        n.key[k] = key_of(env_get(&x->fm->shape, env, x->key[k]));
+        n.hash = mix(n.hash, n.key[k]);
+    }
+    slot = find_slot(x, t, &n);
+    if (*slot) {
+        join_at_node(x, *slot - 1, env);
+        return;
+    }
+    vec_push(x->arena, &t->node, n);
+    *slot = t->node.n;
+    queue_node(x, t, t->node.n - 1);
+    if (t->node.n * 2 > t->slots)
+        grow_table(x, t);
+}
+
+// ---- a step ----
+
+// Removes from env what no later block reads, and what the next step does not begin with: paths that differ in nothing else become equal.
+static const Env *forget_dead(const Explorer *x, const Env *env, const uint64_t *live)
+{
+    const EnvShape *shape = &x->fm->shape;
+
+    for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
+        const ProveVarKind kind = x->p->var[v].kind;
+        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !assumes(x, PROVE_OWN_OUTPUTS));
+        if (lost && !bitset_has(live, v) && env_find(shape, env, v) && !(kind == PROVE_OUTPUT && x->p->var[v].stored))
+            env = env_set(shape, env, v, fact_of_type(x->p->ir->var.at[v].type));
+    }
+    return env;
+}
+
+// Adds facts with which a path comes to a block.
+static void enter_block(Explorer *x, IrBlkRef block, const Env *env)
+{
+    ProveEnvs *at = &x->at[block];
+    const uint32_t t = x->p->ir->t;
+    Fact time = env_get(&x->fm->shape, env, t);
+    const Fact was = time;
+
+    if (!round_time(&time, x->p->delta_t))
+        return;
+    if (!fact_equal(time, was))
+        env = env_set(&x->fm->shape, env, t, time);
+    env = forget_dead(x, env, x->step->block[block].live);
+    for (uint32_t n = 0; n < at->n; n++)
+        if (at->at[n] == env)
+            return;
+    if (at->n < ENVS_MOST)
+        vec_push(x->arena, at, env);
+    else
+        at->at[at->n - 1] = env_join(&x->fm->shape, at->at[at->n - 1], env, NULL);
+}
+
+static void join_after(Explorer *x, const Env *env)
+{
+    const uint32_t vars = x->p->ir->var.n, state = x->from->state;
+    Fact *after = x->out->after + (size_t)state * vars;
+
+    for (uint32_t v = 0; v < vars; v++) {
+        const Fact f = env_get(&x->fm->shape, env, v);
+        after[v] = x->out->reached[state] ? fact_join(after[v], f) : f;
+    }
+    x->out->reached[state] = true;
+}
+
+// Ends a step that meets the requirement: adds what can follow.
+static void end_step(Explorer *x, const Env *env)
+{
+    const Fact next = env_get(&x->fm->shape, env, x->p->next);
+    const double states = (double)x->p->machine->state.n;
+    const double hi = next.hi > states ? states : next.hi;
+
+    join_after(x, env);
+    for (double n = next.lo < 0 ? 0 : next.lo; n <= hi; n++) {
+        const bool first = n > 0;
+        const uint32_t state = first ? (uint32_t)n - 1 : x->from->state;
+        add_situation(x, begin_step(x, env, false, state, first), state, first);
+    }
+}
+
+// Called for each end of the block of a branch.
+static void visit_edge(void *context, const IrJump *end, const Env *env)
+{
+    Explorer *x = context;
+
+    if (end != &x->branch->fn->blk.at[1].jump)
+        return;
+    if (x->branch->then == IR_NONE)
+        end_step(x, env);
+    else
+        enter_block(x, x->branch->then, env);
+}
+
+static void visit_block(Explorer *x, IrBlkRef b)
+{
+    static const FactEnds no_ends;
+    const ProveBlock *block = &x->step->block[b];
+    FactEnds ends = no_ends;
+
+    ends.visit = visit_edge;
+    ends.context = x;
+    ends.all = true;
+    for (uint32_t n = 0; n < x->at[b].n; n++) {
+        const Env *env = x->at[b].at[n];
+        if (block->end != PROVE_END_NONE)
+            x->out->premise |= env_get(&x->fm->shape, env, x->p->premise).hi > 0;
+        if (block->end == PROVE_END_VIOLATED)
+            x->out->violated = true;
+        for (uint32_t k = 0; k < block->branch.n && block->end != PROVE_END_VIOLATED; k++) {
+            x->branch = &block->branch.at[k];
+            ++*x->visits;
+            facts_flow(x->fm, x->branch->fn, env, &ends);
+        }
+    }
+}
+
+// Explores the step that begins with the facts of a node.
+static void explore_step(Explorer *x, const ProveNode *from)
+{
+    x->from = from;
+    x->step = prove_model_step(x->p, from->state, from->first);
+    if (x->step->fn->blk.n > x->blocks) {
+        x->blocks = x->step->fn->blk.n * 2;
+        x->at = arena_array(x->arena, x->blocks, sizeof *x->at);
+    }
+    for (uint32_t b = 0; b < x->step->fn->blk.n; b++)
+        x->at[b].n = 0;
+    enter_block(x, 0, from->env);
+    for (uint32_t n = 0; n < x->step->blocks; n++)
+        visit_block(x, x->step->order[n]);
+}
+
+// ---- the exploration ----
+
+static void add_limit(double *limit, size_t *n, double x)
+{
+    size_t at = 0;
+
+    while (at < *n && limit[at] < x)
+        at++;
+    if (*n == LIMITS_MOST || (at < *n && limit[at] == x) || !(x > -FACT_EXACT && x < FACT_EXACT))
+        return;
+    memmove(limit + at + 1, limit + at, (*n - at) * sizeof *limit);
+    limit[at] = x;
+    ++*n;
+}
+
+// Returns the constants of the machine and of the requirement with their neighbours: guards stop counters and times there.
+static FactLimits find_limits(Arena *arena, const ProveModel *p)
+{
+    const double delta = (double)p->delta_t, beside[] = {0, -1, 1, -delta, delta};
+    double *limit = ARENA_ARRAY(arena, double, LIMITS_MOST);
+    size_t n = 0;
+
+    add_limit(limit, &n, 0);
+    for (int k = 0; k < 5; k++)
+        add_limit(limit, &n, (double)p->what->within + beside[k]);
+    for (size_t s = 0; s < p->machine->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            const IrFn *f = p->machine->state.at[s].block[b];
+            for (uint32_t i = 0; f && i < f->ins.n; i++)
+                for (int k = 0; f->ins.at[i].op == IR_const && k < 5; k++)
+                    add_limit(limit, &n, ir_number(f->ins.at[i].type, f->ins.at[i].bits) + beside[k]);
+        }
+    return (FactLimits){limit, n};
+}
+
+// Returns the key with the most different values among the nodes; `keys` if each has one.
+static uint32_t find_widest_key(const Explorer *x)
+{
+    enum { SAMPLE = 4096 };
+    uint64_t *seen = ARENA_ARRAY(x->arena, uint64_t, 2 * SAMPLE);
+    uint32_t widest = x->keys, most = 1;
+
+    for (uint32_t k = 0; k < x->keys; k++) {
+        uint32_t values = 0;
+        memset(seen, 0, 2 * SAMPLE * sizeof *seen);
+        for (uint32_t n = 0; n < x->table->node.n && values < SAMPLE; n++) {
+            const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0
+            uint64_t at = mix(value, 7) & (2 * SAMPLE - 1);
+            while (seen[at] && seen[at] != value)
+                at = (at + 1) & (2 * SAMPLE - 1);
+            values += seen[at] == 0;
+            seen[at] = value;
+        }
+        if (values > most) {
+            most = values;
+            widest = k;
+        }
+    }
+    return widest;
+}
+
+typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS } ExploreEnd;
+
+static ExploreEnd explore_all(Explorer *x, const State *init)
+{
+    ProveTable *t = x->table = new_table(x);
+
+    x->widens = true;
+    add_situation(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
+    while (t->next < t->queue.n) {
+        const uint32_t n = t->queue.at[t->next++];
+        const ProveNode from = t->node.at[n];
+        t->node.at[n].queued = false;
+        explore_step(x, &from);
+        if (t->node.n > x->limits->nodes)
+            return EXPLORE_MANY_NODES;
+        if (*x->visits > x->limits->visits)
+            return EXPLORE_MANY_VISITS;
+    }
+    return EXPLORE_CLOSED;
+}
+
+// Explores one step from each node, which covers all situations of a run: so do the start and what follows these steps, without widening.
+static void narrow(Explorer *x, const State *init)
+{
+    ProveTable *from = x->table;
+
+    x->table = new_table(x);
+    x->widens = false;
+    x->out->violated = x->out->premise = false;
+    memset(x->out->reached, 0, x->p->machine->state.n * sizeof *x->out->reached);
+    add_situation(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
+    for (uint32_t n = 0; n < from->node.n; n++)
+        explore_step(x, &from->node.at[n]);
+}
+
+static void new_facts(Explorer *x)
+{
+    x->fm = facts_of_machine(x->arena, x->p->ir);
+    if (!x->fm->shape.unique)
+        x->fm->shape.unique = env_table_new(x->arena);        // equal facts become the same pointer
+    x->at = NULL;
+    x->blocks = 0;
+    x->widening = find_limits(x->arena, x->p);
+}
+
+static ExploreEnd explore_once(Explorer *x, const State *init)
+{
+    ExploreEnd end;
+
+    new_facts(x);
+    end = explore_all(x, init);
+    for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
+        narrow(x, init);
+    x->out->nodes = x->table->node.n;
+    return end;
+}
+
+// Whether all values that functions store in the variable are constants, booleans, or limited counts of samples.
+static bool has_few_values(const ProveModel *p, uint32_t v)
+{
+    if (v == p->ir->t || v == p->ir->g)
+        return false;
+    if (p->ir->var.at[v].type == SM_BOOL || p->var[v].few)
+        return true;
+    if (v >= p->machine->var.n)
+        return false;
+    for (size_t s = 0; s < p->machine->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            const IrFn *f = p->machine->state.at[s].block[b];
+            for (uint32_t i = 0; f && i < f->ins.n; i++) {
+                const IrIns *at = &f->ins.at[i];
+                if (at->op != IR_store || at->var != v)
+                    continue;
+                at = &f->ins.at[at->a];
+                while (at->op == IR_cvt)
+                    at = &f->ins.at[at->a];
+                if (at->op != IR_const && at->op != IR_neg)
+                    return false;
+            }
+        }
+    return true;
+}
+
+static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
+{
+    uint32_t n = 0;
+
+    for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
+        const ProveVarKind kind = x->p->var[v].kind;
+        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && assumes(x, PROVE_OWN_OUTPUTS)) || v == x->p->ir->t;
+        if (lasts && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
+            key[n++] = v;
+    }
+    return n;
+}
+
+ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
+{
+    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)p->machine->state.n * p->ir->var.n)};
+    Explorer x = {.p = p, .assumed = assumed, .limits = limits, .visits = &out.visits, .out = &out};
+    uint32_t *key = ARENA_ARRAY(arena, uint32_t, p->ir->var.n);
+    Arena work;
+    ExploreEnd end;
+
+    out.reached = ARENA_ARRAY(arena, bool, p->machine->state.n);
+    x.keys = choose_keys(&x, fine, key);
+    x.key = key;
+    do {
+        uint32_t widest = x.keys;
+        arena_init_within(&work, arena);
+        x.arena = &work;
+        out.violated = out.premise = false;
+        memset(out.reached, 0, p->machine->state.n * sizeof *out.reached);
+        end = explore_once(&x, init_state);
+        if (end == EXPLORE_MANY_NODES)
+            widest = find_widest_key(&x);
+        if (end == EXPLORE_MANY_NODES && widest == x.keys)
+            end = EXPLORE_MANY_VISITS;
+        else if (end == EXPLORE_MANY_NODES)
+            key[widest] = key[--x.keys];
+        arena_free(&work);
+    } while (end == EXPLORE_MANY_NODES);
+    out.closed = end == EXPLORE_CLOSED;
+    return out;
+}
+
+bool prove_can_violate(Arena *arena, ProveModel *p)
+{
+    const uint32_t states = p->machine->state.n;
+    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)(states + 1) * p->ir->var.n), .reached = ARENA_ARRAY(arena, bool, states + 1)};
+    Explorer x = {.p = p, .arena = arena, .visits = &out.visits, .out = &out};
+    const ProveNode anything = {.state = states};
+
+    new_facts(&x);
+    x.table = new_table(&x);
+    explore_step(&x, &anything);
+    return out.violated;
+}

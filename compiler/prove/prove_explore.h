@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Explores what can be true when a step of a machine begins (prove.h), and whether a step can violate the requirement.
+//
+// A node is a state of the machine, whether its first step is next, the values of some variables, the keys, and facts about all others.  Nodes
+// are added until the steps from all of them lead to known nodes only.  Facts of a node that keep growing are widened; then the steps are
+// explored once more from the facts found, which makes them tighter.
+//
+// If there are too many nodes, the key with the most values is no longer one, and the exploration begins again.
+#ifndef SMC_PROVE_EXPLORE_H
+#define SMC_PROVE_EXPLORE_H
+
+#include "compiler/prove/prove.h"
+#include "compiler/prove/prove_model.h"
+
+typedef struct ProveLimits {
+    uint32_t nodes;           // with more, a key is given up
+    uint64_t visits;          // of branches; after these, the exploration gives up
+} ProveLimits;
+
+typedef struct ProveExplored {
+    bool closed;              // all steps lead to known nodes: what follows is true of every run
+    bool violated, premise;   // some step may violate the requirement; could do so
+    uint32_t nodes;
+    uint64_t visits;
+    Fact *after;              // [state * variables + variable]: the facts after a step in the state that does not violate the requirement
+    bool *reached;            // by state from 0: a step can run in it
+} ProveExplored;
+
+// `assumed`: 1u << ProveAssumption of each.  `fine`: all variables that change are keys; else only those with few values.
+ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits);
+
+// Whether some values of the variables violate the requirement, whatever the machine does.
+bool prove_can_violate(Arena *arena, ProveModel *p);
+
+#endif

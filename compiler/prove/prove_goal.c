@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/prove/prove_goal.h"
+
+#include "compiler/ir/comparison.h"
+#include "stdlib/convert.h"
+
+// The goal's own part of a situation, before that of the monitor.
+typedef struct GoalMemory {
+    bool seen;                // a step has had b
+    bool open;                // AFTER: no step since the last one with b has had c; LEADS_TO: undecided
+} GoalMemory;
+
+typedef struct GoalWatch {
+    const GoalSearch *g;
+    const Requirement *what;
+    Monitor *monitor;
+    bool premise_seen;
+} GoalWatch;
+
+enum { MEMORY_SIZE = (sizeof(GoalMemory) + 7) / 8 * 8 };
+
+// ---- distances ----
+// How far a condition is from a value: 0 if it has it.
+
+static double absolute(double x) { return x < 0 ? -x : x; }
+static double smaller(double a, double b) { return a < b ? a : b; }
+
+static double distance_of_comparison(SmOperator op, double a, double b, bool wanted)
+{
+    const double apart = absolute(a - b) < 1e300 ? absolute(a - b) : 1e300;
+
+    switch (op) {
+    case SM_OP_EQ: return (a == b) == wanted ? 0 : wanted ? apart : 1;
+    case SM_OP_NE: return (a != b) == wanted ? 0 : wanted ? 1 : apart;
+    case SM_OP_LT: return (a < b) == wanted ? 0 : apart + 1;
+    case SM_OP_LE: return (a <= b) == wanted ? 0 : apart + 1;
+    case SM_OP_GT: return (a > b) == wanted ? 0 : apart + 1;
+    case SM_OP_GE: return (a >= b) == wanted ? 0 : apart + 1;
+    default: return 1;
+    }
+}
+
+static bool is_comparison(SmOperator op)
+{
+    return op == SM_OP_EQ || op == SM_OP_NE || op == SM_OP_LT || op == SM_OP_LE || op == SM_OP_GT || op == SM_OP_GE;
+}
+
+static double distance_of(const Expr *e, const uint64_t *cell, const RefWindows *w, bool wanted)
+{
+    double sum = 0;
+
+    if (ref_true(ref_eval(e, cell, w)) == wanted)
+        return 0;
+    if (e->kind == EX_UNARY && e->op == SM_OP_NOT)
+        return distance_of(e->arg[0], cell, w, !wanted);
+    if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {
+        const double a = distance_of(e->arg[0], cell, w, wanted), b = distance_of(e->arg[1], cell, w, wanted);
+        return (e->op == SM_OP_AND) == wanted ? a + b : smaller(a, b);
+    }
+    if (e->kind == EX_BINARY && is_comparison(e->op))
+        return distance_of_comparison(e->op, ref_eval(e->arg[0], cell, w), ref_eval(e->arg[1], cell, w), wanted);
+    if (e->kind != EX_CHAIN)
+        return 1;
+    for (uint32_t k = 0; k + 1 < e->n; k++) {
+        const double d = distance_of_comparison(expr_ops(e)[k], ref_eval(e->arg[k], cell, w), ref_eval(e->arg[k + 1], cell, w), wanted);
+        sum = k == 0 ? d : wanted ? sum + d : smaller(sum, d);
+    }
+    return sum;
+}
+
+// Maps a distance to one below 1, so that a condition that comes first counts more.
+static double below_one(double d) { return d / (d + 1); }
+
+// ---- the goal ----
+
+// Returns how far the step is from the goal, if it does not reach it.
+static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, const GoalMemory *after, const uint64_t *cell)
+{
+    const Requirement *r = w->what;
+    const RefWindows *windows = &w->monitor->windows;
+    const double a = r->a ? below_one(distance_of(r->a, cell, windows, true)) : 0;
+
+    switch (r->kind) {
+    case REQUIREMENT_NEVER: return a;
+    case REQUIREMENT_ALWAYS: return w->g->kind == GOAL_PREMISE ? a : a + below_one(distance_of(r->b, cell, windows, false));
+    case REQUIREMENT_BEFORE: return before->seen && w->g->kind == GOAL_VIOLATION ? SEARCH_UNKNOWN : a;
+    case REQUIREMENT_AFTER:
+        if (!after->seen)
+            return 2 + below_one(distance_of(r->b, cell, windows, true));
+        return (after->open ? 0 : 1) + a;
+    case REQUIREMENT_LEADS_TO:
+        if (w->g->kind == GOAL_PREMISE || !after->open)
+            return 1 + a;
+        return below_one(distance_of(r->b, cell, windows, false) + 1);
+    }
+    return 1;
+}
+
+static void note_step(const GoalWatch *w, GoalMemory *m, const uint64_t *cell)
+{
+    const Requirement *r = w->what;
+    const RefWindows *windows = &w->monitor->windows;
+    const bool b = r->b && ref_true(ref_eval(r->b, cell, windows));
+
+    m->seen = m->seen || b;
+    if (r->kind == REQUIREMENT_AFTER)
+        m->open = b || (m->open && !ref_true(ref_eval(r->c, cell, windows)));
+    else if (r->kind == REQUIREMENT_LEADS_TO)
+        m->open = (m->open || ref_true(ref_eval(r->a, cell, windows))) && !b;
+}
+
+// Whether the step could have violated the requirement.
+static bool is_premise(const GoalWatch *w, const GoalMemory *before, const uint64_t *cell)
+{
+    const Requirement *r = w->what;
+    const bool a = !r->a || r->kind == REQUIREMENT_NEVER || ref_true(ref_eval(r->a, cell, &w->monitor->windows));
+
+    return a && (r->kind != REQUIREMENT_AFTER || before->seen);
+}
+
+static void start_goal(void *self, void *situation)
+{
+    const GoalWatch *w = self;
+    const GoalMemory none = {false, false};
+
+    *(GoalMemory *)situation = none;
+    monitor_start(w->monitor, (char *)situation + MEMORY_SIZE);
+}
+
+static void step_goal(void *self, void *situation, const uint64_t *cell, double *distance)
+{
+    GoalWatch *w = self;
+    GoalMemory *m = situation;
+    const GoalMemory before = *m;
+    bool premise, reached;
+
+    monitor_step(w->monitor, (char *)situation + MEMORY_SIZE, cell);
+    note_step(w, m, cell);
+    premise = is_premise(w, &before, cell);
+    w->premise_seen = w->premise_seen || premise;
+    reached = w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
+    *distance = distance_to_goal(w, &before, m, cell);
+    if (reached)
+        *distance = 0;
+    else if (!(*distance > 0))
+        *distance = 1;
+}
+
+static GoalWatch *new_watch(Arena *arena, const GoalSearch *g)
+{
+    GoalWatch *w = ARENA_NEW(arena, GoalWatch);
+
+    w->g = g;
+    w->what = &g->all->at.at[g->requirement];
+    w->monitor = monitor_new(arena, g->all, g->delta_t);
+    return w;
+}
+
+// ---- confirming ----
+
+typedef struct GoalReplay { GoalWatch *w; void *situation; uint64_t reached; } GoalReplay;
+
+static void judge_replayed(void *context, uint64_t step, const EngineStep *result)
+{
+    GoalReplay *r = context;
+    double distance;
+
+    step_goal(r->w, r->situation, result->cell, &distance);
+    if (distance == 0 && r->reached == 0)
+        r->reached = step;
+}
+
+uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s)
+{
+    GoalReplay r = {.w = new_watch(arena, g)};
+    Engine *e = engine_ref_open(arena, g->all->program);
+    EngineStatus status;
+
+    r.situation = arena_alloc(arena, MEMORY_SIZE + r.w->monitor->size);
+    start_goal(r.w, r.situation);
+    status = scenario_run(arena, g->all->program, s, e, judge_replayed, &r);
+    e->close(e);
+    return status == ENGINE_OK ? r.reached : 0;
+}
+
+// ---- searching ----
+
+// A scenario can set each element that the machine never stores, except G and S.
+static bool *writable_elements(Arena *arena, const Program *p)
+{
+    bool *writable = ARENA_ARRAY(arena, bool, p->var.n);
+
+    for (uint32_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        writable[i] = v->kind == VAR_ELEMENT && v != p->g && v != p->s && !v->written;
+    }
+    return writable;
+}
+
+static bool is_in_ranges(const Program *p, const Scenario *s)
+{
+    for (size_t i = 0; i < s->changes; i++) {
+        const ScenarioChange *c = &s->change[i];
+        const Range *range = p->var.at[c->var]->range;
+        if (range && (c->kind != SCENARIO_HOLD || !(c->a >= range->lo && c->a <= range->hi)))
+            return false;
+    }
+    return true;
+}
+
+// ---- fewer changes ----
+
+enum { SIMPLIFY_CHANGES = 12, SIMPLIFY_STEPS = 20000 };       // larger scenarios are left as they are
+
+// Whether a scenario still reaches the goal.  If so, it ends there.
+static bool reaches(Arena *arena, const GoalSearch *g, Scenario *s)
+{
+    const uint64_t step = goal_confirm(arena, g, s);
+
+    if (step)
+        s->steps = step;
+    return step != 0;
+}
+
+// Replaces *s by one without change `drop`, and with the value of change `from` in change `to`, if that reaches the goal.
+static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t drop, size_t to, size_t from)
+{
+    ScenarioChange *change = ARENA_ARRAY(arena, ScenarioChange, s->changes);
+    Scenario less = *s;
+
+    less.change = change;
+    less.changes = 0;
+    for (size_t i = 0; i < s->changes; i++) {
+        ScenarioChange c = s->change[i];
+        if (i == to && from != to)
+            c.kind = SCENARIO_HOLD, c.a = s->change[from].a;
+        if (i != drop)
+            change[less.changes++] = c;
+    }
+    if (!reaches(arena, g, &less))
+        return false;
+    *s = less;
+    return true;
+}
+
+// Removes changes that the goal does not need, also those that it does not need if another change has the value of a third one.
+static void simplify(Arena *arena, const GoalSearch *g, Scenario *s)
+{
+    bool shorter = s->changes <= SIMPLIFY_CHANGES && s->steps <= SIMPLIFY_STEPS;
+
+    while (shorter) {
+        shorter = false;
+        for (size_t i = 0; !shorter && i < s->changes; i++)
+            shorter = try_without(arena, g, s, i, i, i);
+        for (size_t i = 0; !shorter && i < s->changes; i++)
+            for (size_t to = 0; !shorter && to < s->changes; to++)
+                for (size_t from = 0; !shorter && from < s->changes; from++)
+                    shorter = to != i && from != to && try_without(arena, g, s, i, to, from);
+    }
+}
+
+typedef struct GoalStop { const GoalSearch *g; } GoalStop;
+
+static bool may_go_on(void *context, const SearchProgress *progress)
+{
+    const GoalStop *s = context;
+
+    (void)progress;
+    return !s->g->go_on || s->g->go_on(s->g->context);
+}
+
+GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g)
+{
+    GoalWatch *w = new_watch(arena, g);
+    const Expr *condition[3];
+    SearchWatch watch = {.self = w, .goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
+    GoalStop stop = {g};
+    SearchOptions o = {.seed = 1, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch, .go_on = may_go_on,
+                       .context = &stop};
+    const Requirement *r = w->what;
+    const Expr *const part[3] = {r->a, r->b, r->c};
+    const SearchResult *found;
+    GoalFound out = {.scenario = NULL};
+
+    watch.size = MEMORY_SIZE + w->monitor->size;
+    for (int k = 0; k < 3; k++)
+        if (part[k])
+            condition[watch.conditions++] = part[k];
+    o.writable = writable_elements(arena, g->all->program);
+    found = search_run(arena, c, &o);
+    out.steps = found->steps;
+    if (found->find[found->places].outcome == SEARCH_REACHED) {
+        Scenario *s = ARENA_NEW(arena, Scenario);
+        *s = found->chosen[found->find[found->places].scenario].scenario;
+        s->steps = goal_confirm(arena, g, s);
+        out.unconfirmed = s->steps == 0;
+        if (s->steps && (!g->assume_ranges || is_in_ranges(g->all->program, s)))
+            out.scenario = s;
+        while (s->changes && s->change[s->changes - 1].step > s->steps)
+            s->changes--;
+        if (out.scenario)
+            simplify(arena, g, s);
+        if (out.scenario && g->assume_ranges && !is_in_ranges(g->all->program, s))
+            out.scenario = NULL;
+    }
+    out.premise_seen = w->premise_seen;
+    return out;
+}

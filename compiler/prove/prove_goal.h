@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Searches for runs that violate a requirement, or that come to its premise (prove.h), with search.h.
+#ifndef SMC_PROVE_GOAL_H
+#define SMC_PROVE_GOAL_H
+
+#include "compiler/cover/cover.h"
+#include "compiler/script/monitor.h"
+#include "compiler/search/search.h"
+
+typedef enum GoalKind { GOAL_VIOLATION, GOAL_PREMISE } GoalKind;
+
+typedef struct GoalSearch {
+    const Requirements *all;
+    size_t requirement;
+    GoalKind kind;
+    uint64_t delta_t, effort;
+    const State *init_state;
+    bool assume_ranges;               // values outside an @range are not accepted
+    bool (*go_on)(void *context);     // or NULL
+    void *context;
+} GoalSearch;
+
+typedef struct GoalFound {
+    const Scenario *scenario;         // that reaches the goal in its last step, confirmed by the reference interpreter; NULL: not found
+    bool premise_seen;                // some run has come to the premise
+    uint64_t steps;
+    bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
+} GoalFound;
+
+GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g);
+// Runs a scenario on the reference interpreter.  Returns the first step that violates the requirement (GOAL_PREMISE: that could have violated
+// it); 0: none.
+uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s);
+
+#endif

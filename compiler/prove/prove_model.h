@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a proof explores: a machine and one requirement as functions of plain variables (prove.h).
+//
+// For each state, and for its first step and its later ones, one function contains the complete step: windows sample, .entry, .step and .exit
+// run, and then the requirement is judged.  Rolling windows, and what the requirement has seen, are variables that the function loads and
+// stores.  So facts about variables are all that is known between steps.
+//
+// Each block of a function is split into branches.  A branch adds one of several conditions, which exclude each other and of which one is
+// always true.  They are the ways in which the conditions at the end of the block, and the booleans that it stores, get their values.
+#ifndef SMC_PROVE_MODEL_H
+#define SMC_PROVE_MODEL_H
+
+#include "compiler/facts/facts.h"
+#include "compiler/sema/requirements.h"
+
+typedef enum ProveVarKind {
+    PROVE_INPUT,              // an element that the machine does not assign: any value in each step
+    PROVE_OUTPUT,             // an element that the machine assigns
+    PROVE_KEPT,               // changed by the functions alone
+    PROVE_CHOICE,             // begins each step with a value of `begin`, whatever it was
+    PROVE_TIME                // G, S or T
+} ProveVarKind;
+
+typedef struct ProveVar {
+    ProveVarKind kind;
+    Fact begin;               // KEPT: in the first step; CHOICE: in each step
+    bool stored;              // a function stores it
+    bool few;                 // KEPT: it has few values, such as a flag or a count of samples
+} ProveVar;
+
+typedef struct ProveBranch {
+    IrFn *fn;                 // the block, which ends with the condition of the branch
+    IrBlkRef then;            // the block of the step to which the edge to block 1 leads; the edge to block 2 is never taken
+} ProveBranch;
+
+typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED } ProveEnd;
+
+typedef struct ProveBlock {
+    ProveEnd end;             // not PROVE_END_NONE: the step ends here
+    VEC(ProveBranch) branch;
+    uint64_t *live;           // set of variables that this block or a later one loads
+} ProveBlock;
+
+typedef struct ProveStep {
+    IrFn *fn;
+    ProveBlock *block;        // by block of fn
+    IrBlkRef *order;          // the blocks that can be reached, each after all its predecessors
+    uint32_t blocks;
+} ProveStep;
+
+typedef struct ProveModel {
+    Arena *arena;
+    const IrMachine *machine;
+    const Requirement *what;
+    uint64_t delta_t;
+    IrMachine *ir;            // the variables: those of the machine, and then others.  It has no states
+    ProveVar *var;            // by variable of ir
+    uint32_t next;            // variable: number of the state that follows; 0: no transition
+    uint32_t premise;         // variable: whether the step could have violated the requirement
+    ProveStep *(*step)[2];    // by state from 0, and whether it is the first step in the state; made when first asked for
+    struct ProveMaker *maker;
+} ProveModel;
+
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t);
+// `state` is from 0.  The number of states: the requirement is judged alone, without a step of the machine.
+const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first);
+
+#endif

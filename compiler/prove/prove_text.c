@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/prove/prove_text.h"
+
+#include <string.h>
+
+#include "compiler/base/json.h"
+#include "compiler/search/script_writer.h"
+
+static const char *const assumption_text[PROVE_ASSUMPTIONS] = {
+    "only this machine writes the elements that it assigns",
+    "in the first step G and the elements that the machine assigns are 0",
+    "the parameters have the values in the source",
+    "elements with @range have values in it",
+};
+
+static const char *const assumption_name[PROVE_ASSUMPTIONS] = {"own-outputs", "zero-start", "parameters", "ranges"};
+
+const char *prove_verdict_name(ProveVerdict v)
+{
+    static const char *const name[] = {"proved", "vacuous", "violated", "undecided"};
+
+    return name[v];
+}
+
+// ---- invariants ----
+
+static bool is_below(Fact f, SmType type) { return f.hi < fact_of_type(type).hi; }
+static bool is_above(Fact f, SmType type) { return f.lo > fact_of_type(type).lo; }
+
+static void append_bound(Arena *arena, const ProveBound *b, Buf *out)
+{
+    const char *name = b->var->name->text;
+    const SmType type = b->var->type;
+    const Fact f = b->fact;
+
+    if (f.lo > f.hi)
+        return;
+    if (out->n)
+        buf_str(out, ", ");
+    if (type == SM_BOOL)
+        buf_printf(out, "%s is %s", name, f.lo > 0 ? "true" : "false");
+    else if (f.lo == f.hi)
+        buf_printf(out, "%s is %s", name, const_text(arena, f.lo));
+    else if (is_above(f, type) && is_below(f, type))
+        buf_printf(out, "%s is from %s to %s", name, const_text(arena, f.lo), const_text(arena, f.hi));
+    else
+        buf_printf(out, "%s is at %s %s", name, is_below(f, type) ? "most" : "least", const_text(arena, is_below(f, type) ? f.hi : f.lo));
+}
+
+const char *prove_invariant_text(Arena *arena, const ProveInvariant *i, TimeUnit unit)
+{
+    Buf out;
+
+    (void)unit;
+    buf_init(&out, arena);
+    for (uint32_t k = 0; k < i->bound.n; k++)
+        append_bound(arena, &i->bound.at[k], &out);
+    return out.n ? buf_text(&out) : NULL;
+}
+
+// ---- scripts ----
+
+const char *prove_script(Arena *arena, const Program *p, const ProveOf *of)
+{
+    Engine *e = engine_ref_open(arena, p);
+    const char *comment[1];
+    ScriptPage page = {.p = p, .scenario = of->scenario, .engine = e, .comment = comment, .comments = 1};
+    Buf out;
+    bool written;
+
+    comment[0] = format_in(arena, "Violates %s (%s).", of->what->id->text, of->what->text->text);
+    buf_init(&out, arena);
+    written = script_write(arena, &page, &out);
+    e->close(e);
+    return written ? buf_text(&out) : NULL;
+}
+
+// ---- text ----
+
+static const char *why_undecided(const ProveOf *of)
+{
+    return of->obstacle == PROVE_TOO_LARGE ? "the machine has too many situations for a proof within the limits"
+                                           : "what is known about the values is too little for a proof";
+}
+
+static void write_assumptions(const ProveOf *of, Buf *out)
+{
+    for (int a = 0; a < PROVE_ASSUMPTIONS; a++)
+        if (of->assumed >> a & 1)
+            buf_printf(out, "      assuming that %s\n", assumption_text[a]);
+}
+
+static void write_invariants(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
+{
+    for (uint32_t s = 0; s < p->state.n; s++) {
+        const ProveInvariant *i = &of->invariant[s];
+        const char *text = i->reached ? prove_invariant_text(arena, i, p->time_unit) : "it is never reached";
+        if (text)
+            buf_printf(out, "      in %s: %s\n", i->state->name->text, text);
+    }
+}
+
+static void write_lines_indented(const char *text, size_t indent, Buf *out)
+{
+    while (*text) {
+        const char *end = strchr(text, '\n');
+        const size_t n = end ? (size_t)(end - text) : strlen(text);
+        if (n)
+            buf_spaces(out, indent);
+        buf_put(out, text, n);
+        buf_char(out, '\n');
+        text += n + (end != NULL);
+    }
+}
+
+static void write_verdict(Arena *arena, const Program *p, const ProveResult *r, const ProveOf *of, size_t width, Buf *out)
+{
+    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found"};
+    const char *script;
+
+    buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, word[of->verdict], of->what->text->text);
+    switch (of->verdict) {
+    case PROVE_PROVED:
+        write_assumptions(of, out);
+        write_invariants(arena, p, of, out);
+        if (!of->premise_seen)
+            buf_str(out, "      no run that was tried came to its premise\n");
+        break;
+    case PROVE_VACUOUS:
+        buf_str(out, "      no run comes to its premise, so it requires nothing\n");
+        write_assumptions(of, out);
+        write_invariants(arena, p, of, out);
+        break;
+    case PROVE_VIOLATED:
+        buf_printf(out, "      after %lu steps\n", (unsigned long)of->scenario->steps);
+        script = prove_script(arena, p, of);
+        if (script)
+            write_lines_indented(script, 6, out);
+        break;
+    case PROVE_UNDECIDED:
+        buf_printf(out, "      %llu steps were tried; %s\n", (unsigned long long)of->steps, why_undecided(of));
+        buf_printf(out, "      %lu situations and %llu branches were examined\n", (unsigned long)of->nodes, (unsigned long long)of->visits);
+        if (!of->premise_seen)
+            buf_str(out, "      no run that was tried came to its premise\n");
+        break;
+    }
+    (void)r;
+}
+
+void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out)
+{
+    size_t width = 0;
+
+    for (uint32_t i = 0; i < r->n; i++)
+        width = r->of[i].what->id->len > width ? r->of[i].what->id->len : width;
+    buf_printf(out, "requirements of %s, from state %s, with a step every %llu", p->name->text, r->init_state->name->text, (unsigned long long)r->delta_t);
+    if (p->uses_time_unit)
+        buf_printf(out, " %s", time_unit_name(p->time_unit));
+    buf_str(out, ":\n");
+    for (uint32_t i = 0; i < r->n; i++)
+        write_verdict(arena, p, r, &r->of[i], width, out);
+}
+
+// ---- JSON ----
+
+static void write_json_number(Arena *arena, double x, Buf *out)
+{
+    if (x - x != 0)
+        buf_str(out, "null");
+    else
+        buf_str(out, const_text(arena, x));
+}
+
+static void write_json_invariants(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
+{
+    const char *separator = "";
+
+    buf_str(out, ",\"invariants\":[");
+    for (uint32_t s = 0; of->invariant && s < p->state.n; s++) {
+        const ProveInvariant *i = &of->invariant[s];
+        buf_printf(out, "%s{\"state\":", separator);
+        json_put_string(out, i->state->name->text);
+        buf_printf(out, ",\"reached\":%s,\"values\":[", i->reached ? "true" : "false");
+        for (uint32_t k = 0; k < i->bound.n; k++) {
+            buf_printf(out, "%s{\"name\":", k ? "," : "");
+            json_put_string(out, i->bound.at[k].var->name->text);
+            buf_str(out, ",\"least\":");
+            write_json_number(arena, i->bound.at[k].fact.lo, out);
+            buf_str(out, ",\"most\":");
+            write_json_number(arena, i->bound.at[k].fact.hi, out);
+            buf_char(out, '}');
+        }
+        buf_str(out, "]}");
+        separator = ",";
+    }
+    buf_char(out, ']');
+}
+
+static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
+{
+    const char *separator = "";
+
+    buf_str(out, "{\"id\":");
+    json_put_string(out, of->what->id->text);
+    buf_str(out, ",\"text\":");
+    json_put_string(out, of->what->text->text);
+    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"situations\":%lu,\"branches\":%llu,\"assumptions\":[", prove_verdict_name(of->verdict),
+               of->premise_seen ? "true" : "false", (unsigned long long)of->steps, (unsigned long)of->nodes, (unsigned long long)of->visits);
+    for (int a = 0; a < PROVE_ASSUMPTIONS; a++)
+        if (of->assumed >> a & 1) {
+            buf_printf(out, "%s\"%s\"", separator, assumption_name[a]);
+            separator = ",";
+        }
+    buf_char(out, ']');
+    if (of->verdict == PROVE_PROVED || of->verdict == PROVE_VACUOUS)
+        write_json_invariants(arena, p, of, out);
+    if (of->verdict == PROVE_UNDECIDED)
+        buf_printf(out, ",\"obstacle\":\"%s\"", of->obstacle == PROVE_TOO_LARGE ? "too-large" : "facts-too-weak");
+    if (of->verdict == PROVE_VIOLATED) {
+        buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps, (unsigned long)of->scenario->changes);
+        json_put_string(out, prove_script(arena, p, of));
+    }
+    buf_char(out, '}');
+}
+
+void prove_write_json(Arena *arena, const Program *p, const ProveResult *r, Buf *out)
+{
+    buf_str(out, "{\"smc-proofs\":1,\"machine\":");
+    json_put_string(out, p->name->text);
+    buf_str(out, ",\"state\":");
+    json_put_string(out, r->init_state->name->text);
+    buf_printf(out, ",\"delta_t\":%llu,\"requirements\":[\n", (unsigned long long)r->delta_t);
+    for (uint32_t i = 0; i < r->n; i++) {
+        write_json_verdict(arena, p, &r->of[i], out);
+        buf_str(out, i + 1 < r->n ? ",\n" : "\n");
+    }
+    buf_str(out, "]}\n");
+}

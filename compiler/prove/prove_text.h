@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the verdicts on requirements for an engineer, and for programs.
+#ifndef SMC_PROVE_TEXT_H
+#define SMC_PROVE_TEXT_H
+
+#include "compiler/base/buf.h"
+#include "compiler/prove/prove.h"
+
+const char *prove_verdict_name(ProveVerdict v);       // "proved", "vacuous", "violated", "undecided"
+// Returns what is true after each step in a state, as a sentence; NULL: nothing is known.
+const char *prove_invariant_text(Arena *arena, const ProveInvariant *i, TimeUnit unit);
+// Returns the script that shows a violation; NULL: none can be written.
+const char *prove_script(Arena *arena, const Program *p, const ProveOf *of);
+void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out);
+void prove_write_json(Arena *arena, const Program *p, const ProveResult *r, Buf *out);
+
+#endif

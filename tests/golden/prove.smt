@@ -1,0 +1,140 @@
+# smc prove: each verdict, with what is true in each state, and with the script that shows a violation.
+args prove a.sm a.rq
+args prove a.sm a.rq --format=json -o r.json; cat r.json
+args prove a.sm two.rq --assume-ranges
+args prove a.sm two.rq --init-state=Hold
+args prove a.sm one.rq --init-state=Hold
+
+-- a.sm --
+[options]
+step 10 ms
+
+[state_vector]
+U64  time   @alias G
+U32  state  @alias S
+F64  p      @read_only @range 0 500
+bool arm    @read_only
+bool valve
+U8   count
+
+[Idle] @safe
+.entry
+    valve = false
+.step
+    arm: -> Fill
+
+[Fill]
+.entry
+    valve = true
+    count = 0
+.step
+    held(p > 100, 50 ms) or T >= 2 s: -> Hold
+    p > 900: -> Never
+.exit
+    valve = false
+
+[Hold]
+.step
+    count = count + 1
+    count >= 3: -> Idle
+
+[Never] @safe
+-- a.rq --
+R1 "closed outside of filling"   never S != Fill and valve
+R2 "filling ends"                always S == Fill leads to S != Fill within 2010 ms
+R3 "no second fill"              never Fill after Idle without Hold
+R4 "no hold before filling"      never Hold before Fill
+R5 "the count is small"          never count > 3
+R6 "armed before filling"        always rising(valve) implies arm
+-- two.rq --
+Q1 "nothing after Never"         always S == Never implies valve
+-- one.rq --
+Q2 "the sum fits"                never p + p * 2 - 3 * p > 1000
+-- stdout --
+requirements of a, from state Idle, with a step every 10 ms:
+  R1  proved              closed outside of filling
+      assuming that only this machine writes the elements that it assigns
+      in Idle: valve is false
+      in Fill: count is 0, T is at most 2000
+      in Hold: valve is false, count is from 1 to 3
+      in Never: valve is false, count is 0
+  R2  proved              filling ends
+      in Fill: T is at most 2000
+      in Hold: count is at least 1
+  R3  violated            no second fill
+      after 2 steps
+      # Violates R3 (no second fill).
+
+      [options]
+      delta_t    10 ms
+      init_state Idle
+
+      [all_states]
+      at 0:     arm = true
+      at 0:     @assert state Idle and not valve and count == 0
+      at 10 ms: @assert state Fill and valve and count == 0
+      at 10 ms: @stop
+  R4  proved              no hold before filling
+      in Fill: T is at most 2000
+      in Hold: count is at least 1
+  R5  proved              the count is small
+      assuming that only this machine writes the elements that it assigns
+      assuming that in the first step G and the elements that the machine assigns are 0
+      in Idle: valve is false, count is at most 3
+      in Fill: count is 0, T is at most 2000
+      in Hold: valve is false, count is from 1 to 3
+      in Never: valve is false, count is 0
+  R6  violated            armed before filling
+      after 2 steps
+      # Violates R6 (armed before filling).
+
+      [options]
+      delta_t    10 ms
+      init_state Idle
+
+      [all_states]
+      at 0:     arm = true
+      at 0:     @assert state Idle and not valve and count == 0
+      at 10 ms: arm = false
+      at 10 ms: @assert state Fill and valve and count == 0
+      at 10 ms: @stop
+{"smc-proofs":1,"machine":"a","state":"Idle","delta_t":10,"requirements":[
+{"id":"R1","text":"closed outside of filling","verdict":"proved","premise_seen":true,"steps":7,"situations":66,"branches":75113,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
+{"id":"R2","text":"filling ends","verdict":"proved","premise_seen":true,"steps":17,"situations":189,"branches":143637,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
+{"id":"R3","text":"no second fill","verdict":"violated","premise_seen":true,"steps":17,"situations":15,"branches":260353,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R3 (no second fill).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"},
+{"id":"R4","text":"no hold before filling","verdict":"proved","premise_seen":true,"steps":1625,"situations":245,"branches":152493,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
+{"id":"R5","text":"the count is small","verdict":"proved","premise_seen":true,"steps":7,"situations":66,"branches":109844,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":3}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
+{"id":"R6","text":"armed before filling","verdict":"violated","premise_seen":true,"steps":283,"situations":87,"branches":564422,"assumptions":[],"violated_after":2,"changes":2,"script":"# Violates R6 (armed before filling).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = false\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"}
+]}
+requirements of a, from state Idle, with a step every 10 ms:
+  Q1  vacuous             nothing after Never
+      no run comes to its premise, so it requires nothing
+      assuming that elements with @range have values in it
+      in Fill: T is at most 2000
+      in Hold: count is at least 1
+      in Never: it is never reached
+requirements of a, from state Hold, with a step every 10 ms:
+  Q1  violated            nothing after Never
+      after 6 steps
+      # Violates Q1 (nothing after Never).
+
+      [options]
+      delta_t    10 ms
+      init_state Hold
+
+      [all_states]
+      at 0:     arm = true
+      at 0:     @assert state Hold and not valve and count == 1
+      at 10 ms: @assert state Hold and not valve and count == 2
+      at 20 ms: @assert state Hold and not valve and count == 3
+      at 30 ms: @assert state Idle and not valve and count == 3
+      at 40 ms: p = 4000
+      at 40 ms: @assert state Fill and not valve and count == 0
+      at 50 ms: @assert state Never and not valve and count == 0
+      at 50 ms: @stop
+requirements of a, from state Hold, with a step every 10 ms:
+  Q2  no violation found  the sum fits
+      30000003 steps were tried; what is known about the values is too little for a proof
+      61 situations and 522588 branches were examined
+-- exit --
+1 0 0 1 5

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks verdicts of smc prove on random machines and random requirements.  It shares no code with the prover: machines run on a flat machine,
+// and the monitor judges them.
+//
+//   proved     no random run violates the requirement, all within the assumptions of the verdict, and each step has the invariants
+//   vacuous    and no step comes to the premise
+//   exhaustive on machines with few inputs, all sequences of some values of the inputs, step by step, as long as they are few
+//
+//     random SEED COUNT [STEPS]
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/cover/flat.h"
+#include "compiler/prove/prove.h"
+#include "compiler/script/monitor.h"
+#include "stdlib/convert.h"
+#include "tests/diff/subject.h"
+
+enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 500, LAYERS = 24, CHOICES_MOST = 27 };
+
+typedef struct Test {
+    Arena *arena;
+    Rng rng;
+    const Program *p;
+    const IrMachine *m;
+    FlatMachine *flat;
+    uint64_t delta_t;
+    double pool[POOL];        // values that matter: constants of the program with their neighbours, and extreme ones
+    uint32_t pooled;
+    const Requirements *q;
+    Monitor *monitor;
+    uint64_t *cell;           // by Program.var
+} Test;
+
+static struct { uint64_t programs, verdict[4], judged[5], steps, layers, exhausted; } met;
+
+// ---- values ----
+
+static void add_value(Test *t, double x)
+{
+    if (t->pooled < POOL)
+        t->pool[t->pooled++] = x;
+}
+
+static void add_numbers(Expr *e, void *context)
+{
+    Test *t = context;
+
+    if (e->kind != EX_NUMBER)
+        return;
+    add_value(t, e->number);
+    add_value(t, e->number + 1);
+    add_value(t, e->number - 1);
+}
+
+static void add_stmts(Test *t, const Stmts *list)
+{
+    for (uint32_t i = 0; i < list->n; i++) {
+        if (list->at[i]->value)
+            expr_walk(list->at[i]->value, add_numbers, t);
+        add_stmts(t, &list->at[i]->then);
+        add_stmts(t, &list->at[i]->otherwise);
+    }
+}
+
+static void find_values(Test *t)
+{
+    static const double always[] = {0, 1, -1, 2, 100, -0.0, 1e9, -1e300, 0.5};
+
+    for (size_t i = 0; i < sizeof always / sizeof *always; i++)
+        add_value(t, always[i]);
+    add_value(t, 1 / always[0]);
+    for (uint32_t s = 0; s < t->p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            add_stmts(t, &t->p->state.at[s]->block[b]);
+}
+
+static uint64_t any_cell(Test *t, SmType type)
+{
+    if (rng_percent(&t->rng, 2) && (type == SM_F64 || type == SM_F32))
+        return type == SM_F64 ? UINT64_C(0x7ff8000000000000) : 0x7fc00000;       // NaN, which reads as 0
+    return sm_cell_from_f64(type, t->pool[rng_below(&t->rng, rng_percent(&t->rng, 30) ? 6 : t->pooled)]);
+}
+
+// ---- requirements as text ----
+
+static void print_condition(Test *t, unsigned depth, Buf *out)
+{
+    static const char *const relation[] = {"<", "<=", ">", ">=", "==", "!="};
+    const Var *v = t->p->var.at[rng_below(&t->rng, t->p->var.n)];
+    const char *number = const_text(t->arena, t->pool[rng_below(&t->rng, t->pooled)]);
+
+    if (strchr(number, 'i') || strchr(number, 'n'))
+        number = "7";
+    if (depth > 0 && rng_percent(&t->rng, 45)) {
+        static const char *const call[] = {"not (", "rising(", "falling(", "held(", "prev("};
+        const uint32_t kind = rng_below(&t->rng, 8);
+        buf_str(out, kind < 5 ? call[kind] : "(");
+        print_condition(t, depth - 1, out);
+        if (kind == 3)
+            buf_printf(out, ", %u steps", 1 + (unsigned)rng_below(&t->rng, 4));
+        if (kind >= 5) {
+            buf_str(out, kind == 5 ? " and " : kind == 6 ? " or " : " implies ");
+            print_condition(t, depth - 1, out);
+        }
+        buf_char(out, ')');
+        return;
+    }
+    switch (rng_below(&t->rng, 8)) {
+    case 0: buf_printf(out, "(%s)", v->name->text); break;
+    case 1: case 2: case 3: buf_printf(out, "(%s == %u)", t->p->s->name->text, 1 + (unsigned)rng_below(&t->rng, t->p->state.n)); break;
+    case 4:
+        if (rng_percent(&t->rng, 50)) {
+            buf_printf(out, "(roll_%s(%s %s %s, %u) == 1)", rng_percent(&t->rng, 50) ? "max" : "min", v->name->text, relation[rng_below(&t->rng, 6)], number,
+                       2 + (unsigned)rng_below(&t->rng, 3));
+            break;
+        }
+        buf_printf(out, "(roll_%s(%s, %u) > %s)", rng_percent(&t->rng, 50) ? "max" : "min", v->name->text, 1 + (unsigned)rng_below(&t->rng, 4), number);
+        break;
+    case 5: buf_printf(out, "(T %s %lu)", relation[rng_below(&t->rng, 6)], (unsigned long)(rng_below(&t->rng, 8) * t->delta_t)); break;
+    default: buf_printf(out, "(%s %s %s)", v->name->text, relation[rng_below(&t->rng, 6)], number);
+    }
+}
+
+static void print_operand(Test *t, Buf *out)
+{
+    if (rng_percent(&t->rng, 60))
+        buf_str(out, t->p->state.at[rng_below(&t->rng, t->p->state.n)]->name->text);
+    else {
+        buf_char(out, '(');
+        print_condition(t, DEPTH, out);
+        buf_char(out, ')');
+    }
+}
+
+static void print_requirement(Test *t, Buf *out)
+{
+    switch (rng_below(&t->rng, 5)) {
+    case 0:
+        buf_str(out, "never not (");
+        print_condition(t, DEPTH, out);
+        buf_str(out, " and ");
+        print_condition(t, DEPTH, out);
+        buf_str(out, ")\n");
+        return;
+    case 1:
+        buf_str(out, "always ");
+        print_condition(t, DEPTH, out);
+        buf_str(out, " implies ");
+        print_condition(t, DEPTH, out);
+        break;
+    case 2:
+        buf_str(out, "never ");
+        print_operand(t, out);
+        buf_str(out, " before ");
+        print_operand(t, out);
+        break;
+    case 3:
+        buf_str(out, "never ");
+        print_operand(t, out);
+        buf_str(out, " after ");
+        print_operand(t, out);
+        buf_str(out, " without ");
+        print_operand(t, out);
+        break;
+    default:
+        buf_str(out, "always ");
+        print_condition(t, DEPTH, out);
+        buf_str(out, " leads to ");
+        print_condition(t, DEPTH, out);
+        buf_printf(out, " within %lu", (unsigned long)(rng_below(&t->rng, 6) * t->delta_t + rng_below(&t->rng, 3)));
+    }
+    buf_char(out, '\n');
+}
+
+// ---- runs ----
+
+static bool assumes(const ProveOf *of, ProveAssumption a) { return of->assumed >> a & 1; }
+
+static void load_cells(Test *t, void *run)
+{
+    const uint64_t *flat = flat_cells(t->flat, run);
+
+    for (uint32_t v = 0; v < t->p->var.n; v++)
+        t->cell[v] = t->m->var_of[v] == IR_NONE ? t->p->var.at[v]->init : flat[t->m->var_of[v]];
+}
+
+static bool is_input(const Test *t, const Var *v) { return v->kind == VAR_ELEMENT && v != t->p->g && v != t->p->s; }
+
+static bool is_premise(const Test *t, const Requirement *r, bool seen)
+{
+    return r->kind == REQUIREMENT_NEVER || !r->a || (ref_true(ref_eval(r->a, t->cell, &t->monitor->windows)) && (r->kind != REQUIREMENT_AFTER || seen));
+}
+
+// Returns what is wrong with a step; NULL: nothing.
+static const char *judge(Test *t, const ProveOf *of, void *situation, uint32_t state, bool *seen)
+{
+    const size_t n = (size_t)(of->what - t->q->at.at);
+    const ProveInvariant *i = &of->invariant[state - 1];
+    bool premise;
+
+    monitor_step(t->monitor, situation, t->cell);
+    if (t->monitor->result[n] == MONITOR_VIOLATED)
+        return "is violated";
+    premise = is_premise(t, of->what, *seen);
+    *seen = *seen || (of->what->b && ref_true(ref_eval(of->what->b, t->cell, &t->monitor->windows)));
+    if (premise && of->verdict == PROVE_VACUOUS)
+        return "comes to its premise";
+    if (!i->reached)
+        return "has a step in a state that is never reached";
+    for (uint32_t k = 0; k < i->bound.n; k++) {
+        const double x = ref_read(i->bound.at[k].var->type, t->cell[i->bound.at[k].var->index]);
+        if (!(x >= i->bound.at[k].fact.lo && x <= i->bound.at[k].fact.hi))
+            return format_in(t->arena, "has %s = %g in %s", i->bound.at[k].var->name->text, x, i->state->name->text);
+    }
+    return NULL;
+}
+
+// Starts a run as the assumptions allow, and returns the first G.
+static uint64_t start_run(Test *t, const ProveOf *of, void *run, void *situation)
+{
+    flat_start(t->flat, run, 1);
+    monitor_start(t->monitor, situation);
+    if (assumes(of, PROVE_ZERO_START))
+        return 0;
+    for (uint32_t v = 0; v < t->p->var.n; v++)
+        if (is_input(t, t->p->var.at[v]) && rng_percent(&t->rng, 50))
+            flat_cells(t->flat, run)[t->m->var_of[v]] = any_cell(t, t->p->var.at[v]->type);
+    return rng_percent(&t->rng, 50) ? 0 : rng_below(&t->rng, 100000);
+}
+
+static const char *run_randomly(Test *t, const ProveOf *of, uint64_t steps)
+{
+    void *run = arena_alloc(t->arena, t->flat->size), *situation = arena_alloc(t->arena, t->monitor->size);
+    const uint32_t change = 1 + rng_below(&t->rng, 60);
+    uint64_t g = start_run(t, of, run, situation);
+    bool seen = false;
+
+    for (uint64_t k = 0; k < steps; k++, g += t->delta_t) {
+        uint32_t state = ((FlatState *)run)->state;
+        const char *wrong;
+        for (uint32_t v = 0; v < t->p->var.n; v++) {
+            const Var *var = t->p->var.at[v];
+            const bool free = var->written && assumes(of, PROVE_OWN_OUTPUTS);
+            if (is_input(t, var) && !free && (k == 0 || rng_percent(&t->rng, change)))
+                flat_cells(t->flat, run)[t->m->var_of[v]] = any_cell(t, var->type);
+        }
+        flat_cells(t->flat, run)[t->m->g] = g;
+        if (!flat_step(t->flat, run))
+            return "refuses a step";
+        met.steps++;
+        load_cells(t, run);
+        if ((wrong = judge(t, of, situation, state, &seen)) != NULL)
+            return format_in(t->arena, "%s in step %" PRIu64, wrong, k + 1);
+    }
+    return NULL;
+}
+
+// ---- all runs ----
+
+typedef struct Situation { char *at; bool seen; } Situation;       // the machine, then the monitor
+
+static uint64_t hash_of(const char *at, size_t n)
+{
+    uint64_t h = UINT64_C(1469598103934665603);
+
+    for (size_t i = 0; i < n; i++)
+        h = (h ^ (unsigned char)at[i]) * UINT64_C(1099511628211);
+    return h ^ h >> 29;
+}
+
+typedef struct Layer { Situation at[LAYER_MOST]; uint32_t n; uint32_t slot[4 * LAYER_MOST]; } Layer;
+
+static bool add_to_layer(Test *t, Layer *to, const char *at, bool seen)
+{
+    const size_t size = t->flat->size + t->monitor->size;
+    uint64_t s = (hash_of(at, size) + seen) % (4 * LAYER_MOST);
+
+    for (; to->slot[s]; s = (s + 1) % (4 * LAYER_MOST))
+        if (to->at[to->slot[s] - 1].seen == seen && memcmp(to->at[to->slot[s] - 1].at, at, size) == 0)
+            return true;
+    if (to->n == LAYER_MOST)
+        return false;
+    to->at[to->n].at = arena_copy(t->arena, at, size);
+    to->at[to->n].seen = seen;
+    to->slot[s] = ++to->n;
+    return true;
+}
+
+// Explores all sequences of three values for each input, as long as the situations of a step are few.  All have the same G, so equal ones are one.
+static const char *run_all(Test *t, const ProveOf *of)
+{
+    const size_t size = t->flat->size + t->monitor->size;
+    uint32_t input[3], inputs = 0, choices = 1;
+    uint64_t value[3][3];
+    Layer *now = arena_alloc(t->arena, sizeof *now), *next = arena_alloc(t->arena, sizeof *next);
+    char *work = arena_alloc(t->arena, size);
+
+    for (uint32_t v = 0; v < t->p->var.n; v++) {
+        const Var *var = t->p->var.at[v];
+        if (!is_input(t, var) || var->written || !var->read)
+            continue;
+        if (inputs == 3)
+            return NULL;
+        input[inputs] = t->m->var_of[v];
+        for (int k = 0; k < 3; k++)
+            value[inputs][k] = any_cell(t, var->type);
+        inputs++;
+        choices *= 3;
+    }
+    flat_start(t->flat, work, 1);
+    monitor_start(t->monitor, work + t->flat->size);
+    add_to_layer(t, now, work, false);
+    for (uint32_t k = 0; k < LAYERS; k++) {
+        Layer *swap;
+        next->n = 0;
+        memset(next->slot, 0, sizeof next->slot);
+        for (uint32_t i = 0; i < now->n; i++)
+            for (uint32_t c = 0; c < choices; c++) {
+                bool seen = now->at[i].seen;
+                const char *wrong;
+                uint32_t state, of_choice = c;
+                memcpy(work, now->at[i].at, size);
+                for (uint32_t v = 0; v < inputs; v++, of_choice /= 3)
+                    flat_cells(t->flat, work)[input[v]] = value[v][of_choice % 3];
+                flat_cells(t->flat, work)[t->m->g] = k * t->delta_t;
+                state = ((FlatState *)(void *)work)->state;
+                flat_step(t->flat, work);
+                met.steps++;
+                load_cells(t, work);
+                if ((wrong = judge(t, of, work + t->flat->size, state, &seen)) != NULL)
+                    return format_in(t->arena, "%s in step %u of all runs", wrong, (unsigned)k + 1);
+                if (!add_to_layer(t, next, work, seen))
+                    return NULL;
+            }
+        met.layers++;
+        swap = now, now = next, next = swap;
+    }
+    met.exhausted++;
+    return NULL;
+}
+
+// ---- one program ----
+
+static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
+{
+    const char *wrong = NULL;
+
+    met.verdict[of->verdict]++;
+    if (of->verdict != PROVE_PROVED && of->verdict != PROVE_VACUOUS)
+        return NULL;
+    met.judged[of->what->kind]++;
+    for (uint64_t done = 0, length = 64; !wrong && done < steps; done += length, length = length < steps / 4 ? length * 2 : length)
+        wrong = run_randomly(t, of, length);
+    if (!wrong)
+        wrong = run_all(t, of);
+    return wrong ? format_in(t->arena, "%s is %s, but a run %s", of->what->id->text, of->verdict == PROVE_PROVED ? "proved" : "vacuous", wrong) : NULL;
+}
+
+static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_t steps, const char **text)
+{
+    const ProveOptions o = {.effort = 5000, .visits = 15000};
+    Gen *g = gen_program(arena, seed, 10);
+    Test t = {.arena = arena, .rng = {rng_mix(seed, 4711)}};
+    const char *wrong = subject_compile(s, g, arena);
+    const Source *src;
+    const ProveResult *r;
+    Buf rq;
+
+    *text = "";
+    if (wrong)
+        return wrong;
+    t.p = s->program;
+    t.m = ir_build(arena, t.p);
+    t.flat = flat_new(arena, t.m, NULL);
+    t.delta_t = t.p->step ? t.p->step : 10;
+    t.cell = ARENA_ARRAY(arena, uint64_t, t.p->var.n);
+    find_values(&t);
+    buf_init(&rq, arena);
+    for (int i = 0; i < REQUIREMENTS; i++) {
+        buf_printf(&rq, "R%d \"random\" ", i + 1);
+        print_requirement(&t, &rq);
+    }
+    *text = buf_text(&rq);
+    src = source_new(&s->session.arena, "random.rq", buf_text(&rq), rq.n);
+    t.q = session_requirements(&s->session, &src, 1, t.p);
+    if (!t.q) {
+        Buf why;
+        const DiagStyle style = {false, 3};
+        buf_init(&why, arena);
+        diags_render_text(&s->session.diags, &style, &why);
+        return buf_text(&why);
+    }
+    met.programs++;
+    t.monitor = monitor_new(arena, t.q, t.delta_t);
+    r = prove_run(arena, t.q, &o);
+    if (r->bug)
+        return r->bug;
+    for (uint32_t i = 0; !wrong && i < r->n; i++)
+        wrong = check_verdict(&t, &r->of[i], steps);
+    return wrong;
+}
+
+int main(int argc, char **argv)
+{
+    const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1, count = argc > 2 ? strtoull(argv[2], NULL, 10) : 100;
+    const uint64_t steps = argc > 3 ? strtoull(argv[3], NULL, 10) : 3000;
+    uint64_t failed = 0;
+
+    for (uint64_t i = seed; i < seed + count; i++) {
+        Arena arena;
+        Subject s;
+        const char *wrong, *text;
+
+        diff_arena_init(&arena);
+        wrong = test_program(i, &arena, &s, steps, &text);
+        failed += wrong != NULL;
+        if (wrong) {
+            printf("seed %" PRIu64 ": %s\n%s", i, wrong, text);
+            fflush(stdout);
+        }
+        subject_free(&s);
+        arena_free(&arena);
+    }
+    printf("%" PRIu64 " programs: %" PRIu64 " proved, %" PRIu64 " vacuous, %" PRIu64 " violated, %" PRIu64 " undecided; %" PRIu64 " steps, %" PRIu64 " layers, %" PRIu64
+           " explored to the end; %" PRIu64 " failed\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted, failed);
+    if (met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count)
+        failed++;
+    return failed > 0;
+}
