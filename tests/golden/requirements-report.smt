@@ -1,5 +1,5 @@
 # The page for a review has the table of requirements.
-args report --format=text a.sm a.ss a.rq -o o.txt && sed -n "/^Requirements/,/^Scripts/p" o.txt
+args report --format=text a.sm a.ss a.rq -o o.txt && sed -n "/^Requirements/,/^Findings/p" o.txt
 
 -- a.sm --
 [options]
@@ -82,4 +82,4 @@ From asserts to requirements
   Place   Text  Times  Result  Requirement
   a.ss:5  main      1  passed  R2
 
-Scripts
+Findings
