@@ -57,11 +57,11 @@ static size_t count_left(const GuardParts *g)
 
 // ---- intervals ----
 
-typedef struct Interval {
+typedef struct GuardInterval {
     const Var *var;
     double lo, hi;
     bool lo_open, hi_open;        // the end itself is outside
-} Interval;
+} GuardInterval;
 
 static bool constant_of(const Expr *e, double *x)
 {
@@ -71,7 +71,7 @@ static bool constant_of(const Expr *e, double *x)
     return !isnan(*x);
 }
 
-static void raise_low(Interval *v, double x, bool open)
+static void raise_low(GuardInterval *v, double x, bool open)
 {
     if (x > v->lo || (x == v->lo && open)) {
         v->lo = x;
@@ -79,7 +79,7 @@ static void raise_low(Interval *v, double x, bool open)
     }
 }
 
-static void lower_high(Interval *v, double x, bool open)
+static void lower_high(GuardInterval *v, double x, bool open)
 {
     if (x < v->hi || (x == v->hi && open)) {
         v->hi = x;
@@ -88,7 +88,7 @@ static void lower_high(Interval *v, double x, bool open)
 }
 
 // Narrows the interval by one comparison.  Returns false if it is not one of the variable with a constant.
-static bool add_comparison(Interval *v, Comparison c, bool holds)
+static bool add_comparison(GuardInterval *v, Comparison c, bool holds)
 {
     SmOperator op = c.op;
     const Expr *var = c.a;
@@ -114,9 +114,9 @@ static bool add_comparison(Interval *v, Comparison c, bool holds)
 }
 
 // Returns whether all remaining parts are comparisons of one variable with constants.
-static bool find_interval(const GuardParts *g, Interval *v)
+static bool find_interval(const GuardParts *g, GuardInterval *v)
 {
-    *v = (Interval){NULL, -INFINITY, INFINITY, false, false};
+    *v = (GuardInterval){NULL, -INFINITY, INFINITY, false, false};
     for (size_t i = 0; i < g->n; i++) {
         const GuardPart *part = &g->at[i];
         const uint32_t n = comparison_count(part->e);
@@ -132,8 +132,8 @@ static bool find_interval(const GuardParts *g, Interval *v)
 }
 
 // Whether the lower end of b is below that of a; the same of upper ends.
-static bool begins_before(const Interval *b, const Interval *a) { return b->lo < a->lo || (b->lo == a->lo && a->lo_open && !b->lo_open); }
-static bool ends_after(const Interval *b, const Interval *a) { return b->hi > a->hi || (b->hi == a->hi && a->hi_open && !b->hi_open); }
+static bool begins_before(const GuardInterval *b, const GuardInterval *a) { return b->lo < a->lo || (b->lo == a->lo && a->lo_open && !b->lo_open); }
+static bool ends_after(const GuardInterval *b, const GuardInterval *a) { return b->hi > a->hi || (b->hi == a->hi && a->hi_open && !b->hi_open); }
 
 static void write_interval(Buf *out, const char *name, double lo, bool lo_open, double hi, bool hi_open)
 {
@@ -156,7 +156,7 @@ static void write_interval(Buf *out, const char *name, double lo, bool lo_open, 
 }
 
 // Writes the part of `large` that is outside `small`, which is inside it.
-static void write_difference(Buf *out, const char *name, const Interval *large, const Interval *small)
+static void write_difference(Buf *out, const char *name, const GuardInterval *large, const GuardInterval *small)
 {
     const bool below = begins_before(large, small);
 
@@ -170,7 +170,7 @@ static void write_difference(Buf *out, const char *name, const Interval *large, 
 
 static const char *compare_intervals(const ProgramDiff *d, const GuardParts *old, const GuardParts *new)
 {
-    Interval a, b;
+    GuardInterval a, b;
     Buf out;
 
     if (!find_interval(old, &a) || !find_interval(new, &b) || d->var_of[a.var->index] != b.var)

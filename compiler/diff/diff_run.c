@@ -10,7 +10,7 @@
 typedef struct RecordedChange { uint64_t step; uint32_t var; uint64_t cell; } RecordedChange;
 typedef struct RecordedStep { uint64_t step, g; uint32_t state; } RecordedStep;
 
-typedef struct Recording {
+typedef struct DiffRecording {
     ProgramDiff *d;
     DiffRun *run;
     uint64_t *now;                // by variable of the old machine: the value after the last step
@@ -20,11 +20,11 @@ typedef struct Recording {
     size_t next_change, next_state;           // of the comparison
     uint32_t at_state;
     bool is_over;                 // a difference has been found
-} Recording;
+} DiffRecording;
 
 static void record_step(void *context, const ScriptStep *s)
 {
-    Recording *r = context;
+    DiffRecording *r = context;
 
     for (uint32_t i = 0; i < r->d->old.p->var.n; i++)
         if (s->number == 1 || s->cell[i] != r->now[i]) {
@@ -55,7 +55,7 @@ static bool same_cell(const Var *a, uint64_t x, const Var *b, uint64_t y)
 
 static void compare_step(void *context, const ScriptStep *s)
 {
-    Recording *r = context;
+    DiffRecording *r = context;
     const ProgramDiff *d = r->d;
     const Program *p = d->old.p, *q = d->new.p;
     DiffRun *run = r->run;
@@ -93,7 +93,7 @@ static const char *result_text(Arena *arena, const ScriptResult *r)
     return format_in(arena, "%s after %" PRIu64 " step%s", outcome[r->outcome], r->steps, r->steps == 1 ? "" : "s");
 }
 
-static ScriptResult run_one(Recording *r, const Program *p, const Script *s, uint64_t max_steps, void (*after)(void *, const ScriptStep *))
+static ScriptResult run_one(DiffRecording *r, const Program *p, const Script *s, uint64_t max_steps, void (*after)(void *, const ScriptStep *))
 {
     const ScriptOptions o = {.max_steps = max_steps, .after_step = after, .context = r, .is_silent = true, .is_compared = true};
     Arena *arena = r->d->arena;
@@ -108,7 +108,7 @@ static ScriptResult run_one(Recording *r, const Program *p, const Script *s, uin
 void diff_run_script(ProgramDiff *d, const char *name, const Script *old, const Script *new, uint64_t max_steps)
 {
     DiffRun run = {.script = name, .same = true};
-    Recording r = {.d = d, .run = &run};
+    DiffRecording r = {.d = d, .run = &run};
     ScriptResult a, b;
 
     if (!old || !new) {

@@ -23,13 +23,23 @@ static const DiagramColour colours[] = {
     {".g-safe", "fill:#e3f3f1;stroke:#0c7268", "fill:#11322f;stroke:#5cc9bb"},
     {".g-rule", "stroke:#c9d0d9", "stroke:#465060"},
     {".g-unrun .g-line,.g-unrun .g-box", "stroke:#8a3ffc", "stroke:#c4a1ff"},
-    {".g-added .g-line,.g-added .g-box", "stroke:#1a7f37", "stroke:#56d364"},
-    {".g-removed .g-line,.g-removed .g-box", "stroke:#cf222e", "stroke:#ff7b72"},
-    {".g-changed .g-line,.g-changed .g-box", "stroke:#9a6700", "stroke:#e3b341"},
     {".g-mark", "fill:#ffcf33;stroke:#5c4700", "fill:#ffcf33;stroke:#5c4700"},
     {".g-mark.g-error", "fill:#d92d20;stroke:#7a130b", "fill:#ff6b5e;stroke:#7a130b"},
     {".g-bang", "fill:#3d2f00", "fill:#3d2f00"},
 };
+
+// Only in a diagram of changes.
+static const DiagramColour change_colours[] = {
+    {".g-added .g-line,.g-added .g-box", "stroke:#1a7f37", "stroke:#56d364"},
+    {".g-removed .g-line,.g-removed .g-box", "stroke:#cf222e", "stroke:#ff7b72"},
+    {".g-changed .g-line,.g-changed .g-box", "stroke:#9a6700", "stroke:#e3b341"},
+};
+
+static const char change_style[] =
+    ".smc-graph .g-added .g-line,.smc-graph .g-added .g-box{stroke-width:3}\n"
+    ".smc-graph .g-removed .g-line,.smc-graph .g-removed .g-box{stroke-dasharray:6 4}\n"
+    ".smc-graph .g-removed text{text-decoration:line-through}\n"
+    ".smc-graph .g-changed .g-line,.smc-graph .g-changed .g-box{stroke-width:2.4;stroke-dasharray:12 3 2 3}\n";
 
 // The styles that are the same for light and dark screens.
 static const char common_style[] =
@@ -48,10 +58,6 @@ static const char common_style[] =
     ".smc-graph .g-never text{font-style:italic}\n"
     ".smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke-dasharray:1 4;stroke-linecap:round}\n"
     ".smc-graph .g-unrun text{font-weight:normal}\n"
-    ".smc-graph .g-added .g-line,.smc-graph .g-added .g-box{stroke-width:3}\n"
-    ".smc-graph .g-removed .g-line,.smc-graph .g-removed .g-box{stroke-dasharray:6 4}\n"
-    ".smc-graph .g-removed text{text-decoration:line-through}\n"
-    ".smc-graph .g-changed .g-line,.smc-graph .g-changed .g-box{stroke-width:2.4;stroke-dasharray:12 3 2 3}\n"
     ".smc-graph .g-edge:hover .g-line{stroke-width:3}\n"
     ".smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}\n";
 
@@ -65,15 +71,22 @@ static void write_selector(Buf *out, const char *selector)
     }
 }
 
-static void write_style(Buf *out)
+static void write_colours(Buf *out, const DiagramColour *colour, size_t n, bool dark)
 {
-    buf_printf(out, "<style>\n%s", common_style);
+    for (size_t i = 0; i < n; i++) {
+        write_selector(out, colour[i].selector);
+        buf_printf(out, "{%s}\n", dark ? colour[i].dark : colour[i].light);
+    }
+}
+
+static void write_style(Buf *out, bool has_changes)
+{
+    buf_printf(out, "<style>\n%s%s", common_style, has_changes ? change_style : "");
     for (int dark = 0; dark < 2; dark++) {
         buf_str(out, dark ? "@media screen and (prefers-color-scheme:dark){\n" : "");
-        for (size_t i = 0; i < sizeof colours / sizeof *colours; i++) {
-            write_selector(out, colours[i].selector);
-            buf_printf(out, "{%s}\n", dark ? colours[i].dark : colours[i].light);
-        }
+        write_colours(out, colours, sizeof colours / sizeof *colours, dark);
+        if (has_changes)
+            write_colours(out, change_colours, sizeof change_colours / sizeof *change_colours, dark);
     }
     buf_str(out, "}\n</style>\n");
 }
@@ -420,7 +433,7 @@ static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagra
         vec_push(a->arena, &d->cut, notes.line.at[i].y);
     buf_init(&out->elements, a->arena);
     write_description(&out->elements, d);
-    write_style(&out->elements);
+    write_style(&out->elements, o->changes != NULL);
     buf_printf(&out->elements, "<rect class=\"g-back\" width=\"%ld\" height=\"%ld\" rx=\"8\"/>\n", (long)out->size.w, (long)out->size.h);
     write_start_arrow(&out->elements, &d->node[0]);
     for (size_t e = 0; e < d->edge.n; e++)

@@ -32,7 +32,7 @@ static double now(void)
 // Draws the diagram.  The facts that it needs are computed before, as part of the analysis.
 static void draw(Session *s, const Program *p, Buf *out)
 {
-    const DiagramOptions o = {NULL, NULL, NULL};
+    const DiagramOptions o = {.findings = NULL};
     Analysis a;
 
     memset(&a, 0, sizeof a);

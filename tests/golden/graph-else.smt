@@ -39,10 +39,6 @@ bool on
 .smc-graph .g-never text{font-style:italic}
 .smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke-dasharray:1 4;stroke-linecap:round}
 .smc-graph .g-unrun text{font-weight:normal}
-.smc-graph .g-added .g-line,.smc-graph .g-added .g-box{stroke-width:3}
-.smc-graph .g-removed .g-line,.smc-graph .g-removed .g-box{stroke-dasharray:6 4}
-.smc-graph .g-removed text{text-decoration:line-through}
-.smc-graph .g-changed .g-line,.smc-graph .g-changed .g-box{stroke-width:2.4;stroke-dasharray:12 3 2 3}
 .smc-graph .g-edge:hover .g-line{stroke-width:3}
 .smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}
 .smc-graph .g-back{fill:#fff}
@@ -55,9 +51,6 @@ bool on
 .smc-graph .g-safe{fill:#e3f3f1;stroke:#0c7268}
 .smc-graph .g-rule{stroke:#c9d0d9}
 .smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke:#8a3ffc}
-.smc-graph .g-added .g-line,.smc-graph .g-added .g-box{stroke:#1a7f37}
-.smc-graph .g-removed .g-line,.smc-graph .g-removed .g-box{stroke:#cf222e}
-.smc-graph .g-changed .g-line,.smc-graph .g-changed .g-box{stroke:#9a6700}
 .smc-graph .g-mark{fill:#ffcf33;stroke:#5c4700}
 .smc-graph .g-mark.g-error{fill:#d92d20;stroke:#7a130b}
 .smc-graph .g-bang{fill:#3d2f00}
@@ -72,9 +65,6 @@ bool on
 .smc-graph .g-safe{fill:#11322f;stroke:#5cc9bb}
 .smc-graph .g-rule{stroke:#465060}
 .smc-graph .g-unrun .g-line,.smc-graph .g-unrun .g-box{stroke:#c4a1ff}
-.smc-graph .g-added .g-line,.smc-graph .g-added .g-box{stroke:#56d364}
-.smc-graph .g-removed .g-line,.smc-graph .g-removed .g-box{stroke:#ff7b72}
-.smc-graph .g-changed .g-line,.smc-graph .g-changed .g-box{stroke:#e3b341}
 .smc-graph .g-mark{fill:#ffcf33;stroke:#5c4700}
 .smc-graph .g-mark.g-error{fill:#ff6b5e;stroke:#7a130b}
 .smc-graph .g-bang{fill:#3d2f00}

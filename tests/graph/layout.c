@@ -183,7 +183,7 @@ static void check_cuts(const Diagram *d, const Things *t)
 static const Diagram *check_layout(const Program *p)
 {
     Diags found;
-    const DiagramOptions o = {&found, NULL, NULL};
+    const DiagramOptions o = {.findings = &found};
     Analysis a = analysed(p);
     Diagram *d;
     Things t;
@@ -243,7 +243,7 @@ static const char *drawn(const Analysis *a, const DiagramOptions *o)
 static void check_slices(const Analysis *a, int32_t most)
 {
     DiagramSize size;
-    const DiagramOptions o = {NULL, NULL, &size};
+    const DiagramOptions o = {.size = &size};
     int32_t bottom = 0;
     Buf out;
 
@@ -262,7 +262,7 @@ static void check_slices(const Analysis *a, int32_t most)
 
 static void check_svg(const Program *p)
 {
-    const DiagramOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {.findings = NULL};
     Analysis a = analysed(p), b = analysed(p);
 
     CHECK(strcmp(drawn(&a, &none), drawn(&b, &none)) == 0);
@@ -345,7 +345,7 @@ static void check_counts(void)
 {
     const uint64_t states[] = {3, 0}, transitions[] = {2, 0, 0};
     const DiagramCounts counts = {states, transitions, true};
-    const DiagramOptions o = {NULL, &counts, NULL}, none = {NULL, NULL, NULL};
+    const DiagramOptions o = {.counts = &counts}, none = {.findings = NULL};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     const char *with = drawn(&a, &o), *without = drawn(&a, &none);
@@ -368,7 +368,7 @@ static unsigned times(const char *text, const char *word)
 static void check_findings(void)
 {
     Diags found;
-    const DiagramOptions o = {&found, NULL, NULL};
+    const DiagramOptions o = {.findings = &found};
     Program *p = compile("plain.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     const char *svg;
@@ -398,7 +398,7 @@ static const char sections[] = "[state_vector]\nU64 G\nU32 S\nF64 pressure\nbool
 // A section with its transitions and assignments is drawn once, apart from the states.
 static void check_sections(void)
 {
-    const DiagramOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {.findings = NULL};
     Program *p = compile("sections.sm", sections, strlen(sections));
     Analysis a = analysed(p);
     const Diagram *d = diagram_build(&a, &none);
@@ -418,7 +418,7 @@ static void check_section_counts(void)
     const uint64_t states[] = {3, 3, 3, 0};
     uint64_t taken[8] = {0};
     const DiagramCounts counts = {states, taken, true};
-    const DiagramOptions o = {NULL, &counts, NULL};
+    const DiagramOptions o = {.counts = &counts};
     Program *p = compile("sections.sm", sections, strlen(sections));
     Analysis a = analysed(p);
     const char *svg;
@@ -439,7 +439,7 @@ static void check_section_counts(void)
 static void check_section_findings(void)
 {
     Diags found;
-    const DiagramOptions o = {&found, NULL, NULL};
+    const DiagramOptions o = {.findings = &found};
     Program *p = compile("sections.sm", sections, strlen(sections));
     Analysis a = analysed(p);
     const Stmt *set = p->state.at[0]->block[BLOCK_STEP].at[0], *stop = a.transition.at[0].stmt;
@@ -458,7 +458,7 @@ static void check_section_findings(void)
 // The name of a file can contain any characters.
 static void check_name(void)
 {
-    const DiagramOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {.findings = NULL};
     Program *p = compile("a<b>&\"c.sm", plain, strlen(plain));
     Analysis a = analysed(p);
     Buf dot;
@@ -506,7 +506,7 @@ static const char acting[] = "[state_vector]\nU64 t @alias G\nU32 s @alias S\nF6
 static void check_actions(void)
 {
     static const char *const want[] = {"valve = true", "valve = p > 7 if p > 5", "valve = false"};
-    const DiagramOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {.findings = NULL};
     Analysis a = analysed(compile("acting.sm", acting, strlen(acting)));
     const Diagram *d = diagram_build(&a, &none);
 
@@ -529,7 +529,7 @@ static int32_t center_of(const Diagram *d, size_t node) { return d->node[node].b
 // The longest path from A leads through the @abort state, but the column below A is A, B, C.
 static void check_spine(void)
 {
-    const DiagramOptions none = {NULL, NULL, NULL};
+    const DiagramOptions none = {.findings = NULL};
     Analysis a = analysed(compile("aborting.sm", aborting, strlen(aborting)));
     Diagram *d = diagram_build(&a, &none);
 
