@@ -57,6 +57,7 @@ Doc *report_build(Report *r)
     report_add_costs(r, d);
     report_add_requirements(r, d);
     report_add_scripts(r, d);
+    report_add_mutation(r, d);
     report_add_source(r, d);
     return d;
 }

@@ -44,6 +44,12 @@
     "Each requirement is judged after every step of every script in which it could be violated. `Times` is the number of these steps. One " \
     "that was never judged has not been tested, and one that is undecided has not been met."
 
+// ---- mutation ----
+
+#define TEXT_MUTATION \
+    "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
+    "would not find. The most dangerous ones come first."
+
 // ---- messages ----
 
 #define TEXT_MESSAGES \
