@@ -57,6 +57,51 @@ At an output
      9  open = p > 700  `700` changed to `630` in Fill, an output  from Fill, at G = 0: p = 699.3; at G = 0, open differs
      9  open = p > 700  `700` changed to `770` in Fill, an output  from Fill, at G = 0: p = 722.8666666666667; at G = 0, open differs
 
+What it costs
+=============
+
+Costs
+-----
+
+VM instructions in the longest step of each state, computed from the image that flies. No step can
+take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
+`.exit`.
+
+  State  First step  Later steps  Most expensive lines of the longest step  Cycles on AVR
+  Fill            7            7  line 9: 4, line 10: 3                              2428
+  Abort           0            0                                                      732
+
+The longest step, in `Fill`
+  Block  Line  Statement          Instructions
+  .step     9  open = p > 700                4
+  .step    10  p > 825: -> Abort             3
+
+On an Arduino Uno
+The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost
+that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and
+three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
+C depends on the compiler and is not estimated.
+
+  Part                                     Value
+  Longest step, image in EEPROM            2428 cycles, 0.16 ms, in Fill
+  Longest step, image in flash             1964 cycles, 0.13 ms, in Fill
+  Stack of a step, largest measured        319 bytes
+  RAM of state vector, locals and windows  32 bytes of at most 960
+  Image                                    97 bytes of at most 960
+
+Memory
+RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
+less. The state vector is shared with the application and is not included.
+
+  Part                           Bytes
+  Windows of rolling statistics      0
+  Locals and temporary values        0
+  State of the VM                   96
+  RAM in total                      96
+  State vector                      32
+  Image, in flash or RAM            97
+  of which code                     18
+
 0
 -- stderr --
 smc: bad.ss failed; the report shows why
