@@ -7,11 +7,6 @@
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
 
-enum {
-    STEPS_MOST = 1000000,
-    SEARCH_STEPS = 500000     // steps of a search for one change: about 0.2 s
-};
-
 typedef struct MutateRun {
     Cli *c;
     Arena *arena;
@@ -122,7 +117,7 @@ static void run_mutants(MutateRun *r)
     while (!os_signal_waiting() && mutation_run_next(r->u))
         r->tried++;
     r->is_searched = r->c->given[OPT_GENERATE] && !os_signal_waiting();
-    while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutation_search_next(r->u, SEARCH_STEPS))
+    while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutation_search_next(r->u, MUTATE_SEARCH_STEPS))
         ;
 }
 
@@ -206,7 +201,7 @@ static int read_options(MutateRun *r, uint64_t *max_steps, size_t *format)
 int cmd_mutate(Cli *c)
 {
     MutateRun r = {.c = c, .arena = &c->session.arena};
-    uint64_t max_steps = STEPS_MOST;
+    uint64_t max_steps = MUTATE_STEPS_MOST;
     size_t format;
     CompileInput in;
     CompileOptions o;

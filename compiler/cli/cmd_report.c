@@ -28,6 +28,28 @@ static DepInputs list_inputs(Cli *c)
     return all;
 }
 
+// Tries changes of the machine on the scripts of r, if that is wanted.  Nothing is tried if a script fails.
+static void run_mutants(Cli *c, Report *r, const Program *p)
+{
+    const Script **script = ARENA_ARRAY(&c->session.arena, const Script *, r->runs + 1);
+    Mutation *u;
+
+    if (!c->given[OPT_MUTATE] || r->runs == 0)
+        return;
+    for (size_t i = 0; i < r->runs; i++) {
+        script[i] = r->run[i].script;
+        if (!script[i] || r->run[i].result.outcome != SCRIPT_PASSED)
+            return;
+    }
+    u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, MUTATE_STEPS_MOST);
+    while (mutation_run_next(u))
+        ;
+    while (mutation_search_next(u, MUTATE_SEARCH_STEPS))
+        ;
+    mutation_end(u);
+    r->mutation = u;
+}
+
 int cmd_report(Cli *c)
 {
     static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
@@ -73,6 +95,7 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return code;
     }
+    run_mutants(c, &r, runs_find_machine(&in, &made)->scripted);
     buf_init(&out, &c->session.arena);
     writer[format](report_build(&r), &out);
     file[0].bytes = buf_text(&out);

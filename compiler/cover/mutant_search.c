@@ -9,7 +9,7 @@ enum {
     NODES_MOST = 512,         // stored situations
     SEEN_SLOTS = 4096,        // a power of two
     HOLD_MOST = 5000,         // steps of one extension
-    MINIMISE_STEPS = 300000
+    MINIMISE_STEPS = 200000   // of the replays that make a scenario shorter
 };
 
 typedef VEC(double) Numbers;
@@ -264,6 +264,7 @@ typedef struct Lockstep {
     uint32_t arounds;
     bool same_layout;
     uint64_t left;            // steps that can still run
+    uint64_t replayed;        // steps of scenarios that were made shorter
     VEC(Node *) node;
     VEC(Node *) apart;        // nodes whose states differ
     uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
@@ -512,7 +513,7 @@ static Scenario *scenario_of(const Lockstep *l, Arena *arena, const Node *last)
 
     for (const Node *i = last; i; i = i->parent)
         n += i->changes;
-    change = arena_array(arena, n + 1, sizeof *change);
+    change = arena_array(arena, n + 2, sizeof *change);
     s->init_state = last->start;
     s->delta_t = l->k->delta_t;
     s->steps = last->steps;
@@ -553,6 +554,7 @@ static bool replay(Lockstep *l, Scenario *s)
 
     while (n->steps < s->steps) {
         begin_changes(l, n, s, &next);
+        l->replayed++;
         if (run_step(l, n)) {
             s->steps = n->steps;
             s->changes = next;
@@ -586,22 +588,58 @@ static bool run_given(Lockstep *l, Node *n, const Scenario *s)
 // Leaves out the changes without which the difference is still visible: first many at once, then each.
 static void minimise(Lockstep *l, Arena *arena, Scenario *s)
 {
-    uint64_t work = 0;
-
     for (size_t n = s->changes / 2 ? s->changes / 2 : 1; n > 0; n /= 2)
-        for (size_t end = s->changes; end >= n && work < MINIMISE_STEPS; end -= n) {
+        for (size_t end = s->changes; end >= n && l->replayed < MINIMISE_STEPS; end -= n) {
             Scenario shorter = *s;
-            ScenarioChange *change = arena_array(arena, s->changes + 1, sizeof *change);
+            ScenarioChange *change = arena_array(arena, s->changes + 2, sizeof *change);
             if (end > s->changes)
                 continue;
             memcpy(change, s->change, (end - n) * sizeof *change);
             memcpy(change + end - n, s->change + end, (s->changes - end) * sizeof *change);
             shorter.change = change;
             shorter.changes -= n;
-            work += s->steps;
             if (replay(l, &shorter))
                 *s = shorter;
         }
+}
+
+// Replaces *s by a scenario with these changes, if the difference is still visible.
+static void try_changes(Lockstep *l, Scenario *s, const ScenarioChange *change, uint64_t steps)
+{
+    Scenario other = *s;
+
+    if (l->replayed >= 2 * MINIMISE_STEPS)
+        return;
+    other.change = change;
+    other.steps = steps;
+    if (replay(l, &other))
+        *s = other;
+}
+
+// Makes a scenario easier to read: each ramp becomes its last value, and the first change is in the first step.
+static void simplify(Lockstep *l, Arena *arena, Scenario *s)
+{
+    ScenarioChange *change;
+
+    for (size_t i = 0; i < s->changes; i++) {
+        if (s->change[i].kind != SCENARIO_RAMP)
+            continue;
+        change = arena_copy(arena, s->change, (s->changes + 1) * sizeof *change);
+        change[i].a += change[i].b * (double)(s->steps - change[i].step);
+        change[i].b = 0;
+        change[i].kind = SCENARIO_HOLD;
+        try_changes(l, s, change, s->steps + 1);
+    }
+    for (size_t first = 0; first < s->changes; first++) {
+        const uint64_t before = first ? s->change[first - 1].step : 1, by = s->change[first].step - before;
+        if (by == 0)
+            continue;
+        change = arena_copy(arena, s->change, (s->changes + 1) * sizeof *change);
+        for (size_t i = first; i < s->changes; i++)
+            change[i].step -= by;
+        if (first == 0 || change[first].var != change[first - 1].var)
+            try_changes(l, s, change, s->steps - by + 1);
+    }
 }
 
 static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Program *p)
@@ -613,13 +651,16 @@ static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Pr
 // Returns the scenario of a run whose last step shows a difference, without the changes that it does not need.
 static const Scenario *finish(Lockstep *l, Arena *out, const Node *last, const Var **what)
 {
-    Scenario *s = scenario_of(l, out, last);
+    Scenario *s = scenario_of(l, l->work, last), *result = ARENA_NEW(out, Scenario);
 
     l->left = UINT64_MAX;
-    minimise(l, out, s);
+    minimise(l, l->work, s);
+    simplify(l, l->work, s);
     replay(l, s);
+    *result = *s;
+    result->change = arena_copy(out, s->change, (s->changes + 1) * sizeof *s->change);
     *what = l->what;
-    return s;
+    return result;
 }
 
 // Sets *at to a stored situation, to be continued.

@@ -44,6 +44,9 @@ typedef struct Mutant {
 
 typedef struct Mutation Mutation;
 
+#define MUTATE_STEPS_MOST UINT64_C(1000000)   // default of max_steps
+#define MUTATE_SEARCH_STEPS UINT64_C(500000)  // default of the steps of a search for one mutant: about 0.2 s
+
 // Lists the changes, and runs every script without a change.  Expressions and statements of p are changed while a mutant runs, and are as
 // before afterwards.
 Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps);

@@ -62,6 +62,7 @@ Doc *report_build(Report *r)
     report_add_abort_matrix(r, d);
     doc_begin_chapter(d, TEXT_WHAT_WAS_TESTED);
     report_add_scripts(r, d);
+    report_add_mutation(r, d);
     doc_begin_chapter(d, TEXT_WHAT_IT_COSTS);
     report_add_costs(r, d);
     doc_begin_chapter(d, TEXT_APPENDIX);

@@ -7,6 +7,7 @@
 #include "compiler/analysis/analysis.h"
 #include "compiler/budget/cost.h"
 #include "compiler/cover/cover.h"
+#include "compiler/cover/mutate.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
@@ -33,6 +34,7 @@ typedef struct Report {
     ReportRun *run;
     size_t runs;
     const Cover *cover;           // what the scripts have covered, settled; NULL: it was not measured
+    const Mutation *mutation;     // changes of the machine, tried on the scripts; NULL: none were tried
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // those that the runs have judged; or NULL
@@ -54,6 +56,7 @@ void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);
 void report_add_requirements(Report *r, Doc *d);       // nothing if r->requirements is NULL
 void report_add_traceability(Report *r, Doc *d);       // nothing if neither a file nor a mark names a requirement
+void report_add_mutation(Report *r, Doc *d);
 void report_add_scripts(Report *r, Doc *d);
 
 // Number of findings that count, and of findings that an @allow covers.

@@ -59,6 +59,12 @@
     "conditionals around it, and of its state; a state without a mark has those of the marks inside it. A part without any is code that no " \
     "requirement asks for, or a mark is missing."
 
+// ---- mutation ----
+
+#define TEXT_MUTATION \
+    "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
+    "would not find. The most dangerous ones come first."
+
 // ---- messages ----
 
 #define TEXT_MESSAGES \

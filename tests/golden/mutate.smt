@@ -93,19 +93,19 @@ not noticed; these inputs would show it:
   line 10:20: `0` changed to `1` in Fill, on the way to an @abort state
     from Fill, at G = 10, S differs
   line 9:19: `>` changed to `>=` in Fill, an output
-    from Fill, at G = 730: p = 700; at G = 730, open differs
+    from Fill, at G = 0: p = 700; at G = 0, open differs
   line 9:21: `700` changed to `630` in Fill, an output
-    from Fill, at G = 20: p = 699.3; at G = 20, open differs
+    from Fill, at G = 0: p = 699.3; at G = 0, open differs
   line 9:21: `700` changed to `770` in Fill, an output
-    from Fill, at G = 780: p = 735; at G = 780, open differs
+    from Fill, at G = 0: p = 735; at G = 0, open differs
   line 9:26: `and` changed to `or` in Fill, an output
-    from Fill, at G = 30: p = 1000; at G = 30, open differs
+    from Fill, at G = 0: p = 1000; at G = 0, open differs
   line 9:32: `>` changed to `>=` in Fill, an output
-    from Fill, at G = 100: p = -1; at G = 100, open differs
+    from Fill, at G = 0: p = -1; at G = 0, open differs
   line 9:35: `1` changed to `0` in Fill, an output
     from Fill, at G = 0, open differs
   line 9:35: `1` changed to `2` in Fill, an output
-    from Fill, at G = 710: p = -1.05; at G = 710, open differs
+    from Fill, at G = 0: p = -1.05; at G = 0, open differs
 -- stderr --
 smc: the scripts notice 34.8 % of the changes, and 40 % are required
 smc: the scripts notice 34.8 % of the changes, and 100 % are required
