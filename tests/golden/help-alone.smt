@@ -17,6 +17,8 @@ Usage:
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
   smc mutate M.sm SCRIPT.ss... [--sv V.sv] [--min-score=PERCENT]
       change one number, operator, target or statement at a time, and list the changes that no script notices
+  smc cover M.sm [SCRIPT.ss...] [--sv V.sv] -o FOLDER
+      find inputs that reach what no script has tested, and write them as scripts into a folder
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE
