@@ -3,6 +3,7 @@
 #   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c;
 #   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
+#   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
 #     FROM=channel.sm: the machine is in this file.  SMC_APP has the state vector, and the bindings of the machine.
 # Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
@@ -66,6 +67,10 @@ swap-%: $(or $(FROM),%.sm) $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) swap $*=$< $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_APP),--app=$(SMC_APP).app,$(if $(SMC_SV),--sv=$(SMC_SV))) --to=$(or $(TO),$(error TO=stand.sock says where the application listens)) \
 	    --$(or $(MODE),$(error MODE=continue or MODE=restart says how the machine goes on))
+# Writes scripts into cover/ for what the scripts of the machine, tank.ss and tank-*.ss, do not test.
+cover-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV)) -o cover
 SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))

@@ -169,19 +169,16 @@ static uint32_t main_goal(const CoverRun *r, const SearchScenario *s)
     return ending ? ending : found;
 }
 
-// Lists the other goals that a script is the first to reach, at most ALSO_MOST of them: transitions first.  Statements and states follow from
-// those.
+// Lists the other transitions that a script is the first to take, at most ALSO_MOST of them.
 static const char *list_others(const CoverRun *r, const SearchScenario *s, uint32_t goal)
 {
-    static const CoverKind kinds[] = {COVER_TRANSITION, COVER_GUARD, COVER_CONDITION, COVER_WINDOW};
     uint32_t n = 0;
     Buf out;
 
     buf_init(&out, r->arena);
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
-        for (uint32_t i = 0; i < s->goals && n < ALSO_MOST; i++)
-            if (s->goal[i] != goal && r->all->hits[s->goal[i]] == 0 && r->all->place.at[s->goal[i]].kind == kinds[k])
-                buf_printf(&out, "%s%s", n++ ? " " : "The run also shows: ", goal_sentence(r->text, s->goal[i]));
+    for (uint32_t i = 0; i < s->goals && n < ALSO_MOST; i++)
+        if (s->goal[i] != goal && r->all->hits[s->goal[i]] == 0 && r->all->place.at[s->goal[i]].kind == COVER_TRANSITION)
+            buf_printf(&out, "%s%s", n++ ? " " : "The run also shows: ", goal_sentence(r->text, s->goal[i]));
     return buf_text(&out);
 }
 

@@ -5,8 +5,14 @@
 #include <string.h>
 
 #include "compiler/search/search_run.h"
+#include "stdlib/convert.h"
 
-enum { WALK_PERCENT = 20, WALK_LENGTH = 6, ENTRY_PERCENT = 33 };
+enum {
+    WALK_PERCENT = 20,        // of the attempts that have no goal
+    WALK_LENGTH = 6,          // transitions of a walk
+    ENTRY_PERCENT = 33,       // of the attempts for a goal that begin at an entry of its state
+    FOREIGN_PERCENT = 60      // of the attempts that need another state to store a variable: they walk where it is nearest
+};
 
 // SplitMix64: every seed, 0 included, is as good as another.
 uint64_t search_random(SearchRun *k)
@@ -87,17 +93,6 @@ static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
     return n == SEARCH_NONE ? find_any_entry(k) : n;
 }
 
-static void attempt_goal(SearchRun *k, uint32_t goal)
-{
-    SearchGoal *g = &k->goal[goal];
-    const uint64_t before = k->r->steps;
-    const uint32_t node = choose_node(k, g);
-    const uint64_t steps = search_solve_goal(k, node, goal);
-
-    search_run_segment(k, node, k->turn.at, k->turn.n, steps, goal);
-    g->cost += k->r->steps - before + 100;
-}
-
 // ---- walks ----
 
 static const SearchExit *choose_exit(SearchRun *k, uint32_t state)
@@ -112,10 +107,8 @@ static const SearchExit *choose_exit(SearchRun *k, uint32_t state)
 }
 
 // Goes from state to state by any transitions, so that entries with other stored values are found.
-static void walk(SearchRun *k)
+static void walk_from(SearchRun *k, uint32_t node)
 {
-    uint32_t node = find_any_entry(k);
-
     if (node == SEARCH_NONE)
         return;
     k->node.at[node].users++;
@@ -134,12 +127,46 @@ static void walk(SearchRun *k)
     search_drop(k, node);
 }
 
+// Returns the entry of any state at which a variable is nearest to a value.
+static uint32_t find_nearest_entry(SearchRun *k, uint32_t var, double wanted)
+{
+    double least = SEARCH_UNKNOWN;
+    uint32_t best = SEARCH_NONE, n = 0;
+
+    for (uint32_t s = 0; s < k->p->state.n; s++)
+        for (uint32_t i = 0; i < k->entries[s]; i++) {
+            const uint32_t node = k->entry[s * SEARCH_ENTRIES + i].node;
+            const double x = sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->node.at[node].copy)[var]) - wanted;
+            const double distance = x < 0 ? -x : x;
+            if (distance > least || (distance == least && search_pick(k, ++n) != 0))
+                continue;
+            n = distance < least ? 1 : n;
+            least = distance;
+            best = node;
+        }
+    return best;
+}
+
+static void attempt_goal(SearchRun *k, uint32_t goal)
+{
+    SearchGoal *g = &k->goal[goal];
+    const uint64_t before = k->r->steps;
+    const uint32_t node = choose_node(k, g);
+    const uint64_t steps = search_solve_goal(k, node, goal);
+
+    if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))
+        walk_from(k, find_nearest_entry(k, k->foreign, k->foreign_value));
+    else
+        search_run_segment(k, node, k->turn.at, k->turn.n, steps, goal);
+    g->cost += k->r->steps - before + 100;
+}
+
 static void search(SearchRun *k)
 {
     while (k->open && search_goes_on(k)) {
         const uint32_t goal = search_chance(k, WALK_PERCENT) ? SEARCH_NONE : choose_goal(k);
         if (goal == SEARCH_NONE)
-            walk(k);
+            walk_from(k, find_any_entry(k));
         else
             attempt_goal(k, goal);
     }

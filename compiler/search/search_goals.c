@@ -324,7 +324,7 @@ static bool has_open_edge(const SearchRun *k, SearchDecision *x)
 void search_build_flat(SearchRun *k)
 {
     const uint32_t stmts = k->p->stmts + 1, states = k->p->state.n;
-    FlatProbes *p;
+    FlatProbes *p, *quiet;
     FlatDecision *kept;
     bool *watched;
     const FlatFull **full;
@@ -363,5 +363,10 @@ void search_build_flat(SearchRun *k)
     k->flat = flat_new(&k->flats, k->m, p);
     k->flat->watch = watch;
     k->flat->watcher = k;
+    quiet = ARENA_NEW(&k->flats, FlatProbes);
+    *quiet = *p;
+    quiet->watched = NULL;
+    k->quiet = flat_new(&k->flats, k->m, quiet);
+    k->running = k->flat;
     k->done_since = 0;
 }

@@ -7,7 +7,10 @@
 #include "compiler/search/search_run.h"
 #include "stdlib/convert.h"
 
-enum { REPORT_STEPS = 100000 };
+enum {
+    REPORT_STEPS = 100000,
+    STALE_STEPS = 2000000     // without progress in so many steps, distances are measured in few segments
+};
 
 static size_t round_up(size_t n) { return (n + 7) / 8 * 8; }
 
@@ -201,6 +204,7 @@ static void add_near(SearchRun *k, uint32_t goal, uint32_t n, double distance)
         drop_node(k, g->pool[at].node);
     }
     g->pool[at] = (SearchNear){n, distance};
+    k->progress = k->r->steps;
 }
 
 // ---- goals ----
@@ -220,7 +224,7 @@ static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
 
 static bool is_reached(const SearchRun *k, const SearchGoal *g)
 {
-    return g->place < k->r->places ? k->flat->hits[k->counter[g->place]] > 0 : k->o->watch && k->distance[g->place - k->r->places] == 0;
+    return g->place < k->r->places ? k->running->hits[k->counter[g->place]] > 0 : k->o->watch && k->distance[g->place - k->r->places] == 0;
 }
 
 // Finishes the goals that the last step has reached.
@@ -255,7 +259,7 @@ static void judge_watch(SearchRun *k, bool is_rerun)
         if (!goal || goal->done || k->distance[i] >= SEARCH_UNKNOWN)
             continue;
         if (k->distance[i] == 0)
-            k->flat->fresh++;
+            k->running->fresh++;
         if (k->distance[i] < goal->best)
             goal->best = k->distance[i];
         if (k->distance[i] < goal->run_best) {
@@ -381,12 +385,12 @@ bool search_goes_on(SearchRun *k)
 static void run_steps(SearchRun *k, Segment *seg, uint64_t left, uint32_t goal, const Active *active)
 {
     const FlatState *s = (const FlatState *)(void *)k->now;
-    uint64_t fresh = k->flat->fresh;
+    uint64_t fresh = k->running->fresh;
 
     while (left-- > 0) {
-        run_step(k, k->flat, active);
-        if (k->flat->fresh != fresh) {
-            fresh = k->flat->fresh;
+        run_step(k, k->running, active);
+        if (k->running->fresh != fresh) {
+            fresh = k->running->fresh;
             finish_reached(k, seg);
             if (goal != SEARCH_NONE && k->goal[goal].done)
                 return;
@@ -408,6 +412,7 @@ uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn,
     uint32_t node;
 
     k->node.at[from].users++;
+    k->running = k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85) ? k->quiet : k->flat;
     begin_run(k, &seg, &active);
     for (uint32_t d = 0; d < k->decisions; d++)
         k->decision[d].is_known = false;

@@ -129,7 +129,10 @@ typedef struct SearchRun {
     uint64_t effort, random, delta_t;
     const State *start;
     FlatMachine *plain;       // without probes
-    FlatMachine *flat;        // with the probes of open goals
+    FlatMachine *flat;        // with the probes of open goals, and watched decisions
+    FlatMachine *quiet;       // with the probes of open goals only
+    FlatMachine *running;     // the one of the current segment
+    uint64_t progress;        // steps that had run when a snapshot of a goal was last stored
     FlatMachine *judge;       // with all probes
     uint32_t *kept;           // by decision of `flat`: index into `decision`
     uint32_t done_since;      // goals reached since `flat` was built
@@ -171,7 +174,8 @@ typedef struct SearchRun {
     struct SearchWish *wish;  // by input
     uint64_t wait;            // steps that a solution has to last
     uint32_t foreign;         // a variable that another state has to store; SEARCH_NONE
-    uint32_t site_state;
+    double foreign_value;     // what the solution needs of it
+    uint32_t site_state;      // the state of the snapshot
     VEC(SearchTurn) turn;
 } SearchRun;
 

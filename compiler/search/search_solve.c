@@ -54,9 +54,10 @@ static Rel flip(Rel rel)
 
 static bool is_finite(double x) { return x - x == 0; }
 
+// A solution has to last for so many steps.
 static void wait_for(SearchRun *k, double steps)
 {
-    if (steps > 0 && steps < 4e6 && (double)k->wait < steps)
+    if (steps > 0 && steps < (double)k->effort / 4 && (double)k->wait < steps)
         k->wait = (uint64_t)steps + ((double)(uint64_t)steps < steps);
 }
 
@@ -153,6 +154,7 @@ static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
         return;
     if (!s) {
         k->foreign = var;
+        k->foreign_value = x;
         return;
     }
     wish_path(k, k->path[s->stmt], depth + 1);
@@ -515,19 +517,21 @@ static double unit_of(const SearchInput *in, double x)
     return size >= 1 ? size >= 20 ? 1 : 0.1 : size == 0 ? 0.1 : power[i];
 }
 
-static double clamp_to_range(const SearchInput *in, SearchWish *w)
+// Narrows the bounds to the range of the input, if some value is within both.
+static void clamp_to_range(const SearchInput *in, SearchWish *w)
 {
-    if (in->range && in->range->lo <= w->hi && in->range->hi >= w->lo) {
-        if (in->range->lo > w->lo) {
-            w->lo = in->range->lo;
-            w->above = false;
-        }
-        if (in->range->hi < w->hi) {
-            w->hi = in->range->hi;
-            w->below = false;
-        }
+    const Range *r = in->range;
+
+    if (!r || (w->below ? r->lo >= w->hi : r->lo > w->hi) || (w->above ? r->hi <= w->lo : r->hi < w->lo))
+        return;
+    if (r->lo > w->lo) {
+        w->lo = r->lo;
+        w->above = false;
     }
-    return 0;
+    if (r->hi < w->hi) {
+        w->hi = r->hi;
+        w->below = false;
+    }
 }
 
 // Chooses a number within the bounds.
