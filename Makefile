@@ -24,7 +24,7 @@ VM_FAST  = $(wildcard bytecode-vm/decode*.c) bytecode-vm/fast.c
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/data/*.c compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/cover/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/cover/*.c compiler/whatif/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 # The files of the system that smc is built for: os_posix.c and os_*_posix.c, or os_windows.c and os_*_windows.c.
 SYSTEM   = $(if $(findstring mingw,$(CC)),windows,posix)
 OS_FILES = $(wildcard compiler/base/os_$(SYSTEM).c compiler/base/os_*_$(SYSTEM).c)

@@ -251,10 +251,18 @@ static void advance_time(ScriptRun *r)
         r->machine[i].wait = r->machine[i].wait ? r->machine[i].wait - 1 : r->machine[i].every - 1;
 }
 
+// Returns to what the script sees between steps, if the machine reads other values.  What it judged after the last step was the machine's.
+static void look_outside(ScriptRun *r)
+{
+    if (r->answer[0].outside)
+        memcpy(r->cell, r->answer[0].outside, r->p->var.n * sizeof *r->cell);
+}
+
 static void run_step(ScriptRun *r)
 {
     bool violated;
 
+    look_outside(r);
     r->write.n = 0;
     r->noted.n = 0;
     r->random.step = r->result.steps + 1;
@@ -274,7 +282,7 @@ static void run_step(ScriptRun *r)
     if (r->ended)
         return;
     call_after_step(r);
-    if (violated)
+    if (violated && !r->o->continues)
         requirement_fail(r);
     else
         assert_check_step(r);
@@ -388,8 +396,7 @@ static void close_data(ScriptRun *r)
         r->result.outcome = SCRIPT_FAILED;
 }
 
-// Runs the script from its first step until it ends.
-void run_to_the_end(ScriptRun *r)
+void run_begin(ScriptRun *r)
 {
     r->result.is_random = r->s->random.n > 0;
     r->result.seed = r->o->seed ? *r->o->seed : r->s->seed;
@@ -402,8 +409,16 @@ void run_to_the_end(ScriptRun *r)
     init_engines(r);
     open_data(r);
     r->schedule = schedule_new(r->arena, r->s, r->cell);
-    while (!r->ended && r->result.steps < r->o->max_steps)
+}
+
+void run_steps(ScriptRun *r, uint64_t steps)
+{
+    while (!r->ended && r->result.steps < steps)
         run_step(r);
+}
+
+void run_end(ScriptRun *r)
+{
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
     close_data(r);
@@ -411,6 +426,13 @@ void run_to_the_end(ScriptRun *r)
     r->result.is_violated = r->violated != NULL;
     if (r->monitor)
         requirement_end_run(r);
+}
+
+void run_to_the_end(ScriptRun *r)
+{
+    run_begin(r);
+    run_steps(r, r->o->max_steps);
+    run_end(r);
 }
 
 // Reports that the data ended before a @stop.  If it cannot be read instead, that has been reported.

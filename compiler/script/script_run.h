@@ -91,6 +91,11 @@ const ScriptItem *script_first_stop(const Script *s);
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
+// The three parts of run_to_the_end, for code that copies a run: initialises the engines; runs steps until the script has ended or `steps` have
+// run; sets the results.  A run without recorded data is in r->arena and in that of its engines alone, so copies of these are a copy of the run.
+void run_begin(ScriptRun *r);
+void run_steps(ScriptRun *r, uint64_t steps);
+void run_end(ScriptRun *r);
 
 // ---- asserts.c ----
 
