@@ -54,7 +54,8 @@ $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -DSMVM_SPECIALIZE=0 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(LIB_FLAGS) $(DEPFLAGS) -c $< -o $@
 
 # What need not be fast is built in half the time.  (The command only tests with the VM; the library is built apart.)
-SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND))
+SELDOM = $(filter-out compiler/script/ref% compiler/script/script_run.c compiler/script/monitor.c compiler/script/schedule.c, \
+             $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND)))
 $(B)/obj/bytecode-vm/interp.o $(B)/obj/bytecode-vm/fast.o $(SELDOM:%.c=$(B)/obj/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
 $(VM_SOFT): override CFLAGS := $(patsubst -O%,-O0,$(CFLAGS))
 

@@ -190,11 +190,13 @@ static void write_text(const FaultsRun *r, Buf *out)
 {
     const Faults *f = r->f;
 
-    buf_printf(out, "faults of %s: %lu input%s, %lu trigger%s in %lu script%s, %" PRIu64 " run%s; %lu of %" PRIu64 " faults have an effect\n", f->p->name->text,
+    buf_printf(out, "faults of %s: %lu input%s, %lu trigger%s in %lu script%s; %lu of %" PRIu64 " faults have an effect\n", f->p->name->text,
                (unsigned long)f->input.n, plural(f->input.n), (unsigned long)f->trigger.n, plural(f->trigger.n), (unsigned long)f->scripts, plural(f->scripts),
-               f->runs, plural(f->runs), count_effects(f), f->runs - f->pairs);
+               count_effects(f), f->faults - f->pairs);
     if (f->options.pairs)
         buf_printf(out, "two faults at once: %" PRIu64 " pair%s, %" PRIu64 " of them worse than each alone\n", f->pairs, plural(f->pairs), f->pairs_worse);
+    if (r->c->given[OPT_VERBOSE])
+        buf_printf(out, "%" PRIu64 " run%s; the other faults are of inputs that nothing reads any more\n", f->runs, plural(f->runs));
     if (f->input.n)
         write_matrix(f, out);
     write_lines(r, out);
@@ -277,7 +279,7 @@ static void write_json(const FaultsRun *r, Buf *out)
 {
     const Faults *f = r->f;
 
-    buf_printf(out, "{\"smc-faults\":1,\"machine\":\"%s\",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n", f->p->name->text, f->runs, f->pairs,
+    buf_printf(out, "{\"smc-faults\":1,\"machine\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n", f->p->name->text, f->faults, f->runs, f->pairs,
                f->is_cut || r->is_interrupted ? "false" : "true");
     write_json_inputs(f, out);
     buf_str(out, ",\n");

@@ -382,6 +382,10 @@ static const struct {
     {"{\"smc-coverage\":", NULL},                                        // test --coverage-json
     {"faults of *: * input", NULL},                                       // faults
     {"{\"smc-faults\":", NULL},
+    {"sweep of *: * script", NULL},                                       // sweep
+    {"{\"smc-sweep\":", NULL},
+    {"<svg *class=\"smc-sweep\"", NULL},
+    {"*,failing,checks\n", NULL},                                         // sweep --format=csv
     {GENERATED_SCRIPT, NULL},                                             // faults --scripts
     {"mutations of ", NULL},                                              // mutate
     {"{\"smc-mutations\":", NULL},

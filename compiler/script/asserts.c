@@ -150,6 +150,7 @@ const char *assert_finish_printing(ScriptRun *r)
 
 static void fail(ScriptRun *r, const ScriptItem *item, const ScriptAssert *a)
 {
+    r->failed_asserts[item->first_assert + (size_t)(a - item->asserts.at)] = 1;
     if (r->result.failures++ == 0) {
         r->failed = a->condition ? a->condition : item->guard;
         r->failed_item = item;

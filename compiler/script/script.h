@@ -87,6 +87,7 @@ typedef struct ScriptResult {
     const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
     const ScriptAssert *failed;       // the first assert that was not met; NULL: none, then SCRIPT_FAILED means a violated requirement or a @compare
     uint64_t failures;        // how many times an assert was not met; at most 1 unless ScriptOptions.continues
+    const uint8_t *failed_asserts;    // by number of the assert: it was not met at least once
     uint64_t failed_step, failed_g;   // of `failed`: after which step
     bool is_violated;         // SCRIPT_FAILED: a requirement was violated
     const RequirementRun *requirement;        // by requirement; NULL: the run had none

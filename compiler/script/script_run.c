@@ -334,6 +334,7 @@ static void allocate_run(ScriptRun *r)
     ref_random_init(&r->random, r->arena, &r->s->random, r->result.seed);
     r->windows.random = &r->random;
     r->evaluated = arena_alloc(r->arena, t.asserts);
+    r->failed_asserts = arena_alloc(r->arena, t.asserts);
     r->is_pending = arena_alloc(r->arena, t.asserts);
     buf_init(&r->printed, r->arena);
     r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);
@@ -403,6 +404,7 @@ void run_begin(ScriptRun *r)
     allocate_run(r);
     r->result.cell = r->cell;
     r->result.evaluated = r->evaluated;
+    r->result.failed_asserts = r->failed_asserts;
     r->result.undecided = r->is_pending;
     if (r->o->requirements)
         requirement_begin_run(r);

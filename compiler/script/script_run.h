@@ -63,6 +63,7 @@ typedef struct ScriptRun {
     uint8_t *is_pending;      // by number of the assert
     Buf printed;              // the lines of @print, at most PRINTED_MOST
     uint64_t prints;          // how many lines there would be without a limit
+    uint8_t *failed_asserts;  // by number of the assert: it was not met at least once
     uint8_t *evaluated;       // by number of the assert: it was evaluated at least once
     uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
     uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none

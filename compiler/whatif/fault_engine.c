@@ -73,7 +73,7 @@ static uint64_t read_faulty(FaultEngine *e, uint32_t i)
     return s->now;
 }
 
-// Stores the true values of a step before it runs.  The oldest of the past gives way after it has been read.
+// Stores the true values of a step before it runs.  What came before the first step is what it has itself.
 static void take_true_values(FaultEngine *e, const EngineWrite *write, uint32_t n)
 {
     for (uint32_t i = 0; i < e->inputs; i++)
@@ -81,6 +81,8 @@ static void take_true_values(FaultEngine *e, const EngineWrite *write, uint32_t 
     for (uint32_t i = 0; i < n; i++)
         if (e->input_of[write[i].var])
             e->sensor[e->input_of[write[i].var] - 1].now = write[i].cell;
+    for (uint32_t i = 0; i < e->faults && e->step == 1; i++)
+        e->held[i] = e->sensor[e->fault[i].input].now;
     for (uint32_t i = 0; i < e->inputs && e->step == 1; i++) {
         e->sensor[i].last = e->sensor[i].now;
         for (uint32_t k = 0; k < e->sizes.late; k++)

@@ -45,7 +45,8 @@ typedef struct Watch {
     bool is_healthy;          // the run has no fault, and is recorded instead of compared
     uint64_t *cell;           // by output: the value without a fault
     uint32_t next;            // index into healthy->change
-    Monitor *monitor;         // judges the true values; NULL: there are no requirements
+    Monitor *monitor;         // judges the true values
+    bool judges_truth;        // a requirement reads a faulty input, so the true values can have another result than the readings
     void *situation;
     const State *last;        // the state that the step before ran
     FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
@@ -64,6 +65,9 @@ struct FaultRunner {
     Healthy *healthy;         // by script
     Visit *visit;             // by State.number - 1: the longest one of the current script
     VEC(Fault) single;        // the faults that apply
+    uint8_t *is_required;      // by input: a requirement reads it
+    uint8_t *is_judged;        // by input: a requirement, an assert or an @compare reads it
+    uint8_t *reads;           // by State.number - 1 and input: a state that can follow reads it, or this one
     uint8_t *alone;           // by single fault: its outcome at the current trigger
     uint8_t *is_repeated;     // by single fault: an earlier one of the same input reads the same constant there
     uint32_t at, i, k;        // the next run: its trigger; its fault, or its two faults i and k
@@ -176,6 +180,90 @@ static void list_single_faults(FaultRunner *x)
     x->is_repeated = arena_alloc(x->arena, x->single.n + 1);
 }
 
+// Where the inputs that an expression reads are marked, by input.
+typedef struct Marks { const Faults *f; uint8_t *at; } Marks;
+
+static void mark_inputs(Expr *e, void *context)
+{
+    Marks *m = context;
+
+    for (uint32_t i = 0; e->kind == EX_VAR && i < m->f->input.n; i++)
+        m->at[i] |= m->f->input.at[i].var == e->var;
+}
+
+static void mark_statements(const Stmts *list, Marks *m, uint8_t *targets)
+{
+    for (uint32_t i = 0; i < list->n; i++) {
+        const Stmt *s = list->at[i];
+        if (s->value)
+            expr_walk(s->value, mark_inputs, m);
+        if (s->kind == ST_TRANSITION)
+            targets[s->target->number - 1] = 1;
+        mark_statements(&s->then, m, targets);
+        mark_statements(&s->otherwise, m, targets);
+    }
+}
+
+// Finds which inputs a state and all that can follow it read, windows included, whatever the guards.
+static void find_reads(FaultRunner *x)
+{
+    const Program *p = x->f->p;
+    const uint32_t n = (uint32_t)p->state.n, inputs = x->f->input.n;
+    uint8_t *targets = arena_alloc(x->arena, (size_t)n * n + 1);
+    bool changed = true;
+
+    x->reads = arena_alloc(x->arena, (size_t)n * inputs + 1);
+    for (uint32_t s = 0; s < n; s++) {
+        Marks m = {x->f, x->reads + (size_t)s * inputs};
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            mark_statements(&p->state.at[s]->block[b], &m, targets + (size_t)s * n);
+    }
+    while (changed) {
+        changed = false;
+        for (uint32_t s = 0; s < n; s++)
+            for (uint32_t t = 0; t < n; t++)
+                for (uint32_t i = 0; targets[(size_t)s * n + t] && i < inputs; i++)
+                    if (x->reads[(size_t)t * inputs + i] && !x->reads[(size_t)s * inputs + i])
+                        changed = (x->reads[(size_t)s * inputs + i] = 1) != 0;
+    }
+}
+
+// Marks the inputs that asserts read.
+static void find_judged(FaultRunner *x, Marks *m)
+{
+    for (uint32_t i = 0; i < x->f->scripts; i++) {
+        const Script *s = x->f->script[i];
+        for (uint32_t k = 0; k < s->section.n; k++)
+            for (uint32_t j = 0; j < s->section.at[k].item.n; j++)
+                for (uint32_t a = 0; a < s->section.at[k].item.at[j]->asserts.n; a++)
+                    if (s->section.at[k].item.at[j]->asserts.at[a].condition)
+                        expr_walk(s->section.at[k].item.at[j]->asserts.at[a].condition, mark_inputs, m);
+        for (uint32_t k = 0; s->data && k < s->data->compare.n; k++)
+            for (uint32_t n = 0; n < x->f->input.n; n++)
+                m->at[n] |= x->f->input.at[n].var == s->data->compare.at[k].column.var;
+    }
+}
+
+// Marks the inputs that requirements read.
+static void find_required(FaultRunner *x)
+{
+    const Requirements *rq = x->f->options.requirements;
+
+    Marks required = {x->f, arena_alloc(x->arena, x->f->input.n + 1)}, judged = {x->f, arena_alloc(x->arena, x->f->input.n + 1)};
+
+    x->is_required = required.at;
+    x->is_judged = judged.at;
+    find_judged(x, &judged);
+    for (uint32_t i = 0; rq && i < rq->at.n; i++) {
+        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
+        for (int k = 0; k < 3; k++)
+            if (condition[k]) {
+                expr_walk(condition[k], mark_inputs, &required);
+                expr_walk(condition[k], mark_inputs, &judged);
+            }
+    }
+}
+
 // ---- what a step shows ----
 
 // Widens the range of each input that has none of its own to its true value.
@@ -228,9 +316,10 @@ static void compare_outputs(Watch *w, const ScriptStep *step)
 // Notes the first requirement that the step violates: for what the machine reads, or else for the true values.
 static void judge_requirements(Watch *w, const ScriptStep *step)
 {
-    const bool in_truth = w->monitor && monitor_step(w->monitor, w->situation, fault_engine_outside(w->e));
+    const Requirements *rq = w->x->f->options.requirements;
+    const bool in_truth = w->judges_truth && monitor_step(w->monitor, w->situation, fault_engine_outside(w->e));
 
-    for (uint32_t i = 0; w->monitor && !w->result.violated && i < w->monitor->what->at.n; i++) {
+    for (uint32_t i = 0; rq && !w->result.violated && i < rq->at.n; i++) {
         const bool is_read = step->results[i] == MONITOR_VIOLATED;
         if (!is_read && !(in_truth && w->monitor->result[i] == MONITOR_VIOLATED))
             continue;
@@ -364,7 +453,15 @@ static void begin_watching(FaultRunner *x, uint32_t script)
         return;
     w->monitor = monitor_new(&x->run, rq, x->f->script[script]->delta_t);
     w->situation = arena_alloc(&x->run, w->monitor->size);
-    monitor_start(w->monitor, w->situation);
+}
+
+// Begins to judge the true values.  Until a fault begins, they are what the machine reads.
+static void begin_judging_truth(Watch *w, const Fault *fault, uint32_t n)
+{
+    for (uint32_t i = 0; w->monitor && i < n; i++)
+        w->judges_truth |= w->x->is_required[fault[i].input];
+    if (w->judges_truth)
+        memcpy(w->situation, w->r->situation, w->monitor->size);
 }
 
 // Starts a run of a script, before its first step.
@@ -470,6 +567,8 @@ Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, 
     x->visit = arena_array(arena, p->state.n, sizeof *x->visit);
     list_inputs(x);
     list_outputs(x);
+    find_required(x);
+    find_reads(x);
     for (uint32_t i = 0; i < scripts; i++)
         run_healthy(x, i);
     list_single_faults(x);
@@ -546,6 +645,7 @@ static FaultResult run_faults(FaultRunner *x, uint32_t trigger, const Fault *fau
     ScriptRun *r;
 
     r = x->w->r;
+    begin_judging_truth(x->w, fault, n);
     fault_engine_begin(x->w->e, fault, n);
     run_steps(r, r->o->max_steps);
     run_end(r);
@@ -570,7 +670,11 @@ static bool reads_constant(const FaultRunner *x, const Fault *fault, double *val
     const FaultInput *in = &x->f->input.at[fault->input];
 
     switch ((int)fault->kind) {
-    case FAULT_STUCK: *value = ref_read(in->var->type, fault_engine_true_cell(x->w->e, fault->input)); return true;
+    case FAULT_STUCK:
+        if (x->w->r->result.steps == 0)
+            return false;                             // it will be what the first step has
+        *value = ref_read(in->var->type, fault_engine_true_cell(x->w->e, fault->input));
+        return true;
     case FAULT_DEAD: case FAULT_NAN: *value = 0; return true;
     case FAULT_LOW: *value = in->lo; return true;
     case FAULT_HIGH: *value = in->var->type == SM_BOOL ? 1 : in->hi; return true;
@@ -627,10 +731,33 @@ static bool next_run(FaultRunner *x)
     return false;
 }
 
+// Whether anything can see a fault that begins at the current trigger: until it begins, the run is that without a fault.
+static bool is_seen(const FaultRunner *x, const Fault *fault)
+{
+    const uint32_t state = x->f->trigger.at[x->at].state->number - 1;
+
+    return x->is_judged[fault->input] || x->reads[(size_t)state * x->f->input.n + fault->input];
+}
+
+// The result of a fault that nothing sees.
+static FaultResult result_unseen(const FaultRunner *x, const Fault *fault)
+{
+    const Healthy *h = &x->healthy[x->f->trigger.at[x->at].script];
+
+    return (FaultResult){.trigger = x->at, .fault = {*fault}, .faults = 1, .end = h->end, .healthy_end = h->end, .steps = h->steps};
+}
+
 static void run_single(FaultRunner *x)
 {
-    const FaultResult r = run_faults(x, x->at, &x->single.at[x->i], 1);
+    const Fault *fault = &x->single.at[x->i];
+    FaultResult r;
 
+    if (is_seen(x, fault)) {
+        return_to_trigger(x, &x->f->trigger.at[x->at]);
+        r = run_faults(x, x->at, fault, 1);
+        x->f->runs++;
+    } else
+        r = result_unseen(x, fault);
     x->alone[x->i] = (uint8_t)r.outcome;
     vec_push(x->arena, &x->f->result, r);
 }
@@ -638,9 +765,14 @@ static void run_single(FaultRunner *x)
 static void run_pair(FaultRunner *x)
 {
     const Fault both[FAULTS_MOST] = {x->single.at[x->i], x->single.at[x->k]};
-    FaultResult r = run_faults(x, x->at, both, 2);
+    FaultResult r;
 
     x->f->pairs++;
+    if (!is_seen(x, &both[0]) || !is_seen(x, &both[1]))
+        return;                                       // then it is as one of the two alone
+    return_to_trigger(x, &x->f->trigger.at[x->at]);
+    r = run_faults(x, x->at, both, 2);
+    x->f->runs++;
     r.worse_than_alone = r.outcome > (FaultOutcome)x->alone[x->i] && r.outcome > (FaultOutcome)x->alone[x->k];
     if (!r.worse_than_alone)
         return;
@@ -658,8 +790,7 @@ bool faults_run_next(Faults *f)
         f->is_cut = true;
         return false;
     }
-    f->runs++;
-    return_to_trigger(x, &f->trigger.at[x->at]);
+    f->faults++;
     if (x->in_pairs)
         run_pair(x);
     else
