@@ -268,7 +268,8 @@ static void write_edited_text(Edits *e, Buf *out)
         at = edit->at + edit->len;
     }
     buf_put(out, e->src->text + at, e->src->len - at);
-    buf_char(out, '\n');
+    if (out->n > 0 && out->at[out->n - 1] != '\n')
+        buf_char(out, '\n');
 }
 
 static bool is_name_free(const Faults *f, const Script *s, const char *name)
@@ -370,11 +371,11 @@ static void write_sensor(const FaultText *t, Buf *out)
 {
     write_memory(t, out);
     if (t->from > 0)
-        buf_printf(out, "%s < %" PRIu64 ": %s = %s\nelse if ", t->g, t->from, t->input, t->truth);
+        buf_printf(out, "%s < %" PRIu64 ": %s = %s\nelse", t->g, t->from, t->input, t->truth);
     if (t->to != UINT64_MAX)
-        buf_printf(out, "%s < %" PRIu64 ": %s = ", t->g, t->to, t->input);
+        buf_printf(out, "%s%s < %" PRIu64 ": %s = ", t->from ? " if " : "", t->g, t->to, t->input);
     else
-        buf_printf(out, "%s >= %" PRIu64 ": %s = ", t->g, t->from, t->input);
+        buf_printf(out, "%s: %s = ", t->from ? "" : "true", t->input);
     write_reading(t, out);
     if (t->to != UINT64_MAX)
         buf_printf(out, "\nelse: %s = %s", t->input, t->truth);

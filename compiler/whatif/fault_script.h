@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ordinary scripts that have the outcome of a fault (docs/faults.md 14.22 to 14.26).  There are two forms.  The edited form is the text of the script
+// Ordinary scripts that have the outcome of a fault (docs/faults.md).  There are two forms.  The edited form is the text of the script
 // in which the plant writes a variable of the script instead of the faulty input, followed by a section that writes what the sensor reads.
 // The recorded form contains what the machine was given in each step, and no plant.
 #ifndef SMC_FAULT_SCRIPT_H

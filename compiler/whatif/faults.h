@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The faults of sensors: runs every script once for each fault of each input, beginning at each trigger, and compares the run with the one
-// without a fault (docs/faults.md 14).
+// without a fault (docs/faults.md).
 //
 //     Faults *f = faults_new(arena, p, script, scripts, &options);
 //     if (faults_find_failing(f) == scripts)

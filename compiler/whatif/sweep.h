@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters at many values: which asserts and requirements fail where, and how far the current setting is from there (docs/sweep.md 15).
+// Parameters at many values: which asserts and requirements fail where, and how far the current setting is from there (docs/faults.md).
 //
 //     Sweep *s = sweep_new(arena, p, script, scripts, &options);
 //     while (sweep_run_next(s)) ;

@@ -101,14 +101,13 @@ at 0: armed = true
 true: true_p = later
 at 700: @stop
 
-
 # ---- the fault ----
 
 [local]
 F64 true_p = 0     # the true value
 
 [all_states]
-G >= 0: p = 0
+true: p = 0
 G == 0: @assert out == 10 "as without the fault"
 3 of 3 lines can be reproduced by a script in made4
   p low from Wait -> Fire on (G = 420, ends.ss): out = 0 instead of 420 at G = 420; and 1 more trigger [003-p-low.ss]
@@ -126,14 +125,13 @@ true: true_p = G
 [Done]
 true: @stop
 
-
 # ---- the fault ----
 
 [local]
 F64 true_p = 0     # the true value
 
 [all_states]
-G >= 0: p = 0
+true: p = 0
 G == 10: @assert out == 10 "as without the fault"
 -- exit --
 0 0 1 0 1 0

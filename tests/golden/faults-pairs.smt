@@ -57,7 +57,6 @@ true {
 at 100: @assert true
 at 200: @stop
 
-
 # ---- the fault ----
 
 [local]
@@ -65,12 +64,12 @@ F64 true_a = 0     # the true value
 F64 true_c = 0     # the true value
 
 [all_states]
-G >= 0: a = 0
-G >= 0: c = 0
+true: a = 0
+true: c = 0
 G == 10: @assert S == Wait "as without the fault"
 -- stderr --
-made/002-a-dead-c-dead.ss:30:18: error: assert failed after step 2 (G = 10, state Abort): as without the fault [E0750]
-   30 | G == 10: @assert S == Wait "as without the fault"
+made/002-a-dead-c-dead.ss:29:18: error: assert failed after step 2 (G = 10, state Abort): as without the fault [E0750]
+   29 | G == 10: @assert S == Wait "as without the fault"
       |                  ^~~~~~~~~ S = Abort, number 2
 note: the last steps, and the values after each:
       step   G  state                S

@@ -103,14 +103,13 @@ at 500: @assert true
 at 700: @assert true
 at 700: @stop
 
-
 # ---- the fault ----
 
 [local]
 F32 true_altitude = 0     # the true value
 
 [all_states]
-time >= 0: altitude = 0
+true: altitude = 0
 time == 120: @assert not drogue "as without the fault"
 faults of latch: 2 inputs, 2 triggers in 1 script; 26 of 40 faults have an effect
 input  stuck      dead       nan        low        high       below      above      noisy      late       dropped
@@ -160,8 +159,8 @@ faults of a: 1 input, 2 triggers in 1 script; 0 of 2 faults have an effect
 input     high
 altitude  -
 -- stderr --
-made/001-altitude-dead.ss:23:22: error: assert failed after step 13 (G = 120, state Drogue): as without the fault [E0750]
-   23 | time == 120: @assert not drogue "as without the fault"
+made/001-altitude-dead.ss:22:22: error: assert failed after step 13 (G = 120, state Drogue): as without the fault [E0750]
+   22 | time == 120: @assert not drogue "as without the fault"
       |                      ^~~~~~~~~~ drogue = true
 note: the last steps, and the values after each:
       step    G  state   drogue

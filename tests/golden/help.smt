@@ -17,6 +17,10 @@ Usage:
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
   smc mutate M.sm SCRIPT.ss... [--sv V.sv] [--min-score=PERCENT]
       change one number, operator, target or statement at a time, and list the changes that no script notices
+  smc faults M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--pairs] [--scripts=DIR]
+      make each input faulty in each way, beginning in each state and at each transition, and list what that does to the runs of scripts
+  smc sweep M.sm SCRIPT.ss... [R.rq...] --set NAME=LO:HI:N [--set NAME=LO:HI:N] [--sv V.sv]
+      run the scripts with one or two parameters at many values, and show where asserts and requirements begin to fail
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE

@@ -8,14 +8,14 @@ trap 'rm -rf "$dir"' EXIT
 passed=0
 failed=0
 
-check() { # NAME CONDITION...
-    name=$1
+check() { # LABEL CONDITION...
+    label=$1
     shift
     if "$@"; then
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
-        echo "whatif: $name: failed: $*"
+        echo "whatif: $label: failed: $*"
     fi
 }
 
@@ -42,7 +42,7 @@ reproduce parachutes 8 examples/parachutes/parachutes.sm examples/parachutes/par
 reproduce recovery 8 examples/recovery/recovery.sm examples/recovery/recovery.ss --sv examples/recovery/recovery.sv
 reproduce ignition 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq
 reproduce pairs 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq --pairs --kinds=dead,stuck
-reproduce tank 3 examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
+reproduce tank 2 examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
 
 # The machine of tests/whatif: every kind at every trigger.
 ( ulimit -t 10
