@@ -381,6 +381,7 @@ static int write_scripts(FaultsRun *r)
     OsOutput *out = ARENA_ARRAY(r->arena, OsOutput, r->line.n + 1);
     const char *why;
     size_t n = 0;
+    int code;
 
     if (!r->c->given[OPT_SCRIPTS])
         return EXIT_OK;
@@ -393,12 +394,10 @@ static int write_scripts(FaultsRun *r)
         if (r->line.at[i].script)
             out[n++] = (OsOutput){r->line.at[i].script, r->line.at[i].text, strlen(r->line.at[i].text)};
     }
-    for (size_t i = 0; i < n; i++) {                  // in groups would leave no less behind: each file is whole by itself
-        const int code = cli_write_outputs(r->c, &out[i], 1);
-        if (code != EXIT_OK)
-            return code;
-    }
-    return EXIT_OK;
+    code = outputs_check(r->c, out, n);
+    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // one by one: their number has no limit
+        code = cli_write_outputs(r->c, &out[i], 1);
+    return code;
 }
 
 // ---- running ----

@@ -469,6 +469,7 @@ static int check_name(Cli *c, const char *path, const char *option)
 {
     const char *real = real_path(c, path);
     const char *another = option ? format_in(&c->session.arena, "name another file after %s", option)
+                        : c->given[OPT_SCRIPTS] && has_suffix(path, ".ss") ? "name another folder with --scripts"
                         : c->files && has_suffix(c->file[0], ".app") ? "name another folder with -o" : "name another file with -o";
 
     if (strcmp(path, "-") == 0 || os_is_special(path))

@@ -90,18 +90,18 @@ smc: --late requires a number of steps from 1 to 10000, not '0'
 Try 'smc faults --help'.
 smc: --at requires whole numbers in units of G, as in 0,5000, not 'soon'
 Try 'smc faults --help'.
-smc: warning: warning: no script reaches a time of --at, so no fault begins
+smc: warning: no script reaches a time of --at, so no fault begins
 smc: --fail-on is aborted, differs, endless, elsewhere, failed or violated, not 'none'
 Try 'smc faults --help'.
 smc: --max-runs requires a whole number from 1, not '0'
 Try 'smc faults --help'.
 smc: stopped after 3 runs: --max-runs allows no more, so faults are missing
-smc: warning: warning: the machine has no input: it reads no element that a script writes or that is '@read_only'
+smc: warning: the machine has no input: it reads no element that a script writes or that is '@read_only'
 smc: --seed requires a whole number from 0 to 9007199254740992, not 'x'
 Try 'smc faults --help'.
 smc: standard output has no name that -MD can derive a name from: name the rule's file with -MF
 Try 'smc faults --help'.
-smc: 'kept/001-p-stuck.ss' is the name of a source, and only 'smc fix' writes to sources; name another file with -o
+smc: 'kept/001-p-stuck.ss' is the name of a source, and only 'smc fix' writes to sources; name another folder with --scripts
 Try 'smc faults --help'.
 -- exit --
 2 2 1 1 2 1 1 2 2 2 0 2 2 0 0 2 2 0

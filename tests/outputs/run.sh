@@ -78,6 +78,8 @@ writers()
         '--coverage-lcov=@' 'test tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss --format=json' \
+        '-o @' 'faults tank.sm tank.ss' \
+        '-o @' 'faults tank.sm tank.ss --format=json' \
         '--trace=@' 'test tank.sm tank.ss' \
         '--trace=@' 'test tank.sm tank.ss --trace-format=exact' \
         '--message-file=@' 'check tank.sm -Weverything' \
