@@ -24,7 +24,7 @@ VM_FAST  = $(wildcard bytecode-vm/decode*.c) bytecode-vm/fast.c
 LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/data/*.c compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
-             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/cover/*.c compiler/diff/*.c compiler/search/*.c compiler/prove/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
+             compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/cover/*.c compiler/whatif/*.c compiler/diff/*.c compiler/search/*.c compiler/prove/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
 # The files of the system that smc is built for: os_posix.c and os_*_posix.c, or os_windows.c and os_*_windows.c.
 SYSTEM   = $(if $(findstring mingw,$(CC)),windows,posix)
 OS_FILES = $(wildcard compiler/base/os_$(SYSTEM).c compiler/base/os_*_$(SYSTEM).c)
@@ -54,7 +54,8 @@ $(B)/soft/obj/%.o: %.c $(B)/gen/soft_names.h
 	$(call say,CC)$(CC) $(STRICT_C) -DSM_F64_SOFT=1 -DSMVM_KEEP_TABLES=1 -DSMVM_SPECIALIZE=0 -include $(B)/gen/soft_names.h $(WARN) $(CFLAGS) $(LIB_FLAGS) $(DEPFLAGS) -c $< -o $@
 
 # What need not be fast is built in half the time.  (The command only tests with the VM; the library is built apart.)
-SELDOM = $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND))
+SELDOM = $(filter-out compiler/script/ref% compiler/script/script_run.c compiler/script/monitor.c compiler/script/schedule.c, \
+             $(filter compiler/cli/% compiler/device/% compiler/diag/% compiler/report/% compiler/script/%,$(LIBSMC) $(COMMAND)))
 $(B)/obj/bytecode-vm/interp.o $(B)/obj/bytecode-vm/fast.o $(SELDOM:%.c=$(B)/obj/%.o): override CFLAGS := $(CFLAGS:-O2=-O1)
 $(VM_SOFT): override CFLAGS := $(patsubst -O%,-O0,$(CFLAGS))
 

@@ -54,6 +54,43 @@ void arena_reset(Arena *a)
     a->end = a->next + newest->size;
 }
 
+static char *start_of_chunk(ArenaChunk *c) { return (char *)c + HEADER; }
+
+// Returns how many bytes of a chunk are in use: of the newest, up to a->next.
+static size_t used_bytes(const Arena *a, ArenaChunk *c) { return c == a->chunk ? (size_t)(a->next - start_of_chunk(c)) : c->size; }
+
+void arena_save(const Arena *a, Arena *into, ArenaCopy *copy)
+{
+    size_t n = 0;
+
+    for (ArenaChunk *c = a->chunk; c; c = c->older)
+        n += used_bytes(a, c);
+    copy->was = *a;
+    copy->bytes = arena_alloc_unzeroed(into, n);
+    n = 0;
+    for (ArenaChunk *c = a->chunk; c; c = c->older) {
+        memcpy(copy->bytes + n, start_of_chunk(c), used_bytes(a, c));
+        n += used_bytes(a, c);
+    }
+}
+
+void arena_restore(Arena *a, const ArenaCopy *copy)
+{
+    size_t n = 0;
+
+    while (a->chunk != copy->was.chunk) {
+        ArenaChunk *newest = a->chunk;
+        a->chunk = newest->older;
+        a->alloc(a->context, newest, 0);
+    }
+    *a = copy->was;
+    a->zeroed_end = a->next;
+    for (ArenaChunk *c = a->chunk; c; c = c->older) {
+        memcpy(start_of_chunk(c), copy->bytes + n, used_bytes(a, c));
+        n += used_bytes(a, c);
+    }
+}
+
 // The allocator of an arena within another one.  Each chunk is larger than the last, so freed chunks waste at most as much as is used.
 static void *alloc_within(void *parent, void *old, size_t size)
 {

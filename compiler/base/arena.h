@@ -27,6 +27,18 @@ void arena_reset(Arena *a);                      // frees every object, but keep
 // Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.  For objects that arena_reset frees often.
 void arena_init_within(Arena *a, Arena *parent);
 
+// The contents of an arena, to return to.
+typedef struct ArenaCopy {
+    Arena was;
+    char *bytes;          // of its chunks, the newest first
+} ArenaCopy;
+
+// Copies the contents of `a` to memory of `into`, another arena.
+void arena_save(const Arena *a, Arena *into, ArenaCopy *copy);
+// Returns the arena to the contents that arena_save has copied: every object has the same address and the same bytes, and what was allocated since
+// is freed.  Possible any number of times, until an arena_reset or arena_free.
+void arena_restore(Arena *a, const ArenaCopy *copy);
+
 // Alignment of every allocation: enough for the numbers and pointers of the compiler.  On 64-bit Windows setjmp stores registers of 16 bytes.
 #ifdef _WIN64
 enum { ARENA_ALIGN = 16 };

@@ -10,11 +10,11 @@ enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c)
 {
-    const bool is_report = c->command->run == cmd_report;
+    const bool judges = c->command->run == cmd_report || c->command->run == cmd_faults || c->command->run == cmd_sweep;
     size_t machines = 0;
 
     for (size_t i = 0; i < c->files; i++) {
-        const bool script = has_suffix(c->file[i], ".ss") || (is_report && has_suffix(c->file[i], ".rq"));
+        const bool script = has_suffix(c->file[i], ".ss") || (judges && has_suffix(c->file[i], ".rq"));
         if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],
                                    has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");

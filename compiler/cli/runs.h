@@ -6,7 +6,7 @@
 #include "compiler/cli/cli.h"
 #include "compiler/review.h"
 
-// Checks that the arguments are one machine and scripts, and for smc report requirements.  Returns EXIT_OK, or the exit code after a message.
+// Checks that the arguments are one machine and scripts, and for some commands requirements.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c);
 // Returns the machine among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made);

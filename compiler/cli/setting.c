@@ -55,6 +55,37 @@ bool setting_parse(Cli *c, const char *word, Setting *s)
     return true;
 }
 
+int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
+{
+    SmRefusal refusal = SM_REFUSAL_UNKNOWN;
+
+    *out = (ScriptSetting){NULL, 0, {0}};
+    out->parameter = program_parameter(p, str_intern(&c->session.strings, s->name, s->name_size));
+    if (out->parameter)
+        refusal = parameter_judge(out->parameter, s->value, &out->cell);
+    if (!refusal)
+        return EXIT_OK;
+    setting_report_refused(c, s, parameter_refusal_text(refusal));
+    return EXIT_PROBLEM;
+}
+
+int setting_read_all(Cli *c, const Program *p, SettingList *list)
+{
+    int code = EXIT_OK;
+
+    for (size_t i = 0; i < c->set.n; i++) {
+        ScriptSetting setting;
+        Setting s;
+        if (!setting_parse(c, c->set.at[i], &s))
+            return EXIT_USAGE;
+        if (setting_find(c, p, &s, &setting) != EXIT_OK)
+            code = EXIT_PROBLEM;
+        else
+            vec_push(&c->session.arena, list, setting);
+    }
+    return code;
+}
+
 void setting_report_refused(Cli *c, const Setting *s, const char *reason)
 {
     cli_print_error(c, TEXT_setting_refused, (int)s->name_size, s->name, s->text, reason);

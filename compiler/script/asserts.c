@@ -150,17 +150,23 @@ const char *assert_finish_printing(ScriptRun *r)
 
 static void fail(ScriptRun *r, const ScriptItem *item, const ScriptAssert *a)
 {
-    r->failed = a->condition ? a->condition : item->guard;
-    r->failed_item = item;
-    r->result.failed = a;
-    run_finish(r, SCRIPT_FAILED);
+    r->failed_asserts[item->first_assert + (size_t)(a - item->asserts.at)] = 1;
+    if (r->result.failures++ == 0) {
+        r->failed = a->condition ? a->condition : item->guard;
+        r->failed_item = item;
+        r->result.failed = a;
+        r->result.failed_step = r->result.steps;
+        r->result.failed_g = r->g;
+    }
+    if (!r->o->continues)
+        run_finish(r, SCRIPT_FAILED);
 }
 
 static bool is_true(const ScriptRun *r, const ScriptAssert *a) { return ref_true(ref_eval(a->condition, r->cell, &r->windows)); }
 
 static void fail_pending(ScriptRun *r, const PendingExpect *e)
 {
-    r->failed_since = e->since;
+    r->failed_since = r->result.failures ? r->failed_since : e->since;
     fail(r, e->item, &e->item->asserts.at[e->assert]);
 }
 
@@ -185,9 +191,11 @@ static bool check_pending(ScriptRun *r, const PendingExpect *e)
         r->is_pending[e->item->first_assert + e->assert] = 0;
         return false;
     }
-    if (is_expired(r, e))
-        fail_pending(r, e);
-    return true;
+    if (!is_expired(r, e))
+        return true;
+    fail_pending(r, e);
+    r->is_pending[e->item->first_assert + e->assert] = r->ended;
+    return r->ended;
 }
 
 // Evaluates the @expects that earlier steps began, in the order in which they began.
@@ -238,7 +246,7 @@ static void stop(ScriptRun *r)
 {
     if (r->pending.n)
         fail_pending(r, &r->pending.at[0]);
-    else
+    if (!r->ended)
         run_finish(r, SCRIPT_PASSED);
 }
 

@@ -34,6 +34,7 @@ typedef struct EngineStep {
     EngineNext *machine;      // of an application: by machine; it replaces the two above.  Otherwise NULL
     uint64_t *cell;           // every variable after the step; program->var.n of them
     uint8_t *stored;          // by variable: 1 for each element that the step stored
+    const uint64_t *outside;  // every variable as the script sees it before the next step, if the machine reads other values (docs/faults.md); NULL: `cell`
 } EngineStep;
 
 typedef struct Engine Engine;

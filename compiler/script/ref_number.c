@@ -64,11 +64,7 @@ double ref_read(SmType type, uint64_t cell)
 
 static double power_of_two(unsigned n)
 {
-    double x = 1;
-
-    while (n--)
-        x *= 2;
-    return x;
+    return n < 64 ? (double)((uint64_t)1 << n) : 18446744073709551616.0;          // n <= 64
 }
 
 // A C cast from double to integer truncates toward zero.  It is undefined outside the integer's range.
@@ -101,7 +97,7 @@ static uint64_t to_unsigned(double x, unsigned bits)
 // A C cast rounds to nearest even if the result is in range.  FLT_MAX plus half a unit in the last place is already out of range.
 static uint64_t to_f32(double x)
 {
-    double limit = power_of_two(127) * 2 - power_of_two(127 - 24);      // FLT_MAX is 2^128 - 2^104
+    const double limit = 0x1.ffffffp127;              // 2^128 - 2^103; FLT_MAX is 2^128 - 2^104
     float inf = FLT_MAX * 2, f;
     uint32_t bits;
 

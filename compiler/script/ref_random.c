@@ -58,6 +58,7 @@ void ref_random_init(RefRandom *r, Arena *arena, const ScriptRandoms *calls, uin
     r->stream = ARENA_ARRAY(arena, RefStream, calls->n);
     r->seed = seed;
     r->step = 0;
+    r->first = 0;
 }
 
 double ref_random_value(RefRandom *r, uint32_t call)
@@ -68,9 +69,9 @@ double ref_random_value(RefRandom *r, uint32_t call)
     if (s->step == r->step)
         return s->value;
     if (s->step == 0 || s->step + 1 != r->step)
-        s->state = state_before(r->seed, call, r->step);
+        s->state = state_before(r->seed, r->first + call, r->step);
     for (int i = 0; i < REF_DRAWS; i++)
-        u[i] = draw(&s->state, increment_of(call));
+        u[i] = draw(&s->state, increment_of(r->first + call));
     s->step = r->step;
     return s->value = value_of(&r->call[call], u);
 }

@@ -63,6 +63,7 @@ typedef struct ScriptOptions {
     size_t settings;
     const Requirements *requirements;         // judged after each step; NULL: none
     bool is_silent;           // nothing is reported: only the result counts
+    bool continues;           // neither a failed assert nor a violated requirement ends the run
     bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
 } ScriptOptions;
 
@@ -84,7 +85,10 @@ typedef struct ScriptResult {
     const char *printed;      // what @print has shown: lines; "" if nothing
     const uint64_t *evaluated;        // by number of the assert, in the order of the script: how often it was evaluated
     const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
-    const ScriptAssert *failed;       // SCRIPT_FAILED: the assert that was not met; NULL: a requirement was violated, or only a @compare was not met
+    const ScriptAssert *failed;       // the first assert that was not met; NULL: none, then SCRIPT_FAILED means a violated requirement or a @compare
+    uint64_t failures;        // how many times an assert was not met; at most 1 unless ScriptOptions.continues
+    const uint8_t *failed_asserts;    // by number of the assert: it was not met at least once
+    uint64_t failed_step, failed_g;   // of `failed`: after which step
     bool is_violated;         // SCRIPT_FAILED: a requirement was violated
     const RequirementRun *requirement;        // by requirement; NULL: the run had none
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read

@@ -251,10 +251,18 @@ static void advance_time(ScriptRun *r)
         r->machine[i].wait = r->machine[i].wait ? r->machine[i].wait - 1 : r->machine[i].every - 1;
 }
 
+// Returns to what the script sees between steps, if the machine reads other values.  What it judged after the last step was the machine's.
+static void look_outside(ScriptRun *r)
+{
+    if (r->answer[0].outside)
+        memcpy(r->cell, r->answer[0].outside, r->p->var.n * sizeof *r->cell);
+}
+
 static void run_step(ScriptRun *r)
 {
     bool violated;
 
+    look_outside(r);
     r->write.n = 0;
     r->noted.n = 0;
     r->random.step = r->result.steps + 1;
@@ -274,7 +282,7 @@ static void run_step(ScriptRun *r)
     if (r->ended)
         return;
     call_after_step(r);
-    if (violated)
+    if (violated && !r->o->continues)
         requirement_fail(r);
     else
         assert_check_step(r);
@@ -326,6 +334,7 @@ static void allocate_run(ScriptRun *r)
     ref_random_init(&r->random, r->arena, &r->s->random, r->result.seed);
     r->windows.random = &r->random;
     r->evaluated = ARENA_ARRAY(r->arena, uint64_t, t.asserts);
+    r->failed_asserts = arena_alloc(r->arena, t.asserts);
     r->is_pending = arena_alloc(r->arena, t.asserts);
     buf_init(&r->printed, r->arena);
     r->true_in = ARENA_ARRAY(r->arena, uint64_t, t.items);
@@ -395,6 +404,7 @@ void run_begin(ScriptRun *r)
     allocate_run(r);
     r->result.cell = r->cell;
     r->result.evaluated = r->evaluated;
+    r->result.failed_asserts = r->failed_asserts;
     r->result.undecided = r->is_pending;
     if (r->o->requirements)
         requirement_begin_run(r);
@@ -409,11 +419,8 @@ void run_continue(ScriptRun *r, uint64_t steps)
         run_step(r);
 }
 
-// Runs the script from its first step until it ends.
-void run_to_the_end(ScriptRun *r)
+void run_end(ScriptRun *r)
 {
-    run_begin(r);
-    run_continue(r, r->o->max_steps);
     if (!r->ended)
         run_finish(r, SCRIPT_ENDLESS);
     close_data(r);
@@ -421,6 +428,13 @@ void run_to_the_end(ScriptRun *r)
     r->result.is_violated = r->violated != NULL;
     if (r->monitor)
         requirement_end_run(r);
+}
+
+void run_to_the_end(ScriptRun *r)
+{
+    run_begin(r);
+    run_continue(r, r->o->max_steps);
+    run_end(r);
 }
 
 // Reports that the data ended before a @stop.  If it cannot be read instead, that has been reported.

@@ -63,6 +63,7 @@ typedef struct ScriptRun {
     uint8_t *is_pending;      // by number of the assert
     Buf printed;              // the lines of @print, at most PRINTED_MOST
     uint64_t prints;          // how many lines there would be without a limit
+    uint8_t *failed_asserts;  // by number of the assert: it was not met at least once
     uint64_t *evaluated;      // by number of the assert: how often it was evaluated
     uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
     uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
@@ -92,10 +93,14 @@ const ScriptItem *script_first_stop(const Script *s);
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
-// Prepares the first step.
+// The three parts of run_to_the_end, for code that stops a run or copies it.  A run without recorded data is in r->arena and in that of its
+// engines alone, so copies of these are a copy of the run.
+// Initialises the engines and prepares the first step.
 void run_begin(ScriptRun *r);
 // Runs further steps, until the run has ended or `steps` steps have run since the beginning.
 void run_continue(ScriptRun *r, uint64_t steps);
+// Sets the results.
+void run_end(ScriptRun *r);
 
 // ---- run_point.c: runs that are continued more than once ----
 

@@ -17,8 +17,8 @@ Options:
   --trace=FILE             write the values after every step as CSV: script, step, G, state, elements; - is standard output, and the result goes to standard error
   --trace-elements=NAMES   the columns of the trace after the state, as a,b,c (default: all that can change)
   --trace-format=FORMAT    csv (default), or exact: lines 'step element value' with every bit of every element
-  -v                       test: print the final state vector of failed scripts too, and of each of several; mutate: list every change
-  --set=NAME=VALUE         set a parameter of the machine, in place of its default and of what a script sets; can be repeated
+  -v                       test: print the final state vector of failed scripts too, and of each of several; mutate: list every change; faults: list every trigger
+  --set=NAME=VALUE         set a parameter of the machine, in place of its default and of what a script sets; can be repeated. sweep: NAME=LO:HI:N are N values from LO to HI
   --max-steps=N            give up on a script after N steps (default 1000000)
   --seed=N                 test: the seed of the scripts' random numbers, from 0 (default: that of each script, else 0); cover: that of the search (default 1)
   --junit=FILE             write the results as JUnit XML

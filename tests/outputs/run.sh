@@ -83,6 +83,8 @@ writers()
         '-o @' 'diff tank.sm tank.sm --format=svg' \
         '-o @' 'mutate tank.sm tank.ss' \
         '-o @' 'mutate tank.sm tank.ss --format=json' \
+        '-o @' 'faults tank.sm tank.ss' \
+        '-o @' 'faults tank.sm tank.ss --format=json' \
         '--trace=@' 'test tank.sm tank.ss' \
         '--trace=@' 'test tank.sm tank.ss --trace-format=exact' \
         '--message-file=@' 'check tank.sm -Weverything' \

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc sweep: runs scripts with one or two parameters at many values, and shows where asserts and requirements begin to fail.
+#include <inttypes.h>
+#include <string.h>
+
+#include "compiler/base/json.h"
+#include "compiler/base/os_signal.h"
+#include "compiler/cli/setting.h"
+#include "compiler/cli/whatif.h"
+#include "compiler/whatif/sweep.h"
+
+typedef struct SweepRun {
+    Cli *c;
+    Arena *arena;
+    WhatIf w;
+    SweepOptions o;
+    SettingList setting;
+    uint64_t seed;
+    Sweep *s;
+    bool is_interrupted;
+} SweepRun;
+
+static const CliFormat formats[] = {
+    {"text", {".txt", NULL, NULL}, NULL}, {"csv", {".csv", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}, {"svg", {".svg", NULL, NULL}, "a browser"}};
+
+// ---- text ----
+
+static const char *number_text(const SweepRun *r, double x)
+{
+    Buf b;
+
+    buf_init(&b, r->arena);
+    format_number_shortest(&b, x);
+    return buf_text(&b);
+}
+
+static void write_checks(const SweepRun *r, const SweepPoint *p, const char *separator, Buf *out)
+{
+    const char *before = "";
+
+    for (uint32_t c = 0; c < r->s->check.n; c++)
+        if (p->fails[c]) {
+            buf_str(out, before);
+            sweep_write_check(r->s, c, out);
+            before = separator;
+        }
+}
+
+static bool fail_alike(const SweepRun *r, const SweepPoint *a, const SweepPoint *b) { return memcmp(a->fails, b->fails, r->s->check.n) == 0; }
+
+// Writes the points of a line, those in a row with the same result as one.
+static void write_line(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    const SweepLine *l = &r->s->line[axis];
+    uint32_t first = 0;
+
+    buf_printf(out, "%s:\n", r->s->axis[axis].parameter->name->text);
+    for (uint32_t i = 0; i < l->at.n; i++) {
+        if (i + 1 < l->at.n && fail_alike(r, &l->at.at[i], &l->at.at[i + 1]))
+            continue;
+        buf_printf(out, "  %s", number_text(r, l->at.at[first].value[axis]));
+        if (i > first)
+            buf_printf(out, " to %s", number_text(r, l->at.at[i].value[axis]));
+        buf_str(out, l->at.at[i].failing ? ": fails: " : ": passes");
+        write_checks(r, &l->at.at[i], ", ", out);
+        buf_char(out, '\n');
+        first = i + 1;
+    }
+}
+
+static void write_boundaries(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    for (uint32_t i = 0; i < r->s->boundary.n; i++) {
+        const SweepBoundary *b = &r->s->boundary.at[i];
+        if (b->axis != axis)
+            continue;
+        buf_str(out, "  ");
+        sweep_write_check(r->s, b->check, out);
+        buf_printf(out, b->passes < b->fails ? ": passes up to %s, fails from %s\n" : ": passes from %s, fails up to %s\n", number_text(r, b->passes),
+                   number_text(r, b->fails));
+    }
+}
+
+static void write_side(const SweepRun *r, uint32_t axis, bool above, Buf *out)
+{
+    const SweepAxis *a = &r->s->axis[axis];
+    double fails;
+
+    if (sweep_find_margin(r->s, axis, above, &fails))
+        buf_printf(out, "%s %s (%.6g away)", above ? "above, fails at" : "below, fails at", number_text(r, fails),
+                   above ? fails - a->current : a->current - fails);
+    else
+        buf_printf(out, "%s, nothing fails %s %s", above ? "above" : "below", above ? "up to" : "down to", number_text(r, above ? a->hi : a->lo));
+}
+
+static void write_margin(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    const SweepAxis *a = &r->s->axis[axis];
+
+    buf_printf(out, "  now %s: ", number_text(r, a->current));
+    if (r->s->line[axis].current == UINT32_MAX) {
+        buf_str(out, "outside what was swept\n");
+        return;
+    }
+    if (sweep_fails_now(r->s, axis)) {
+        buf_str(out, "fails\n");
+        return;
+    }
+    write_side(r, axis, false, out);
+    buf_str(out, "; ");
+    write_side(r, axis, true, out);
+    buf_char(out, '\n');
+}
+
+// Writes the map of two parameters: a row for each value of the second one, from the largest down.
+static void write_map(const SweepRun *r, Buf *out)
+{
+    const SweepAxis *a = &r->s->axis[0], *b = &r->s->axis[1];
+    size_t widest = 0;
+
+    for (uint32_t k = 0; k < b->n; k++)
+        widest = strlen(number_text(r, b->value[k])) > widest ? strlen(number_text(r, b->value[k])) : widest;
+    buf_printf(out, "map: %s up, %s to the right from %s to %s; '.' passes, a digit is the number of checks that fail, '+' more than 9\n", b->parameter->name->text,
+               a->parameter->name->text, number_text(r, a->value[0]), number_text(r, a->value[a->n - 1]));
+    for (uint32_t k = b->n; k-- > 0; ) {
+        buf_printf(out, "  %*s  ", (int)widest, number_text(r, b->value[k]));
+        for (uint32_t i = 0; i < a->n && i * b->n + k < r->s->point.n; i++) {
+            const uint32_t n = r->s->point.at[i * b->n + k].failing;
+            buf_char(out, n == 0 ? '.' : n > 9 ? '+' : (char)('0' + n));
+        }
+        buf_char(out, '\n');
+    }
+}
+
+static void write_text(const SweepRun *r, Buf *out)
+{
+    buf_printf(out, "sweep of %s: %lu script%s, %" PRIu64 " runs\n", r->s->p->name->text, (unsigned long)r->s->scripts, r->s->scripts == 1 ? "" : "s", r->s->runs);
+    for (uint32_t i = 0; i < r->o.axes; i++) {
+        write_line(r, i, out);
+        write_boundaries(r, i, out);
+        write_margin(r, i, out);
+    }
+    if (r->o.axes == 2)
+        write_map(r, out);
+}
+
+// ---- CSV and JSON ----
+
+// Calls f for each point: those of the map, or of the only line.
+static void each_point(const SweepRun *r, void (*f)(const SweepRun *r, const SweepPoint *p, Buf *out), Buf *out)
+{
+    const uint32_t n = r->o.axes == 2 ? r->s->point.n : r->s->line[0].at.n;
+
+    for (uint32_t i = 0; i < n; i++)
+        f(r, r->o.axes == 2 ? &r->s->point.at[i] : &r->s->line[0].at.at[i], out);
+}
+
+static void write_csv_point(const SweepRun *r, const SweepPoint *p, Buf *out)
+{
+    for (uint32_t i = 0; i < r->o.axes; i++)
+        buf_printf(out, "%s,", number_text(r, p->value[i]));
+    buf_printf(out, "%lu,\"", (unsigned long)p->failing);
+    write_checks(r, p, " ", out);
+    buf_str(out, "\"\n");
+}
+
+static void write_csv(const SweepRun *r, Buf *out)
+{
+    for (uint32_t i = 0; i < r->o.axes; i++)
+        buf_printf(out, "%s,", r->s->axis[i].parameter->name->text);
+    buf_str(out, "failing,checks\n");
+    each_point(r, write_csv_point, out);
+}
+
+static void write_json_point(const SweepRun *r, const SweepPoint *p, Buf *out)
+{
+    const char *before = "";
+
+    buf_str(out, out->at[out->n - 1] == '[' ? "\n{\"at\":[" : ",\n{\"at\":[");
+    for (uint32_t i = 0; i < r->o.axes; i++)
+        buf_printf(out, "%s%s", i ? "," : "", number_text(r, p->value[i]));
+    buf_str(out, "],\"fails\":[");
+    for (uint32_t c = 0; c < r->s->check.n; c++)
+        if (p->fails[c]) {
+            Buf name;
+            buf_init(&name, r->arena);
+            sweep_write_check(r->s, c, &name);
+            buf_str(out, before);
+            json_put_string(out, buf_text(&name));
+            before = ",";
+        }
+    buf_str(out, "]}");
+}
+
+static void write_json_boundaries(const SweepRun *r, Buf *out)
+{
+    buf_str(out, "\n],\"boundaries\":[");
+    for (uint32_t i = 0; i < r->s->boundary.n; i++) {
+        const SweepBoundary *b = &r->s->boundary.at[i];
+        Buf name;
+        buf_init(&name, r->arena);
+        sweep_write_check(r->s, b->check, &name);
+        buf_printf(out, "%s\n{\"parameter\":\"%s\",\"check\":", i ? "," : "", r->s->axis[b->axis].parameter->name->text);
+        json_put_string(out, buf_text(&name));
+        buf_printf(out, ",\"passes\":%s,\"fails\":%s}", number_text(r, b->passes), number_text(r, b->fails));
+    }
+}
+
+static void write_json(const SweepRun *r, Buf *out)
+{
+    buf_printf(out, "{\"smc-sweep\":1,\"machine\":\"%s\",\"runs\":%" PRIu64 ",\"complete\":%s,\"parameters\":[", r->s->p->name->text, r->s->runs,
+               r->is_interrupted ? "false" : "true");
+    for (uint32_t i = 0; i < r->o.axes; i++) {
+        double fails;
+        buf_printf(out, "%s{\"name\":\"%s\",\"now\":%s", i ? "," : "", r->s->axis[i].parameter->name->text, number_text(r, r->s->axis[i].current));
+        if (sweep_find_margin(r->s, i, false, &fails))
+            buf_printf(out, ",\"fails_below\":%s", number_text(r, fails));
+        if (sweep_find_margin(r->s, i, true, &fails))
+            buf_printf(out, ",\"fails_above\":%s", number_text(r, fails));
+        buf_printf(out, ",\"fails_now\":%s}", sweep_fails_now(r->s, i) ? "true" : "false");
+    }
+    buf_str(out, "],\n\"points\":[");
+    each_point(r, write_json_point, out);
+    write_json_boundaries(r, out);
+    buf_str(out, "\n]}\n");
+}
+
+static void write_svg(const SweepRun *r, Buf *out) { sweep_write_svg(r->arena, r->s, out); }
+
+// ---- running ----
+
+static int run_and_report(SweepRun *r, size_t format)
+{
+    static void (*const writer[])(const SweepRun *r, Buf *out) = {write_text, write_csv, write_json, write_svg};
+    Buf out;
+    int code;
+
+    r->s = sweep_new(r->arena, r->w.p, r->w.script.at, r->w.script.n, &r->o);
+    os_signals_begin();
+    os_signals_delay();
+    while (!(r->is_interrupted = os_signal_waiting() != 0) && sweep_run_next(r->s))
+        ;
+    buf_init(&out, r->arena);
+    writer[format](r, &out);
+    code = whatif_write(r->c, &out);
+    if (r->is_interrupted)
+        cli_print_error(r->c, TEXT_sweep_interrupted, (unsigned long)r->s->runs);
+    sweep_end(r->s);
+    os_signals_resume();                  // ends the process if a signal has asked to stop
+    os_signals_end();
+    return code;
+}
+
+// ---- options ----
+
+// Reads one end of a sweep.  EXIT_OK, or the exit code after a message.
+static int read_end(SweepRun *r, const char *name, const char *text, size_t n, double *x, const Var **parameter)
+{
+    const char *word = format_in(r->arena, "%s=%.*s", name, (int)n, text);
+    ScriptSetting setting;
+    Setting s;
+    int code;
+
+    if (!setting_parse(r->c, word, &s))
+        return EXIT_USAGE;
+    if ((code = setting_find(r->c, r->w.p, &s, &setting)) != EXIT_OK)
+        return code;
+    *x = s.value;
+    *parameter = setting.parameter;
+    return EXIT_OK;
+}
+
+// Reads NAME=LO:HI:N.  EXIT_OK, or the exit code after a message.
+static int read_axis(SweepRun *r, const char *word)
+{
+    const char *equals = strchr(word, '='), *first = strchr(word, ':'), *second = first ? strchr(first + 1, ':') : NULL;
+    const char *name = format_in(r->arena, "%.*s", (int)(equals - word), word);
+    SweepAxis *a = &r->o.axis[r->o.axes];
+    uint64_t n;
+    int code;
+
+    if (!second || !cli_read_count(second + 1, &n) || n < 2 || n > SWEEP_POINTS_MOST)
+        return cli_usage_error(r->c, TEXT_sweep_form, (int)SWEEP_POINTS_MOST, word);
+    if ((code = read_end(r, name, equals + 1, (size_t)(first - equals - 1), &a->lo, &a->parameter)) != EXIT_OK ||
+        (code = read_end(r, name, first + 1, (size_t)(second - first - 1), &a->hi, &a->parameter)) != EXIT_OK)
+        return code;
+    if (!(a->lo < a->hi))
+        return cli_usage_error(r->c, TEXT_sweep_ends, word);
+    if (r->o.axes == 1 && a->parameter == r->o.axis[0].parameter)
+        return cli_usage_error(r->c, TEXT_sweep_twice, name);
+    a->n = (uint32_t)n;
+    r->o.axes++;
+    return EXIT_OK;
+}
+
+static int read_settings(SweepRun *r)
+{
+    Cli *c = r->c;
+    int code;
+
+    for (size_t i = 0; i < c->set.n; i++) {
+        const char *equals = strchr(c->set.at[i], '=');
+        ScriptSetting setting;
+        Setting s;
+        if (equals && strchr(equals, ':')) {
+            if (r->o.axes == SWEEP_AXES)
+                return cli_usage_error(c, TEXT_sweep_axes);
+            if ((code = read_axis(r, c->set.at[i])) != EXIT_OK)
+                return code;
+            continue;
+        }
+        if (!setting_parse(c, c->set.at[i], &s))
+            return EXIT_USAGE;
+        if ((code = setting_find(c, r->w.p, &s, &setting)) != EXIT_OK)
+            return code;
+        vec_push(r->arena, &r->setting, setting);
+    }
+    if (r->o.axes == 0)
+        return cli_usage_error(c, TEXT_sweep_axes);
+    if (r->o.axes == 2 && (uint64_t)r->o.axis[0].n * r->o.axis[1].n > SWEEP_POINTS_MOST)
+        return cli_usage_error(c, TEXT_sweep_points, (int)SWEEP_POINTS_MOST);
+    return EXIT_OK;
+}
+
+int cmd_sweep(Cli *c)
+{
+    SweepRun r = {.c = c, .arena = &c->session.arena};
+    size_t format;
+    int code;
+
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format))
+        return EXIT_USAGE;
+    if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &r.seed) || r.seed > SCRIPT_SEED_MAX))
+        return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
+    if ((code = whatif_load(c, &r.w)) != EXIT_OK || (code = read_settings(&r)) != EXIT_OK)
+        return code;
+    r.o.max_steps = r.w.max_steps;
+    r.o.seed = c->given[OPT_SEED] ? &r.seed : NULL;
+    r.o.requirements = r.w.requirements;
+    r.o.setting = r.setting.at;
+    r.o.settings = r.setting.n;
+    return run_and_report(&r, format);
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cli/whatif.h"
+
+#include <string.h>
+
+#include "compiler/cli/deps.h"
+#include "compiler/cli/runs.h"
+
+enum { STEPS_MOST = 1000000 };
+
+static int check_scripts(Cli *c, WhatIf *w, const CompileInput *in, const Compiled *made)
+{
+    for (size_t i = 0; i < in->n; i++)
+        if (in->at[i].kind == FILE_SS && !made->of[i].is_included) {
+            const Script *s = session_script(&c->session, in->at[i].text, w->p);
+            if (!s)
+                continue;
+            vec_push(&c->session.arena, &w->script, s);
+            vec_push(&c->session.arena, &w->path, c->file[i]);
+        }
+    return cli_print_diagnostics(c);
+}
+
+int whatif_load(Cli *c, WhatIf *w)
+{
+    const CompiledSource *m;
+    CompileInput in;
+    CompileOptions o;
+    Compiled made;
+    size_t scripts = 0;
+    int code;
+
+    w->max_steps = STEPS_MOST;
+    if ((code = runs_check_arguments(c)) != EXIT_OK)
+        return code;
+    for (size_t i = 0; i < c->files; i++)
+        scripts += has_suffix(c->file[i], ".ss");
+    if (scripts == 0)
+        return cli_usage_error(c, TEXT_whatif_script, c->command->name, c->command->name, c->file[0]);
+    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &w->max_steps))
+        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (deps_wanted(c) && !deps_check_name(c, &(OsOutput){c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0}))
+        return EXIT_USAGE;
+    if (!cli_compile_options(c, &o))
+        return EXIT_USAGE;
+    if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
+        return code;
+    o.scripts_later = true;
+    o.skip_analyses = true;
+    compile_sources(&c->session, &in, &o, &made);
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+        return code;
+    m = runs_find_machine(&in, &made);
+    w->p = m->scripted;
+    w->requirements = m->requirements;
+    return check_scripts(c, w, &in, &made);
+}
+
+static DepInputs list_inputs(Cli *c)
+{
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + 1), 0};
+
+    for (size_t i = 0; i < c->files; i++)
+        all.at[all.n++] = c->file[i];
+    for (size_t i = 0; i < c->included.n; i++)
+        all.at[all.n++] = c->included.at[i]->name;
+    for (size_t i = 0; i < c->data.n; i++)
+        all.at[all.n++] = c->data.at[i];
+    if (c->given[OPT_SV])
+        all.at[all.n++] = c->value[OPT_SV];
+    return all;
+}
+
+int whatif_write(Cli *c, const Buf *result)
+{
+    OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(result), result->n}};
+    size_t files = 1;
+
+    if (deps_wanted(c))
+        deps_add_rule(c, file, &files, list_inputs(c));
+    return cli_write_outputs(c, file, files);
+}
+
+bool whatif_read_list(const char *list, void *context, bool (*add)(void *context, const char *word, size_t n))
+{
+    for (const char *at = list; ; at++) {
+        const size_t n = strcspn(at, ",");
+        if (!add(context, at, n))
+            return false;
+        at += n;
+        if (*at == '\0')
+            return true;
+    }
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine with its scripts and requirements, for smc faults and smc sweep.
+#ifndef SMC_CLI_WHATIF_H
+#define SMC_CLI_WHATIF_H
+
+#include "compiler/cli/cli.h"
+
+typedef struct WhatIf {
+    const Program *p;
+    const Requirements *requirements;     // NULL: none
+    VEC(const Script *) script;
+    VEC(const char *) path;               // by script, as the argument names it
+    uint64_t max_steps;
+} WhatIf;
+
+// Compiles the files that the command names, and reads --max-steps.  EXIT_OK, or the exit code after a message.
+int whatif_load(Cli *c, WhatIf *w);
+// Writes a result to the file of -o, and the make rule that -MD requests.  EXIT_OK, or the exit code after a message.
+int whatif_write(Cli *c, const Buf *result);
+// Reads a list of words between commas.  Calls `add` for each; it returns false after a message, and so does this.
+bool whatif_read_list(const char *list, void *context, bool (*add)(void *context, const char *word, size_t n));
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ordinary scripts that have the outcome of a fault (docs/faults.md).  There are two forms.  The edited form is the text of the script
+// in which the plant writes a variable of the script instead of the faulty input, followed by a section that writes what the sensor reads.
+// The recorded form contains what the machine was given in each step, and no plant.
+#ifndef SMC_FAULT_SCRIPT_H
+#define SMC_FAULT_SCRIPT_H
+
+#include "compiler/whatif/faults.h"
+
+// How the file of a script relates to the original.
+typedef struct FaultScriptPlace {
+    const char *to_original;          // path from its folder to that of the original, "" or with a separator at its end; NULL: there is none
+    const char *command;              // that runs it
+} FaultScriptPlace;
+
+// Append a script.  Return NULL, or why there is none in this form.
+const char *fault_script_write_edited(Arena *arena, const Faults *f, const FaultResult *r, const FaultScriptPlace *place, Buf *out);
+const char *fault_script_write_recorded(Arena *arena, Faults *f, const FaultResult *r, const FaultScriptPlace *place, Buf *out);
+// Runs a script that one of these has written.  Returns whether its outcome is that of the fault, at the same step.
+bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r, const Script *s);
+
+// Appends a fault in words: "altitude dead", "altitude dead and armed stuck".
+void fault_write_name(const Faults *f, const FaultResult *r, Buf *out);
+// Appends where it begins: "at Boost -> Coast (G = 1200)".
+void fault_write_trigger(const Faults *f, const FaultResult *r, Buf *out);
+// Appends what happened, in words, without a full stop.
+void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out);
+
+#endif

@@ -1,0 +1,107 @@
+# smc faults: what is refused, and inputs that leave nothing to do.
+args faults a.sm
+args faults a.app a.ss
+args faults a.sm bad.ss
+args faults a.sm broken.ss
+args faults a.sm a.ss --kinds=dead,broken
+args faults a.sm a.ss --inputs=q
+args faults a.sm a.ss --inputs=G
+args faults a.sm a.ss --offset=0
+args faults a.sm a.ss --late=0
+args faults a.sm a.ss --at=soon
+args faults a.sm a.ss --at=9999
+args faults a.sm a.ss --fail-on=none
+args faults a.sm a.ss --max-runs=0
+args faults a.sm a.ss --max-runs=3 | head -n 1
+args faults none.sm none.ss
+args faults a.sm a.ss --seed=x
+args faults a.sm a.ss -MD
+args faults a.sm a.ss --scripts=kept; cat kept/001-p-stuck.ss
+
+-- a.sm --
+[state_vector]
+U64 G
+U32 S
+F64 p @read_only
+bool open
+[Fill]
+.step
+    open = p > 100
+-- a.ss --
+[options]
+delta_t 10
+[all_states]
+true: p = G
+at 300: @assert open
+at 300: @stop
+-- kept/001-p-stuck.ss --
+my own script
+-- bad.ss --
+[options]
+delta_t 10
+[all_states]
+true: @assert open
+at 300: @stop
+-- broken.ss --
+[options]
+delta_t 10
+[all_states]
+true: q = 1
+at 300: @stop
+-- none.sm --
+[state_vector]
+U64 G
+U32 S
+bool open
+[Fill]
+.step
+    open = T > 100
+-- none.ss --
+[options]
+delta_t 10
+[all_states]
+at 300: @assert open
+at 300: @stop
+-- stdout --
+faults of a: 1 input, 0 triggers in 1 script; 0 of 0 faults have an effect
+input  stuck      dead       nan        low        high       below      above      noisy      late       dropped
+p      -          -          -          -          -          -          -          -          -          -
+note: 'p' has no @range; its range in the runs without a fault is 0 to 300
+faults of a: 1 input, 2 triggers in 1 script; 3 of 3 faults have an effect
+faults of none: 0 inputs, 2 triggers in 1 script; 0 of 0 faults have an effect
+my own script
+-- stderr --
+smc: faults requires a script to run, as in 'smc faults a.sm SCRIPT.ss'
+Try 'smc faults --help'.
+smc: 'a.app' is neither a machine (.sm) nor a script (.ss)
+Try 'smc faults --help'.
+smc: bad.ss fails without any fault: 'smc test' shows why
+broken.ss:4:7: error: unknown element 'q' [E0204]
+    4 | true: q = 1
+      |       ^
+1 error
+smc: --kinds is a list of stuck, dead, nan, low, high, below, above, noisy, late, dropped and flipped, not 'broken'
+Try 'smc faults --help'.
+smc: 'a' has no element 'q' that can be faulty: name an element of the state vector, but not its time or its state
+smc: 'a' has no element 'G' that can be faulty: name an element of the state vector, but not its time or its state
+smc: --offset requires a percentage above 0 and up to 100, not '0'
+Try 'smc faults --help'.
+smc: --late requires a number of steps from 1 to 10000, not '0'
+Try 'smc faults --help'.
+smc: --at requires whole numbers in units of G, as in 0,5000, not 'soon'
+Try 'smc faults --help'.
+smc: warning: no script reaches a time of --at, so no fault begins
+smc: --fail-on is aborted, differs, endless, elsewhere, failed or violated, not 'none'
+Try 'smc faults --help'.
+smc: --max-runs requires a whole number from 1, not '0'
+Try 'smc faults --help'.
+smc: stopped after 3 runs: --max-runs allows no more, so faults are missing
+smc: warning: the machine has no input: it reads no element that a script writes or that is '@read_only'
+smc: --seed requires a whole number from 0 to 9007199254740992, not 'x'
+Try 'smc faults --help'.
+smc: standard output has no name that -MD can derive a name from: name the rule's file with -MF
+Try 'smc faults --help'.
+smc: 'kept/001-p-stuck.ss' is the name of a source, and only 'smc fix' writes to sources; name another folder with --scripts
+Try 'smc faults --help'.
+-- exit --
+2 2 1 1 2 1 1 2 2 2 0 2 2 0 0 2 2 0

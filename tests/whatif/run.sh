@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+# smc faults and smc sweep: the matrix of a machine with twelve states and six sensors within 10 s of processor time; every script that is written
+# fails when smc test runs it; a signal leaves complete files.
+#     sh tests/whatif/run.sh SMC
+smc=$1
+dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-whatif.XXXXXX") || exit 1
+trap 'rm -rf "$dir"' EXIT
+passed=0
+failed=0
+
+check() { # LABEL CONDITION...
+    label=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "whatif: $label: failed: $*"
+    fi
+}
+
+# Runs smc faults with these arguments and writes the scripts.  Each of them has to fail as an ordinary script.
+reproduce() { # NAME LEAST ARGUMENTS...
+    name=$1
+    least=$2
+    shift 2
+    "$smc" faults "$@" --scripts="$dir/$name" >"$dir/$name.txt" 2>"$dir/errors" || check "$name: $(head -n 1 "$dir/errors")" false
+    total=$(ls "$dir/$name" | wc -l)
+    check "$name: at least $least scripts" [ "$total" -ge "$least" ]
+    check "$name: a script for each line" grep -q "^$total of $total line" "$dir/$name.txt"
+    files=
+    for argument; do
+        case $argument in *.ss | --pairs | --kinds=*) ;; *) files="$files $argument" ;; esac
+    done
+    for script in "$dir/$name"/*.ss; do
+        "$smc" test $files "$script" >"$dir/out" 2>&1
+        check "$script" [ $? -eq 1 ]
+    done
+}
+
+reproduce parachutes 8 examples/parachutes/parachutes.sm examples/parachutes/parachutes.ss examples/parachutes/parachutes.rq
+reproduce recovery 8 examples/recovery/recovery.sm examples/recovery/recovery.ss --sv examples/recovery/recovery.sv
+reproduce ignition 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq
+reproduce pairs 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq --pairs --kinds=dead,stuck
+reproduce tank 2 examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
+
+# The machine of tests/whatif: every kind at every trigger.
+( ulimit -t 10
+  "$smc" faults tests/whatif/sequencer.sm tests/whatif/sequencer.ss tests/whatif/sequencer.rq >"$dir/sequencer.txt" 2>"$dir/errors" )
+check "the matrix of the sequencer in 10 s of processor time" [ $? -eq 0 ]
+check "all faults of the sequencer" grep -q '20 triggers in 1 script; [0-9]* of 1040 faults' "$dir/sequencer.txt"
+check "the dead altimeter of the sequencer" grep -q '^  altitude dead .*R3, by the true values' "$dir/sequencer.txt"
+
+# A signal: the result has what was run, and is complete.
+"$smc" faults tests/whatif/sequencer.sm tests/whatif/sequencer.ss --pairs --format=json -o "$dir/cut.json" --scripts="$dir/cut" 2>"$dir/errors" &
+sleep 2
+kill -TERM $!
+wait $!
+check "a signal ends the process" [ $? -eq 143 ]
+check "the file is complete" [ "$(tail -c 4 "$dir/cut.json")" = "]}" -o "$(tail -c 3 "$dir/cut.json")" = "]}" ]
+check "the file is marked" grep -q '"complete":false' "$dir/cut.json"
+check "the message" grep -q 'interrupted after' "$dir/errors"
+for script in "$dir/cut"/*.ss; do
+    [ ! -e "$script" ] || check "$script" grep -q '^# ---- the fault ----\|@stop' "$script"
+done
+
+echo "whatif: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
