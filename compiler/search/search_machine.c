@@ -193,6 +193,15 @@ static void add_inputs(const SearchRun *k, const IrFn *f, IrRef ref, uint64_t *t
     }
 }
 
+static uint64_t count_bits(uint64_t set)
+{
+    uint64_t n = 0;
+
+    for (; set; set &= set - 1)
+        n++;
+    return n;
+}
+
 static void find_dependences(SearchRun *k)
 {
     for (bool again = true; again; ) {
@@ -202,14 +211,14 @@ static void find_dependences(SearchRun *k)
                 const SearchStore *s = &k->var[v].store.at[i];
                 uint64_t before = 0, after = 0;
                 for (uint32_t w = 0; w < k->words; w++)
-                    before += (uint64_t)__builtin_popcountll(k->var[v].inputs[w]);
+                    before += count_bits(k->var[v].inputs[w]);
                 add_inputs(k, k->fn[s->fn].fn, s->value, k->var[v].inputs);
                 for (uint32_t e = 0; e < k->path[s->stmt].n; e++) {
                     const FlatDecision *d = k->decision[k->path[s->stmt].elem[e].decision].d;
                     add_inputs(k, d->fn, d->value, k->var[v].inputs);
                 }
                 for (uint32_t w = 0; w < k->words; w++)
-                    after += (uint64_t)__builtin_popcountll(k->var[v].inputs[w]);
+                    after += count_bits(k->var[v].inputs[w]);
                 again = again || after != before;
             }
     }

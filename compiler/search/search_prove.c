@@ -254,8 +254,8 @@ static bool truth_of(Prover *p, IrRef ref)
     int order;
 
     switch (i->op) {
-    case IR_and: return truth_of(p, i->a) & truth_of(p, i->b);
-    case IR_or: return truth_of(p, i->a) | truth_of(p, i->b);
+    case IR_and: return truth_of(p, i->a) && truth_of(p, i->b);
+    case IR_or: return truth_of(p, i->a) || truth_of(p, i->b);
     case IR_not: return !truth_of(p, i->a);
     case IR_const: return ir_number(i->type, i->bits) != 0;
     default: break;
@@ -280,8 +280,8 @@ static bool node_truth(Prover *p, const FlatDecision *d, uint32_t n)
     switch (node->kind) {
     case NODE_CONDITION: return truth_of(p, d->condition[node->a]);
     case NODE_NOT: return !node_truth(p, d, node->a);
-    case NODE_AND: return node_truth(p, d, node->a) & node_truth(p, d, node->b);
-    default: return node_truth(p, d, node->a) | node_truth(p, d, node->b);
+    case NODE_AND: return node_truth(p, d, node->a) && node_truth(p, d, node->b);
+    default: return node_truth(p, d, node->a) || node_truth(p, d, node->b);
     }
 }
 
