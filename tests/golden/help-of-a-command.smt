@@ -20,7 +20,7 @@ Options:
   -v                       test: print the final state vector of failed scripts too, and of each of several; mutate: list every change
   --set=NAME=VALUE         set a parameter of the machine, in place of its default and of what a script sets; can be repeated
   --max-steps=N            give up on a script after N steps (default 1000000)
-  --seed=N                 the seed of the scripts' random numbers, from 0 (default: that of each script, else 0)
+  --seed=N                 test: the seed of the scripts' random numbers, from 0 (default: that of each script, else 0); cover: that of the search (default 1)
   --junit=FILE             write the results as JUnit XML
   --tap                    print the results in the Test Anything Protocol
   --coverage               measure which transitions, statements, guards, conditions, windows and states the scripts test

@@ -19,6 +19,8 @@ Usage:
       decide for each requirement whether any run of the machine can violate it
   smc mutate M.sm SCRIPT.ss... [--sv V.sv] [--min-score=PERCENT]
       change one number, operator, target or statement at a time, and list the changes that no script notices
+  smc cover M.sm [SCRIPT.ss...] [--sv V.sv] -o FOLDER
+      find inputs that reach what no script has tested, and write them as scripts into a folder
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE

@@ -102,9 +102,9 @@ requirements of a, from state Idle, with a step every 10 ms:
 {"id":"R1","text":"closed outside of filling","verdict":"proved","premise_seen":true,"steps":7,"situations":66,"branches":75113,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
 {"id":"R2","text":"filling ends","verdict":"proved","premise_seen":true,"steps":17,"situations":189,"branches":143637,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
 {"id":"R3","text":"no second fill","verdict":"violated","premise_seen":true,"steps":17,"situations":15,"branches":260353,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R3 (no second fill).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"},
-{"id":"R4","text":"no hold before filling","verdict":"proved","premise_seen":true,"steps":202,"situations":245,"branches":152493,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
+{"id":"R4","text":"no hold before filling","verdict":"proved","premise_seen":true,"steps":1625,"situations":245,"branches":152493,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
 {"id":"R5","text":"the count is small","verdict":"proved","premise_seen":true,"steps":7,"situations":66,"branches":109844,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":3}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
-{"id":"R6","text":"armed before filling","verdict":"violated","premise_seen":true,"steps":157,"situations":87,"branches":564422,"assumptions":[],"violated_after":2,"changes":2,"script":"# Violates R6 (armed before filling).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = false\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"}
+{"id":"R6","text":"armed before filling","verdict":"violated","premise_seen":true,"steps":283,"situations":87,"branches":564422,"assumptions":[],"violated_after":2,"changes":2,"script":"# Violates R6 (armed before filling).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = false\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"}
 ]}
 requirements of a, from state Idle, with a step every 10 ms:
   Q1  vacuous             nothing after Never
@@ -123,18 +123,18 @@ requirements of a, from state Hold, with a step every 10 ms:
       init_state Hold
 
       [all_states]
+      at 0:     arm = true
       at 0:     @assert state Hold and not valve and count == 1
       at 10 ms: @assert state Hold and not valve and count == 2
-      at 20 ms: arm = true
       at 20 ms: @assert state Hold and not valve and count == 3
       at 30 ms: @assert state Idle and not valve and count == 3
-      at 40 ms: p = 1000
+      at 40 ms: p = 4000
       at 40 ms: @assert state Fill and not valve and count == 0
       at 50 ms: @assert state Never and not valve and count == 0
       at 50 ms: @stop
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
-      30000004 steps were tried; what is known about the values is too little for a proof
+      30000003 steps were tried; what is known about the values is too little for a proof
       61 situations and 522588 branches were examined
 -- exit --
 1 0 0 1 5
