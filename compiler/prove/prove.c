@@ -12,7 +12,7 @@ enum {
 
 static const ProveLimits coarse = {1500, 300000}, fine = {4000, 1500000};
 
-typedef struct Prover {
+typedef struct ProveRun {
     Arena *arena;
     const Requirements *all;
     const Program *p;
@@ -20,14 +20,14 @@ typedef struct Prover {
     const ProveOptions *o;
     ProveResult *result;
     Cover *cover;
-} Prover;
+} ProveRun;
 
-static bool goes_on(const Prover *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
+static bool goes_on(const ProveRun *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
 
 // ---- proofs ----
 
 // Tries a proof.  Returns whether no run violates the requirement under the assumptions.
-static bool try_proof(Prover *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
 {
     ProveLimits limits = is_fine ? fine : coarse;
 
@@ -40,7 +40,7 @@ static bool try_proof(Prover *v, ProveModel *model, unsigned assumed, bool is_fi
 }
 
 // Removes the assumptions that the proof does not need, one after another.
-static unsigned weaken_assumptions(Prover *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+static unsigned weaken_assumptions(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
 {
     for (int a = PROVE_ASSUMPTIONS - 1; a >= 0; a--) {
         ProveExplored without;
@@ -61,7 +61,7 @@ static bool is_known(Fact f, SmType type)
     return f.lo > t.lo || f.hi < t.hi;
 }
 
-static const ProveInvariant *invariants_of(const Prover *v, const ProveModel *model, const ProveExplored *x)
+static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *model, const ProveExplored *x)
 {
     ProveInvariant *out = arena_array(v->arena, v->p->state.n, sizeof *out);
 
@@ -81,7 +81,7 @@ static const ProveInvariant *invariants_of(const Prover *v, const ProveModel *mo
 }
 
 // Tries proofs with all assumptions, first with few situations and then with many.  Returns whether one is found.
-static bool prove_requirement(Prover *v, ProveOf *of)
+static bool prove_requirement(ProveRun *v, ProveOf *of)
 {
     ProveModel *model = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t);
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
@@ -103,7 +103,7 @@ static bool prove_requirement(Prover *v, ProveOf *of)
 
 // ---- violations ----
 
-static GoalFound search_for(Prover *v, ProveOf *of, GoalKind kind, uint64_t effort)
+static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t effort)
 {
     const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .effort = effort,
                           .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
@@ -116,7 +116,7 @@ static GoalFound search_for(Prover *v, ProveOf *of, GoalKind kind, uint64_t effo
     return found;
 }
 
-static void decide(Prover *v, ProveOf *of)
+static void decide(ProveRun *v, ProveOf *of)
 {
     GoalFound found;
 
@@ -196,7 +196,7 @@ bool prove_find_contradiction(Arena *arena, const Requirements *r, const Require
 ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o)
 {
     ProveResult *result = ARENA_NEW(arena, ProveResult);
-    Prover v = {.arena = arena, .all = r, .p = r->program, .o = o, .result = result};
+    ProveRun v = {.arena = arena, .all = r, .p = r->program, .o = o, .result = result};
 
     v.m = ir_build(arena, v.p);
     v.cover = cover_new(arena, v.p);

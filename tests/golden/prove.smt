@@ -45,6 +45,8 @@ R2 "filling ends"                always S == Fill leads to S != Fill within 2010
 R3 "no second fill"              never Fill after Idle without Hold
 R4 "no hold before filling"      never Hold before Fill
 R5 "the count is small"          never count > 3
+R7 "filling ends sooner"         always S == Fill leads to S != Fill within 2 s
+R8 "three samples are equal"     never arm and roll_min(arm, 3) == 0
 R6 "armed before filling"        always rising(valve) implies arm
 -- two.rq --
 Q1 "nothing after Never"         always S == Never implies valve
@@ -59,8 +61,11 @@ requirements of a, from state Idle, with a step every 10 ms:
       in Hold: valve is false, count is from 1 to 3
       in Never: valve is false, count is 0
   R2  proved              filling ends
-      in Fill: T is at most 2000
-      in Hold: count is at least 1
+      assuming that only this machine writes the elements that it assigns
+      in Idle: valve is false
+      in Fill: count is 0, T is at most 2000
+      in Hold: valve is false, count is from 1 to 3
+      in Never: valve is false, count is 0
   R3  violated            no second fill
       after 2 steps
       # Violates R3 (no second fill).
@@ -84,6 +89,32 @@ requirements of a, from state Idle, with a step every 10 ms:
       in Fill: count is 0, T is at most 2000
       in Hold: valve is false, count is from 1 to 3
       in Never: valve is false, count is 0
+  R7  violated            filling ends sooner
+      after 202 steps
+      # Violates R7 (filling ends sooner).
+
+      [options]
+      delta_t    10 ms
+      init_state Idle
+
+      [all_states]
+      at 0:                 arm = true
+      at 0:                 @assert state Idle and not valve and count == 0
+      from 10 ms to 2.01 s: @assert state Fill and valve and count == 0
+      at 2.01 s:            @assert state Fill and not valve and count == 0
+      at 2.01 s:            @stop
+  R8  violated            three samples are equal
+      after 2 steps
+      # Violates R8 (three samples are equal).
+
+      [options]
+      delta_t    10 ms
+      init_state Idle
+
+      [all_states]
+      true:     @assert state Idle and not valve and count == 0
+      at 10 ms: arm = true
+      at 10 ms: @stop
   R6  violated            armed before filling
       after 2 steps
       # Violates R6 (armed before filling).
@@ -99,12 +130,14 @@ requirements of a, from state Idle, with a step every 10 ms:
       at 10 ms: @assert state Fill and valve and count == 0
       at 10 ms: @stop
 {"smc-proofs":1,"machine":"a","state":"Idle","delta_t":10,"requirements":[
-{"id":"R1","text":"closed outside of filling","verdict":"proved","premise_seen":true,"steps":7,"situations":66,"branches":75113,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
-{"id":"R2","text":"filling ends","verdict":"proved","premise_seen":true,"steps":17,"situations":189,"branches":143637,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
-{"id":"R3","text":"no second fill","verdict":"violated","premise_seen":true,"steps":17,"situations":15,"branches":260353,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R3 (no second fill).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"},
-{"id":"R4","text":"no hold before filling","verdict":"proved","premise_seen":true,"steps":1625,"situations":245,"branches":152493,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
-{"id":"R5","text":"the count is small","verdict":"proved","premise_seen":true,"steps":7,"situations":66,"branches":109844,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":3}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
-{"id":"R6","text":"armed before filling","verdict":"violated","premise_seen":true,"steps":283,"situations":87,"branches":564422,"assumptions":[],"violated_after":2,"changes":2,"script":"# Violates R6 (armed before filling).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = false\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"}
+{"id":"R1","text":"closed outside of filling","verdict":"proved","premise_seen":true,"steps":7,"situations":313,"branches":663135,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
+{"id":"R2","text":"filling ends","verdict":"proved","premise_seen":true,"steps":17,"situations":313,"branches":714707,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
+{"id":"R3","text":"no second fill","verdict":"violated","premise_seen":true,"steps":17,"situations":17,"branches":360971,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R3 (no second fill).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"},
+{"id":"R4","text":"no hold before filling","verdict":"proved","premise_seen":true,"steps":1625,"situations":970,"branches":1063138,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
+{"id":"R5","text":"the count is small","verdict":"proved","premise_seen":true,"steps":7,"situations":313,"branches":893255,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":3}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
+{"id":"R7","text":"filling ends sooner","verdict":"violated","premise_seen":true,"steps":1617,"situations":1022,"branches":1703481,"assumptions":[],"violated_after":202,"changes":1,"script":"# Violates R7 (filling ends sooner).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:                 arm = true\u000aat 0:                 @assert state Idle and not valve and count == 0\u000afrom 10 ms to 2.01 s: @assert state Fill and valve and count == 0\u000aat 2.01 s:            @assert state Fill and not valve and count == 0\u000aat 2.01 s:            @stop\u000a"},
+{"id":"R8","text":"three samples are equal","verdict":"violated","premise_seen":true,"steps":3530,"situations":246,"branches":1601099,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R8 (three samples are equal).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000atrue:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = true\u000aat 10 ms: @stop\u000a"},
+{"id":"R6","text":"armed before filling","verdict":"violated","premise_seen":true,"steps":283,"situations":365,"branches":1314261,"assumptions":[],"violated_after":2,"changes":2,"script":"# Violates R6 (armed before filling).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = false\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"}
 ]}
 requirements of a, from state Idle, with a step every 10 ms:
   Q1  vacuous             nothing after Never
@@ -134,7 +167,7 @@ requirements of a, from state Hold, with a step every 10 ms:
       at 50 ms: @stop
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
-      30000004 steps were tried; what is known about the values is too little for a proof
+      30000003 steps were tried; what is known about the values is too little for a proof
       61 situations and 522588 branches were examined
 -- exit --
 1 0 0 1 5

@@ -243,8 +243,8 @@ static const char *run_randomly(Test *t, const ProveOf *of, uint64_t steps)
         const char *wrong;
         for (uint32_t v = 0; v < t->p->var.n; v++) {
             const Var *var = t->p->var.at[v];
-            const bool free = var->written && assumes(of, PROVE_OWN_OUTPUTS);
-            if (is_input(t, var) && !free && (k == 0 || rng_percent(&t->rng, change)))
+            const bool is_kept = var->written && assumes(of, k == 0 ? PROVE_ZERO_START : PROVE_OWN_OUTPUTS);
+            if (is_input(t, var) && !is_kept && (k == 0 || rng_percent(&t->rng, change)))
                 flat_cells(t->flat, run)[t->m->var_of[v]] = any_cell(t, var->type);
         }
         flat_cells(t->flat, run)[t->m->g] = g;
