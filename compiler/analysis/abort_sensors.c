@@ -116,7 +116,7 @@ static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const
     k->commands = commands;
     k->failed = failed;
     k->stayed = k->left = k->left_at_once = false;
-    k->until = k->t->run->work + WORK_MAX;
+    k->until = k->t->run->work + WORK_MAX / k->t->share;
     for (size_t n = 0; n < s->entry.n && n < ENTRIES_TRIED && !found; n++)
         found = find_aborting_trial(k, &s->entry.at[n]);
     k->failed = NULL;
@@ -231,7 +231,7 @@ static void find_latch(AbortTrials *k, AbortRow *r)
     k->commands = true;
     for (size_t n = 0; n < s->entry.n && n < LATCH_ENTRIES_TRIED && !(can && cannot); n++) {
         k->stayed = false;
-        k->until = k->t->run->work + WORK_MAX;
+        k->until = k->t->run->work + WORK_MAX / k->t->share;
         if (find_aborting_trial(k, &s->entry.at[n]))
             can = &s->entry.at[n];
         else if (k->stayed && k->t->run->work < k->until)

@@ -527,6 +527,7 @@ void check_output_on_zero(Trials *t)
     z.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     z.reported = ARENA_ARRAY(t->a->arena, bool, t->a->p->stmts + 1u);
     z.effort = effort_in_all / (t->a->p->state.n * t->inputs + 1) < effort ? effort_in_all / (t->a->p->state.n * t->inputs + 1) : effort;
+    z.effort /= t->share;
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         z.leaves = t->a->p->state.at[s]->is_abort;
         for (uint32_t i = 0; i < t->inputs; i++)

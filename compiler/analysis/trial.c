@@ -8,6 +8,8 @@
 
 #include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial_inputs.h"
+#include "compiler/ir/eval.h"
+#include "stdlib/convert.h"
 #include "stdlib/math.h"
 
 enum {
@@ -236,7 +238,7 @@ static void search_rounds(TrialSearch *k, int from, int to)
         for (uint32_t s = 0; s < t->a->p->state.n; s++) {
             if (t->state[s].entry.n == 0 || (round >= ROUNDS && !has_untaken_transition(t, s)))
                 continue;
-            for (int n = 0; n < TRIES && t->run->work < work_max; n++)
+            for (int n = 0; n < TRIES && t->run->work < work_max / t->share; n++)
                 run_one_try(k, s);
         }
 }
@@ -269,13 +271,32 @@ static void record_stmt(const StmtLocation *at, void *context)
     t->when[at->stmt->number] = at->when;
 }
 
-Trials *trials_of(Analysis *a)
+double trial_value_of_parameter(TrialSetting setting, const Var *v)
+{
+    return setting == TRIAL_LOWEST ? v->parameter->lo : setting == TRIAL_HIGHEST ? v->parameter->hi : sm_cell_to_f64(v->type, v->parameter->standard);
+}
+
+static void set_parameters(Trials *t)
+{
+    for (size_t v = 0; v < t->a->p->var.n; v++) {
+        const Var *var = t->a->p->var.at[v];
+        if (var->parameter && t->a->m->var_of[v] != IR_NONE)
+            t->run->initial[t->a->m->var_of[v]] = ir_convert(var->type, trial_value_of_parameter(t->setting, var));
+    }
+}
+
+Trials *trials_of(Analysis *a) { return trials_at(a, TRIAL_DEFAULTS, 1); }
+
+Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share)
 {
     Trials *t = ARENA_NEW(a->arena, Trials);
     const InputDepsTable *deps = input_deps_of(a);
 
     t->a = a;
+    t->setting = setting;
+    t->share = share;
     t->run = ir_run_new(a->arena, a->m);
+    set_parameters(t);
     t->state = ARENA_ARRAY(a->arena, TrialState, a->p->state.n);
     t->transition = ARENA_ARRAY(a->arena, const Transition *, a->p->stmts + 1u);
     t->stmt = ARENA_ARRAY(a->arena, const Stmt *, a->p->stmts + 1u);

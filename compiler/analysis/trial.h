@@ -55,8 +55,13 @@ typedef struct TrialState {
     bool *relevant;                   // by input: the state's behaviour can depend on this input
 } TrialState;
 
+// The values that the parameters of the machine have in all trials.
+typedef enum TrialSetting { TRIAL_DEFAULTS, TRIAL_LOWEST, TRIAL_HIGHEST, TRIAL_SETTINGS } TrialSetting;
+
 typedef struct Trials {
     Analysis *a;
+    TrialSetting setting;
+    uint32_t share;                   // the bounds of effort are divided by this number: 1, or with parameters how many settings there are
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
     uint64_t check_at;                // value of run->work at which trial_step lets the host end the trials
@@ -90,7 +95,12 @@ typedef struct Trials {
 
 #define TRIAL_SEED 20221              // the seed for the choices of each check
 
+// Prepares trials with the defaults of parameters, and with all effort.
 Trials *trials_of(Analysis *a);
+// Prepares trials with a setting, which have 1 / share of the effort.
+Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share);
+// Returns the value of a parameter in these trials.
+double trial_value_of_parameter(TrialSetting setting, const Var *v);
 
 // ---- running ----
 

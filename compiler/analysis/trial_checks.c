@@ -24,11 +24,54 @@ double trial_check_round(double x)
 // The most IR instructions that a check may execute in trials: about two seconds.  Some checks have smaller limits.
 static const uint64_t effort = 400000000;
 
-void analyse_trials(Analysis *a)
+static bool has_setting(const Analysis *a, TrialSetting setting)
 {
-    Trials *t = trials_of(a);
+    for (size_t v = 0; v < a->p->var.n; v++) {
+        const Var *var = a->p->var.at[v];
+        if (var->parameter && trial_value_of_parameter(setting, var) != trial_value_of_parameter(TRIAL_DEFAULTS, var))
+            return true;
+    }
+    return setting == TRIAL_DEFAULTS;
+}
 
-#define TRIAL_CHECK(name, sentence) t->random = TRIAL_SEED, t->until = t->run->work + effort, check_##name(t);
+static void run_checks(Trials *t)
+{
+    const uint64_t share = effort / t->share;
+
+#define TRIAL_CHECK(name, sentence) t->random = TRIAL_SEED, t->until = t->run->work + share, check_##name(t);
 #include "compiler/analysis/trial_checks.def"
 #undef TRIAL_CHECK
+}
+
+// Returns the values of the parameters in a setting, as "limit = 700, count = 1".
+static const char *setting_text(const Analysis *a, TrialSetting setting)
+{
+    Buf out;
+
+    buf_init(&out, a->arena);
+    for (size_t v = 0; v < a->p->var.n; v++) {
+        const Var *var = a->p->var.at[v];
+        if (!var->parameter)
+            continue;
+        buf_str(&out, out.n > 0 ? ", " : "");
+        buf_printf(&out, "%s = %s", var->name->text, const_text(a->arena, trial_value_of_parameter(setting, var)));
+    }
+    return buf_text(&out);
+}
+
+// Runs the checks with the defaults of parameters, then at both ends of their ranges.  A finding is reported for the first setting that shows it
+// (diag_report drops repetitions).
+void analyse_trials(Analysis *a)
+{
+    const uint32_t share = 1u + has_setting(a, TRIAL_LOWEST) + has_setting(a, TRIAL_HIGHEST);
+
+    for (int k = 0; k < TRIAL_SETTINGS; k++) {
+        const TrialSetting setting = (TrialSetting)k;
+        const size_t before = a->diags->list.n;
+        if (!has_setting(a, setting))
+            continue;
+        run_checks(trials_at(a, setting, share));
+        for (size_t i = before; i < a->diags->list.n && setting != TRIAL_DEFAULTS; i++)
+            diag_note(a->diags, a->diags->list.at[i], (Span){0}, DIAG_note_setting, setting_text(a, setting));
+    }
 }

@@ -5,30 +5,40 @@
 
 // ---- counters ----
 
+// Whether the value of e does not change in a trial: it consists of constants and parameters.
+static bool is_fixed(const Expr *e)
+{
+    bool fixed = expr_is_constant(e) || (e->kind == EX_VAR && e->var->parameter) || ((e->kind == EX_UNARY || e->kind == EX_BINARY) && e->n > 0);
+
+    for (uint32_t i = 0; i < e->n && fixed; i++)
+        fixed = is_fixed(e->arg[i]);
+    return fixed;
+}
+
 static bool is_increment(const Stmt *s)
 {
     const Expr *e = s->value;
 
     return e->kind == EX_BINARY && (e->op == SM_OP_ADD || e->op == SM_OP_SUB) &&
-           ((e->arg[0]->kind == EX_VAR && e->arg[0]->var == s->var && expr_is_constant(e->arg[1])) ||
-            (e->op == SM_OP_ADD && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && expr_is_constant(e->arg[0])));
+           ((e->arg[0]->kind == EX_VAR && e->arg[0]->var == s->var && is_fixed(e->arg[1])) ||
+            (e->op == SM_OP_ADD && e->arg[1]->kind == EX_VAR && e->arg[1]->var == s->var && is_fixed(e->arg[0])));
 }
 
-// Whether every assignment to v stores a constant or adds a constant to v, and at least one adds.
+// Whether every assignment to v stores a fixed value or adds one to v, and at least one adds.
 static bool is_counter(const TrialFinder *f, const Var *v)
 {
     bool counts = false;
 
     for (size_t i = 0; i < f->assign.n; i++)
         if (f->assign.at[i]->var == v) {
-            if (!is_increment(f->assign.at[i]) && !expr_is_constant(f->assign.at[i]->value))
+            if (!is_increment(f->assign.at[i]) && !is_fixed(f->assign.at[i]->value))
                 return false;
             counts |= is_increment(f->assign.at[i]);
         }
     return counts;
 }
 
-// Returns the constants that v is compared with, followed by a NaN.
+// Returns the fixed values that v is compared with, followed by a NaN.
 static double *limits_of(TrialFinder *f, const Var *v)
 {
     VEC(double) limit = {NULL, 0, 0};
@@ -37,8 +47,8 @@ static double *limits_of(TrialFinder *f, const Var *v)
         for (int side = 0; side < 2; side++) {
             const Comparison pair = f->comparison.at[c].pair;
             const Expr *e = side ? pair.b : pair.a, *to = side ? pair.a : pair.b;
-            if (e->kind == EX_VAR && e->var == v && expr_is_constant(to))
-                vec_push(f->arena, &limit, expr_constant_value(to));
+            if (e->kind == EX_VAR && e->var == v && is_fixed(to))
+                vec_push(f->arena, &limit, expr_eval(to, f->value));
         }
     f->t->count += limit.n;
     vec_push(f->arena, &limit, sm_from_bits(UINT64_C(0x7FF8000000000000)));

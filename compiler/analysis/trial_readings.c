@@ -26,7 +26,8 @@ static void compute_vars(TrialFinder *f)
 {
     for (size_t v = 0; v < f->p->var.n; v++)
         if (f->p->var.at[v]->kind == VAR_LOCAL)
-            f->value[v] = sm_cell_to_f64(f->p->var.at[v]->type, f->p->var.at[v]->init);
+            f->value[v] = f->p->var.at[v]->parameter ? trial_value_of_parameter(f->t->setting, f->p->var.at[v])
+                                                     : sm_cell_to_f64(f->p->var.at[v]->type, f->p->var.at[v]->init);
     run_assignments(f, 0);
 }
 

@@ -296,7 +296,7 @@ void check_window_not_full(Trials *t)
 
     if (t->window < 2)
         return;
-    w.until = t->run->work + work_max;
+    w.until = t->run->work + work_max / t->share;
     w.deciding = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.found = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.earlier = trial_new_inputs(t);

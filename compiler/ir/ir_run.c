@@ -89,6 +89,10 @@ IrRun *ir_run_new(Arena *arena, const IrMachine *m)
         for (int b = 0; b < BLOCK_COUNT; b++)
             r->block[s][b] = flatten_function(arena, m->state.at[s].block[b], &temps);
     r->temp = ARENA_ARRAY(arena, double, temps);
+    r->initial = ARENA_ARRAY(arena, double, m->var.n + 1);
+    for (size_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].space == IR_LOCAL)
+            r->initial[v] = ir_convert(m->var.at[v].type, sm_cell_to_f64(m->var.at[v].type, m->var.at[v].init));
     return r;
 }
 
@@ -110,7 +114,7 @@ static uint64_t *window_of(const IrRun *r, void *situation, uint32_t w)
     return (uint64_t *)(void *)((char *)situation + r->window_at[w]);
 }
 
-// Initialises a situation: elements 0, locals at their initial values, windows empty, no step has run.
+// Initialises a situation: elements 0, locals at `initial`, windows empty, no step has run.
 void ir_run_start(const IrRun *r, void *situation, uint32_t state)
 {
     IrSituation *s = situation;
@@ -119,9 +123,7 @@ void ir_run_start(const IrRun *r, void *situation, uint32_t state)
     memset(situation, 0, r->size);
     s->state = state;
     s->first = true;
-    for (size_t v = 0; v < r->m->var.n; v++)
-        if (r->m->var.at[v].space == IR_LOCAL)
-            var[v] = ir_convert(r->m->var.at[v].type, sm_cell_to_f64(r->m->var.at[v].type, r->m->var.at[v].init));
+    memcpy(var, r->initial, r->m->var.n * sizeof *var);
     var[r->m->s] = state;
 }
 

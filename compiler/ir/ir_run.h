@@ -26,6 +26,7 @@ typedef struct IrRun {
     uint64_t work;                    // instructions and jumps executed so far; callers limit it
     IrRunFn *sample;
     IrRunFn *(*block)[BLOCK_COUNT];   // by state: its .entry, .step and .exit; NULL: missing
+    double *initial;                  // by variable: the value of a local at the start.  Callers can change those of parameters
     double *temp;                     // temporaries of the running function
 } IrRun;
 
@@ -46,7 +47,7 @@ typedef struct IrTrace {
 
 // Prepares a machine for running.  The result is allocated in the arena.
 IrRun *ir_run_new(Arena *arena, const IrMachine *m);
-// Initialises a situation: elements 0, locals at their initial values, windows empty, no step has run.
+// Initialises a situation: elements 0, locals at `initial`, windows empty, no step has run.
 void ir_run_start(const IrRun *r, void *situation, uint32_t state);
 // Returns the values of all variables, indexed by IR variable.
 double *ir_run_vars(const IrRun *r, void *situation);

@@ -62,6 +62,17 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, bool *in_time)
     return check_step_count(s, call, x);
 }
 
+// Reports a number without a unit. A fraction cannot be a number of steps.
+static void report_held_number(Sema *s, Span span, const char *number, SmF64 limit)
+{
+    Diag *d = diag_report(s->diags, DIAG_held_number, span);
+
+    if (sm_eq(sm_trunc(limit), limit))
+        diag_label(s->diags, d, DIAG_label_held, number, number);
+    else
+        diag_label(s->diags, d, DIAG_label_held_unit, number);
+}
+
 // Checks the time or the number of steps of held. Sets *limit to it, or to 0 after a report.
 static Duration check_held_duration(Sema *s, const AstExpr *call, SmF64 *limit)
 {
@@ -78,7 +89,7 @@ static Duration check_held_duration(Sema *s, const AstExpr *call, SmF64 *limit)
     if (d == DURATION_TIME)
         diag_report(s->diags, DIAG_held_time, span, number, time_unit_name(s->p->time_unit));
     else if (d == DURATION_NUMBER)
-        diag_label(s->diags, diag_report(s->diags, DIAG_held_number, span), DIAG_label_held, number, number);
+        report_held_number(s, span, number, *limit);
     *limit = sm_from_i32(0);
     return d;
 }

@@ -245,6 +245,8 @@ State *scope_find_state(Sema *s, const Program *m, Str name, Span span)
     similar = suggest_state(s->diags, d, &s->guesses, m, name);
     if (similar)
         diag_note(s->diags, d, ((State *)map_find(&m->state_by_name, similar))->span, DIAG_note_declared_here, similar->text);
+    else if (strcmp(name->text, "all_states") == 0)
+        diag_label(s->diags, d, DIAG_label_all_states_target);
     else if (!s->in_script && !scope_find_variable(s, name))
         diag_label(s->diags, d, DIAG_label_add_section, name->text);
     return NULL;

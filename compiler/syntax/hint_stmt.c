@@ -121,6 +121,8 @@ HintResult hint_report_prose_in_guard(HintCase *c)
     d = parser_fail(p, DIAG_guard_without_body, parser_token_span(p), parser_describe_found(p));
     if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, format_between(p, c->e));
+    else if (hint_is_word(&p->tok, "for"))
+        diag_label(p->diags, d, DIAG_label_held_instead);
     return HINT_SKIPPED;
 }
 

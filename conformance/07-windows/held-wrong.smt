@@ -13,6 +13,7 @@ n = 20 ms + 1 ms
 [Run]
 .step
     a = held(p > 1, 20)           #! E0414 write '20 steps', or a time such as '20 ms'
+    a = held(p > 1, 0.2)          #! E0414 write the time with its unit, as in 0.2 s
     a = held(p > 1, 0.5 us)       #! E0415
     a = held(p > 1, 0 s)          #! E0415
     a = held(p > 1, 0 steps)      #! E0405

@@ -7,6 +7,7 @@ U32 S
 .step
     G > 800: -> Abbort        #! E0501 did you mean 'Abort'?
     G > 900: -> Nowhere       #! E0501 add a section [Nowhere]
+    G > 950: -> all_states    #! E0501 name the state to go to
 [Abort]
 .step
     -> Abbort
