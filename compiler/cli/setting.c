@@ -59,3 +59,25 @@ void setting_report_refused(Cli *c, const Setting *s, const char *reason)
 {
     cli_print_error(c, TEXT_setting_refused, (int)s->name_size, s->name, s->text, reason);
 }
+
+int settings_read(Cli *c, const Program *p, ScriptSettings *out)
+{
+    int code = EXIT_OK;
+
+    for (size_t i = 0; i < c->set.n; i++) {
+        ScriptSetting setting = {NULL, 0, {0}};
+        SmRefusal refusal = SM_REFUSAL_UNKNOWN;
+        Setting s;
+        if (!setting_parse(c, c->set.at[i], &s))
+            return EXIT_USAGE;
+        setting.parameter = program_parameter(p, str_intern(&c->session.strings, s.name, s.name_size));
+        if (setting.parameter)
+            refusal = parameter_judge(setting.parameter, s.value, &setting.cell);
+        if (refusal) {
+            setting_report_refused(c, &s, parameter_refusal_text(refusal));
+            code = EXIT_PROBLEM;
+        } else
+            vec_push(&c->session.arena, out, setting);
+    }
+    return code;
+}

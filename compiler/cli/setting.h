@@ -16,4 +16,9 @@ bool setting_parse(Cli *c, const char *word, Setting *s);
 // Reports that a parameter cannot have the value of a setting, for a reason of stdlib/parameters.def.
 void setting_report_refused(Cli *c, const Setting *s, const char *reason);
 
+typedef VEC(ScriptSetting) ScriptSettings;
+
+// Reads all values of --set for the parameters of p, as the caller's settings of a run.  EXIT_OK, or the exit code after a message.
+int settings_read(Cli *c, const Program *p, ScriptSettings *out);
+
 #endif

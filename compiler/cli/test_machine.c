@@ -13,7 +13,7 @@ typedef struct MachineTest {
     EngineSet engines;
     const Requirements *requirements;         // NULL: none
     RequirementTable *table;
-    VEC(ScriptSetting) setting;   // the values of --set
+    ScriptSettings setting;   // the values of --set
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     bool *is_part;            // by argument: another script includes it, so it does not run by itself
@@ -147,30 +147,6 @@ static void test_script(MachineTest *m, size_t argument)
     test_report_diagnostics(m->t, &message);
     test_trace_left_out(m->trace, path);
     add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
-}
-
-// Reads the values of --set.  EXIT_OK, or the exit code after a message.
-static int read_settings(MachineTest *m)
-{
-    Cli *c = m->t->c;
-    int code = EXIT_OK;
-
-    for (size_t i = 0; i < c->set.n; i++) {
-        ScriptSetting setting = {NULL, 0, {0}};
-        SmRefusal refusal = SM_REFUSAL_UNKNOWN;
-        Setting s;
-        if (!setting_parse(c, c->set.at[i], &s))
-            return EXIT_USAGE;
-        setting.parameter = program_parameter(m->p, str_intern(&c->session.strings, s.name, s.name_size));
-        if (setting.parameter)
-            refusal = parameter_judge(setting.parameter, s.value, &setting.cell);
-        if (refusal) {
-            setting_report_refused(c, &s, parameter_refusal_text(refusal));
-            code = EXIT_PROBLEM;
-        } else
-            vec_push(m->t->arena, &m->setting, setting);
-    }
-    return code;
 }
 
 // Reads the machine, the state vector and the scripts.  If a script cannot be read, m->problem has the reason and the others still run.
@@ -326,7 +302,7 @@ int test_run_machine(TestRun *t, const char *path)
     code = compiled == EXIT_OK ? reported : compiled;
     if (code != EXIT_OK)
         add_errors(&m, compiled == EXIT_ENVIRONMENT ? t->c->last_error : message, code);
-    else if ((code = read_settings(&m)) != EXIT_OK)
+    else if ((code = settings_read(t->c, m.p, &m.setting)) != EXIT_OK)
         add_errors(&m, t->c->last_error, code);
     else if (open_engines(&m) && open_coverage(&m))
         code = test_scripts(&m);

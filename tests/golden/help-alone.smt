@@ -17,6 +17,8 @@ Usage:
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
   smc mutate M.sm SCRIPT.ss... [--sv V.sv] [--min-score=PERCENT]
       change one number, operator, target or statement at a time, and list the changes that no script notices
+  smc why M.sm|X.app SCRIPT.ss [R.rq...] [--at TIME] [--to STATE | --of NAME]
+      explain a step of a script: its guards and their values, how the machine got there, and what would have changed it
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE
