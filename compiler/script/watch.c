@@ -92,6 +92,8 @@ static void add_expression(Nodes *n, const Expr *e, unsigned depth, SmOperator j
             add_node(n, e, e->op == SM_OP_AND ? WATCH_AND : WATCH_OR, depth++);
         add_expression(n, e->arg[0], depth, e->op);
         add_expression(n, e->arg[1], depth, e->op);
+        if (joined_by == e->op)
+            return;                                   // the node at `at` is its first operand
     } else if (e->kind == EX_UNARY && e->op == SM_OP_NOT && !is_composed(e) && is_join(e->arg[0])) {
         add_node(n, e, WATCH_NOT, depth);
         add_expression(n, e->arg[0], depth + 1, SM_OP_COUNT);

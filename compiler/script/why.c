@@ -250,6 +250,7 @@ static void explain_path(Answer *a)
     }
     add_heading(a, format_in(a->r.arena, "the shortest path is %s; its first transition:", why_path_text(a->r.arena, &path)));
     explain_transitions(a, 1, path.at[1]);
+    a->r.q.to = path.at[1];                           // what would have made a difference is about this transition
 }
 
 // ---- where values come from ----
