@@ -251,11 +251,63 @@ const char *sm_swap_reason_text(SmSwapReason reason)
 
 // ---- prepare ----
 
-// Records the result of a part: continues with the next part, the next machine, or the exchange.
-static void finish_part(SmSwaps *s, SmSwapReason why)
+static bool overlap(SmRange a, SmRange b) { return a.offset < b.offset + b.size && b.offset < a.offset + a.size; }
+
+static bool stores(const SmSwapType *type, const void *slot, SmRange range)
+{
+    SmRange r;
+
+    for (uint32_t i = 0; type->output(slot, i, &r); i++)
+        if (overlap(r, range))
+            return true;
+    return false;
+}
+
+// Whether anything but machine w stores bytes of the range, once the current swap is done.
+static bool has_other_writer(const SmSwaps *s, const SmSwappable *w, SmRange range)
+{
+    for (uint16_t i = 0; i < s->writtens; i++)
+        if (overlap(s->written[i], range))
+            return true;
+    for (uint16_t i = 0; i < s->machines; i++) {
+        const SmSwappable *other = &s->machine[i];
+        if (other != w && stores(other->type, other->concerned ? other_slot(other) : running_slot(other), range))
+            return true;
+    }
+    return false;
+}
+
+bool sm_swap_adds_writer(const SmSwaps *s, const SmSwappable *w, const void *from, const void *to)
+{
+    SmRange r;
+
+    for (uint32_t i = 0; w->type->output(to, i, &r); i++)
+        if (!stores(w->type, from, r) && has_other_writer(s, w, r))
+            return true;
+    return false;
+}
+
+// Returns the first concerned machine that would be a second writer; s->machines if there is none.  All of them are prepared.
+static uint16_t find_second_writer(const SmSwaps *s)
+{
+    uint16_t i = next_concerned(s, 0);
+
+    while (i < s->machines && !sm_swap_adds_writer(s, &s->machine[i], running_slot(&s->machine[i]), other_slot(&s->machine[i])))
+        i = next_concerned(s, (uint16_t)(i + 1));
+    return i;
+}
+
+// Whether the present part is the last one of the preparation of all machines.
+static bool is_last_part(const SmSwaps *s)
+{
+    return s->part + 1 == s->machine[s->at].type->parts && next_concerned(s, (uint16_t)(s->at + 1)) == s->machines;
+}
+
+// Records the result of a part: continues with the next part, the next machine, or the exchange.  `machine`: the one that is refused.
+static void finish_part(SmSwaps *s, SmSwapReason why, uint16_t machine)
 {
     if (why != SM_SWAP_NOT_REFUSED) {
-        refuse(s, why, s->at);
+        refuse(s, why, machine);
         return;
     }
     if (++s->part < s->machine[s->at].type->parts)
@@ -275,6 +327,7 @@ bool sm_swaps_prepare(SmSwaps *s)
     SmSwappable *w;
     bool is_due;
     SmSwapReason why;
+    uint16_t failed;
 
     if (sm_handover_lock(s->lock) != SM_OK)
         return false;
@@ -286,9 +339,14 @@ bool sm_swaps_prepare(SmSwaps *s)
     w->logged.self = running_slot(w);             // the log must not read names in the slot that changes now
     w->unnamed = NULL;
     why = w->type->prepare(other_slot(w), running_slot(w), &w->change, w->machine, s->part);
+    failed = s->at;
+    if (why == SM_SWAP_NOT_REFUSED && is_last_part(s)) {
+        failed = find_second_writer(s);
+        why = failed < s->machines ? SM_SWAP_NO_WRITER : SM_SWAP_NOT_REFUSED;
+    }
     if (sm_handover_lock(s->lock) != SM_OK)
         return false;
-    finish_part(s, why);
+    finish_part(s, why, failed);
     sm_handover_unlock(s->lock);
     return true;
 }

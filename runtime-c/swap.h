@@ -73,6 +73,8 @@ typedef struct SmSwapType {
     bool (*is_aborting)(const void *slot);
     // The checksum of the image; 0: the preparation has not yet accepted an image.
     uint32_t (*identity)(const void *slot);
+    // Sets *range to output i of the machine; the last one is S.  Returns false if there is none, or no accepted image.
+    bool (*output)(const void *slot, uint32_t i, SmRange *range);
 } SmSwapType;
 
 // A machine that can be swapped.
@@ -143,6 +145,8 @@ typedef struct SmSwaps {
     SmStateVec *sv;
     SmEvents *events;
     const SmElement *armed;   // a bool: while it is true, swaps are refused; NULL: never
+    const SmRange *written;   // the elements that anything else stores: other machines, inputs, messages, the runtime
+    uint16_t writtens;
     // The fields below belong to the runtime; initially all zero.
     uint32_t is_open;         // shared.h: the lock is open
     PalLock lock;             // protects everything below, SmSwapGate.is_in_tick, and what SmSwappable has for the runtime
@@ -181,6 +185,10 @@ SmSwappable *sm_swap_find_machine(const SmSwaps *s, const char *name);
 
 // Returns the machine that was refused; NULL if no swap was, or if the application has no such machine.
 const SmSwappable *sm_swap_refused_machine(const SmSwaps *s, const SmSwapStatus *status);
+
+// Whether the machine in slot `to` would be a second writer of an element: another part of the application stores it, and the machine in slot
+// `from` does not.
+bool sm_swap_adds_writer(const SmSwaps *s, const SmSwappable *w, const void *from, const void *to);
 
 // Returns the sentence of a reason; "" for an unknown one.
 const char *sm_swap_reason_text(SmSwapReason reason);

@@ -241,8 +241,24 @@ static bool is_slot_aborting(const void *slot)
 
 static uint32_t slot_identity(const void *slot) { return ((const SmvmSlot *)slot)->identity; }
 
+static bool read_output(const void *slot, uint32_t i, SmRange *range)
+{
+    const SmvmSlot *s = slot;
+
+    if (s->identity == 0 || i > s->m.outputs)
+        return false;
+    if (i == s->m.outputs) {
+        *range = s->target.state_number;
+    } else {
+        const SmvmLocation o = smvm_output(&s->m, i);
+        range->offset = o.offset;
+        range->size = (uint32_t)1 << smvm_type_shift(o.type);
+    }
+    return true;
+}
+
 const SmSwapType smvm_slot_type = {
-    init_slot, PARTS, prepare_slot, check_slots, hand_over_to_slot, give_back_slot, is_slot_aborting, slot_identity,
+    init_slot, PARTS, prepare_slot, check_slots, hand_over_to_slot, give_back_slot, is_slot_aborting, slot_identity, read_output,
 };
 
 bool smvm_slot_item(const SmvmSlot *slot, uint32_t i, SmvmSwapItem *item) { return slot->plan && smvm_swap_item(slot->plan, i, item); }

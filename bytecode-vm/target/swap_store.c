@@ -233,19 +233,54 @@ static SmSwapReason load_image(const SmSwapStore *s, SmSwappable *w, const Store
     return smvm_slot_load(second, first, &c, m);
 }
 
+// Lets the machine in a slot start.
+static void choose_slot(SmSwappable *w, uint8_t slot)
+{
+    w->running = slot;
+    w->stored = slot ? w->type->identity(w->slot[1]) : 0;
+    w->machine->self = w->slot[slot];
+}
+
 static void load_machine(const SmSwapStore *s, const SmSwaps *swaps, SmSwappable *w, const StoredImage *i)
 {
-    SmMachine *const m = w->machine;
     uint32_t checksum;
     const SmSwapReason why = load_image(s, w, i, &checksum);
 
-    if (why == SM_SWAP_NOT_REFUSED) {
-        w->running = 1;
-        w->stored = checksum;
-        m->self = w->slot[1];
-        m->initial = ((const SmvmSlot *)w->slot[1])->first;
+    if (why == SM_SWAP_NOT_REFUSED)
+        choose_slot(w, 1);
+    else
+        emit_stored(swaps, w, checksum, why);
+}
+
+// Removes stored images that would be second writers of an element, because the application has got another writer of it, or because the
+// image of the machine that gave it up does not run.  To remove one can make another one a second writer, so this repeats until none is.
+static void remove_second_writers(const SmSwaps *swaps)
+{
+    bool again;
+
+    do {
+        again = false;
+        for (uint16_t i = 0; i < swaps->machines; i++) {
+            SmSwappable *w = &swaps->machine[i];
+            if (w->running != 1 || !sm_swap_adds_writer(swaps, w, w->slot[0], w->slot[1]))
+                continue;
+            emit_stored(swaps, w, w->stored, SM_SWAP_NO_WRITER);
+            choose_slot(w, 0);
+            again = true;
+        }
+    } while (again);
+}
+
+// Starts the machines whose stored images are good.
+static void start_stored(const SmSwaps *swaps)
+{
+    for (uint16_t i = 0; i < swaps->machines; i++) {
+        const SmSwappable *w = &swaps->machine[i];
+        if (w->running != 1)
+            continue;
+        w->machine->initial = ((const SmvmSlot *)w->slot[1])->first;
+        emit_stored(swaps, w, w->stored, SM_SWAP_NOT_REFUSED);
     }
-    emit_stored(swaps, w, checksum, why);
 }
 
 // Reads the built-in image of each machine.  If the verifier rejects one, the start fails later.
@@ -284,6 +319,8 @@ SmResult sm_swap_store_open(SmSwapStorage *storage, SmSwaps *swaps, SmApp *app)
         if (w && w->built_in != 0)
             load_machine(s, swaps, w, &i);
     }
+    remove_second_writers(swaps);
+    start_stored(swaps);
     return SM_OK;
 }
 

@@ -2,12 +2,16 @@
 // Builds a report.
 #include "compiler/report/doc.h"
 
+void doc_begin_chapter(Doc *d, const char *title) { d->chapter = title; }
+
 void doc_add_section(Doc *d, const char *id, const char *title)
 {
     DocSection *s = ARENA_NEW(d->arena, DocSection);
 
     s->id = id;
     s->title = title;
+    s->chapter = d->chapter;
+    d->chapter = NULL;
     vec_push(d->arena, &d->section, s);
 }
 

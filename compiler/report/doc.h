@@ -94,6 +94,7 @@ typedef struct DocPart {
 
 typedef struct DocSection {
     const char *id, *title;
+    const char *chapter;      // the title of the chapter that begins with this section; NULL: none begins
     VEC(DocPart) part;
 } DocSection;
 
@@ -102,11 +103,14 @@ typedef struct Doc {
     const char *title;
     const char *subtitle;
     const char *maker;        // program and version: "smc 0.1"
+    const char *chapter;      // the chapter that begins with the next section; NULL: none
     VEC(DocSection *) section;
 } Doc;
 
 // ---- building: each adds to the end of the last section ----
 
+// Begins a chapter with the next section.  A chapter without a section is left out.
+void doc_begin_chapter(Doc *d, const char *title);
 void doc_add_section(Doc *d, const char *id, const char *title);
 DocPart *doc_add_heading(Doc *d, const char *id, const char *text);        // the pointer is valid until the next part is added
 void doc_add_paragraph(Doc *d, const char *text);

@@ -244,12 +244,21 @@ static bool has_text(const DocSection *s)
 
 void doc_write_text(const Doc *d, Buf *out)
 {
+    const char *chapter = NULL;           // the title of a chapter that has not been written
+
     write_underlined(out, d->title, '=');
     buf_printf(out, "%s\n\n", d->subtitle);
     for (size_t i = 0; i < d->section.n; i++) {
         const DocSection *s = d->section.at[i];
+        if (s->chapter)
+            chapter = s->chapter;
         if (!has_text(s))
             continue;
+        if (chapter) {
+            write_underlined(out, chapter, '=');
+            buf_char(out, '\n');
+        }
+        chapter = NULL;
         write_underlined(out, s->title, '-');
         buf_char(out, '\n');
         for (size_t k = 0; k < s->part.n; k++)

@@ -4,6 +4,7 @@
 
 #include "compiler/base/path.h"
 #include "compiler/report/page_text.h"
+
 // Returns the line in the source, from 1; 0 if there is none.
 uint32_t report_line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 
@@ -47,16 +48,22 @@ Doc *report_build(Report *r)
     d->subtitle = format_in(r->arena, "Design review of the state machine in %s", path_portable_name(p->src->name));
     d->maker = r->maker;
     report_add_overview(r, d);
+    doc_begin_chapter(d, TEXT_WHAT_IT_DOES);
+    report_add_diagram_section(r, d);
     report_add_all_states(r, d);
     report_add_states(r, d);
     report_add_transitions(r, d);
     report_add_variables(r, d);
     report_add_messages(r, d);
+    doc_begin_chapter(d, TEXT_WHAT_MUST_NOT_HAPPEN);
+    report_add_requirements(r, d);
     report_add_findings(r, d);
     report_add_abort_matrix(r, d);
-    report_add_costs(r, d);
-    report_add_requirements(r, d);
+    doc_begin_chapter(d, TEXT_WHAT_WAS_TESTED);
     report_add_scripts(r, d);
+    doc_begin_chapter(d, TEXT_WHAT_IT_COSTS);
+    report_add_costs(r, d);
+    doc_begin_chapter(d, TEXT_APPENDIX);
     report_add_source(r, d);
     return d;
 }

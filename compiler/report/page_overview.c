@@ -188,6 +188,10 @@ void report_add_overview(Report *r, Doc *d)
     doc_add_quote(d, comment_of_file(r->arena, r->analysis.p->src));
     add_summary(r, d);
     add_facts(r, d);
+}
+
+void report_add_diagram_section(Report *r, Doc *d)
+{
     doc_add_section(d, "diagram", "State diagram");
     report_add_diagram(r, d, r->analysis.diags, NULL, NULL);
 }

@@ -35,7 +35,9 @@ const char *const report_style[] = {
     "a{color:var(--link);text-decoration:none}a:hover{text-decoration:underline}\n",
     "header{border-bottom:3px solid var(--accent);margin-bottom:1.5rem;padding-top:2rem}\n",
     "h1{font-size:2.4rem;line-height:1.1;margin:0}header>p{color:var(--dim);margin:.3rem 0 1rem}\n",
-    "nav ol{columns:16rem;margin:0 0 1rem;padding:0 0 0 1.4rem;font-size:.95rem}\n",
+    "nav{display:grid;grid-template-columns:repeat(auto-fill,minmax(13rem,1fr));gap:.6rem 1.5rem;margin:0 0 1rem;font-size:.95rem}"
+    "nav ul{list-style:none;margin:0;padding:0}\n",
+    ".chapter{font-size:1.9rem;line-height:1.2;font-weight:700;color:var(--accent);margin:3.5rem 0 -1rem}\n",
     "section{margin:2.5rem 0}h2{font-size:1.5rem;border-bottom:1px solid var(--line);padding-bottom:.25rem;margin:0 0 1rem}\n",
     "h3{font-size:1.1rem;margin:1.4rem 0 .4rem}article{margin-bottom:1.2rem}p{margin:.5rem 0}\n",
     "blockquote{margin:.4rem 0 .6rem;padding:.1rem 0 .1rem .8rem;border-left:3px solid var(--line);color:var(--dim);"
@@ -73,7 +75,7 @@ const char *const report_style[] = {
     "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}"
     "a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"
-    "nav{display:none}figure{margin:.3rem 0}figure svg{width:auto;max-height:225mm}figure.low svg{max-height:110mm}"
+    ".chapter{font-size:15pt;margin:6mm 0 2mm;break-after:avoid}nav{display:none}figure{margin:.3rem 0}figure svg{width:auto;max-height:225mm}figure.low svg{max-height:110mm}"
     "figure.tall,figure.large{break-inside:auto}figure.tall>svg,figure.large>svg{display:none}"
     ".print{display:block}.print svg{display:block;break-inside:avoid;max-width:100%;max-height:none}"
     "section:has(figure.large){page:large}"

@@ -4,6 +4,14 @@
 #ifndef SMC_PAGE_TEXT_H
 #define SMC_PAGE_TEXT_H
 
+// ---- chapters, in the order in which a review asks ----
+
+#define TEXT_WHAT_IT_DOES         "What it does"
+#define TEXT_WHAT_MUST_NOT_HAPPEN "What must never happen, and how we know"
+#define TEXT_WHAT_WAS_TESTED      "What was tested, and what was not"
+#define TEXT_WHAT_IT_COSTS        "What it costs"
+#define TEXT_APPENDIX             "Appendix"
+
 // ---- states ----
 
 #define TEXT_STATES \

@@ -193,7 +193,11 @@ fly_logged() {
     board_on "$D/logged.mem"
     count "$smc" flash "$D/toggle.smb" "$port" --period=5 --confirm >"$D/logged.out" 2>&1
     touch "$D/logged.mem.go"
-    sleep 3
+    tries=60                                        # until far more than 60 transitions have been made, however slow the emulator is
+    while [ $tries -gt 0 ] && ! "$smc" device log "$port" 2>&1 | awk '$2 == "s" && $1 > 3 { seen = 1 } END { exit !seen }'; do
+        tries=$((tries - 1))
+        sleep 0.5
+    done
     kill -9 "$board"
     board_on "$D/logged.mem"
     touch "$D/logged.mem.go"

@@ -135,6 +135,8 @@ matrix() {
         case $machine in
         */machines/valve.sm | */machines/pump.sm) compile_machine every_compiler "$name" "$machine" --sv "$sv" ;;
         */machines/*) compile_machine every_compiler "$name" "$machine" ;;
+        */dualdeploy/channel.sm)
+            compile_machine every_compiler "$name" "$machine" --sv "$sv" --bind=go=apogee,fire=drogueFire,state=drogueState ;;
         *) compile_machine every_compiler "$name" "$machine" ${sv:+--sv "$sv"} ;;
         esac
         if [ "$machine" = "$here/machines/arithmetic.sm" ]; then

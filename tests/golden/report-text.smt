@@ -67,17 +67,20 @@ its final states `Done` and `Abort`.
 
   States               4
   Transitions          3
-  Findings          [..]
+  Findings             2
   Scripts              1 of 1 passed
   States covered       3 of 4
   Transitions covered  2 of 3
   Longest step         16 instructions, in Fill
-  On an Arduino Uno    about [..] ms, in Fill
+  On an Arduino Uno    about 9597 cycles, 0.60 ms, in Fill
   Memory on the VM     160 bytes on a 64-bit computer
   Image                170 bytes
   Image CRC            4cb8b36a
   Source identity      b6d78073ede69e23
   State vector         declared in the machine
+
+What it does
+============
 
 States
 ------
@@ -162,62 +165,49 @@ statistic covers the samples taken so far.
   Call                   Meaning                                      Steps  Line
   roll_median(level, 5)  the median of `level` over the last 5 steps      5    27
 
+What must never happen, and how we know
+=======================================
+
 Findings
 --------
-...
+
+Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means
+and what to do. Time advances by 100 per step, the `delta_t` of the scripts.
+
+  No.  Name            Group          Position      Finding                                                                    Code
+    1  unused-local    on by default  fill.sm:12:6  local 'pulses' is read only to compute its own next value                  W0206
+    2  output-on-zero  -Wflight       fill.sm:19:9  'level' alone switches on 'valve' when it reads 0, as a broken sensor can  W0903
+
+local 'pulses' is read only to compute its own next value [W0206 unused-local]
+     12 | U32  pulses  = 0
+
+'level' alone switches on 'valve' when it reads 0, as a broken sensor can [W0903 output-on-zero]
+     19 |         -> Fill
+
+    - 'valve' is switched on here
+    - for example in 'Idle': 'level' reads 50, then 0; this happens in step 3 after that
+    - require that 'level' is plausible, or that a second sensor agrees
+
 Abort matrix
 ------------
-...
-Costs
------
 
-VM instructions in the longest step of each state, computed from the image that flies. No step can
-take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
-`.exit`.
+From which states the machine can abort, and whether it still can if one sensor is dead, stuck or
+out of range: with commands, and without. The steps are the worst case, from the step in which a
+condition becomes true to the first step of the abort state. They do not include the time that a
+counter, a timer or a rolling statistic takes until its condition is true.
 
-Of each step, 3 instructions take the samples of windows. What a sample costs in addition to its
-instruction depends on the window.
+  State  Can it abort?      Without a command?  Worst-case steps
+  Idle   no                 no
+  Fill   yes                yes                 1
+  Done   no                 no
+  Abort  is an abort state
 
-  State  First step  Later steps  Most expensive lines of the longest step      Cycles on AVR
-  Idle            8            8  line 17: 5, line 27 (samples): 3[..]
-  Fill           16           13  line 31: 5, line 27 (samples): 3, line 24: 3[..]
-  Done            3            3  line 27 (samples): 3[..]
-  Abort           6            3  line 27 (samples): 3, line 40: 3[..]
+Transitions that lead to an abort state
+  State  To     Condition  Reads  Worst-case steps  Line
+  Fill   Abort  T > 60000  time   1                   28
 
-The longest step, in `Fill`
-  Block    Line  Statement                                       Instructions
-  samples    27  roll_median(level, 5) > full - margin: -> Done             3
-  .entry     24  valve = true                                               3
-  .step      27  roll_median(level, 5) > full - margin: -> Done             2
-  .step      28  if T > 60000: -> Abort                                     2
-  .step      29  else if T > 50000: valve = false                           1
-  .step      31  valve = T < 40000                                          5
-
-On an Arduino Uno
-The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost
-that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and
-three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
-C depends on the compiler and is not estimated.
-
-  Part                                     Value
-  Longest step, image in EEPROM[..] ms, in Fill
-  Longest step, image in flash[..] ms, in Fill
-  Stack of a step, largest measured[..] bytes
-  RAM of state vector, locals and windows  80 bytes of at most 960
-  Image                                    170 bytes of at most 960
-
-Memory
-RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
-less. The state vector is shared with the application and is not included.
-
-  Part                           Bytes
-  Windows of rolling statistics     56
-  Locals and temporary values        0
-  State of the VM                  104
-  RAM in total                     160
-  State vector                      24
-  Image, in flash or RAM           170
-  of which code                     72
+What was tested, and what was not
+=================================
 
 Scripts
 -------
@@ -264,3 +254,57 @@ A tank that fills.
      1      0  Idle                    1200
     13   1200  Fill                    9400
    107  10600  Done           until the end
+
+What it costs
+=============
+
+Costs
+-----
+
+VM instructions in the longest step of each state, computed from the image that flies. No step can
+take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
+`.exit`.
+
+Of each step, 3 instructions take the samples of windows. What a sample costs in addition to its
+instruction depends on the window.
+
+  State  First step  Later steps  Most expensive lines of the longest step      Cycles on AVR
+  Idle            8            8  line 17: 5, line 27 (samples): 3                       5368
+  Fill           16           13  line 31: 5, line 27 (samples): 3, line 24: 3           9597
+  Done            3            3  line 27 (samples): 3                                   3591
+  Abort           6            3  line 27 (samples): 3, line 40: 3                       3898
+
+The longest step, in `Fill`
+  Block    Line  Statement                                       Instructions
+  samples    27  roll_median(level, 5) > full - margin: -> Done             3
+  .entry     24  valve = true                                               3
+  .step      27  roll_median(level, 5) > full - margin: -> Done             2
+  .step      28  if T > 60000: -> Abort                                     2
+  .step      29  else if T > 50000: valve = false                           1
+  .step      31  valve = T < 40000                                          5
+
+On an Arduino Uno
+The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost
+that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and
+three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted
+C depends on the compiler and is not estimated.
+
+  Part                                     Value
+  Longest step, image in EEPROM            9597 cycles, 0.60 ms, in Fill
+  Longest step, image in flash             8916 cycles, 0.56 ms, in Fill
+  Stack of a step, largest measured        319 bytes
+  RAM of state vector, locals and windows  80 bytes of at most 960
+  Image                                    170 bytes of at most 960
+
+Memory
+RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly
+less. The state vector is shared with the application and is not included.
+
+  Part                           Bytes
+  Windows of rolling statistics     56
+  Locals and temporary values        0
+  State of the VM                  104
+  RAM in total                     160
+  State vector                      24
+  Image, in flash or RAM           170
+  of which code                     72

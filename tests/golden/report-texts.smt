@@ -1,5 +1,5 @@
 # A report lists the asserts that have a text or a requirement, with their results.
-args report a.sm a.ss --format=text | sed -n "/^Scripts/,\$p" | sed -n "/a.ss/,\$p"
+args report a.sm a.ss --format=text | sed -n "/^Scripts/,/^What it costs/p" | sed -n "/a.ss/,\$p"
 
 -- a.sm --
 [state_vector]
@@ -49,3 +49,5 @@ a.ss [passed]
 
   Step  G  State entered  Duration
      1  0  Idle           until the end
+
+What it costs

@@ -1,5 +1,5 @@
 # The page for a review has the table of requirements.
-args report --format=text a.sm a.ss a.rq -o o.txt && sed -n "/^Requirements/,/^Scripts/p" o.txt
+args report --format=text a.sm a.ss a.rq -o o.txt && sed -n "/^Requirements/,/^Findings/p" o.txt
 
 -- a.sm --
 [options]
@@ -51,4 +51,4 @@ undecided has not been met.
   R4           drogue stays            a.rq:5  a.sm:14                      a.ss          13  met
   R5           through drogue          a.rq:6  nowhere                      a.ss          13  met
 
-Scripts
+Findings

@@ -132,10 +132,6 @@ static void test_two_machines(void)
     CHECK(stage_number(AT_OUT) == a + 10 && stage_number(AT_MORE) == b + 10);
     // The image of one of them has no room or is invalid: neither is exchanged.
     begin_two(false, false);
-    CHECK(swap_two(&ten, &ten) == SM_OK);             // `ten` writes sa, so it cannot replace machine b, but its image is valid
-    stage_settle();
-    CHECK(stage_phase() == SM_SWAP_TRIAL);
-    begin_two(false, false);
     stage.slot[1][1].size = 8;
     CHECK(swap_two(&ten, &b_ten) == SM_OK);
     stage_settle();
@@ -200,6 +196,64 @@ static void test_two_executors(void)
     CHECK(stage_events(SM_EVENT_SWAP, NULL) == 0);
     // A swap of a machine that the other executor runs does not wait for it.
     CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED && stage_phase() == SM_SWAP_TRIAL);
+}
+
+// ---- writers ----
+
+// The elements that the tests use as those of another part of the application.
+static const SmRange only_out[] = {{AT_OUT, 8}}, only_more[] = {{AT_MORE, 8}}, only_sb[] = {{AT_SB, 4}};
+
+// Begins with both machines, in an application where something else stores these elements.
+static void begin_both(const SmRange *written, uint16_t n)
+{
+    begin_two(false, false);
+    stage.swaps.written = written;
+    stage.swaps.writtens = n;
+    ticks(2);
+}
+
+// Swaps both machines.  Returns the reason of the refusal, and in *machine which one was refused.
+static SmSwapReason swap_both(const SwapMachine *a, const SwapMachine *b, uint16_t *machine)
+{
+    CHECK(swap_two(a, b) == SM_OK);
+    stage_settle();
+    *machine = stage_status().machine;
+    return stage_status().reason;
+}
+
+// clause 12.58: a new machine stores nothing that another part of the application stores
+static void test_writers(void)
+{
+    SwapMachine takes, takes_p, gives, b_takes_p, state;
+    uint16_t failed;
+
+    compile(&takes, A "F64 more\n[A] @swap\n.step\nmore = 1\n");
+    compile(&takes_p, A "[A] @swap\n.step\np = 1\n");
+    compile(&gives, B "[A] @swap\n.step\nif 1 > 2: p = 0\n");
+    compile(&b_takes_p, B "[A] @swap\n.step\np = 2\nmore = 3\n");
+    compile(&state, "[state_vector]\nU64 time @alias G\nU32 sb @alias S\nF64 out\n[A] @swap\n.step\nout = 1\n");
+    begin_both(NULL, 0);
+    CHECK(swap(&takes, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NO_WRITER && stage_status().machine == 0);
+    CHECK(swap(&state, SM_SWAP_RESTART, NULL) == SM_SWAP_NO_WRITER);            // two machines with the same S
+    CHECK(swap(&takes_p, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED);       // no one else stores p
+    begin_both(NULL, 0);
+    CHECK(swap_both(&takes, &gives, &failed) == SM_SWAP_NOT_REFUSED && stage_phase() == SM_SWAP_TRIAL);         // b gives it up
+    begin_both(NULL, 0);
+    CHECK(swap_both(&takes_p, &b_takes_p, &failed) == SM_SWAP_NO_WRITER && failed == 0);      // both begin to store p
+    ticks(3);
+    CHECK(stage_number(AT_OUT) >= 5 && stage_number(AT_MORE) == stage_number(AT_OUT));           // both old machines have stepped on
+    // inputs, messages and machines that cannot be swapped are in a table; what the old machine stores too is allowed
+    begin_both(only_more, 1);
+    CHECK(swap_both(&takes, &gives, &failed) == SM_SWAP_NO_WRITER && failed == 0);
+    begin_both(only_out, 1);
+    CHECK(swap(&ten, SM_SWAP_CONTINUE, NULL) == SM_SWAP_NOT_REFUSED);
+    begin_both(only_sb, 1);
+    CHECK(swap(&state, SM_SWAP_RESTART, NULL) == SM_SWAP_NO_WRITER);
+    machine_free(&takes);
+    machine_free(&takes_p);
+    machine_free(&gives);
+    machine_free(&b_takes_p);
+    machine_free(&state);
 }
 
 // ---- refusals ----
@@ -555,6 +609,7 @@ int main(void)
     test_stores_due();
     test_two_executors();
     test_refusals();
+    test_writers();
     test_trial();
     test_return_of_two();
     test_items();

@@ -49,6 +49,17 @@ static void begin(const SwapMachine *a, const SwapMachine *b)
     CHECK(restart() == SM_OK);
 }
 
+// Like restart, of an application that has other writers of these elements now.
+static SmResult restart_with(const SmRange *written, uint16_t n)
+{
+    reset_but_memory();
+    stage_set_up(&plan);
+    stage_store("eeprom", image_room, key);
+    stage.swaps.written = written;
+    stage.swaps.writtens = n;
+    return stage_start();
+}
+
 static uint32_t runs(uint16_t machine)
 {
     SmSwapMachineState s;
@@ -293,6 +304,43 @@ static void test_damage(void)
     CHECK(restart() == SM_OK && is_running(0, &one) && stage_events(SM_EVENT_STORED, NULL) == 0);
 }
 
+// ---- writers ----
+
+// clause 12.58 for stored images: the application has a new writer, or the machine that gave an element up has been built anew.
+static void test_writers(void)
+{
+    static const SmRange p[] = {{AT_P, 8}};
+    SwapMachine takes, takes_p, gives, gives_p, other;
+    SmEvent e;
+
+    machine_compile(&takes, A "F64 more\n[A] @swap\n.step\nmore = 1\n", STAGE_SV, 2, true);
+    machine_compile(&takes_p, A "[A] @swap\n.step\np = 1\n", STAGE_SV, 2, true);
+    machine_compile(&gives, B "[A] @swap\n.step\nif 1 > 2: p = 0\n", STAGE_SV, 2, true);
+    machine_compile(&gives_p, B "[A] @swap\n.step\np = 2\n", STAGE_SV, 2, true);
+    machine_compile(&other, B "[A] @swap\n.step\nmore = 7\n", STAGE_SV, 2, true);
+    begin(&one, &b_one);
+    swap_and_confirm(&takes_p);
+    CHECK(restart() == SM_OK && is_running(0, &takes_p) && stage_events(SM_EVENT_STORED, NULL) == 1);
+    CHECK(restart_with(p, 1) == SM_OK && is_running(0, &one) && is_running(1, &b_one));
+    CHECK(stage_events(SM_EVENT_STORED, &e) == 1 && e.b == SM_SWAP_NO_WRITER && e.a == stage_identity(&takes_p));
+    ticks(1);
+    CHECK(stage_number(AT_P) == 0);
+    // one machine takes over what the other gives up: both stored images run, or none
+    begin(&one, &b_one);
+    CHECK(swap(&takes, &gives, true) && confirm() == SM_OK);
+    CHECK(restart() == SM_OK && is_running(0, &takes) && is_running(1, &gives) && stage_events(SM_EVENT_STORED, NULL) == 2);
+    begin(&one, &b_one);
+    CHECK(swap(&takes, &gives_p, true) && confirm() == SM_OK && restart() == SM_OK && is_running(0, &takes) && is_running(1, &gives_p));
+    CHECK(restart_with(p, 1) == SM_OK && is_running(0, &one) && is_running(1, &b_one));
+    plan.b = &other;
+    CHECK(restart() == SM_OK && is_running(0, &one) && is_running(1, &other) && stage_events(SM_EVENT_STORED, NULL) == 2);
+    machine_free(&takes);
+    machine_free(&takes_p);
+    machine_free(&gives);
+    machine_free(&gives_p);
+    machine_free(&other);
+}
+
 // ---- conditions ----
 
 // clause 12.52: each stored image is checked again
@@ -434,6 +482,7 @@ int main(void)
     test_failures(SIM_nvm_read);
     test_waiting();
     test_damage();
+    test_writers();
     test_conditions();
     test_keys();
     test_first_state();

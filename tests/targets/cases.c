@@ -61,7 +61,7 @@ static void record(Case *c, Talk *t, uint32_t number)
         p = made.of[i].scripted != NULL ? made.of[i].scripted : p;
         script = script != NULL ? script : made.of[i].script;
     }
-    if (script == NULL)
+    if (script == NULL || p->joint)               // several machines, which one conversation does not carry
         return;
     c->runs = true;
     TalkPart *part = batch_part(t, &c->s, p, p, form, session_ir(&c->s, p, (int)form), &c->result);

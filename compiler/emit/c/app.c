@@ -2,29 +2,14 @@
 // Writes an application as C: a header that declares the functions that the user writes, and a source file with the tables that the flight
 // runtime (runtime-c) runs.  The headers of runtime-c document the tables.  Static names in the source file have no underscore, or are a user's
 // name followed by Step, Init, Safe, Self, Copy, Image, Memory, First or Second, so that no two clash.
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/app_emitter.h"
 
 #include <string.h>
 
 #include "bytecode-vm/image.h"
 #include "compiler/emit/c/emit_c.h"
-#include "compiler/emit/c/unit.h"
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
-
-// The application and the C names of its parts.
-typedef struct AppEmitter {
-    Arena *arena;
-    const App *app;
-    const char *prefix;           // begins names of the application: `rocket` in rocket_app
-    const char *sv;               // begins names of the state vector: `rocket` in rocket_vector
-    const char *io;               // begins names of the pin file: `rocket` in rocket_inputs
-    const char *net;              // begins names of the messages: `rocket` in rocket_receive
-    CUnit vector;                 // the names of the state vector's members
-    CVectorNames names;           // the names of the elements' enumerators
-    const Buf *const *image;      // by machine; NULL if the machine is emitted as C
-    Buf *out;
-} AppEmitter;
 
 static const char *make_identifier(Arena *arena, const char *name) { return c_identifier(arena, name, strlen(name)); }
 
@@ -44,28 +29,36 @@ static void init_emitter(AppEmitter *e, Arena *arena, const App *app, Buf *out)
     names_assign_runtime(arena, &e->vector.names, app->sv, &e->names);
 }
 
-static bool has_swaps(const App *app)
-{
-    for (size_t i = 0; i < app->machine.n; i++)
-        if (app->machine.at[i]->swap)
-            return true;
-    return false;
-}
-
-// Whether the executor runs a machine that can be swapped.
-static bool has_gate(const AppExecutor *x)
-{
-    for (size_t r = 0; r < x->rate.n; r++)
-        for (size_t t = 0; t < x->rate.at[r]->task.n; t++)
-            if (x->rate.at[r]->task.at[t]->machine && x->rate.at[r]->task.at[t]->machine->swap)
-                return true;
-    return false;
-}
-
 // Returns the address of an element's SmElement.
-static const char *element_address(const AppEmitter *e, const Element *x)
+const char *app_element_address(const AppEmitter *e, const Element *x)
 {
     return format_in(e->arena, "&%s_element[%s]", e->sv, e->names.element[x->index]);
+}
+
+// Returns the text escaped for a C string literal.
+const char *app_escape_string(const AppEmitter *e, Str text)
+{
+    Buf b;
+
+    buf_init(&b, e->arena);
+    for (size_t i = 0; i < text->len; i++) {
+        unsigned char c = (unsigned char)text->text[i];
+        if (c == '"' || c == '\\' || c == '?')
+            buf_printf(&b, "\\%c", c);
+        else if (c < 0x20 || c >= 0x7f)
+            buf_printf(&b, "\\%03o", c);
+        else
+            buf_char(&b, (char)c);
+    }
+    return buf_text(&b);
+}
+
+bool app_has_task(const AppEmitter *e, AstAppTaskKind kind)
+{
+    for (size_t i = 0; i < e->app->task.n; i++)
+        if (e->app->task.at[i]->kind == kind)
+            return true;
+    return false;
 }
 
 static void write_title(const AppEmitter *e)
@@ -78,7 +71,7 @@ static void write_title(const AppEmitter *e)
 
 static void write_header_includes(const AppEmitter *e)
 {
-    buf_printf(e->out, "#include \"runtime-c/sm.h\"\n%s#include \"%s.h\"\n", has_swaps(e->app) ? "#include \"runtime-c/swap.h\"\n" : "",
+    buf_printf(e->out, "#include \"runtime-c/sm.h\"\n%s#include \"%s.h\"\n", app_has_swaps(e->app) ? "#include \"runtime-c/swap.h\"\n" : "",
                e->app->sv->name->text);
 }
 
@@ -114,7 +107,7 @@ static void write_header(const AppEmitter *e)
     write_header_includes(e);
     buf_str(e->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     buf_printf(e->out, "extern SmApp %s_app;\n", e->prefix);
-    if (has_swaps(e->app))
+    if (app_has_swaps(e->app))
         buf_printf(e->out, "extern SmSwaps %s_swaps;        // runtime-c/swap.h\n", e->prefix);
     buf_str(e->out, "\n// ---- you write these: runtime-c/task.h documents them ----\n");
     write_user_prototypes(e);
@@ -224,160 +217,6 @@ static void write_machines(const AppEmitter *e)
     buf_str(e->out, "};\n");
 }
 
-// ---- swaps ----
-
-// Returns the text escaped for a C string literal.
-static const char *escape_string(const AppEmitter *e, Str text)
-{
-    Buf b;
-
-    buf_init(&b, e->arena);
-    for (size_t i = 0; i < text->len; i++) {
-        unsigned char c = (unsigned char)text->text[i];
-        if (c == '"' || c == '\\' || c == '?')
-            buf_printf(&b, "\\%c", c);
-        else if (c < 0x20 || c >= 0x7f)
-            buf_printf(&b, "\\%03o", c);
-        else
-            buf_char(&b, (char)c);
-    }
-    return buf_text(&b);
-}
-
-static bool has_task(const AppEmitter *e, AstAppTaskKind kind)
-{
-    for (size_t i = 0; i < e->app->task.n; i++)
-        if (e->app->task.at[i]->kind == kind)
-            return true;
-    return false;
-}
-
-// Returns the index of a machine among those that can be swapped.
-static unsigned swappable_index(const App *app, const AppMachine *m)
-{
-    unsigned n = 0;
-
-    for (size_t i = 0; app->machine.at[i] != m; i++)
-        n += app->machine.at[i]->swap;
-    return n;
-}
-
-static unsigned swappable_count(const App *app)
-{
-    unsigned n = 0;
-
-    for (size_t i = 0; i < app->machine.n; i++)
-        n += app->machine.at[i]->swap;
-    return n;
-}
-
-// Writes the row of each machine that executor x runs and that can be swapped.  `gate`: the index of the executor's gate.
-static void write_swappables_of(const AppEmitter *e, const AppExecutor *x, unsigned gate)
-{
-    for (size_t r = 0; r < x->rate.n; r++)
-        for (size_t t = 0; t < x->rate.at[r]->task.n; t++) {
-            const AppMachine *m = x->rate.at[r]->task.at[t]->machine;
-            if (m && m->swap)
-                buf_printf(e->out, "    {.machine = &machines[%u], .type = &smvm_slot_type, .slot = {&%sSelf[0], &%sSelf[1]}, .executor = %u},\n",
-                           (unsigned)m->number, m->name->text, m->name->text, gate);
-        }
-}
-
-// Writes the gates and their tasks: of each gate, the task at the beginning of a tick and the one at its end.
-static void write_gates(const AppEmitter *e, unsigned gates)
-{
-    const unsigned number = (unsigned)e->app->task.n;
-
-    buf_str(e->out, "static SmSwapGate gates[] = {\n");
-    for (unsigned g = 0; g < gates; g++)
-        buf_printf(e->out, "    {.swaps = &%s_swaps},\n", e->prefix);
-    buf_str(e->out, "};\nstatic SmTask gateTasks[] = {\n");
-    for (unsigned g = 0; g < gates; g++)
-        buf_printf(e->out,
-                   "    {.name = \"swap\", .init = sm_swap_gate_init, .step = sm_swap_gate_enter, .context = &gates[%u], .number = %u},\n"
-                   "    {.name = \"swap\", .step = sm_swap_gate_leave, .context = &gates[%u], .number = %u},\n", g, number, g, number);
-    buf_str(e->out, "};\nstatic SmTask *const gateOrder[] = {\n");
-    for (unsigned i = 0; i < 2 * gates; i++)
-        buf_printf(e->out, "    &gateTasks[%u],\n", i);
-    buf_str(e->out, "};\n");
-}
-
-static bool has_storage(const AppEmitter *e) { return has_swaps(e->app) && e->app->swap_store; }
-
-static bool is_reached(const AppEmitter *e) { return has_swaps(e->app) && e->app->swap_at.place != APP_NOWHERE; }
-
-// Returns the size of the buffer for a swap of all machines at once: SM_SWAP_ROOM.  The link can send at most 2^24 - 1 bytes.
-static unsigned swap_buffer_size(const AppEmitter *e, unsigned swappables)
-{
-    const uint64_t names = 6 + 2 * 64, size = 2 + swappables * (e->app->swap_room + names) + 20;
-
-    return size < 0xffffff ? (unsigned)size : 0xffffff;
-}
-
-// Writes the SmSwapLink that serves requests from outside (bytecode-vm/target/swap_link.h), with its buffer for one swap.
-static void write_swap_link(const AppEmitter *e, unsigned swappables)
-{
-    static const char *const place[] = {"", "SM_SWAP_AT_PATH", "SM_SWAP_AT_ADDRESS", "SM_SWAP_AT_LINE"};
-    const AppSwapAt *at = &e->app->swap_at;
-
-    buf_printf(e->out, "\nstatic uint8_t swapBuffer[%u];        // for a swap that a host sends\n", swap_buffer_size(e, swappables));
-    buf_printf(e->out, "static SmSwapChange swapChanges[%u];\nstatic SmSwapLink swapLink = {\n    .service = SM_SWAP_LINK_SERVICE, "
-                       ".swaps = &%s_swaps, .place = %s, .name = \"%s\",\n", swappables, e->prefix, place[at->place], escape_string(e, at->name));
-    if (at->place == APP_AT_ADDRESS)
-        buf_printf(e->out, "    .address = {{%u, %u, %u, %u}, %u},\n", at->ip[0], at->ip[1], at->ip[2], at->ip[3], at->port);
-    if (at->place == APP_AT_LINE)
-        buf_printf(e->out, "    .speed = %u,\n", (unsigned)at->speed);
-    if (at->key)
-        buf_printf(e->out, "    .key_file = \"%s\", .numbers = \"%s.used\",\n", escape_string(e, at->key), escape_string(e, at->key));
-    buf_printf(e->out, "    .machine = machines, .machines = %u, .change = swapChanges, .buffer = swapBuffer, .room = sizeof swapBuffer\n};\n",
-               (unsigned)e->app->machine.n);
-}
-
-// Returns the most bytes of the stored images of all machines: SM_SWAP_STORE_ROOM.  A memory contains two of them, and has at most 2^31 bytes.
-static unsigned storage_room(const AppEmitter *e, unsigned swappables)
-{
-    const uint64_t size = swappables * ((uint64_t)e->app->swap_room + 9 + 64);
-
-    return size < 0x3fffffff ? (unsigned)size : 0x3fffffff;
-}
-
-// Writes the SmSwapStore that stores the images of confirmed swaps (bytecode-vm/target/swap_store.h).
-static void write_storage(const AppEmitter *e, unsigned swappables)
-{
-    buf_printf(e->out, "\nstatic SmSwapStore swapStore = {\n    .storage = SM_SWAP_STORE_STORAGE, .memory = \"%s\", .room = %u%s\n};\n",
-               escape_string(e, e->app->swap_store), storage_room(e, swappables), is_reached(e) && e->app->swap_at.key ? ", .key = swapLink.key" : "");
-}
-
-// Writes the tables of runtime-c/swap.h.
-static void write_swaps(const AppEmitter *e)
-{
-    unsigned gates = 0;
-
-    if (!has_swaps(e->app))
-        return;
-    buf_str(e->out, "\n// ---- swaps ----\n\nstatic SmSwappable swappables[] = {\n");
-    for (size_t x = 0; x < e->app->executor.n; x++)
-        if (has_gate(e->app->executor.at[x]))
-            write_swappables_of(e, e->app->executor.at[x], gates++);
-    buf_str(e->out, "};\n");
-    write_gates(e, gates);
-    if (is_reached(e))
-        write_swap_link(e, swappable_count(e->app));
-    if (has_storage(e))
-        write_storage(e, swappable_count(e->app));
-    buf_printf(e->out, "\nSmSwaps %s_swaps = {\n    .writing = SM_SWAP_WRITING, .next = %s, .machine = swappables, "
-                       ".machines = sizeof swappables / sizeof *swappables,\n    .gate = gates, .gates = %u, .trial = %u, "
-                       ".sv = &%s_vector, .events = &events", e->prefix,
-               has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log) ? "&sm_writing" : "NULL", gates, (unsigned)e->app->swap_trial, e->sv);
-    if (e->app->armed)
-        buf_printf(e->out, ", .armed = %s", element_address(e, e->app->armed));
-    if (is_reached(e))
-        buf_str(e->out, ", .service = &swapLink.service");
-    if (has_storage(e))
-        buf_str(e->out, ", .storage = &swapStore.storage");
-    buf_str(e->out, "\n};\n");
-}
-
 // ---- log, saved state vector ----
 
 // Returns the number of bytes of the state vector without padding.
@@ -407,39 +246,39 @@ static void write_log(const AppEmitter *e)
 {
     const App *a = e->app;
 
-    if (!has_task(e, AST_TASK_log))
+    if (!app_has_task(e, AST_TASK_log))
         return;
     buf_str(e->out, "\n// ---- the flight log ----\n\n");
     if (a->machine.n) {
         buf_str(e->out, "static const SmMachine *const logged[] = {\n");
         for (size_t i = 0; i < a->machine.n; i++)
             if (a->machine.at[i]->swap)
-                buf_printf(e->out, "    &swappables[%u].logged,\n", swappable_index(a, a->machine.at[i]));
+                buf_printf(e->out, "    &swappables[%u].logged,\n", app_swappable_index(a, a->machine.at[i]));
             else
                 buf_printf(e->out, "    &machines[%u],\n", (unsigned)i);
         buf_str(e->out, "};\n");
     }
-    write_name_table(e, "taskNames", true, has_swaps(a) ? "swap" : NULL);
+    write_name_table(e, "taskNames", true, app_has_swaps(a) ? "swap" : NULL);
     write_name_table(e, "executorNames", false, NULL);
     buf_printf(e->out, "static uint8_t logBuffer[%u];\n", (unsigned)a->log_room);
     buf_printf(e->out, "static SmLog flightLog = {\n    .file = \"%s\", .sv = &%s_vector, .names = &%s_names, .events = &events,\n",
-               escape_string(e, a->log), e->sv, e->sv);
+               app_escape_string(e, a->log), e->sv, e->sv);
     if (a->machine.n)
         buf_printf(e->out, "    .machine = logged, .machines = %u,\n", (unsigned)a->machine.n);
     buf_printf(e->out, "    .task = taskNames, .tasks = %u, .executor = executorNames, .executors = %u,\n",
-               (unsigned)(a->task.n + has_swaps(a)), (unsigned)a->executor.n);
+               (unsigned)(a->task.n + app_has_swaps(a)), (unsigned)a->executor.n);
     buf_str(e->out, "    .buffer = logBuffer, .room = sizeof logBuffer\n};\n");
 }
 
 // Writes the SmKeep that saves the state vector in non-volatile memory, if the application has a `keep` task.
 static void write_keeper(const AppEmitter *e)
 {
-    if (!has_task(e, AST_TASK_keep))
+    if (!app_has_task(e, AST_TASK_keep))
         return;
     buf_str(e->out, "\n// ---- the saved state vector ----\n\n");
     buf_printf(e->out, "static uint8_t keepBuffer[2 * SM_KEEP_SIZE(%uu)];\n", packed_size(e->app->sv));
     buf_printf(e->out, "static SmKeep keeper = {.memory = \"%s\", .sv = &%s_vector, .buffer = keepBuffer};\n",
-               escape_string(e, e->app->keep), e->sv);
+               app_escape_string(e, e->app->keep), e->sv);
 }
 
 // ---- tasks ----
@@ -484,7 +323,7 @@ static void write_task_functions(const AppEmitter *e, const AppTask *t)
     case AST_TASK_machine:
         if (t->machine->swap)
             buf_printf(e->out, ".init = sm_swappable_init, .step = sm_swappable_step, .context = &swappables[%u]",
-                       swappable_index(e->app, t->machine));
+                       app_swappable_index(e->app, t->machine));
         else
             buf_printf(e->out, ".init = sm_machine_init, .step = sm_machine_step, .context = &machines[%u]",
                        (unsigned)t->machine->number);
@@ -519,7 +358,7 @@ static void write_task_row(const AppEmitter *e, const AppTask *t)
     buf_printf(e->out, "    {.name = \"%s\", ", t->name->text);
     write_task_functions(e, t);
     if (t->mode)
-        buf_printf(e->out, ", .mode = %s", element_address(e, t->mode));
+        buf_printf(e->out, ", .mode = %s", app_element_address(e, t->mode));
     buf_printf(e->out, ", .number = %u},\n", (unsigned)t->number);
 }
 
@@ -541,7 +380,7 @@ static void write_tasks(const AppEmitter *e)
 // Writes the rate group of a task of a gate, which runs at each tick.
 static void write_gate_rate(const AppEmitter *e, const AppExecutor *x, unsigned task)
 {
-    if (has_gate(x))
+    if (app_has_gate(x))
         buf_printf(e->out, "    {.every = 1, .tasks = 1, .task = &gateOrder[%u]},        // [%s] swaps\n", task, x->name->text);
 }
 
@@ -562,7 +401,7 @@ static void write_rate_table(const AppEmitter *e)
             task += rate->task.n;
         }
         write_gate_rate(e, executor, gate + 1);
-        gate += has_gate(executor) ? 2 : 0;
+        gate += app_has_gate(executor) ? 2 : 0;
     }
     buf_str(e->out, "};\n");
 }
@@ -575,7 +414,7 @@ static void write_vitals_field(const AppEmitter *e, const AppExecutor *x)
 
     for (int i = 0; i < APP_STATISTICS; i++)
         if (x->statistic[i]) {
-            buf_printf(e->out, "%s%s = %s", before, names[i], element_address(e, x->statistic[i]));
+            buf_printf(e->out, "%s%s = %s", before, names[i], app_element_address(e, x->statistic[i]));
             before = ", ";
         }
     if (*before == ',')
@@ -584,7 +423,7 @@ static void write_vitals_field(const AppEmitter *e, const AppExecutor *x)
 
 // Returns the number of an executor's rate groups.  In an application with machines that can be swapped, two are those of the gate tasks that
 // run at the beginning and at the end of each tick (runtime-c/swap.h).
-static size_t rate_count(const AppExecutor *x) { return x->rate.n + (has_gate(x) ? 2 : 0); }
+static size_t rate_count(const AppExecutor *x) { return x->rate.n + (app_has_gate(x) ? 2 : 0); }
 
 // Writes the initialiser of an SmExecutor, whose rates begin at index first_rate of the array `rates`.
 static void write_executor_row(const AppEmitter *e, const AppExecutor *x, size_t number, size_t first_rate)
@@ -599,7 +438,7 @@ static void write_executor_row(const AppEmitter *e, const AppExecutor *x, size_t
     buf_str(e->out, ",\n");
     write_vitals_field(e, x);
     if (e->app->time)
-        buf_printf(e->out, "     .time = %s, .unit = %lluu,\n", element_address(e, e->app->time), (unsigned long long)e->app->unit);
+        buf_printf(e->out, "     .time = %s, .unit = %lluu,\n", app_element_address(e, e->app->time), (unsigned long long)e->app->unit);
     buf_printf(e->out, "     .sv = &%s_vector, .events = &events, .number = %u},\n", e->sv, (unsigned)number);
 }
 
@@ -655,17 +494,17 @@ static void write_app_and_main(const AppEmitter *e)
                "    .executor = threads, .executors = %u,\n", e->prefix, e->app->name->text, e->sv, (unsigned)e->app->executor.n);
     if (e->app->start.n)
         buf_str(e->out, "    .set = setValues,\n");
-    if (has_task(e, AST_TASK_keep))
+    if (app_has_task(e, AST_TASK_keep))
         buf_str(e->out, "    .keep = &keeper,\n");
-    if (has_task(e, AST_TASK_log))
+    if (app_has_task(e, AST_TASK_log))
         buf_str(e->out, "    .log = &flightLog,\n");
-    if (has_swaps(e->app))
+    if (app_has_swaps(e->app))
         buf_printf(e->out, "    .writing = &%s_swaps.writing,\n", e->prefix);
-    else if (has_task(e, AST_TASK_keep) || has_task(e, AST_TASK_log))
+    else if (app_has_task(e, AST_TASK_keep) || app_has_task(e, AST_TASK_log))
         buf_str(e->out, "    .writing = &sm_writing,\n");
-    if (has_task(e, AST_TASK_inputs))
+    if (app_has_task(e, AST_TASK_inputs))
         buf_printf(e->out, "    .inputs = &%s_inputs,\n", e->io);
-    if (has_task(e, AST_TASK_outputs))
+    if (app_has_task(e, AST_TASK_outputs))
         buf_printf(e->out, "    .outputs = &%s_outputs,\n", e->io);
     if (e->app->watchdog)
         buf_printf(e->out, "    .watchdog = %lluu,\n", (unsigned long long)e->app->watchdog);
@@ -688,8 +527,8 @@ static void write_code_includes(const AppEmitter *e)
             buf_printf(e->out, "#include \"%s.h\"\n", e->app->machine.at[i]->program->name->text);
     }
     if (bytecode)
-        buf_printf(e->out, "#include \"bytecode-vm/target/%s.h\"\n", is_reached(e) ? "swap_link" : has_swaps(e->app) ? "slot" : "machine");
-    if (has_storage(e))
+        buf_printf(e->out, "#include \"bytecode-vm/target/%s.h\"\n", app_is_reached(e) ? "swap_link" : app_has_swaps(e->app) ? "slot" : "machine");
+    if (app_has_storage(e))
         buf_str(e->out, "#include \"bytecode-vm/target/swap_store.h\"\n");
     if (e->app->start.n)
         buf_str(e->out, "#include \"stdlib/convert.h\"\n");
@@ -710,7 +549,7 @@ void emit_c_app(Arena *arena, const App *app, const Buf *const *image, Buf *head
                (unsigned)app->events,
                (unsigned)app->events, has_lock(&e) ? "true" : "false");
     write_machines(&e);
-    write_swaps(&e);
+    app_write_swaps(&e);
     write_log(&e);
     write_keeper(&e);
     write_tasks(&e);
