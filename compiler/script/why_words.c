@@ -118,11 +118,11 @@ static SmOperator mirrored(SmOperator op)
 }
 
 // A comparison of what changes with a limit, and the values of both.
-typedef struct Comparison { const Expr *left; SmOperator op; double x, limit; } Comparison;
+typedef struct LimitComparison { const Expr *left; SmOperator op; double x, limit; } LimitComparison;
 
 static bool is_fixed(const Expr *e) { return e->kind == EX_NUMBER || expr_is_constant(e) || (e->kind == EX_VAR && e->var->parameter); }
 
-static bool read_comparison(const WatchStmt *s, uint32_t leaf, Comparison *c)
+static bool read_comparison(const WatchStmt *s, uint32_t leaf, LimitComparison *c)
 {
     const Expr *e = s->node[leaf].e;
     double x, y;
@@ -131,7 +131,7 @@ static bool read_comparison(const WatchStmt *s, uint32_t leaf, Comparison *c)
         return false;
     if (!why_operand(s, e->arg[0], &x) || !why_operand(s, e->arg[1], &y))
         return false;
-    *c = is_fixed(e->arg[0]) && !is_fixed(e->arg[1]) ? (Comparison){e->arg[1], mirrored(e->op), y, x} : (Comparison){e->arg[0], e->op, x, y};
+    *c = is_fixed(e->arg[0]) && !is_fixed(e->arg[1]) ? (LimitComparison){e->arg[1], mirrored(e->op), y, x} : (LimitComparison){e->arg[0], e->op, x, y};
     return !(x != x || y != y);
 }
 
@@ -144,7 +144,7 @@ static const char *distance_text(Arena *arena, double from, double to)
     return isfinite(d) && strtod(text, NULL) == d && from + (to > from ? d : -d) == to && !strchr(text, 'e') ? text : NULL;
 }
 
-static void append_distance(const WhyWords *words, const Comparison *c, Buf *out)
+static void append_distance(const WhyWords *words, const LimitComparison *c, Buf *out)
 {
     const bool strict = c->op == SM_OP_LT || c->op == SM_OP_GT;
     const bool more = c->op == SM_OP_GT || c->op == SM_OP_GE || (c->op == SM_OP_EQ && c->limit > c->x);
@@ -161,7 +161,7 @@ static void append_distance(const WhyWords *words, const Comparison *c, Buf *out
 static bool is_whole_time(double x) { return x >= 0 && x < 9007199254740992.0 && (double)(uint64_t)x == x; }
 
 // Appends when a condition about T becomes true.
-static void append_due(const WhyWords *words, const Comparison *c, Buf *out)
+static void append_due(const WhyWords *words, const LimitComparison *c, Buf *out)
 {
     const uint64_t start = words->w->entered_g;
 
@@ -188,7 +188,7 @@ static void append_held(const WhyWords *words, const WatchStmt *s, uint32_t leaf
 void why_append_need(const WhyWords *words, const WatchStmt *s, uint32_t node, Buf *out)
 {
     const Expr *e = s->node[node].e;
-    Comparison c;
+    LimitComparison c;
 
     if (s->node[node].kind != WATCH_LEAF || watch_truth(s, s->value, node) || s->step != words->w->step)
         return;
