@@ -249,6 +249,11 @@ scripts-campaign: $(B)/cover/scripts $(B)/cover/exhaustive
 	$(B)/cover/exhaustive $(SEED) $(N)
 .PHONY: scripts-campaign
 
+# tests/why: what is recorded for smc why, in runs of random machines.
+$(B)/why/random: $(B)/obj/tests/why/random.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
 LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
@@ -926,6 +931,7 @@ $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/rando
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
 $(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
+$(call test, why-random,           thorough, $(B)/why/random, $(B)/why/random 1 500)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)

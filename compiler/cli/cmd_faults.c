@@ -26,7 +26,7 @@ typedef struct FaultsRun {
     Arena *arena;
     WhatIf w;
     FaultOptions o;
-    SettingList setting;
+    ScriptSettings setting;
     VEC(const Var *) input;
     VEC(uint64_t) at;
     FaultOutcome fail_on;     // FAULT_HAS_NONE: no outcome makes the command fail
@@ -589,7 +589,7 @@ int cmd_faults(Cli *c)
         return code;
     if (c->given[OPT_INPUTS] && !whatif_read_list(c->value[OPT_INPUTS], &r, add_input))
         return EXIT_PROBLEM;
-    if ((code = setting_read_all(c, r.w.p, &r.setting)) != EXIT_OK)
+    if ((code = settings_read(c, r.w.p, &r.setting)) != EXIT_OK)
         return code;
     r.o.input = r.input.at;
     r.o.inputs = r.input.n;

@@ -14,7 +14,7 @@ typedef struct SweepRun {
     Arena *arena;
     WhatIf w;
     SweepOptions o;
-    SettingList setting;
+    ScriptSettings setting;
     uint64_t seed;
     Sweep *s;
     bool is_interrupted;

@@ -154,7 +154,7 @@ bool options_parse(Cli *c, int argc, char **argv)
         const char *arg = argv[i], *value;
         bool took_next = false;
         OptionId id;
-        if (ended || arg[0] != '-' || arg[1] == '\0') {
+        if (ended || arg[0] != '-' || arg[1] == '\0' || arg[1] == '>') {        // `-> State` of smc why
             c->file[c->files++] = arg;
             continue;
         }

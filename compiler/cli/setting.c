@@ -69,7 +69,7 @@ int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
     return EXIT_PROBLEM;
 }
 
-int setting_read_all(Cli *c, const Program *p, SettingList *list)
+int settings_read(Cli *c, const Program *p, ScriptSettings *list)
 {
     int code = EXIT_OK;
 

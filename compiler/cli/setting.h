@@ -13,13 +13,14 @@ typedef struct Setting {
 
 // Splits NAME=VALUE.  The value is a number as in sources, with or without a sign, or true or false.  False after a message.
 bool setting_parse(Cli *c, const char *word, Setting *s);
-typedef VEC(ScriptSetting) SettingList;
-
-// Adds the values of --set to the list, for the machine p.  EXIT_OK, or the exit code after a message.
-int setting_read_all(Cli *c, const Program *p, SettingList *list);
 // Finds the parameter that a setting names, and its cell.  Returns EXIT_OK, or EXIT_PROBLEM after a message.
 int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out);
 // Reports that a parameter cannot have the value of a setting, for a reason of stdlib/parameters.def.
 void setting_report_refused(Cli *c, const Setting *s, const char *reason);
+
+typedef VEC(ScriptSetting) ScriptSettings;
+
+// Adds the values of --set to the list, for the parameters of p.  EXIT_OK, or the exit code after a message.
+int settings_read(Cli *c, const Program *p, ScriptSettings *list);
 
 #endif

@@ -13,7 +13,7 @@ typedef struct MachineTest {
     EngineSet engines;
     const Requirements *requirements;         // NULL: none
     RequirementTable *table;
-    SettingList setting;          // the values of --set
+    ScriptSettings setting;          // the values of --set
     const Source **ss;        // by argument: the scripts, each read once; NULL: not a script, or unreadable
     const char **problem;     // by argument: why a script cannot be read
     bool *is_part;            // by argument: another script includes it, so it does not run by itself
@@ -307,7 +307,7 @@ int test_run_machine(TestRun *t, const char *path)
     code = compiled == EXIT_OK ? reported : compiled;
     if (code != EXIT_OK)
         add_errors(&m, compiled == EXIT_ENVIRONMENT ? t->c->last_error : message, code);
-    else if ((code = setting_read_all(t->c, m.p, &m.setting)) != EXIT_OK)
+    else if ((code = settings_read(t->c, m.p, &m.setting)) != EXIT_OK)
         add_errors(&m, t->c->last_error, code);
     else if (open_engines(&m) && open_coverage(&m))
         code = test_scripts(&m);

@@ -75,6 +75,29 @@ Engine *engine_app_machine(Engine *e, size_t i);
 Engine *engine_ref_open(Arena *arena, const Program *p);
 // Returns the transition that the last step of the reference interpreter took; NULL if none.
 const Stmt *engine_ref_transition(const Engine *ref);
+
+// What the reference interpreter knows of a machine.
+typedef struct RefView {
+    const uint64_t *cell;     // by variable
+    const struct RefWindows *windows;
+    const State *state;       // before a step and during it, the state that it runs; after it, the one that the next step runs
+    uint64_t g;               // G of the last step that ran, or of the current one
+    bool is_first;            // before a step and during it: it is the first of its state
+} RefView;
+
+// Sees every step and every statement of a machine before it runs.
+typedef struct RefObserver RefObserver;
+struct RefObserver {
+    void (*before_step)(RefObserver *o, const RefView *r);        // S, T and the samples are those of the step
+    void (*before_stmt)(RefObserver *o, const RefView *r, const Stmt *s);
+};
+
+// The following are for an engine of engine_ref_open that runs one machine.
+void engine_ref_observe(Engine *ref, RefObserver *o);         // NULL: no observer
+RefView engine_ref_view(const Engine *ref);
+// Copies the state of a machine, but not its observer, to another engine of the same Program.
+void engine_ref_copy(Engine *to, const Engine *from);
+
 // Opens the VM, with an image in which p is machine number `machine`.  Returns NULL and sets *error to a sentence if it cannot run it.
 Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, size_t size, uint32_t machine, const char **error);
 // Where an engine from engine_vm_open stores a variable, for code that runs the same image on a board or in another process.

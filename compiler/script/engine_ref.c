@@ -13,6 +13,23 @@ static void store_cell(RefEngine *r, const Var *v, uint64_t cell)
     r->stored[v->index] = v->kind == VAR_ELEMENT;
 }
 
+static RefView view_of(const RefEngine *r) { return (RefView){r->cell, &r->windows, r->state, r->last_g, r->is_first}; }
+
+static void notify_of_step(const RefEngine *r, bool is_first)
+{
+    RefView view = view_of(r);
+
+    view.is_first = is_first;
+    r->observer->before_step(r->observer, &view);
+}
+
+static void notify_of_statement(const RefEngine *r, const Stmt *s)
+{
+    const RefView view = view_of(r);
+
+    r->observer->before_stmt(r->observer, &view, s);
+}
+
 // Executes statements in order.  Returns the target of the transition that ended them, or NULL.
 static const State *execute_statements(RefEngine *r, const Stmts *list)
 {
@@ -20,6 +37,8 @@ static const State *execute_statements(RefEngine *r, const Stmts *list)
         const Stmt *s = list->at[i];
         const State *target = NULL;
 
+        if (r->observer)
+            notify_of_statement(r, s);
         switch (s->kind) {
         case ST_ASSIGN:
             store_cell(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
@@ -92,6 +111,8 @@ static EngineStatus ref_step(Engine *e, const EngineWrite *write, uint32_t n, En
     }
     store_cell(r, r->p->t, g - r->start);                                           // language.md 6.5
     ref_windows_sample(&r->windows, r->cell);                                  // language.md 6.6
+    if (r->observer)
+        notify_of_step(r, first);
     run_blocks(r, first);                                                      // language.md 6.7 to 6.11
     return fill_result(r, ENGINE_OK, out);
 }
@@ -117,6 +138,38 @@ static EngineStatus ref_init(Engine *e, uint32_t state, EngineStep *out)
 
 // Returns the transition that the last step of the reference interpreter took; NULL if none.
 const Stmt *engine_ref_transition(const Engine *e) { return ((const RefEngine *)e->self)->transition; }
+
+RefView engine_ref_view(const Engine *e) { return view_of(e->self); }
+
+void engine_ref_observe(Engine *e, RefObserver *o) { ((RefEngine *)e->self)->observer = o; }
+
+static void copy_windows(RefWindows *to, const RefWindows *from)
+{
+    for (size_t i = 0; i < from->n; i++) {
+        const RefWindow *f = &from->at[i];
+        RefWindow *t = &to->at[i];
+        memcpy(t->time ? (void *)t->time : (void *)t->slot, f->time ? (const void *)f->time : (const void *)f->slot,
+               ref_window_samples(f->what) * sizeof(uint64_t));
+        t->last = f->last;
+        t->ran = f->ran;
+        t->next = f->next;
+        t->filled = f->filled;
+    }
+}
+
+void engine_ref_copy(Engine *to, const Engine *from)
+{
+    const RefEngine *f = from->self;
+    RefEngine *t = to->self;
+
+    memcpy(t->cell, f->cell, f->p->var.n * sizeof *f->cell);
+    copy_windows(&t->windows, &f->windows);
+    t->state = f->state;
+    t->is_first = f->is_first;
+    t->has_run = f->has_run;
+    t->last_g = f->last_g;
+    t->start = f->start;
+}
 
 static void ref_close(Engine *e) { (void)e; }         // all its memory belongs to the arena
 

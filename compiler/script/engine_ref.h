@@ -19,6 +19,7 @@ typedef struct RefEngine {
     uint64_t last_g;          // G at the last step that ran
     uint64_t start;           // G at the first step of the state
     const Stmt *transition;   // the transition that the last step took, or NULL
+    RefObserver *observer;    // NULL: none
 } RefEngine;
 
 #endif

@@ -34,6 +34,7 @@ typedef struct History {
     size_t steps;
     PastTransition transition[TRANSITIONS];
     size_t transitions;               // the last transitions, in order
+    Watch **watch;                    // by machine, in the second run; NULL: it is not watched
 } History;
 
 static const char *count_text(Arena *arena, uint64_t n) { return format_in(arena, "%" PRIu64, n); }
@@ -114,6 +115,7 @@ static bool replay_run(History *h)
     diags_init(&silent, failed->arena);
     silent.muted = true;
     h->run = (ScriptRun){.arena = failed->arena, .diags = &silent, .s = failed->s, .p = failed->p, .engine = &ref, .engines = 1, .o = &o};
+    h->watch = why_short_watch(failed, ref, &h->run.result.steps);
     run_to_the_end(&h->run);
     return h->run.result.steps == failed->result.steps && memcmp(h->run.cell, failed->cell, failed->p->var.n * sizeof *failed->cell) == 0;
 }
@@ -260,6 +262,8 @@ void history_add(ScriptRun *failed, Diag *d)
     } else {
         add_step_table(h, d);
         add_transition_notes(h, d);
+        if (h->watch)
+            why_short_add(failed, d, h->watch);
     }
     if (failed->result.is_random)
         diag_note(failed->diags, d, (Span){0}, DIAG_note_seed, count_text(failed->arena, failed->result.seed));

@@ -7,6 +7,7 @@
 #include "compiler/script/replay.h"
 #include "compiler/script/schedule.h"
 #include "compiler/script/script.h"
+#include "compiler/script/watch.h"
 
 // An assert or a @stop whose guard was true in this step, noted before the step runs and evaluated after it.
 typedef struct NotedAssert {
@@ -148,5 +149,14 @@ void requirement_report_undecided(const ScriptRun *r);
 // Adds the last steps and transitions to d, which reports a run that ended badly.  If no assert failed, also adds where the script
 // should have stopped.
 void history_add(ScriptRun *failed, Diag *d);
+
+// ---- why_short.c ----
+
+// Watches the machines of `ref`, the engine of a second run of a run that failed, as far as why_short_add needs it.  steps: of that run.
+// Returns the watches by machine, or NULL if the condition that failed is about nothing that a machine does.
+Watch **why_short_watch(const ScriptRun *failed, Engine *ref, const uint64_t *steps);
+// Adds why the values and states in the condition that failed are not as it demands: at most WHY_SHORT_MOST notes.
+enum { WHY_SHORT_MOST = 4 };
+void why_short_add(const ScriptRun *failed, Diag *d, Watch *const *watch);
 
 #endif

@@ -37,7 +37,7 @@ typedef struct Healthy {
 typedef struct Visit { uint64_t first, last; } Visit;
 
 // What is observed in a run.  It is in the arena of the run, so that a copy of the run contains it.
-typedef struct Watch {
+typedef struct FaultWatch {
     FaultRunner *x;
     ScriptRun *r;
     FaultEngine *e;
@@ -51,7 +51,7 @@ typedef struct Watch {
     const State *last;        // the state that the step before ran
     FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
     FaultResult result;       // only what is seen after a step
-} Watch;
+} FaultWatch;
 
 struct FaultRunner {
     Faults *f;
@@ -73,7 +73,7 @@ struct FaultRunner {
     uint32_t at, i, k;        // the next run: its trigger; its fault, or its two faults i and k
     bool in_pairs;            // the single faults of the trigger have been run
     bool is_prepared;         // the current run is before trigger `at`
-    Watch *w;                 // of the current run
+    FaultWatch *w;                 // of the current run
     FaultWrites *writes;      // what faults_record collects; NULL: nothing
 };
 
@@ -267,7 +267,7 @@ static void find_required(FaultRunner *x)
 // ---- what a step shows ----
 
 // Widens the range of each input that has none of its own to its true value.
-static void widen_ranges(Watch *w, bool is_first)
+static void widen_ranges(FaultWatch *w, bool is_first)
 {
     Faults *f = w->x->f;
 
@@ -284,7 +284,7 @@ static void widen_ranges(Watch *w, bool is_first)
     }
 }
 
-static void record_outputs(Watch *w, const ScriptStep *step)
+static void record_outputs(FaultWatch *w, const ScriptStep *step)
 {
     for (uint32_t i = 0; i < w->x->outputs; i++) {
         const Change c = {step->number, step->cell[w->x->output[i]->index], i};
@@ -296,7 +296,7 @@ static void record_outputs(Watch *w, const ScriptStep *step)
 }
 
 // Notes the first output that differs from the run without a fault.  S is the last one, so that another output explains more.
-static void compare_outputs(Watch *w, const ScriptStep *step)
+static void compare_outputs(FaultWatch *w, const ScriptStep *step)
 {
     const Healthy *h = w->healthy;
 
@@ -314,7 +314,7 @@ static void compare_outputs(Watch *w, const ScriptStep *step)
 }
 
 // Notes the first requirement that the step violates: for what the machine reads, or else for the true values.
-static void judge_requirements(Watch *w, const ScriptStep *step)
+static void judge_requirements(FaultWatch *w, const ScriptStep *step)
 {
     const Requirements *rq = w->x->f->options.requirements;
     const bool in_truth = w->judges_truth && monitor_step(w->monitor, w->situation, fault_engine_outside(w->e));
@@ -335,7 +335,7 @@ static void add_trigger(FaultRunner *x, FaultTrigger t)
 }
 
 // Whether the current script already has a trigger at this transition.
-static bool has_transition(const Watch *w, const State *from, const State *to)
+static bool has_transition(const FaultWatch *w, const State *from, const State *to)
 {
     const Faults *f = w->x->f;
 
@@ -345,10 +345,10 @@ static bool has_transition(const Watch *w, const State *from, const State *to)
     return false;
 }
 
-static uint32_t script_of(const Watch *w) { return (uint32_t)(w->healthy - w->x->healthy); }
+static uint32_t script_of(const FaultWatch *w) { return (uint32_t)(w->healthy - w->x->healthy); }
 
 // Adds the triggers by time that this step is the first one to reach.
-static void add_timed_triggers(Watch *w, const ScriptStep *step)
+static void add_timed_triggers(FaultWatch *w, const ScriptStep *step)
 {
     const FaultOptions *o = &w->x->f->options;
     bool is_reached = false;
@@ -360,7 +360,7 @@ static void add_timed_triggers(Watch *w, const ScriptStep *step)
 }
 
 // Adds a trigger at each first transition of its kind, and at the start; extends the visit of the state.
-static void add_state_triggers(Watch *w, const ScriptStep *step)
+static void add_state_triggers(FaultWatch *w, const ScriptStep *step)
 {
     const bool is_first = w->r->machine[0].start_step == step->number;
     Visit *v = &w->x->visit[step->state->number - 1];
@@ -373,7 +373,7 @@ static void add_state_triggers(Watch *w, const ScriptStep *step)
 
 static void watch_step(void *context, const ScriptStep *step)
 {
-    Watch *w = context;
+    FaultWatch *w = context;
 
     if (w->is_healthy) {
         widen_ranges(w, step->number == 1);
@@ -443,7 +443,7 @@ static Engine *open_recorder(FaultRunner *x, Engine *inner)
 
 static void begin_watching(FaultRunner *x, uint32_t script)
 {
-    Watch *w = x->w;
+    FaultWatch *w = x->w;
     const Requirements *rq = x->f->options.requirements;
 
     w->x = x;
@@ -456,7 +456,7 @@ static void begin_watching(FaultRunner *x, uint32_t script)
 }
 
 // Begins to judge the true values.  Until a fault begins, they are what the machine reads.
-static void begin_judging_truth(Watch *w, const Fault *fault, uint32_t n)
+static void begin_judging_truth(FaultWatch *w, const Fault *fault, uint32_t n)
 {
     for (uint32_t i = 0; w->monitor && i < n; i++)
         w->judges_truth |= w->x->is_required[fault[i].input];
@@ -474,7 +474,7 @@ static void start_run(FaultRunner *x, uint32_t script)
     Engine **engine, *inner;
 
     arena_reset(&x->run);
-    x->w = ARENA_NEW(&x->run, Watch);
+    x->w = ARENA_NEW(&x->run, FaultWatch);
     unused = ARENA_NEW(&x->run, Diags);
     diags_init(unused, &x->run);
     unused->muted = true;
@@ -619,7 +619,7 @@ static void return_to_trigger(FaultRunner *x, const FaultTrigger *t)
     run_continue(x->w->r, t->step - 1);
 }
 
-static FaultOutcome judge_result(const FaultResult *r, const Watch *w)
+static FaultOutcome judge_result(const FaultResult *r, const FaultWatch *w)
 {
     const bool failed = w->r->result.outcome == SCRIPT_FAILED || w->r->result.failures > 0;
     const bool failed_before = failed && (w->aborted.step == 0 || (r->failed && r->failed_at.step < w->aborted.step));

@@ -69,6 +69,8 @@ note: the step, and the values after it:
       step  G  state
          1  0  Wait
 note: the machine has been in state 'Wait' from the start
+a.sm:9:21: note: Wait -> Vent was not taken: `pressure > 400` was false: pressure = 0, needs more than 400 more
+a.sm:10:12: note: Wait -> Vent was not taken: `T < 0` was false: T = 0
 1 error
 smc: fails.ss fails: the search begins with what the scripts show, so each of them must pass
 -- exit --

@@ -94,6 +94,7 @@ note: the last steps, and the values after each:
          1   0  Wait    Wait, number 1
          2  10  Abort  Abort, number 2
 vote.sm:9:27: note: transition in step 1 (G = 0): Wait -> Abort
+note: no sequence of transitions leads from Abort to Wait
 1 error
 -- exit --
 0 0 1

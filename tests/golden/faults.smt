@@ -186,6 +186,7 @@ note: the last steps, and the values after each:
         12  110  Ascent   false
         13  120  Drogue    true
 a.sm:9:33: note: transition in step 12 (G = 110): Ascent -> Drogue
+a.sm:14:5: note: step 13 (G = 120): `drogue = true` was executed
 1 error
 smc: 7 faults: ends in another state, or worse
 -- exit --

@@ -27,6 +27,8 @@ Usage:
       make each input faulty in each way, beginning in each state and at each transition, and list what that does to the runs of scripts
   smc sweep M.sm SCRIPT.ss... [R.rq...] --set NAME=LO:HI:N [--set NAME=LO:HI:N] [--sv V.sv]
       run the scripts with one or two parameters at many values, and show where asserts and requirements begin to fail
+  smc why M.sm|X.app SCRIPT.ss [R.rq...] [--at TIME] [--to STATE | --of NAME]
+      explain a step of a script: its guards and their values, how the machine got there, and what would have changed it
   smc disasm IMAGE
       print the instructions of an image
   smc verify IMAGE

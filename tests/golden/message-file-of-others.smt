@@ -41,7 +41,7 @@ bool open
 {"id":"E0750","name":"assert_failed","shortDescription":{"text":"assert failed after step ... (G = ..., state ...)..."},"fullDescription":{"text":"[..]"},"help":{"text":"[..]","markdown":"[..]"},"defaultConfiguration":{"enabled":true,"level":"error"}}]}},
 "columnKind":"unicodeCodePoints",
 "results":[
-{"ruleId":"E0750","ruleIndex":0,"level":"error","message":{"text":"assert failed after step 3 (G = 20, state Idle) (open = false)"},"locations":[{"physicalLocation":{"artifactLocation":{"uri":"a.ss"},"region":{"startLine":5,"startColumn":13,"endLine":5,"endColumn":17}}}],"relatedLocations":[{"message":{"text":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false"}},{"message":{"text":"the machine has been in state 'Idle' from the start"}}],"partialFingerprints":{"primaryLocationLineHash":"3cfb2d9a251ba18d:1"}}]}]}
+{"ruleId":"E0750","ruleIndex":0,"level":"error","message":{"text":"assert failed after step 3 (G = 20, state Idle) (open = false)"},"locations":[{"physicalLocation":{"artifactLocation":{"uri":"a.ss"},"region":{"startLine":5,"startColumn":13,"endLine":5,"endColumn":17}}}],"relatedLocations":[{"message":{"text":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false"}},{"message":{"text":"the machine has been in state 'Idle' from the start"}},{"physicalLocation":{"artifactLocation":{"uri":"a.sm"},"region":{"startLine":8,"startColumn":5,"endLine":8,"endColumn":17}},"message":{"text":"step 3 (G = 20): `open = p > 5` stored false: p = 0"}}],"partialFingerprints":{"primaryLocationLineHash":"3cfb2d9a251ba18d:1"}}]}]}
 -- file fix.json --
 {"severity":"error","code":"E0204","message":"unknown element 'fals'","file":"b.sm","line":7,"column":21,"endLine":7,"endColumn":25,"label":null,"notes":[],"edits":[],"flag":null,"group":null}
 -- stdout --
@@ -64,6 +64,7 @@ note: the last steps, and the values after each:
          2  10  Idle   false
          3  20  Idle   false
 note: the machine has been in state 'Idle' from the start
+a.sm:8:5: note: step 3 (G = 20): `open = p > 5` stored false: p = 0
 1 error
 b.sm:7:21: error: unknown element 'fals' [E0204]
     7 |     open = true and fals

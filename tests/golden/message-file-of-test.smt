@@ -40,14 +40,14 @@ G == 20 {
     @stop
 }
 -- file out.json --
-{"severity":"error","code":"E0750","message":"assert failed after step 3 (G = 20, state Idle)","file":"a.ss","line":5,"column":13,"endLine":5,"endColumn":17,"label":"open = false","notes":[{"message":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"the machine has been in state 'Idle' from the start","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null}],"edits":[],"flag":null,"group":null}
+{"severity":"error","code":"E0750","message":"assert failed after step 3 (G = 20, state Idle)","file":"a.ss","line":5,"column":13,"endLine":5,"endColumn":17,"label":"open = false","notes":[{"message":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"the machine has been in state 'Idle' from the start","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"step 3 (G = 20): `open = p > 5` stored false: p = 0","file":"a.sm","line":8,"column":5,"endLine":8,"endColumn":17,"step":null}],"edits":[],"flag":null,"group":null}
 -- file out.sarif --
 {"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0","runs":[{
 "tool":{"driver":{"name":"smc","version":"[..]","rules":[
 {"id":"E0750","name":"assert_failed","shortDescription":{"text":"assert failed after step ... (G = ..., state ...)..."},"fullDescription":{"text":"[..]"},"help":{"text":"[..]","markdown":"[..]"},"defaultConfiguration":{"enabled":true,"level":"error"}}]}},
 "columnKind":"unicodeCodePoints",
 "results":[
-{"ruleId":"E0750","ruleIndex":0,"level":"error","message":{"text":"assert failed after step 3 (G = 20, state Idle) (open = false)"},"locations":[{"physicalLocation":{"artifactLocation":{"uri":"a.ss"},"region":{"startLine":5,"startColumn":13,"endLine":5,"endColumn":17}}}],"relatedLocations":[{"message":{"text":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false"}},{"message":{"text":"the machine has been in state 'Idle' from the start"}}],"partialFingerprints":{"primaryLocationLineHash":"3cfb2d9a251ba18d:1"}}],
+{"ruleId":"E0750","ruleIndex":0,"level":"error","message":{"text":"assert failed after step 3 (G = 20, state Idle) (open = false)"},"locations":[{"physicalLocation":{"artifactLocation":{"uri":"a.ss"},"region":{"startLine":5,"startColumn":13,"endLine":5,"endColumn":17}}}],"relatedLocations":[{"message":{"text":"the last steps, and the values after each:\u000astep   G  state   open\u000a   1   0  Idle   false\u000a   2  10  Idle   false\u000a   3  20  Idle   false"}},{"message":{"text":"the machine has been in state 'Idle' from the start"}},{"physicalLocation":{"artifactLocation":{"uri":"a.sm"},"region":{"startLine":8,"startColumn":5,"endLine":8,"endColumn":17}},"message":{"text":"step 3 (G = 20): `open = p > 5` stored false: p = 0"}}],"partialFingerprints":{"primaryLocationLineHash":"3cfb2d9a251ba18d:1"}}],
 "invocations":[{"executionSuccessful":false,"toolExecutionNotifications":[
 {"level":"error","message":{"text":"b.smt: failed\u000a    b.ss should pass, but failed\u000a    not announced: b.ss:5:13: error: assert failed after step 3 (G = 20, state Idle) (G = 20) [E0750]"}}]}]}]}
 -- file out.txt --
@@ -67,6 +67,7 @@ not ok 1 - a.ss
 #          2  10  Idle   false
 #          3  20  Idle   false
 # note: the machine has been in state 'Idle' from the start
+# a.sm:8:5: note: step 3 (G = 20): `open = p > 5` stored false: p = 0
 # 1 error
 not ok 2 - b.smt
 # b.ss should pass, but failed
@@ -83,6 +84,7 @@ note: the last steps, and the values after each:
          2  10  Idle   false
          3  20  Idle   false
 note: the machine has been in state 'Idle' from the start
+a.sm:8:5: note: step 3 (G = 20): `open = p > 5` stored false: p = 0
 1 error
 a.ss:5:13: error: assert failed after step 3 (G = 20, state Idle) [E0750]
     5 |     @assert open
@@ -93,6 +95,7 @@ note: the last steps, and the values after each:
          2  10  Idle   false
          3  20  Idle   false
 note: the machine has been in state 'Idle' from the start
+a.sm:8:5: note: step 3 (G = 20): `open = p > 5` stored false: p = 0
 1 error
 b.smt: failed
     b.ss should pass, but failed

@@ -167,7 +167,7 @@ requirements of a, from state Hold, with a step every 10 ms:
       at 50 ms: @stop
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
-      30000003 steps were tried; what is known about the values is too little for a proof
+      30000004 steps were tried; what is known about the values is too little for a proof
       61 situations and 522588 branches were examined
 -- exit --
 1 0 0 1 5

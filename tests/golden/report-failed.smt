@@ -138,6 +138,7 @@ assert failed after step 6 (G = 50, state Idle) [E0750]
      5  40  Idle   false
      6  50  Idle    true
   the machine has been in state 'Idle' from the start
+  a.sm:8: step 6 (G = 50): `valve = x > 5` stored true: x = 6
 
   Step  G  State entered  Duration
      1  0  Idle           until the end

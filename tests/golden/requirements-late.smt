@@ -62,6 +62,7 @@ note: the last steps, and the values after each:
         14  130  Drogue  false
         15  140  Drogue  false
 a.sm:11:14: note: transition in step 11 (G = 100): Pad -> Drogue
+note: no step has stored main
 1 error, 1 warning
 -- exit --
 1

@@ -80,6 +80,7 @@ note: the last steps, and the values after each:
          3  20  Hold    1.6539578600786626   1.6539578600786626
          4  30  Hold   -3.0858222930692136  -3.0858222930692136
 note: the machine has been in state 'Hold' from the start
+app.sm:8:5: note: step 4 (G = 30): `x = p` stored -3.0858222930692136
 note: the random numbers have seed 5
 1 error
 smc: --seed requires a whole number from 0 to 9007199254740992, not '1.5'

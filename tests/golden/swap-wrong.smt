@@ -40,7 +40,7 @@ Options:
   --bind=NAME=ELEMENT      the machine's element NAME is ELEMENT of the state vector; several between commas
   --app=FILE               the application, for its state vector and its machines' bindings
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
-  --to=WHERE               where the application listens: the path of its socket, HOST:PORT, or a serial line as /dev/ttyS1
+  --to=WHERE               swap: where the application listens: the path of its socket, HOST:PORT, or a serial line as /dev/ttyS1; why: the state that the machine did, or did not, go to
   --restart[=STATE]        the new machines start, in this state or in their first one
   --continue               the new machines continue in the state of the same name, with locals and windows that both have
   --wait                   end when the trial has ended; an error if the old machines have returned

@@ -123,6 +123,8 @@ note: the last steps, and the values after each:
          7  60  Idle   30       30  true              25
          8  70  Idle   35       35  true              30
 a.sm:16:23: note: transition in step 8 (G = 70): Idle -> Abort
+a.sm:13:5: note: step 8 (G = 70): `highest = max(highest, p)` stored 35: highest = 30, p = 35
+a.sm:14:5: note: step 8 (G = 70): `open = roll_avg(p, 2) > 5` stored true: roll_avg(p, 2) = 32.5
 1 error
 a.ss:7:16: error: assert failed after step 8 (G = 70, state Idle) [E0750]
     7 | n > 6: @assert (p < limit or highest < 55) and not open and roll_max(p, 3) < G
@@ -135,6 +137,8 @@ note: the last steps, and the values after each:
          7  60  Idle   30       30  true              25
          8  70  Idle   35       35  true              30
 a.sm:16:23: note: transition in step 8 (G = 70): Idle -> Abort
+a.sm:13:5: note: step 8 (G = 70): `highest = max(highest, p)` stored 35: highest = 30, p = 35
+a.sm:14:5: note: step 8 (G = 70): `open = roll_avg(p, 2) > 5` stored true: roll_avg(p, 2) = 32.5
 1 error
 b.ss:4:17: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | p > -1: @assert false
@@ -172,6 +176,8 @@ note: the last steps, and the values after each:
          7  60  Idle   30       30  true              25
          8  70  Idle   35       35  true              30
 a.sm:16:23: note: transition in step 8 (G = 70): Idle -> Abort
+a.sm:13:5: note: step 8 (G = 70): `highest = max(highest, p)` stored 35: highest = 30, p = 35
+a.sm:14:5: note: step 8 (G = 70): `open = roll_avg(p, 2) > 5` stored true: roll_avg(p, 2) = 32.5
 1 error
 b.ss:4:17: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | p > -1: @assert false
@@ -181,6 +187,6 @@ note: the step, and the values after it:
          1  0  Idle   0
 note: the machine has been in state 'Idle' from the start
 1 error
-{"severity":"error","code":"E0750","message":"assert failed after step 8 (G = 70, state Idle)","file":"a.ss","line":7,"column":16,"endLine":7,"endColumn":79,"label":"p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70","notes":[{"message":"the last steps, and the values after each:\u000astep   G  state   p  highest  open  roll_max(p, 3)\u000a   4  30  Idle   15       15  true              10\u000a   5  40  Idle   20       20  true              15\u000a   6  50  Idle   25       25  true              20\u000a   7  60  Idle   30       30  true              25\u000a   8  70  Idle   35       35  true              30","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"transition in step 8 (G = 70): Idle -> Abort","file":"a.sm","line":16,"column":23,"endLine":16,"endColumn":31,"step":null}],"edits":[],"flag":null,"group":null}
+{"severity":"error","code":"E0750","message":"assert failed after step 8 (G = 70, state Idle)","file":"a.ss","line":7,"column":16,"endLine":7,"endColumn":79,"label":"p = 35, limit = 50, highest = 35, open = true, roll_max(p, 3) = 30, G = 70","notes":[{"message":"the last steps, and the values after each:\u000astep   G  state   p  highest  open  roll_max(p, 3)\u000a   4  30  Idle   15       15  true              10\u000a   5  40  Idle   20       20  true              15\u000a   6  50  Idle   25       25  true              20\u000a   7  60  Idle   30       30  true              25\u000a   8  70  Idle   35       35  true              30","file":null,"line":null,"column":null,"endLine":null,"endColumn":null,"step":null},{"message":"transition in step 8 (G = 70): Idle -> Abort","file":"a.sm","line":16,"column":23,"endLine":16,"endColumn":31,"step":null},{"message":"step 8 (G = 70): `highest = max(highest, p)` stored 35: highest = 30, p = 35","file":"a.sm","line":13,"column":5,"endLine":13,"endColumn":30,"step":null},{"message":"step 8 (G = 70): `open = roll_avg(p, 2) > 5` stored true: roll_avg(p, 2) = 32.5","file":"a.sm","line":14,"column":5,"endLine":14,"endColumn":30,"step":null}],"edits":[],"flag":null,"group":null}
 -- exit --
 1 1 1 1 1 1

@@ -41,6 +41,7 @@ note: the step, and the values after it:
       step  G  state  open  x
          1  0  Idle   true  0
 note: the machine has been in state 'Idle' from the start
+a.sm:8:5: note: step 1 (G = 0): `open = true` was executed
 1 error, 1 warning
 </failure>
     </testcase>

@@ -56,6 +56,7 @@ note: the step, and the values after it:
       step  G  state  open
          1  0  Idle   true
 note: the machine has been in state 'Idle' from the start
+a.sm:7:5: note: step 1 (G = 0): `open = true` was executed
 1 error
 <stdin>:4:15: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | true: @assert not open
@@ -64,6 +65,7 @@ note: the step, and the values after it:
       step  G  state  open
          1  0  Idle   true
 note: the machine has been in state 'Idle' from the start
+a.sm:7:5: note: step 1 (G = 0): `open = true` was executed
 1 error
 <stdin>:4:15: error: assert failed after step 1 (G = 0, state Idle) [E0750]
     4 | true: @assert not open
@@ -72,6 +74,7 @@ note: the step, and the values after it:
       step  G  state  open
          1  0  Idle   true
 note: the machine has been in state 'Idle' from the start
+a.sm:7:5: note: step 1 (G = 0): `open = true` was executed
 1 error
 good.ss:4:15: warning: the script has no @assert, @expect or @fail: it tests only that @stop is reached [W0751 script-without-assert]
     4 | open == true: @stop
@@ -84,6 +87,7 @@ note: the step, and the values after it:
       step  G  state  open
          1  0  Idle   true
 note: the machine has been in state 'Idle' from the start
+a.sm:7:5: note: step 1 (G = 0): `open = true` was executed
 1 error
 smc: standard input is named twice, but can be read only once
 Try 'smc test --help'.

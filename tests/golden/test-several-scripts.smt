@@ -35,6 +35,7 @@ note: the last steps, and the values after each:
          2  10  Idle   true
          3  20  Idle   true
 note: the machine has been in state 'Idle' from the start
+a.sm:7:5: note: step 3 (G = 20): `open = true` was executed
 1 error
 -- exit --
 1

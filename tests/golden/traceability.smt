@@ -151,6 +151,7 @@ note: the last steps, and the values after each:
          2  10  Fill   false
          3  20  Fill   false
 note: the machine has been in state 'Fill' from the start
+note: no step has stored open
 1 error
 a.rq:3:1: error: too few requirements are covered: 3 of 5, and 70 % are required [E1400]
     3 | R3 "@never judged"    never Fill after Hold without Abort

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+// smc why: explains a step of a script.
+#include <ctype.h>
+#include <string.h>
+
+#include "compiler/cli/setting.h"
+#include "compiler/script/why.h"
+#include "compiler/syntax/time_unit.h"
+
+enum { STEPS_MOST = 1000000, DEPTH = 5, DEPTH_MOST = 1000 };
+
+static const CliFormat formats[] = {{"text", {NULL, NULL, NULL}, NULL}, {"json", {NULL, NULL, NULL}, NULL}};
+
+typedef struct WhyCommand {
+    Cli *c;
+    Arena *arena;
+    const Program *p;         // the machine or the application, as its scripts see it
+    const Script *script;
+    const Requirements *requirements;
+    const char *to, *of, *unit;       // the words of the question; NULL: none
+    const char *app;          // the path of the application; NULL: a machine
+    ScriptSettings setting;
+    ScriptOptions o;
+    WhyQuestion q;
+    uint64_t seed;
+} WhyCommand;
+
+// ---- arguments ----
+
+static bool is_time_word(const Cli *c, const char *word)
+{
+    return c->given[OPT_AT] && time_unit_find(word) != TIME_NONE && isdigit((unsigned char)c->value[OPT_AT][strlen(c->value[OPT_AT]) - 1]);
+}
+
+static bool is_file(const char *word)
+{
+    static const char *const suffixes[] = {".sm", ".app", ".ss", ".rq", ".sv", ".smt", ".cov", ".csv", ".io", ".net"};
+
+    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
+        if (has_suffix(word, suffixes[i]))
+            return true;
+    return strchr(word, '/') != NULL;
+}
+
+static int set_word(WhyCommand *y, const char **to, const char *word)
+{
+    if (y->to || y->of)
+        return cli_usage_error(y->c, TEXT_why_twice, word);
+    *to = word;
+    return EXIT_OK;
+}
+
+// Reads an argument that is no file.  next: the argument after it, or NULL; sets *took_next if it belongs to this one.
+static int read_word(WhyCommand *y, const char *word, const char *next, bool *took_next)
+{
+    const char *state = word + 2;
+
+    if (strcmp(word, "-") == 0)
+        return cli_usage_error(y->c, TEXT_why_arrow);
+    if (strncmp(word, "->", 2) != 0 && is_time_word(y->c, word) && !y->unit) {
+        y->unit = word;
+        return EXIT_OK;
+    }
+    if (strncmp(word, "->", 2) != 0)
+        return set_word(y, &y->of, word);
+    while (*state == ' ')
+        state++;
+    *took_next = *state == '\0';
+    state = *took_next ? next : state;
+    return state ? set_word(y, &y->to, state) : cli_usage_error(y->c, TEXT_why_arrow_state);
+}
+
+// Separates the files from the words of the question, and checks that they are a machine, a script and requirements.
+static int read_arguments(WhyCommand *y)
+{
+    Cli *c = y->c;
+    size_t files = 0, machines = 0, scripts = 0;
+    int code;
+
+    y->to = c->given[OPT_TO] ? c->value[OPT_TO] : NULL;
+    if (c->given[OPT_OF] && (code = set_word(y, &y->of, c->value[OPT_OF])) != EXIT_OK)
+        return code;
+    for (size_t i = 0; i < c->files; i++) {
+        const char *word = c->file[i];
+        bool took_next = false;
+        if (is_file(word))
+            c->file[files++] = word;
+        else if ((code = read_word(y, word, i + 1 < c->files ? c->file[i + 1] : NULL, &took_next)) != EXIT_OK)
+            return code;
+        i += took_next;
+    }
+    c->files = files;
+    for (size_t i = 0; i < files; i++) {
+        y->app = has_suffix(c->file[i], ".app") ? c->file[i] : y->app;
+        if (has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app"))
+            machines++;
+        else if (has_suffix(c->file[i], ".ss"))
+            scripts++;
+        else if (!has_suffix(c->file[i], ".rq"))
+            return cli_usage_error(c, TEXT_why_files, c->file[i]);
+    }
+    return machines == 1 && scripts == 1 ? EXIT_OK : cli_usage_error(c, TEXT_why_what);
+}
+
+static int read_options(WhyCommand *y)
+{
+    Cli *c = y->c;
+    uint64_t depth = DEPTH;
+
+    y->o.max_steps = STEPS_MOST;
+    y->o.seed = c->given[OPT_SEED] ? &y->seed : NULL;
+    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &y->o.max_steps))
+        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &y->seed) || y->seed > SCRIPT_SEED_MAX))
+        return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
+    if (c->given[OPT_AT] && c->given[OPT_AT_STEP])
+        return cli_usage_error(c, TEXT_why_two_steps);
+    if (c->given[OPT_AT_STEP] && !cli_read_count(c->value[OPT_AT_STEP], &y->q.at_step))
+        return cli_usage_error(c, TEXT_number_from_1, "--at-step", c->value[OPT_AT_STEP]);
+    if (c->given[OPT_DEPTH] && (!cli_read_whole(c->value[OPT_DEPTH], &depth) || depth > DEPTH_MOST))
+        return cli_usage_error(c, TEXT_why_depth, c->value[OPT_DEPTH]);
+    y->q.depth = (uint32_t)depth;
+    return EXIT_OK;
+}
+
+// Reads the time of --at in units of G, with a unit after it or in an argument of its own.
+static int read_time(WhyCommand *y)
+{
+    Cli *c = y->c;
+    const char *text = c->given[OPT_AT] ? c->value[OPT_AT] : NULL, *unit;
+    TimeUnit from = y->p->time_unit;
+    size_t digits;
+    SmF64 g;
+
+    if (!text)
+        return EXIT_OK;
+    digits = strspn(text, "0123456789.");
+    for (unit = text + digits; *unit == ' '; unit++)
+        continue;
+    unit = y->unit ? y->unit : unit;
+    if (*unit && (from = time_unit_find(unit)) == TIME_NONE)
+        return cli_usage_error(c, TEXT_why_time, text);
+    if (!isdigit((unsigned char)text[0]) || text[digits - 1] == '.' || strchr(text, '.') != strrchr(text, '.') || !time_to_f64(text, digits, from, y->p->time_unit, &g))
+        return cli_usage_error(c, TEXT_why_time, text);
+    if (!sm_lt(g, sm_from_u64(UINT64_C(1) << 53)) || !sm_eq(sm_from_u64(sm_to_u64(g)), g))
+        return cli_usage_error(c, TEXT_why_time_part, y->unit ? format_in(y->arena, "%s %s", text, y->unit) : text, time_unit_name(y->p->time_unit));
+    y->q.at_g = sm_to_u64(g);
+    y->q.has_g = true;
+    return EXIT_OK;
+}
+
+// ---- the names of the question ----
+
+static size_t machine_count(const WhyCommand *y) { return engine_machines(y->p); }
+static const Program *machine_program(const WhyCommand *y, size_t i) { return y->p->joint ? y->p->joint->member.at[i].program : y->p; }
+static const char *machine_name(const WhyCommand *y, size_t i) { return y->p->joint ? y->p->joint->member.at[i].name->text : y->p->name->text; }
+
+static const State *find_state(const WhyCommand *y, size_t machine)
+{
+    const Str name = y->to ? str_find(&y->c->session.strings, y->to, strlen(y->to)) : NULL;
+
+    return name ? map_find(&machine_program(y, machine)->state_by_name, name) : NULL;
+}
+
+// Finds the variable by its name in the machine, or of an element in the state vector, which bindings can change.
+static const Var *find_variable(const WhyCommand *y, size_t machine)
+{
+    const Program *p = machine_program(y, machine);
+    const Str name = y->of ? str_find(&y->c->session.strings, y->of, strlen(y->of)) : NULL;
+    const Var *found = name ? map_find(&p->by_name, name) : NULL;
+
+    for (size_t i = 0; name && !found && i < p->var.n; i++)
+        if (p->var.at[i]->kind == VAR_ELEMENT && p->var.at[i]->element->name == name)
+            found = p->var.at[i];
+    return found;
+}
+
+// Returns the names of all machines: "drogue, main".
+static const char *list_machines(const WhyCommand *y)
+{
+    Buf out;
+
+    buf_init(&out, y->arena);
+    for (size_t i = 0; i < machine_count(y); i++)
+        buf_printf(&out, "%s%s", i ? ", " : "", machine_name(y, i));
+    return buf_text(&out);
+}
+
+// Whether the machine is meant by the question: it has the state, or assigns the variable.  An input belongs to the first one that has it.
+static bool is_meant(const WhyCommand *y, size_t machine)
+{
+    const Var *v = find_variable(y, machine);
+
+    if (!v || v->written)
+        return find_state(y, machine) || v;
+    for (size_t i = 0; i < machine_count(y); i++) {
+        const Var *other = i == machine ? NULL : find_variable(y, i);
+        if (other && (other->written || i < machine))
+            return false;
+    }
+    return true;
+}
+
+// Selects the machine of an application.  Without --machine, the question must be about only one of them.
+static int choose_machine(WhyCommand *y)
+{
+    const char *word = y->c->given[OPT_MACHINE] ? y->c->value[OPT_MACHINE] : NULL;
+    const char *asked = y->to ? y->to : y->of ? y->of : "the step";
+    size_t found = 0, n = 0;
+
+    if (word && !y->p->joint)
+        return cli_usage_error(y->c, TEXT_why_machine_of_app);
+    for (size_t i = 0; i < machine_count(y); i++)
+        if (word ? strcmp(word, machine_name(y, i)) == 0 : machine_count(y) == 1 || is_meant(y, i)) {
+            found = i;
+            n++;
+        }
+    if (word && n == 0)
+        return cli_usage_error(y->c, TEXT_why_no_machine, y->app, word, list_machines(y));
+    if (n != 1)
+        return cli_usage_error(y->c, TEXT_why_which_machine, asked, list_machines(y));
+    y->q.machine = (uint32_t)found;
+    return EXIT_OK;
+}
+
+static int report_unknown(WhyCommand *y, const char *what, const char *word, const char *const *names, size_t n)
+{
+    const char *near = str_nearest(word, names, n), *name = machine_name(y, y->q.machine);
+
+    if (near)
+        return cli_usage_error(y->c, TEXT_why_no_name_near, name, what, word, near);
+    return cli_usage_error(y->c, TEXT_why_no_name, name, what, word);
+}
+
+// Finds the state and the variable of the question in its machine.
+static int find_names(WhyCommand *y)
+{
+    const Program *p = machine_program(y, y->q.machine);
+    const char **names = ARENA_ARRAY(y->arena, const char *, p->state.n + p->var.n);
+
+    y->q.to = find_state(y, y->q.machine);
+    y->q.of = find_variable(y, y->q.machine);
+    for (size_t i = 0; i < p->state.n; i++)
+        names[i] = p->state.at[i]->name->text;
+    if (y->to && !y->q.to)
+        return report_unknown(y, "state", y->to, names, p->state.n);
+    for (size_t i = 0; i < p->var.n; i++)
+        names[i] = p->var.at[i]->name->text;
+    return y->of && !y->q.of ? report_unknown(y, "element or local", y->of, names, p->var.n) : EXIT_OK;
+}
+
+// ---- the command ----
+
+// Compiles the machine and the script.  EXIT_OK, or the exit code after messages.
+static int compile(WhyCommand *y)
+{
+    Cli *c = y->c;
+    CompileInput in;
+    CompileOptions o;
+    Compiled made;
+    size_t machine = 0;
+    int code;
+
+    if (!cli_compile_options(c, &o))
+        return EXIT_USAGE;
+    if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
+        return code;
+    o.scripts_later = true;
+    o.skip_analyses = true;
+    compile_sources(&c->session, &in, &o, &made);
+    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+        return code;
+    while (in.at[machine].kind != FILE_SM && in.at[machine].kind != FILE_APP)
+        machine++;
+    y->p = made.of[machine].scripted;
+    y->requirements = made.of[machine].requirements;
+    for (size_t i = 0; i < in.n; i++)
+        if (in.at[i].kind == FILE_SS)
+            y->script = session_script(&c->session, in.at[i].text, y->p);
+    return cli_print_diagnostics(c);
+}
+
+static int report_status(WhyCommand *y, const WhyAnswer *a)
+{
+    switch (a->status) {
+    case WHY_ANSWERED: return EXIT_OK;
+    case WHY_BETWEEN_STEPS:
+        cli_print_error(y->c, TEXT_why_between, format_in(y->arena, "%llu", (unsigned long long)y->q.at_g), (unsigned long long)a->before, (unsigned long long)a->after);
+        break;
+    case WHY_ENDED_BEFORE: cli_print_error(y->c, TEXT_why_ended, (unsigned long long)a->steps, (unsigned long long)a->before); break;
+    case WHY_NO_STEP: cli_print_error(y->c, TEXT_why_never_ran, machine_name(y, y->q.machine)); break;
+    case WHY_NOT_RUN: cli_print_error(y->c, TEXT_why_not_run); break;
+    }
+    return EXIT_PROBLEM;
+}
+
+static int answer(WhyCommand *y, size_t format)
+{
+    WhyAnswer a;
+    Buf out;
+    int code;
+
+    y->o.setting = y->setting.at;
+    y->o.settings = y->setting.n;
+    y->o.requirements = y->requirements;
+    a = why_ask(y->arena, y->script, &y->o, &y->q);
+    if ((code = report_status(y, &a)) != EXIT_OK)
+        return code;
+    buf_init(&out, y->arena);
+    if (format == 0)
+        why_write_text(&a, &out);
+    else
+        why_write_json(&a, &out);
+    return cli_print(y->c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
+}
+
+int cmd_why(Cli *c)
+{
+    WhyCommand y = {.c = c, .arena = &c->session.arena};
+    size_t format;
+    int code;
+
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format))
+        return EXIT_USAGE;
+    if ((code = read_arguments(&y)) != EXIT_OK || (code = read_options(&y)) != EXIT_OK || (code = compile(&y)) != EXIT_OK ||
+        (code = settings_read(c, y.p, &y.setting)) != EXIT_OK || (code = read_time(&y)) != EXIT_OK || (code = choose_machine(&y)) != EXIT_OK ||
+        (code = find_names(&y)) != EXIT_OK)
+        return code;
+    return answer(&y, format);
+}

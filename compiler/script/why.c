@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: Apache-2.0
+// The answers of smc why.  One run, watched, gives the guards and their values; the step in which a variable was stored before needs a second
+// one, and so does the machine before the step, from which changes are tried.
+#include "compiler/script/why.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "compiler/script/why_paths.h"
+#include "compiler/script/why_run.h"
+
+enum { ORIGINS_MOST = 8 };
+
+// ---- the run ----
+
+static void note_step(void *context, const ScriptStep *step)
+{
+    WhyRun *r = context;
+
+    r->g_before = r->last_g;
+    r->last_g = step->g;
+}
+
+static bool is_there(void *context)
+{
+    const WhyRun *r = context;
+
+    return r->q.at_step ? r->run.result.steps >= r->q.at_step : r->q.has_g && r->last_g >= r->q.at_g;
+}
+
+const Program *why_program(const Program *p, size_t i) { return p->joint ? p->joint->member.at[i].program : p; }
+
+static void open_engines(WhyRun *r, Engine *(*wrap)(void *context, WhyRun *r, Engine *ref), void *context)
+{
+    const Program *p = r->s->program;
+    const size_t n = engine_machines(p);
+
+    r->machine = ARENA_ARRAY(r->arena, Engine *, n);
+    r->watch = ARENA_ARRAY(r->arena, Watch *, n);
+    for (size_t i = 0; i < n; i++) {
+        r->machine[i] = engine_ref_open(r->arena, why_program(p, i));
+        if (wrap && i == r->q.machine)
+            r->machine[i] = wrap(context, r, r->machine[i]);
+        if (wrap)
+            continue;
+        r->watch[i] = watch_new(r->arena, why_program(p, i), &r->run.result.steps, r->q.depth + 2);
+        watch_attach(r->watch[i], r->machine[i]);
+    }
+    r->engine = p->joint ? engine_app_open(r->arena, p, r->machine) : r->machine[0];
+}
+
+void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, const WhyQuestion *q, Engine *(*wrap)(void *context, WhyRun *r, Engine *ref),
+             void *context)
+{
+    memset(r, 0, sizeof *r);
+    r->arena = arena;
+    r->s = s;
+    r->given = o;
+    r->q = *q;
+    r->o = (ScriptOptions){.max_steps = o->max_steps, .seed = o->seed, .after_step = note_step, .context = r, .is_cancelled = is_there, .setting = o->setting,
+                           .settings = o->settings, .requirements = o->requirements, .is_compared = true};
+    diags_init(&r->silent, arena);
+    r->silent.muted = true;
+    r->run = (ScriptRun){.arena = arena, .diags = &r->silent, .s = s, .p = s->program, .engine = &r->engine, .engines = 1, .o = &r->o};
+    open_engines(r, wrap, context);
+    run_to_the_end(&r->run);
+}
+
+// ---- the lines of an answer ----
+
+typedef struct Answer {
+    WhyAnswer out;
+    WhyRun r;
+    const Watch *w;           // of the machine of the question
+    const Program *p;
+    WhyWords words;
+    const WatchStmt **guard;  // the conditions of the answer whose change could matter
+    size_t guards;
+    const Var *origin[ORIGINS_MOST];  // the variables whose values explain the answer
+    size_t origins;
+} Answer;
+
+static WhyLine *add_line(Answer *a, WhyKind kind, unsigned depth, Span at, const char *text)
+{
+    const WhyLine line = {.kind = kind, .depth = depth, .at = at, .text = text};
+
+    vec_push(a->r.arena, &a->out.line, line);
+    return &a->out.line.at[a->out.line.n - 1];
+}
+
+static void add_remark(Answer *a, unsigned depth, const char *text) { add_line(a, WHY_REMARK, depth, (Span){0}, text); }
+static void add_heading(Answer *a, const char *text) { add_line(a, WHY_HEADING, 0, (Span){0}, text); }
+
+// Lists a variable whose value explains the answer, if it is not clear where it comes from.
+static void list_origin(Answer *a, const Var *v)
+{
+    if (v == a->p->g || v->kind == VAR_TIME || v->state_of || v->is_constant || a->origins == ORIGINS_MOST)
+        return;
+    for (size_t i = 0; i < a->origins; i++)
+        if (a->origin[i] == v)
+            return;
+    a->origin[a->origins++] = v;
+}
+
+static void list_origins(Answer *a, const Expr *e)
+{
+    if (e->kind == EX_VAR)
+        list_origin(a, e->var);
+    for (uint32_t i = 0; i < e->n; i++)
+        list_origins(a, e->arg[i]);
+}
+
+// Adds the condition of a statement that the step has evaluated, with those of which it consists, unless the answer has it.
+static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
+{
+    for (size_t i = 0; i < a->guards; i++)
+        if (a->guard[i] == s)
+            return;                                   // two transitions have it in common
+    for (uint32_t i = 0; i < s->nodes; i++) {
+        WhyLine *line;
+        if (s->node[i].kind == WATCH_OPERAND)
+            continue;
+        line = add_line(a, i ? WHY_CONDITION : WHY_GUARD, depth + s->node[i].depth, i ? (Span){0} : s->stmt->span, why_condition(&a->words, s, i, true));
+        line->e = s->node[i].e;
+        line->truth = watch_truth(s, s->value, i);
+        line->step = s->since[i];
+        line->g = s->since_g[i];
+    }
+    list_origins(a, s->stmt->value);
+    a->guard[a->guards++] = s;
+}
+
+// ---- what the step did ----
+
+static void add_store(Answer *a, unsigned depth, const WatchStmt *s)
+{
+    WhyLine *line = add_line(a, WHY_STORE, depth, s->stmt->span, why_store(&a->words, s));
+
+    line->step = s->step;
+    line->g = s->g;
+}
+
+static void add_statements(Answer *a, unsigned depth, const Stmts *list)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        const WatchStmt *s = &a->w->stmt[list->at[i]->number];
+        if (s->step != a->w->step)
+            return;                                   // an earlier transition has ended the block
+        switch (s->stmt->kind) {
+        case ST_ASSIGN:
+            add_store(a, depth, s);
+            break;
+        case ST_IF:
+            add_condition(a, depth, s);
+            add_statements(a, depth + 1, watch_truth(s, s->value, 0) ? &s->stmt->then : &s->stmt->otherwise);
+            break;
+        case ST_TRANSITION:
+            add_line(a, WHY_TRANSITION, depth, s->stmt->span, format_in(a->r.arena, "-> %s was taken", s->stmt->target->name->text));
+            break;
+        }
+    }
+}
+
+static const Stmt *taken(const Answer *a) { return engine_ref_transition(a->r.machine[a->r.q.machine]); }
+
+// Adds the statements that the step has executed, in their order.
+static void explain_step(Answer *a)
+{
+    const State *state = a->w->state;
+    const size_t before = a->out.line.n;
+
+    if (a->w->is_first)
+        add_statements(a, 1, &state->block[BLOCK_ENTRY]);
+    add_statements(a, 1, &state->block[BLOCK_STEP]);
+    if (taken(a))
+        add_statements(a, 1, &state->block[BLOCK_EXIT]);
+    if (a->out.line.n == before)
+        add_remark(a, 1, format_in(a->r.arena, "%s has no statement that this step could execute", state->name->text));
+}
+
+// ---- where the machine did, or did not, go ----
+
+// Adds the guards around s that the step has evaluated, the outermost first.
+static void add_guards_around(Answer *a, unsigned depth, const WatchStmt *s)
+{
+    if (!s->parent)
+        return;
+    add_guards_around(a, depth, s->parent);
+    if (s->parent->step == a->w->step)
+        add_condition(a, depth, s->parent);
+}
+
+// Explains why the step did, or did not, take the transition s of its state.
+static void explain_transition(Answer *a, unsigned depth, const WatchStmt *s)
+{
+    const WatchStmt *obstacle = why_obstacle(a->w, s);
+    const char *target = s->stmt->target->name->text;
+
+    if (s->block == BLOCK_ENTRY && !a->w->is_first) {
+        add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s can only be taken in the first step of %s, which was %s", target,
+                 s->state->name->text, why_step(a->r.arena, a->w->entered, a->w->entered_g)));
+        return;
+    }
+    add_guards_around(a, depth, s);
+    if (!obstacle)
+        add_line(a, WHY_TRANSITION, depth, s->stmt->span, format_in(a->r.arena, "-> %s was taken", target));
+    else if (obstacle == s && s->parent && !s->parent->parent && !s->in_else && !watch_truth(s->parent, s->parent->value, 0))
+        return;                                       // the line of its only guard says this
+    else if (why_is_blocked(obstacle))
+        add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s was not taken, because %s was %s", target,
+                 why_quote(a->r.arena, obstacle->parent->node[0].e->span), obstacle->in_else ? "true" : "false"));
+    else if (taken(a))
+        add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s was not reached: the transition to %s at %s came first", target,
+                 taken(a)->target->name->text, why_place(a->r.arena, taken(a)->span)));
+}
+
+static void explain_transitions(Answer *a, unsigned depth, const State *to)
+{
+    for (uint32_t i = 1; i <= a->p->stmts; i++)
+        if (a->w->stmt[i].stmt && a->w->stmt[i].stmt->kind == ST_TRANSITION && a->w->stmt[i].state == a->w->state && a->w->stmt[i].stmt->target == to)
+            explain_transition(a, depth, &a->w->stmt[i]);
+}
+
+// Adds a line for each state from which a transition leads to q.to, and when the machine was last in it.
+static void add_sources(Answer *a)
+{
+    const State *to = a->r.q.to;
+
+    for (size_t i = 0; i < a->p->state.n; i++) {
+        const State *from = a->p->state.at[i];
+        const WatchStmt *t = why_find_transition(a->w, from, to);
+        const uint64_t last = a->w->last_run[i];
+        if (t && from != to)
+            add_line(a, WHY_REMARK, 1, t->stmt->span, format_in(a->r.arena, "%s leads to %s; the machine was %s%s", from->name->text, to->name->text,
+                     last ? "last in it in " : "never in it", last ? why_step(a->r.arena, last, a->w->last_run_g[i]) : ""));
+    }
+}
+
+// Explains why the machine is in no state from which a transition leads to q.to.
+static void explain_path(Answer *a)
+{
+    const State *from = a->w->state, *to = a->r.q.to;
+    const WhyPath path = why_shortest_path(a->r.arena, a->w, from, to);
+
+    add_remark(a, 1, format_in(a->r.arena, "%s has no transition to %s", from->name->text, to->name->text));
+    add_sources(a);
+    if (path.n == 0) {
+        add_remark(a, 1, format_in(a->r.arena, "no sequence of transitions leads from %s to %s", from->name->text, to->name->text));
+        return;
+    }
+    add_heading(a, format_in(a->r.arena, "the shortest path is %s; its first transition:", why_path_text(a->r.arena, &path)));
+    explain_transitions(a, 1, path.at[1]);
+    a->r.q.to = path.at[1];                           // what would have made a difference is about this transition
+}
+
+// ---- where values come from ----
+
+// Returns the joined variable for one of the machine of the question.
+static const Var *run_variable(const Answer *a, const Var *v)
+{
+    const Joint *j = a->r.s->program->joint;
+
+    return j ? j->member.at[a->r.q.machine].var[v->index] : v;
+}
+
+// Returns the statement of the script that wrote a variable last, and the step; NULL: none.
+static const Stmt *find_writer(const ScriptRun *run, const Var *v, uint64_t *step)
+{
+    const Stmt *found = NULL;
+
+    *step = 0;
+    for (size_t i = 0; i < run->s->section.n; i++)
+        for (size_t k = 0; k < run->s->section.at[i].item.n; k++) {
+            const ScriptItem *item = run->s->section.at[i].item.at[k];
+            for (size_t n = 0; n < item->inputs.n; n++)
+                if (item->inputs.at[n]->var == v && run->true_in[item->number] && run->true_in[item->number] >= *step) {
+                    found = item->inputs.at[n];
+                    *step = run->true_in[item->number];
+                }
+        }
+    return found;
+}
+
+// Returns the statement of a machine that stored a variable of the run last; NULL: none.
+static const WatchStmt *find_store(const Answer *a, const Var *v)
+{
+    const WatchStmt *found = NULL;
+
+    for (size_t m = 0; m < a->r.run.machines; m++) {
+        const Watch *w = a->r.watch[m];
+        const Joint *j = a->r.s->program->joint;
+        for (size_t i = 0; i < w->p->var.n; i++)
+            if ((j ? j->member.at[m].var[i] : w->p->var.at[i]) == v && w->stored_by[i] && (!found || w->stored_by[i]->step >= found->step))
+                found = w->stored_by[i];
+    }
+    return found;
+}
+
+static const ScriptColumn *find_column(const Script *s, const Var *v)
+{
+    for (size_t i = 0; s->data && i < s->data->column.n; i++)
+        if (s->data->column.at[i].var == v)
+            return &s->data->column.at[i];
+    return NULL;
+}
+
+// Adds where the value of a variable comes from.
+static void add_origin(Answer *a, const Var *local)
+{
+    const Var *v = run_variable(a, local);
+    Arena *arena = a->r.arena;
+    const char *name = local->name->text;
+    const WatchStmt *stored = find_store(a, v);
+    const ScriptColumn *column = find_column(a->r.s, v);
+    uint64_t written;
+    const Stmt *writer = find_writer(&a->r.run, v, &written);
+    WhyLine *line;
+
+    if (stored && (!writer || stored->step >= written)) {
+        line = add_line(a, WHY_ORIGIN, 1, stored->stmt->span, format_in(arena, "%s was last stored in %s, by %s", name, why_step(arena, stored->step, stored->g),
+                        why_quote(arena, stored->stmt->span)));
+        line->step = stored->step;
+        line->g = stored->g;
+    } else if (writer) {
+        line = add_line(a, WHY_ORIGIN, 1, writer->span, format_in(arena, "the script wrote %s in step %" PRIu64 ", by %s", name, written, why_quote(arena, writer->span)));
+        line->step = written;
+    } else if (column) {
+        add_line(a, WHY_ORIGIN, 1, column->span, format_in(arena, "%s is column '%s' of '%s'", name, column->name->text, a->r.s->data->file->text));
+    } else if (local->parameter) {
+        add_line(a, WHY_ORIGIN, 1, local->span, format_in(arena, "%s is a parameter", name));
+    } else {
+        add_line(a, WHY_ORIGIN, 1, local->span, format_in(arena, "nothing has written %s, so it has its first value", name));
+    }
+}
+
+static void add_origins(Answer *a)
+{
+    if (a->origins)
+        add_heading(a, "where the values come from:");
+    for (size_t i = 0; i < a->origins; i++)
+        add_origin(a, a->origin[i]);
+}
+
+// ---- how the machine got there ----
+
+static void add_passages(Answer *a)
+{
+    uint32_t shown = 0, i = 0;
+    const WatchPassage *t;
+    const State *first = NULL;
+
+    if (a->r.q.depth == 0)
+        return;
+    if (a->w->passages > (taken(a) != NULL))
+        add_heading(a, "how the machine got there:");
+    for (; (t = watch_passage(a->w, i)) != NULL && shown < a->r.q.depth; i++) {
+        const char *because = why_guards(&a->words, t->by, t->value);
+        WhyLine *line;
+        if (t->step == a->w->step)
+            continue;
+        line = add_line(a, WHY_PASSAGE, 1, t->by->stmt->span, format_in(a->r.arena, "%s: %s -> %s%s%s", why_step(a->r.arena, t->step, t->g),
+                        t->by->state->name->text, t->by->stmt->target->name->text, *because ? ", because " : "", because));
+        line->step = t->step;
+        line->g = t->g;
+        first = t->by->state;
+        shown++;
+    }
+    if (a->w->passages > i && shown)
+        add_remark(a, 1, format_in(a->r.arena, "before that, %" PRIu64 " more: --depth=N shows more", a->w->passages - i));
+    else if (first)
+        add_remark(a, 1, format_in(a->r.arena, "the run began in %s", first->name->text));
+}
+
+// ---- what would have been different ----
+
+static const char *outcome_text(const Answer *a, const WhyChange *c)
+{
+    Buf out;
+
+    buf_init(&out, a->r.arena);
+    if (a->r.q.of) {
+        buf_printf(&out, "%s would have become ", a->r.q.of->name->text);
+        why_append_cell(a->r.q.of, c->stored, &out);
+    } else if (c->next) {
+        buf_printf(&out, "the step would have taken the transition to %s", c->next->name->text);
+    } else {
+        buf_printf(&out, "the machine would have stayed in %s", a->w->state->name->text);
+    }
+    return buf_text(&out);
+}
+
+static void add_changes(Answer *a)
+{
+    WhyChanges changes = {0};
+
+    if (a->guards)
+        why_find_changes(&a->r, a->guard, a->guards, &changes);
+    if (changes.n)
+        add_heading(a, "what would have made a difference in this step:");
+    for (uint32_t i = 0; i < changes.n; i++)
+        add_line(a, WHY_CHANGE, 1, (Span){0}, format_in(a->r.arena, "with %s, %s", why_change_text(&a->r, &changes.at[i]), outcome_text(a, &changes.at[i])))->change =
+            changes.at[i];
+}
+
+// ---- the answers ----
+
+// Returns how the run ended, for a step in which it did; NULL: it did not.
+static const char *ending_text(const Answer *a)
+{
+    const ScriptRun *run = &a->r.run;
+
+    switch (run->result.outcome) {
+    case SCRIPT_PASSED: return "the script stopped after this step";
+    case SCRIPT_FAILED:
+        if (run->violated)
+            return format_in(a->r.arena, "the script failed after this step: requirement %s was violated", run->violated->id->text);
+        return run->failed ? format_in(a->r.arena, "the script failed after this step, at %s", why_place(a->r.arena, run->failed->span)) : NULL;
+    case SCRIPT_ENDLESS: return "the script did not stop";
+    default: return NULL;
+    }
+}
+
+static void add_head(Answer *a)
+{
+    const Stmt *t = taken(a);
+    const Joint *j = a->r.s->program->joint;
+    const char *ending = ending_text(a);
+    WhyLine *line = add_line(a, WHY_STEP, 0, (Span){0}, format_in(a->r.arena, "%s: %s%s%s, entered in %s; %s%s",
+                             why_step(a->r.arena, a->w->step, a->w->g), j ? j->member.at[a->r.q.machine].name->text : "", j ? " ran " : "", a->w->state->name->text,
+                             why_step(a->r.arena, a->w->entered, a->w->entered_g), t ? "took the transition to " : "took no transition", t ? t->target->name->text : ""));
+
+    line->step = a->w->step;
+    line->g = a->w->g;
+    if (a->w->step < a->r.run.result.steps)
+        add_remark(a, 0, format_in(a->r.arena, "this is its last step before step %" PRIu64 ", in which it did not run", a->r.run.result.steps));
+    else if (ending)
+        add_remark(a, 0, ending);
+}
+
+static void answer_to(Answer *a)
+{
+    const State *to = a->r.q.to;
+    const WatchPassage *last = watch_passage(a->w, 0);
+
+    if (a->w->state == to && !taken(a)) {
+        add_remark(a, 1, format_in(a->r.arena, "the machine was in %s already", to->name->text));
+        if (!last)
+            add_remark(a, 1, "the run began in it");
+    } else if (why_find_transition(a->w, a->w->state, to)) {
+        explain_transitions(a, 1, to);
+    } else {
+        explain_path(a);
+    }
+}
+
+static void answer_of(Answer *a)
+{
+    const WatchStmt *s = a->w->stored_by[a->r.q.of->index];
+
+    add_guards_around(a, 1, s);
+    if (watch_is_decision(s))
+        add_condition(a, 1, s);
+    add_store(a, 1, s);
+    list_origins(a, s->stmt->value);
+}
+
+static void explain(Answer *a)
+{
+    a->guard = ARENA_ARRAY(a->r.arena, const WatchStmt *, a->p->stmts + 1);
+    add_head(a);
+    if (a->r.q.of)
+        answer_of(a);
+    else if (a->r.q.to)
+        answer_to(a);
+    else
+        explain_step(a);
+    add_changes(a);
+    add_origins(a);
+    add_passages(a);
+}
+
+// Answers a question about a variable that the machine has not stored, or that was written after it was stored.
+static void answer_of_input(Answer *a, const Var *v)
+{
+    const char *name = v->name->text;
+    Buf value;
+
+    buf_init(&value, a->r.arena);
+    why_append_cell(v, a->r.run.cell[run_variable(a, v)->index], &value);
+    add_line(a, WHY_STEP, 0, (Span){0}, format_in(a->r.arena, "%s: %s = %s", why_step(a->r.arena, a->r.run.result.steps, a->r.last_g), name, buf_text(&value)));
+    add_origin(a, v);
+}
+
+// Continues with the step in which the variable of the question was stored, if that is an earlier one.
+static void ask_of(Answer *a, Arena *arena, const Script *s, const ScriptOptions *o, WhyQuestion q)
+{
+    const Var *joined = run_variable(a, q.of);
+    const WatchStmt *stored = a->w->stored_by[q.of->index];
+    const uint64_t step = a->r.run.result.steps, g = a->r.last_g;
+    uint64_t written;
+    Buf value;
+
+    if (!stored || find_store(a, joined) != stored || (find_writer(&a->r.run, joined, &written) && written > stored->step)) {
+        answer_of_input(a, q.of);
+        return;
+    }
+    buf_init(&value, arena);
+    why_append_cell(q.of, a->r.run.cell[joined->index], &value);
+    add_line(a, WHY_STEP, 0, (Span){0}, format_in(arena, "%s: %s = %s, last stored in %s", why_step(arena, step, g), q.of->name->text, buf_text(&value),
+             stored->step == step ? "this step" : why_step(arena, stored->step, stored->g)));
+    if (stored->step < a->w->step) {
+        q.at_step = stored->step;
+        q.has_g = false;
+        why_run(&a->r, arena, s, o, &q, NULL, NULL);
+        a->w = a->r.watch[q.machine];
+        a->words = (WhyWords){arena, a->w, engine_ref_view(a->r.machine[q.machine]).windows};
+    }
+    explain(a);
+}
+
+// Returns whether the run has reached the step of the question.
+static WhyStatus find_status(const Answer *a)
+{
+    const WhyQuestion *q = &a->r.q;
+    const ScriptRun *run = &a->r.run;
+
+    if (run->result.steps == 0)
+        return WHY_NOT_RUN;
+    if ((q->at_step && run->result.steps < q->at_step) || (!q->at_step && q->has_g && a->r.last_g < q->at_g))
+        return WHY_ENDED_BEFORE;
+    if (!q->at_step && q->has_g && a->r.last_g > q->at_g)
+        return WHY_BETWEEN_STEPS;
+    return a->w->step ? WHY_ANSWERED : WHY_NO_STEP;
+}
+
+WhyAnswer why_ask(Arena *arena, const Script *s, const ScriptOptions *o, const WhyQuestion *q)
+{
+    Answer *a = ARENA_NEW(arena, Answer);
+
+    a->p = why_program(s->program, q->machine);
+    why_run(&a->r, arena, s, o, q, NULL, NULL);
+    a->w = a->r.watch[q->machine];
+    a->words = (WhyWords){arena, a->w, engine_ref_view(a->r.machine[q->machine]).windows};
+    a->out.status = find_status(a);
+    a->out.steps = a->r.run.result.steps;
+    a->out.before = a->out.status == WHY_BETWEEN_STEPS ? a->r.g_before : a->r.last_g;
+    a->out.after = a->r.last_g;
+    if (a->out.status != WHY_ANSWERED)
+        return a->out;
+    a->out.step = a->out.steps;
+    a->out.g = a->r.last_g;
+    if (q->of)
+        ask_of(a, arena, s, o, *q);
+    else
+        explain(a);
+    return a->out;
+}

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds inputs that would have changed the outcome of a step.  The script runs again to the state of the machine before the step; from there
+// the step runs once for each candidate: an input with a value at the limit of a comparison, just above it or just below it.
+#include <string.h>
+
+#include "compiler/script/why_run.h"
+#include "stdlib/math.h"
+
+enum { CHANGES_MOST = 6 };
+
+// ---- the machine before the step ----
+
+// An engine that remembers the state of its machine, and the writes of the script, before one step.
+typedef struct Before {
+    Engine engine;
+    Engine *ref;
+    Engine *saved, *again;    // the machine before the step; the one that tries it
+    EngineWrite *write, *tried;       // what the script writes before it; the same with a change
+    uint32_t writes;
+    uint64_t step;            // the number of that step
+    const WhyRun *run;
+    const WhyRun *result;     // the run whose outcome is to be changed
+    EngineStep answer;
+} Before;
+
+// Sets a variable before the step.  A later write of a variable replaces an earlier one.
+static void add_write(Before *b, uint32_t var, uint64_t cell)
+{
+    uint32_t i = 0;
+
+    while (i < b->writes && b->write[i].var != var)
+        i++;
+    b->write[i] = (EngineWrite){var, cell};
+    b->writes += i == b->writes;
+}
+
+static EngineStatus before_init(Engine *e, uint32_t state, EngineStep *out) { return ((Before *)e->self)->ref->init(((Before *)e->self)->ref, state, out); }
+
+static EngineStatus before_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    Before *b = e->self;
+
+    if (b->run->run.result.steps + 1 == b->step) {
+        engine_ref_copy(b->saved, b->ref);
+        b->writes = 0;
+        for (uint32_t i = 0; i < n; i++)
+            add_write(b, write[i].var, write[i].cell);
+    }
+    return b->ref->step(b->ref, write, n, out);
+}
+
+static void before_close(Engine *e) { ((Before *)e->self)->ref->close(((Before *)e->self)->ref); }
+
+static Engine *wrap_before(void *context, WhyRun *r, Engine *ref)
+{
+    Before *b = context;
+    const Program *p = ref->program;
+
+    b->run = r;
+    b->ref = ref;
+    b->saved = engine_ref_open(r->arena, p);
+    b->again = engine_ref_open(r->arena, p);
+    b->write = ARENA_ARRAY(r->arena, EngineWrite, p->var.n);
+    b->tried = ARENA_ARRAY(r->arena, EngineWrite, p->var.n);
+    engine_step_init(&b->answer, r->arena, p);
+    b->engine = (Engine){ref->name, p, NULL, b, before_init, before_step, before_close};
+    return &b->engine;
+}
+
+// ---- trying ----
+
+// Returns the engine after the step whose outcome is to be changed.
+static const Engine *outcome_of(const Before *b) { return b->result->machine[b->result->q.machine]; }
+
+// Whether c, another outcome of the step, answers the question.
+static bool is_asked(const Before *b, const WhyChange *c)
+{
+    const WhyQuestion *q = &b->result->q;
+    const Watch *w = b->result->watch[q->machine];
+    const Stmt *was = engine_ref_transition(outcome_of(b));
+
+    if (q->of)
+        return c->var != q->of && c->stored != engine_ref_view(outcome_of(b)).cell[q->of->index];
+    if (c->next == (was ? was->target : NULL))
+        return false;
+    return !q->to || w->state == q->to || (was && was->target == q->to) || c->next == q->to;
+}
+
+// Runs the step with the change.  Returns whether it then has another outcome, which c then has.
+static bool try_change(Before *b, WhyChange *c)
+{
+    const WhyQuestion *q = &b->result->q;
+    bool is_written = false;
+    const Stmt *taken;
+
+    for (uint32_t i = 0; i < b->writes; i++) {
+        b->tried[i] = b->write[i];
+        if (b->write[i].var == c->var->index) {
+            b->tried[i].cell = c->cell;
+            is_written = true;
+        }
+    }
+    if (!is_written)
+        b->tried[b->writes] = (EngineWrite){c->var->index, c->cell};
+    engine_ref_copy(b->again, b->saved);
+    if (b->again->step(b->again, b->tried, b->writes + !is_written, &b->answer) != ENGINE_OK)
+        return false;
+    taken = engine_ref_transition(b->again);
+    c->next = taken ? taken->target : NULL;
+    c->stored = q->of ? b->answer.cell[q->of->index] : 0;
+    return is_asked(b, c);
+}
+
+static bool is_tried(const WhyChanges *out, const Var *v)
+{
+    for (uint32_t i = 0; i < out->n; i++)
+        if (out->at[i].var == v)
+            return true;
+    return false;
+}
+
+// Tries a value of a variable, unless another one has changed the outcome.
+static void try_value(Before *b, const Var *v, uint64_t cell, double limit, int side, WhyChanges *out)
+{
+    WhyChange c = {.var = v, .cell = cell, .was = engine_ref_view(outcome_of(b)).cell[v->index], .limit = limit, .side = side};
+
+    if (out->n < CHANGES_MOST && !is_tried(out, v) && cell != c.was && try_change(b, &c))
+        vec_push(b->result->arena, out, c);
+}
+
+// Whether an input or a parameter can be changed: a variable that the machine never assigns, and that is no time and no state.
+static bool can_change(const Program *p, const Var *v)
+{
+    return v != p->g && v->kind != VAR_TIME && !v->state_of && !v->is_constant && !v->written && !v->sizes;
+}
+
+// Returns the next value of a type above x (side 1) or below it (side -1).
+static double next_value(SmType type, double x, int side)
+{
+    const bool away = x != 0 && (x > 0) == (side > 0);
+    const uint64_t cell = ref_convert(type, x);
+
+    if (sm_type_info[type].kind != SM_KIND_FLOAT)
+        return side > 0 ? sm_floor(x) + 1 : -(sm_floor(-x) + 1);
+    if (x == 0)
+        return ref_read(type, side > 0 ? 1 : type == SM_F32 ? UINT64_C(0x80000001) : UINT64_C(0x8000000000000001));
+    if (ref_read(type, cell) != x)                    // an F32 next to a limit that is none
+        return (side > 0) == (ref_read(type, cell) > x) ? ref_read(type, cell) : next_value(type, ref_read(type, cell), side);
+    return ref_read(type, away ? cell + 1 : cell - 1);
+}
+
+// Tries values of a variable at a limit and next to it.
+static void try_around(Before *b, const Var *v, double limit, WhyChanges *out)
+{
+    static const int sides[] = {0, 1, -1};
+
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        const double x = sides[i] ? next_value(v->type, limit, sides[i]) : limit;
+        const uint64_t cell = ref_convert(v->type, x);
+        if (ref_read(v->type, cell) == x)
+            try_value(b, v, cell, limit, sides[i], out);
+    }
+}
+
+// Tries the operands of a comparison: each variable at the values of its neighbours.
+static void try_comparison(Before *b, const WatchStmt *s, const Expr *e, WhyChanges *out)
+{
+    double limit;
+
+    for (uint32_t i = 0; i < e->n; i++)
+        for (uint32_t k = i ? i - 1 : 1; e->arg[i]->kind == EX_VAR && can_change(b->engine.program, e->arg[i]->var) && k <= i + 1 && k < e->n; k++)
+            if (k != i && why_operand(s, e->arg[k], &limit) && limit - limit == 0)
+                try_around(b, e->arg[i]->var, limit, out);
+}
+
+// Tries the variables of a condition.
+static void try_condition(Before *b, const WatchStmt *s, const Expr *e, WhyChanges *out)
+{
+    while (e->kind == EX_UNARY && e->op == SM_OP_NOT)
+        e = e->arg[0];
+    if (e->kind == EX_VAR && can_change(b->engine.program, e->var)) {
+        try_value(b, e->var, ref_convert(e->var->type, 0), 0, 0, out);
+        try_value(b, e->var, ref_convert(e->var->type, 1), 1, 0, out);
+    } else if (watch_is_relation(e)) {
+        try_comparison(b, s, e, out);
+    }
+}
+
+void why_find_changes(const WhyRun *r, const WatchStmt *const *guard, size_t guards, WhyChanges *out)
+{
+    WhyQuestion q = r->q;
+    Before b = {.result = r, .step = r->watch[q.machine]->step};
+    WhyRun again;
+
+    q.at_step = b.step;
+    q.has_g = false;
+    why_run(&again, r->arena, r->s, r->given, &q, wrap_before, &b);
+    for (size_t i = 0; b.writes && i < guards; i++)
+        for (uint32_t k = 0; k < guard[i]->nodes; k++)
+            if (guard[i]->node[k].kind == WATCH_LEAF)
+                try_condition(&b, guard[i], guard[i]->node[k].e, out);
+}
+
+const char *why_change_text(const WhyRun *r, const WhyChange *c)
+{
+    const bool is_next = c->side && sm_type_info[c->var->type].kind == SM_KIND_FLOAT;
+    Buf out;
+
+    buf_init(&out, r->arena);
+    buf_printf(&out, "%s %s ", c->var->name->text, !is_next ? "=" : c->side > 0 ? "just above" : "just below");
+    if (is_next)
+        format_number_shortest(&out, c->limit);
+    else
+        why_append_cell(c->var, c->cell, &out);
+    buf_str(&out, " (it was ");
+    why_append_cell(c->var, c->was, &out);
+    buf_char(&out, ')');
+    return buf_text(&out);
+}
