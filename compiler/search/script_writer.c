@@ -25,20 +25,20 @@ enum {
 typedef enum Rank { RANK_EARLY, RANK_INPUT, RANK_ASSERT, RANK_STOP } Rank;
 
 // An item of the script: its guard, and a line of text for each item of its body.  A guard that begins with # is a comment without a body.
-typedef struct Item {
+typedef struct TimelineItem {
     uint64_t step;            // the first step with it
     Rank rank;
     const char *guard;
     VEC(const char *) body;
     uint32_t number;
-} Item;
+} TimelineItem;
 
 typedef struct Writer {
     Arena *arena;
     const ScriptPage *page;
     const Program *p;
     const Scenario *s;
-    VEC(Item) item;
+    VEC(TimelineItem) item;
     VEC(const Var *) output;  // those of the time line
     VEC(const Var *) busy;    // those that are asserted only at the end
 } Writer;
@@ -123,9 +123,9 @@ static const char *guard_of(const Writer *w, uint64_t from, uint64_t to)
     return format_in(w->arena, "from %s to %s", time_text(w, from), time_text(w, to));
 }
 
-static Item *add_item(Writer *w, uint64_t step, Rank rank, const char *guard)
+static TimelineItem *add_item(Writer *w, uint64_t step, Rank rank, const char *guard)
 {
-    const Item item = {.step = step, .rank = rank, .guard = guard, .number = w->item.n};
+    const TimelineItem item = {.step = step, .rank = rank, .guard = guard, .number = w->item.n};
 
     vec_push(w->arena, &w->item, item);
     return &w->item.at[w->item.n - 1];
@@ -134,7 +134,7 @@ static Item *add_item(Writer *w, uint64_t step, Rank rank, const char *guard)
 // Adds a line to the item with this guard.  The order of early items matters, so each is one line.
 static void add_line(Writer *w, uint64_t step, Rank rank, const char *guard, const char *line)
 {
-    Item *item = NULL;
+    TimelineItem *item = NULL;
 
     for (uint32_t i = 0; i < w->item.n; i++)
         if (rank != RANK_EARLY && w->item.at[i].rank == rank && w->item.at[i].step == step && strcmp(w->item.at[i].guard, guard) == 0)
@@ -173,12 +173,12 @@ static void add_alternation(Writer *w, const ScenarioChange *c, uint64_t to)
     const char *other = format_in(w->arena, "%s = %s", v->name->text, value_text(w, v->type, is_even ? c->a : c->b));
 
     if (c->step == 1 && to == 0) {
-        Item *item = add_item(w, 1, RANK_INPUT, every);
+        TimelineItem *item = add_item(w, 1, RANK_INPUT, every);
         vec_push(w->arena, &item->body, first);
         item = add_item(w, 1, RANK_INPUT, "else");
         vec_push(w->arena, &item->body, other);
     } else {
-        Item *item = add_item(w, c->step, RANK_INPUT, guard_of(w, c->step, to));
+        TimelineItem *item = add_item(w, c->step, RANK_INPUT, guard_of(w, c->step, to));
         vec_push(w->arena, &item->body, format_in(w->arena, "%s: %s", every, first));
         vec_push(w->arena, &item->body, format_in(w->arena, "else:%*s%s", (int)strlen(every) - 3, "", other));
     }
@@ -502,7 +502,7 @@ static void write_options(const Writer *w, Buf *out)
 
 static int compare_items(const void *a, const void *b)
 {
-    const Item *x = a, *y = b;
+    const TimelineItem *x = a, *y = b;
 
     if ((x->rank == RANK_EARLY) != (y->rank == RANK_EARLY))
         return x->rank == RANK_EARLY ? -1 : 1;
@@ -513,9 +513,9 @@ static int compare_items(const void *a, const void *b)
     return x->number < y->number ? -1 : 1;
 }
 
-static bool is_line(const Item *i) { return i->body.n == 1; }
+static bool is_line(const TimelineItem *i) { return i->body.n == 1; }
 
-static void write_item(const Item *item, size_t width, Buf *out)
+static void write_item(const TimelineItem *item, size_t width, Buf *out)
 {
     if (item->body.n == 0) {
         buf_printf(out, "%s\n", item->guard);

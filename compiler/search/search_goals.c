@@ -43,7 +43,7 @@ static SearchPath path_to_outcome(SearchRun *k, uint32_t decision, bool value)
     const SearchPath outer = k->decision[decision].path;
     SearchElem *elem = arena_array(&k->work, outer.n + 1, sizeof *elem);
 
-    elem[0] = (SearchElem){decision, value};
+    elem[0] = (SearchElem){decision, value, true};
     for (uint32_t i = 0; i < outer.n; i++)
         elem[i + 1] = outer.elem[i];
     return (SearchPath){elem, outer.n + 1};
@@ -279,7 +279,7 @@ static void watch(void *watcher, uint32_t kept)
         come_near(k, e->goal, e->level + cost / (1 + cost));
         if (k->goal[e->goal].run_best < k->goal[e->goal].best) {
             k->goal[e->goal].best = k->goal[e->goal].run_best;
-            k->goal[e->goal].best_elem = (SearchElem){k->kept[kept], e->value};
+            k->goal[e->goal].best_elem = (SearchElem){k->kept[kept], e->value, true};
         }
     }
 }

@@ -124,9 +124,17 @@ static SearchPath store_path(SearchRun *k, const Elems *e)
     return (SearchPath){out, e->n};
 }
 
-static void add_elem(SearchRun *k, Elems *e, uint32_t stmt, bool value)
+static bool leaves_always(const Stmts *list)
 {
-    const SearchElem one = {k->guard[stmt], value};
+    for (size_t i = 0; i < list->n; i++)
+        if (list->at[i]->kind == ST_TRANSITION || (leaves_always(&list->at[i]->then) && leaves_always(&list->at[i]->otherwise)))
+            return true;
+    return false;
+}
+
+static void add_elem(SearchRun *k, Elems *e, uint32_t stmt, bool value, bool is_certain)
+{
+    const SearchElem one = {k->guard[stmt], value, is_certain};
 
     if (one.decision != SEARCH_NONE)
         vec_push(&k->work, e, one);
@@ -146,16 +154,16 @@ static void find_paths(SearchRun *k, const Stmts *list, const State *state, Elem
         }
         if (s->kind != ST_IF)
             continue;
-        add_elem(k, e, s->number, true);
+        add_elem(k, e, s->number, true, true);
         find_paths(k, &s->then, state, e);
         e->n = before;
-        add_elem(k, e, s->number, false);
+        add_elem(k, e, s->number, false, true);
         find_paths(k, &s->otherwise, state, e);
         e->n = before;
         if (has_transition(&s->then) && !has_transition(&s->otherwise))
-            add_elem(k, e, s->number, false);
+            add_elem(k, e, s->number, false, leaves_always(&s->then));
         else if (has_transition(&s->otherwise) && !has_transition(&s->then))
-            add_elem(k, e, s->number, true);
+            add_elem(k, e, s->number, true, leaves_always(&s->otherwise));
     }
     e->n = outer;
 }

@@ -310,6 +310,8 @@ static bool takes_path(Prover *p, const SearchSite *site)
 {
     for (uint32_t e = site->path.n; e-- > 0; ) {
         const FlatDecision *d = p->k->decision[site->path.elem[e].decision].d;
+        if (!site->path.elem[e].is_certain)
+            continue;
         if (e == 0 && site->condition != SEARCH_NONE ? !decides(p, d, site->condition, site->value)
                                                      : node_truth(p, d, d->nodes - 1) != site->path.elem[e].value)
             return false;

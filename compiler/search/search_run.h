@@ -29,7 +29,11 @@ typedef struct SearchInput {
 } SearchInput;
 
 // A decision that has to have an outcome.
-typedef struct SearchElem { uint32_t decision; bool value; } SearchElem;
+typedef struct SearchElem {
+    uint32_t decision;
+    bool value;
+    bool is_certain;          // without this value the statement is not executed; otherwise some runs need it, and others do not
+} SearchElem;
 
 // What has to happen before a statement is executed, the innermost first; the last element is decided first in a step.
 typedef struct SearchPath { const SearchElem *elem; uint32_t n; } SearchPath;

@@ -396,16 +396,16 @@ static void watch_step(void *context, const ScriptStep *step)
 // ---- runs ----
 
 // Between the faulty sensors and the machine: notes the writes that change a cell of the machine.
-typedef struct Recorder {
+typedef struct FaultRecorder {
     Engine engine;
     Engine *inner;
     FaultRunner *x;
     uint64_t step;
-} Recorder;
+} FaultRecorder;
 
 static EngineStatus recorder_init(Engine *e, uint32_t state, EngineStep *out)
 {
-    Recorder *k = e->self;
+    FaultRecorder *k = e->self;
 
     k->step = 0;
     return k->inner->init(k->inner, state, out);
@@ -413,7 +413,7 @@ static EngineStatus recorder_init(Engine *e, uint32_t state, EngineStep *out)
 
 static EngineStatus recorder_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
-    Recorder *k = e->self;
+    FaultRecorder *k = e->self;
     const Program *p = e->program;
     uint64_t g = 0;
 
@@ -435,9 +435,9 @@ static void recorder_close(Engine *e) { (void)e; }
 
 static Engine *open_recorder(FaultRunner *x, Engine *inner)
 {
-    Recorder *k = ARENA_NEW(&x->run, Recorder);
+    FaultRecorder *k = ARENA_NEW(&x->run, FaultRecorder);
 
-    *k = (Recorder){{"recorder", inner->program, NULL, k, recorder_init, recorder_step, recorder_close}, inner, x, 0};
+    *k = (FaultRecorder){{"recorder", inner->program, NULL, k, recorder_init, recorder_step, recorder_close}, inner, x, 0};
     return &k->engine;
 }
 
