@@ -220,7 +220,7 @@ static void list_values(MutantSearch *k)
 static void add_hold(MutantSearch *k, double steps)
 {
     for (int by = -1; by <= 1; by++)
-        if (steps + by >= 1 && steps + by <= HOLD_MOST)
+        if (steps + by >= 1 && steps + by <= (double)HOLD_MOST)
             vec_push(k->arena, &k->hold, (uint64_t)(steps + by));
 }
 
@@ -416,7 +416,7 @@ static uint64_t choose_duration(const Lockstep *l)
 
     if (which == 0 && l->arounds) {
         const double steps = l->around[below(k, l->arounds)] / (double)k->delta_t + below(k, 3) - 1;
-        if (steps >= 1 && steps <= HOLD_MOST)
+        if (steps >= 1 && steps <= (double)HOLD_MOST)
             return (uint64_t)steps;
     }
     if (which < 4 && k->hold.n)

@@ -3,13 +3,14 @@
 #include "compiler/report/xml.h"
 #include "compiler/whatif/sweep.h"
 
-enum { LEFT = 150, TOP = 30, WIDTH = 500, ROW = 18, BOTTOM = 46 };
+// In pixels.
+static const double LEFT = 150, TOP = 30, WIDTH = 500, ROW = 18, BOTTOM = 46;
 
 static const char *const good = "#cfe8cf", *const bad = "#b03030", *const ink = "#222";
 
 static void write_start(double height, Buf *out)
 {
-    buf_printf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-sweep\" viewBox=\"0 0 %d %.0f\" width=\"%d\" height=\"%.0f\" "
+    buf_printf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-sweep\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\" "
                "font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
                LEFT + WIDTH + 30, height, LEFT + WIDTH + 30, height);
 }
@@ -41,7 +42,7 @@ static void write_axis(Arena *arena, const SweepAxis *a, double y, Buf *out)
 {
     write_label(LEFT, y + 14, "start", number_text(arena, a->lo), out);
     write_label(LEFT + WIDTH, y + 14, "end", number_text(arena, a->hi), out);
-    write_label(LEFT + WIDTH / 2.0, y + 30, "middle", a->parameter->name->text, out);
+    write_label(LEFT + WIDTH / 2, y + 30, "middle", a->parameter->name->text, out);
 }
 
 // Draws a line at the current value.
@@ -118,7 +119,7 @@ static void write_rows(Arena *arena, const Sweep *s, Buf *out)
 static void write_map(Arena *arena, const Sweep *s, Buf *out)
 {
     const SweepAxis *a = &s->axis[0], *b = &s->axis[1];
-    const double w = (double)WIDTH / a->n, h = b->n > 20 ? 360.0 / b->n : ROW;
+    const double w = WIDTH / a->n, h = b->n > 20 ? 360.0 / b->n : ROW;
 
     write_start(TOP + h * b->n + BOTTOM, out);
     for (uint32_t i = 0; i < s->point.n; i++) {
