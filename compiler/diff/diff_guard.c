@@ -68,7 +68,7 @@ static bool constant_of(const Expr *e, double *x)
     if (!expr_is_constant(e))
         return false;
     *x = expr_constant_value(e);
-    return !isnan(*x);
+    return *x == *x;
 }
 
 static void raise_low(GuardInterval *v, double x, bool open)

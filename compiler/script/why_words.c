@@ -141,7 +141,7 @@ static const char *distance_text(Arena *arena, double from, double to)
     const double d = fabs(to - from);
     const char *text = format_in(arena, "%.7g", d);
 
-    return isfinite(d) && strtod(text, NULL) == d && from + (to > from ? d : -d) == to && !strchr(text, 'e') ? text : NULL;
+    return d - d == 0 && strtod(text, NULL) == d && from + (to > from ? d : -d) == to && !strchr(text, 'e') ? text : NULL;
 }
 
 static void append_distance(const WhyWords *words, const LimitComparison *c, Buf *out)
