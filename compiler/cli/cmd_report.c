@@ -50,6 +50,22 @@ static void run_mutants(Cli *c, Report *r, const Program *p)
     r->mutation = u;
 }
 
+// Decides the requirements, if that is wanted.  Returns false if two of them contradict each other, which is reported.
+static bool run_proofs(Cli *c, Report *r, const CompileOptions *o)
+{
+    const Requirement *first, *second;
+
+    if (!c->given[OPT_PROVE] || !r->requirements)
+        return true;
+    if (prove_find_contradiction(&c->session.arena, r->requirements, &first, &second)) {
+        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
+                  first->span, DIAG_note_first_here);
+        return false;
+    }
+    r->proofs = prove_run(&c->session.arena, r->requirements, &(ProveOptions){.delta_t = o->step});
+    return true;
+}
+
 int cmd_report(Cli *c)
 {
     static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
@@ -96,6 +112,10 @@ int cmd_report(Cli *c)
         return code;
     }
     run_mutants(c, &r, runs_find_machine(&in, &made)->scripted);
+    if (!run_proofs(c, &r, &o)) {
+        cli_print_diagnostics(c);
+        return EXIT_PROBLEM;
+    }
     buf_init(&out, &c->session.arena);
     writer[format](report_build(&r), &out);
     file[0].bytes = buf_text(&out);

@@ -83,20 +83,27 @@ static const char *why_undecided(const ProveOf *of)
                                            : "what is known about the values is too little for a proof";
 }
 
-static void write_assumptions(const ProveOf *of, Buf *out)
+const char *prove_verdict_words(ProveVerdict v)
+{
+    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found"};
+
+    return word[v];
+}
+
+static void write_assumptions(const ProveOf *of, size_t indent, Buf *out)
 {
     for (int a = 0; a < PROVE_ASSUMPTIONS; a++)
         if (of->assumed >> a & 1)
-            buf_printf(out, "      assuming that %s\n", assumption_text[a]);
+            buf_printf(out, "%*sassuming that %s\n", (int)indent, "", assumption_text[a]);
 }
 
-static void write_invariants(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
+static void write_invariants(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     for (uint32_t s = 0; s < p->state.n; s++) {
         const ProveInvariant *i = &of->invariant[s];
         const char *text = i->reached ? prove_invariant_text(arena, i, p->time_unit) : "it is never reached";
         if (text)
-            buf_printf(out, "      in %s: %s\n", i->state->name->text, text);
+            buf_printf(out, "%*sin %s: %s\n", (int)indent, "", i->state->name->text, text);
     }
 }
 
@@ -113,38 +120,33 @@ static void write_lines_indented(const char *text, size_t indent, Buf *out)
     }
 }
 
-static void write_verdict(Arena *arena, const Program *p, const ProveResult *r, const ProveOf *of, size_t width, Buf *out)
+void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
-    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found"};
     const char *script;
 
-    buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, word[of->verdict], of->what->text->text);
     switch (of->verdict) {
     case PROVE_PROVED:
-        write_assumptions(of, out);
-        write_invariants(arena, p, of, out);
-        if (!of->premise_seen)
-            buf_str(out, "      no run that was tried came to its premise\n");
+        write_assumptions(of, indent, out);
+        write_invariants(arena, p, of, indent, out);
         break;
     case PROVE_VACUOUS:
-        buf_str(out, "      no run comes to its premise, so it requires nothing\n");
-        write_assumptions(of, out);
-        write_invariants(arena, p, of, out);
+        buf_printf(out, "%*sno run comes to its premise, so it requires nothing\n", (int)indent, "");
+        write_assumptions(of, indent, out);
+        write_invariants(arena, p, of, indent, out);
         break;
     case PROVE_VIOLATED:
-        buf_printf(out, "      after %lu steps\n", (unsigned long)of->scenario->steps);
+        buf_printf(out, "%*safter %lu steps\n", (int)indent, "", (unsigned long)of->scenario->steps);
         script = prove_script(arena, p, of);
         if (script)
-            write_lines_indented(script, 6, out);
+            write_lines_indented(script, indent, out);
         break;
     case PROVE_UNDECIDED:
-        buf_printf(out, "      %llu steps were tried; %s\n", (unsigned long long)of->steps, why_undecided(of));
-        buf_printf(out, "      %lu situations and %llu branches were examined\n", (unsigned long)of->nodes, (unsigned long long)of->visits);
-        if (!of->premise_seen)
-            buf_str(out, "      no run that was tried came to its premise\n");
+        buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, why_undecided(of));
+        buf_printf(out, "%*s%lu situations and %llu branches were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
         break;
     }
-    (void)r;
+    if (!of->premise_seen && (of->verdict == PROVE_PROVED || of->verdict == PROVE_UNDECIDED))
+        buf_printf(out, "%*sno run that was tried came to its premise\n", (int)indent, "");
 }
 
 void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out)
@@ -157,8 +159,11 @@ void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf 
     if (p->uses_time_unit)
         buf_printf(out, " %s", time_unit_name(p->time_unit));
     buf_str(out, ":\n");
-    for (uint32_t i = 0; i < r->n; i++)
-        write_verdict(arena, p, r, &r->of[i], width, out);
+    for (uint32_t i = 0; i < r->n; i++) {
+        const ProveOf *of = &r->of[i];
+        buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, prove_verdict_words(of->verdict), of->what->text->text);
+        prove_write_reason(arena, p, of, 6, out);
+    }
 }
 
 // ---- JSON ----

@@ -7,10 +7,13 @@
 #include "compiler/prove/prove.h"
 
 const char *prove_verdict_name(ProveVerdict v);       // "proved", "vacuous", "violated", "undecided"
+const char *prove_verdict_words(ProveVerdict v);      // "proved", "vacuous", "violated", "no violation found"
 // Returns what is true after each step in a state, as a sentence; NULL: nothing is known.
 const char *prove_invariant_text(Arena *arena, const ProveInvariant *i, TimeUnit unit);
 // Returns the script that shows a violation; NULL: none can be written.
 const char *prove_script(Arena *arena, const Program *p, const ProveOf *of);
+// Appends the lines that support a verdict: assumptions and what is true in each state, a script that violates it, or how much was tried.
+void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out);
 void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out);
 void prove_write_json(Arena *arena, const Program *p, const ProveResult *r, Buf *out);
 

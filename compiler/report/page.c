@@ -57,6 +57,7 @@ Doc *report_build(Report *r)
     report_add_messages(r, d);
     doc_begin_chapter(d, TEXT_WHAT_MUST_NOT_HAPPEN);
     report_add_requirements(r, d);
+    report_add_proofs(r, d);
     report_add_traceability(r, d);
     report_add_findings(r, d);
     report_add_abort_matrix(r, d);

@@ -8,6 +8,7 @@
 #include "compiler/budget/cost.h"
 #include "compiler/cover/cover.h"
 #include "compiler/cover/mutate.h"
+#include "compiler/prove/prove.h"
 #include "compiler/report/diagram.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
@@ -38,6 +39,7 @@ typedef struct Report {
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // those that the runs have judged; or NULL
+    const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
 } Report;
 
 Doc *report_build(Report *r);
@@ -55,6 +57,7 @@ void report_add_findings(Report *r, Doc *d);
 void report_add_abort_matrix(Report *r, Doc *d);
 void report_add_costs(Report *r, Doc *d);
 void report_add_requirements(Report *r, Doc *d);       // nothing if r->requirements is NULL
+void report_add_proofs(Report *r, Doc *d);             // nothing if r->proofs is NULL
 void report_add_traceability(Report *r, Doc *d);       // nothing if neither a file nor a mark names a requirement
 void report_add_mutation(Report *r, Doc *d);
 void report_add_scripts(Report *r, Doc *d);

@@ -52,6 +52,13 @@
     "Each requirement is judged after every step of every script in which it could be violated. `Times` is the number of these steps. One " \
     "that was never judged has not been tested, and one that is undecided has not been met."
 
+// ---- proofs ----
+
+#define TEXT_PROOFS \
+    "`smc prove` decides whether any run can violate a requirement. A proof holds for all inputs, NaN and infinities included, with the " \
+    "machine's step and the assumptions named. The lines after a proof are what is true after each step in a state. A script shows a " \
+    "violation. Without a proof and without a violation, the requirement is only as good as its tests."
+
 // ---- traceability ----
 
 #define TEXT_TRACEABILITY \
