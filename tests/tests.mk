@@ -911,7 +911,7 @@ $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementa
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, scripts-random,       quick, $(B)/cover/scripts, $(B)/cover/scripts 1 200)
-$(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 1 200)
+$(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 3000 200)
 $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)

@@ -57,7 +57,7 @@ static void add_decision_sites(SearchRun *k, uint32_t n)
     for (uint32_t at = d->hit; at < d->hit + 2 + 2 * d->conditions; at++) {
         const uint32_t g = k->goal_of[at];
         const bool value = (at - d->hit) % 2 == 0;
-        const uint32_t condition = at < d->hit + 2 || d->conditions == 1 ? SEARCH_NONE : (at - d->hit - 2) / 2;
+        const uint32_t condition = at < d->hit + 2 || d->nodes == 1 ? SEARCH_NONE : (at - d->hit - 2) / 2;
         if (g != SEARCH_NONE)
             add_site(k, &k->goal[g], (SearchSite){state, path_to_outcome(k, n, value), condition, value});
     }
