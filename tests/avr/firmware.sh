@@ -189,12 +189,13 @@ fly_slow() {
 # A Mega stores transitions in EEPROM, where they survive a power failure.  No step waits for that: a byte of EEPROM takes 54,400 cycles.
 fly_logged() {
     [ $MCU = atmega2560 ] || return 0
+    many_stored='/^stored/ { stored = 1 } /^since/ { stored = 0 } stored && / s  STATE of machine 0, from [123], to [123]$/ { n++ } END { exit n < 60 }'
     rm -f "$D/logged.mem"*
     board_on "$D/logged.mem"
     count "$smc" flash "$D/toggle.smb" "$port" --period=5 --confirm >"$D/logged.out" 2>&1
     touch "$D/logged.mem.go"
-    tries=60                                        # until far more than 60 transitions have been made, however slow the emulator is
-    while [ $tries -gt 0 ] && ! "$smc" device log "$port" 2>&1 | awk '$2 == "s" && $1 > 3 { seen = 1 } END { exit !seen }'; do
+    tries=60                                        # however slow the emulator is
+    while [ $tries -gt 0 ] && ! "$smc" device log "$port" 2>&1 | awk "$many_stored"; do
         tries=$((tries - 1))
         sleep 0.5
     done
@@ -204,7 +205,7 @@ fly_logged() {
     "$smc" device log "$port" >"$D/logged.out" 2>&1
     text='^stored by image [0-9a-f]*, from earlier starts too:$'
     count says cat "$D/logged.out"
-    count awk '/^stored/ { stored = 1 } /^since/ { stored = 0 } stored && / s  STATE of machine 0, from [123], to [123]$/ { n++ } END { exit n < 60 }' "$D/logged.out"
+    count awk "$many_stored" "$D/logged.out"
     sleep 2
     count board_off
     count awk '/steps/ { seen = $3 > 50 && $9 > 0 && $9 < 20000 } / EEPROM written/ { for (i = 2; i < NF; i++) if ($(i) == "bytes" && $(i + 2) == "EEPROM") wrote = $(i - 1) } END { exit !(seen && wrote > 100) }' "$D/logged.mem.said"
