@@ -2,7 +2,6 @@
 #include "compiler/script/why_words.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -138,7 +137,7 @@ static bool read_comparison(const WatchStmt *s, uint32_t leaf, LimitComparison *
 // Returns the distance with few digits; NULL if these do not express it exactly.
 static const char *distance_text(Arena *arena, double from, double to)
 {
-    const double d = fabs(to - from);
+    const double d = to > from ? to - from : from - to;
     const char *text = format_in(arena, "%.7g", d);
 
     return d - d == 0 && strtod(text, NULL) == d && from + (to > from ? d : -d) == to && !strchr(text, 'e') ? text : NULL;

@@ -19,15 +19,16 @@ static bool chance(Printer *p, uint32_t percent) { return rng_percent(&p->rng, p
 
 static void put(Printer *p, const char *text) { buf_str(p->out, text); }
 
-// Appends an @unit to half of the declarations, in half of the programs with additions. It is any unit, so that most values do not fit.
-static void print_unit(Printer *p, SmType type)
+// Appends an @unit to half of the declarations, in half of the programs with additions. It is any unit, so that most values do not fit.  Only
+// the unit of a parameter is in an image, so that it belongs to the program written out by hand as well.
+static void print_unit(Printer *p, SmType type, bool is_parameter)
 {
     static const char *const unit[] = {
         "m", "ft", "km", "m/s", "m/s^2", "s", "ms", "us", "bar", "psi", "Pa", "degC", "degF", "K", "deg", "rad", "percent", "1", "gn", "N", "lbf", "kg",
         "J/(kg*K)", "V/Hz^0.5", "rpm", "Hz", "furlong",
     };
     const uint32_t which = rng_below(&p->units, sizeof unit / sizeof *unit);
-    if (!rng_percent(&p->units, 50) || !p->g->units || p->g->by_hand || type == SM_BOOL)
+    if (!rng_percent(&p->units, 50) || !p->g->units || (p->g->by_hand && !is_parameter) || type == SM_BOOL)
         return;
     buf_printf(p->out, " @unit %s", unit[which]);
     p->g->units_printed++;
@@ -436,7 +437,7 @@ static void print_definitions(Printer *p)
         put(p, "=");
         gap(p);
         print_expr(p, d->value, 1);
-        print_unit(p, SM_F64);
+        print_unit(p, SM_F64, false);
         line_end(p);
     }
 }
@@ -451,7 +452,7 @@ static void print_element(Printer *p, const GVar *v)
         buf_printf(p->out, "  @alias %s", v->alias);
     if (v->read_only && v->id > 1)
         put(p, " @read_only");
-    print_unit(p, v->type);
+    print_unit(p, v->type, false);
     if (chance(p, 10))
         put(p, " ");          // several entries of a list may share a line
     else
@@ -469,7 +470,7 @@ static void print_local(Printer *p, const GVar *v)
         put(p, " @parameter");
     else if (v->read_only)
         put(p, " @read_only");
-    print_unit(p, v->type);
+    print_unit(p, v->type, v->parameter);
     line_end(p);
 }
 
