@@ -556,12 +556,14 @@ static void test_settings_are_signed(void)
     snprintf(with, sizeof with, "--key=%s", key);
     snprintf(out, sizeof out, "%s.signed.smb", memory);
     snprintf(to, sizeof to, "-o%s", out);
+    sleep(1);                                     // the number of a signature is the second in which it is made
     CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("sign", with_parameters, with, to) == 0);
     restart_board();
     CHECK(run_on_good_line("flash", out, "--confirm") == 0 && is_listed(out, ", runs, confirmed"));
     CHECK(set_on_good_line("limit=750", NULL) == 1 && output_contains("the image is signed, and its signature covers the values: --key=FILE signs it again; nothing was sent"));
     for (int i = 0; i < 2; i++) {
         char setting[16];
+        sleep(1);
         snprintf(setting, sizeof setting, "limit=%d", 751 + i);
         CHECK(run_smc(&none, "device", "set", setting, with) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
         CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains(setting[8] == '1' ? "limit = 751" : "limit = 752") && output_contains(", runs, confirmed"));
