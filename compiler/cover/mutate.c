@@ -67,6 +67,24 @@ static uint32_t number_length(const char *at, uint32_t len)
     return n < len && (at[n] == 'e' || at[n] == 'E' || at[n] == 'x' || at[n] == '_' || at[n] == 'b') ? 0 : n;
 }
 
+// Returns where a number is written: its own place, or that of the definition, or of the definition of the definition, that is used there.
+static Span written_number(const Mutation *u, Span s)
+{
+    const Defines *all = &u->p->define;
+
+    for (size_t left = all->n; left > 0 && number_length(u->p->src->text + s.at, s.len) == 0; left--) {
+        const Define *used = NULL;
+        for (size_t i = 0; i < all->n && !used; i++)
+            for (size_t k = 0; k < all->at[i]->use.n && !used; k++)
+                if (all->at[i]->use.at[k].span.at == s.at && all->at[i]->use.at[k].span.len == s.len)
+                    used = all->at[i];
+        if (!used)
+            break;
+        s = used->value_span;
+    }
+    return s;
+}
+
 // Adds the mutants of a number: about a tenth more and a tenth less, and at least 1 if it is whole.  A number with a unit has to be whole.
 static void add_numbers(Mutation *u, Span span, double value, MutantEdit edit)
 {
@@ -153,7 +171,7 @@ static void list_expression(Mutation *u, Expr *e, const Expr *outer)
 {
     switch (e->kind) {
     case EX_NUMBER:
-        add_numbers(u, e->span, e->number, (MutantEdit){.kind = EDIT_NUMBER, .e = e});
+        add_numbers(u, written_number(u, own_span(u, e->span)), e->number, (MutantEdit){.kind = EDIT_NUMBER, .e = e});
         return;
     case EX_UNARY:
         if (e->op == SM_OP_NOT && !same_span(e->span, e->arg[0]->span) && e->span.len > 4 && memcmp(e->span.src->text + e->span.at, "not", 3) == 0)
