@@ -97,7 +97,7 @@ static bool prove_requirement(ProveRun *v, ProveOf *of)
             of->invariant = invariants_of(v, model, &x);
             return true;
         }
-    of->obstacle = x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
+    of->obstacle = !goes_on(v) ? PROVE_INTERRUPTED : x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
     return false;
 }
 

@@ -57,7 +57,8 @@ typedef struct ProveInvariant {
 
 typedef enum ProveObstacle {
     PROVE_FACTS_TOO_WEAK,     // the facts allow a violation that no run was found to have
-    PROVE_TOO_LARGE           // the exploration reached its limits
+    PROVE_TOO_LARGE,          // the exploration reached its limits
+    PROVE_INTERRUPTED         // go_on has stopped it
 } ProveObstacle;
 
 typedef struct ProveOf {

@@ -77,11 +77,10 @@ const char *prove_script(Arena *arena, const Program *p, const ProveOf *of)
 
 // ---- text ----
 
-static const char *why_undecided(const ProveOf *of)
-{
-    return of->obstacle == PROVE_TOO_LARGE ? "the machine has too many situations for a proof within the limits"
-                                           : "what is known about the values is too little for a proof";
-}
+// By ProveObstacle: for people, and for programs.
+static const char *const obstacle_text[] = {"what is known about the values is too little for a proof",
+                                            "the machine has too many situations for a proof within the limits", "interrupted before it was decided"};
+static const char *const obstacle_name[] = {"facts-too-weak", "too-large", "interrupted"};
 
 const char *prove_verdict_words(ProveVerdict v)
 {
@@ -124,6 +123,8 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
 {
     const char *script;
 
+    if (!of->premise_seen && (of->verdict == PROVE_PROVED || of->verdict == PROVE_UNDECIDED))
+        buf_printf(out, "%*sno run that was tried came to its premise\n", (int)indent, "");
     switch (of->verdict) {
     case PROVE_PROVED:
         write_assumptions(of, indent, out);
@@ -141,12 +142,10 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
             write_lines_indented(script, indent, out);
         break;
     case PROVE_UNDECIDED:
-        buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, why_undecided(of));
+        buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
         buf_printf(out, "%*s%lu situations and %llu branches were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
         break;
     }
-    if (!of->premise_seen && (of->verdict == PROVE_PROVED || of->verdict == PROVE_UNDECIDED))
-        buf_printf(out, "%*sno run that was tried came to its premise\n", (int)indent, "");
 }
 
 void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out)
@@ -220,7 +219,7 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     if (of->verdict == PROVE_PROVED || of->verdict == PROVE_VACUOUS)
         write_json_invariants(arena, p, of, out);
     if (of->verdict == PROVE_UNDECIDED)
-        buf_printf(out, ",\"obstacle\":\"%s\"", of->obstacle == PROVE_TOO_LARGE ? "too-large" : "facts-too-weak");
+        buf_printf(out, ",\"obstacle\":\"%s\"", obstacle_name[of->obstacle]);
     if (of->verdict == PROVE_VIOLATED) {
         buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps, (unsigned long)of->scenario->changes);
         json_put_string(out, prove_script(arena, p, of));
