@@ -74,7 +74,7 @@ def test_state_vector_of_its_own():
 def test_scripts():
     with smc.compile(TANK, TANK.with_suffix(".ss")) as program:
         result = program.run_script(trace=True)
-        assert result and result.outcome == "passed" and result.steps == 101 and result.asserts == 100
+        assert result and result.outcome == "passed" and result.steps == 111 and result.asserts == 110
         assert "110 asserts passed" in result.report and len(result.trace.splitlines()) == 112
         assert program.run_script("tank", max_steps=5).outcome == "endless"
         with pytest.raises(smc.UnknownName, match="did you mean 'tank'"):
