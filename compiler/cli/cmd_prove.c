@@ -78,10 +78,11 @@ static bool is_not_interrupted(void *context)
     return !os_signal_waiting();
 }
 
-static int prove(Cli *c, const Requirements *what, const CompileOptions *o, size_t format)
+static int prove(Cli *c, const Requirements *what, const CompileOptions *o, uint64_t effort, size_t format)
 {
     const Program *p = what->program;
-    const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES], .go_on = is_not_interrupted};
+    const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
+                                  .effort = effort * 1000000, .go_on = is_not_interrupted};
     const Requirement *first, *second;
     const ProveResult *r;
     int code;
@@ -112,6 +113,7 @@ static int prove(Cli *c, const Requirements *what, const CompileOptions *o, size
 int cmd_prove(Cli *c)
 {
     const OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
+    uint64_t effort = 0;                          // the default
     size_t format;
     CompileInput in;
     CompileOptions o;
@@ -122,6 +124,8 @@ int cmd_prove(Cli *c)
         return code;
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;
+    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &effort) || effort > 1000000000))
+        return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
     if (deps_wanted(c) && !deps_check_name(c, &file))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
@@ -130,5 +134,5 @@ int cmd_prove(Cli *c)
     compile_sources(&c->session, &in, &o, &made);
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
-    return prove(c, runs_find_machine(&in, &made)->requirements, &o, format);
+    return prove(c, runs_find_machine(&in, &made)->requirements, &o, effort, format);
 }

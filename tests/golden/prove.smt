@@ -1,9 +1,8 @@
 # smc prove: each verdict, with what is true in each state, and with the script that shows a violation.
 args prove a.sm a.rq
-args prove a.sm a.rq --format=json -o r.json; cat r.json
 args prove a.sm two.rq --assume-ranges
-args prove a.sm two.rq --init-state=Hold
-args prove a.sm one.rq --init-state=Hold
+args prove a.sm two.rq --init-state=Hold --format=json -o r.json; cat r.json
+args prove a.sm one.rq --init-state=Hold --effort=1
 
 -- a.sm --
 [options]
@@ -129,16 +128,6 @@ requirements of a, from state Idle, with a step every 10 ms:
       at 10 ms: arm = false
       at 10 ms: @assert state Fill and valve and count == 0
       at 10 ms: @stop
-{"smc-proofs":1,"machine":"a","state":"Idle","delta_t":10,"requirements":[
-{"id":"R1","text":"closed outside of filling","verdict":"proved","premise_seen":true,"steps":7,"situations":313,"branches":663135,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
-{"id":"R2","text":"filling ends","verdict":"proved","premise_seen":true,"steps":17,"situations":313,"branches":714707,"assumptions":["own-outputs"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
-{"id":"R3","text":"no second fill","verdict":"violated","premise_seen":true,"steps":17,"situations":17,"branches":360971,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R3 (no second fill).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"},
-{"id":"R4","text":"no hold before filling","verdict":"proved","premise_seen":true,"steps":1625,"situations":970,"branches":1063138,"assumptions":[],"invariants":[{"state":"Idle","reached":true,"values":[]},{"state":"Fill","reached":true,"values":[{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"count","least":1,"most":255}]},{"state":"Never","reached":true,"values":[]}]},
-{"id":"R5","text":"the count is small","verdict":"proved","premise_seen":true,"steps":7,"situations":313,"branches":893255,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Idle","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":3}]},{"state":"Fill","reached":true,"values":[{"name":"count","least":0,"most":0},{"name":"T","least":0,"most":2000}]},{"state":"Hold","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":1,"most":3}]},{"state":"Never","reached":true,"values":[{"name":"valve","least":0,"most":0},{"name":"count","least":0,"most":0}]}]},
-{"id":"R7","text":"filling ends sooner","verdict":"violated","premise_seen":true,"steps":1617,"situations":1022,"branches":1703481,"assumptions":[],"violated_after":202,"changes":1,"script":"# Violates R7 (filling ends sooner).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:                 arm = true\u000aat 0:                 @assert state Idle and not valve and count == 0\u000afrom 10 ms to 2.01 s: @assert state Fill and valve and count == 0\u000aat 2.01 s:            @assert state Fill and not valve and count == 0\u000aat 2.01 s:            @stop\u000a"},
-{"id":"R8","text":"three samples are equal","verdict":"violated","premise_seen":true,"steps":3530,"situations":246,"branches":1601099,"assumptions":[],"violated_after":2,"changes":1,"script":"# Violates R8 (three samples are equal).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000atrue:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = true\u000aat 10 ms: @stop\u000a"},
-{"id":"R6","text":"armed before filling","verdict":"violated","premise_seen":true,"steps":283,"situations":365,"branches":1314261,"assumptions":[],"violated_after":2,"changes":2,"script":"# Violates R6 (armed before filling).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Idle\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Idle and not valve and count == 0\u000aat 10 ms: arm = false\u000aat 10 ms: @assert state Fill and valve and count == 0\u000aat 10 ms: @stop\u000a"}
-]}
 requirements of a, from state Idle, with a step every 10 ms:
   Q1  vacuous             nothing after Never
       no run comes to its premise, so it requires nothing
@@ -146,28 +135,12 @@ requirements of a, from state Idle, with a step every 10 ms:
       in Fill: T is at most 2000
       in Hold: count is at least 1
       in Never: it is never reached
-requirements of a, from state Hold, with a step every 10 ms:
-  Q1  violated            nothing after Never
-      after 6 steps
-      # Violates Q1 (nothing after Never).
-
-      [options]
-      delta_t    10 ms
-      init_state Hold
-
-      [all_states]
-      at 0:     arm = true
-      at 0:     @assert state Hold and not valve and count == 1
-      at 10 ms: @assert state Hold and not valve and count == 2
-      at 20 ms: @assert state Hold and not valve and count == 3
-      at 30 ms: @assert state Idle and not valve and count == 3
-      at 40 ms: p = 4000
-      at 40 ms: @assert state Fill and not valve and count == 0
-      at 50 ms: @assert state Never and not valve and count == 0
-      at 50 ms: @stop
+{"smc-proofs":1,"machine":"a","state":"Hold","delta_t":10,"requirements":[
+{"id":"Q1","text":"nothing after Never","verdict":"violated","premise_seen":true,"steps":6455,"situations":54,"branches":567048,"assumptions":[],"violated_after":6,"changes":2,"script":"# Violates Q1 (nothing after Never).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Hold\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Hold and not valve and count == 1\u000aat 10 ms: @assert state Hold and not valve and count == 2\u000aat 20 ms: @assert state Hold and not valve and count == 3\u000aat 30 ms: @assert state Idle and not valve and count == 3\u000aat 40 ms: p = 4000\u000aat 40 ms: @assert state Fill and not valve and count == 0\u000aat 50 ms: @assert state Never and not valve and count == 0\u000aat 50 ms: @stop\u000a"}
+]}
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
-      30000004 steps were tried; what is known about the values is too little for a proof
+      1000000 steps were tried; what is known about the values is too little for a proof
       61 situations and 522588 branches were examined
 -- exit --
-1 0 0 1 5
+1 0 0 5
