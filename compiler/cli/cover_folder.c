@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The folder of smc cover: the scripts that earlier calls have written, and the names of new ones.
+#include <stdlib.h>
 #include <string.h>
 
 #include "compiler/base/path.h"
@@ -53,12 +54,17 @@ static void add_sources(CoverRun *r, CompileInput *in)
 int cover_read_folder(CoverRun *r, CompileInput *in)
 {
     const char *why = NULL;
+    char **names;
     int code = EXIT_OK;
 
-    if (!os_make_folder(r->folder, &why) || !os_list_folder(r->folder, &r->name, &r->names, &why)) {
+    if (!os_make_folder(r->folder, &why) || !os_list_folder(r->folder, &names, &r->names, &why)) {
         cli_print_error(r->c, TEXT_cannot_write, cli_printable_name(r->arena, r->folder), why);
         return EXIT_ENVIRONMENT;
     }
+    r->name = ARENA_ARRAY(r->arena, const char *, r->names + 1);
+    for (size_t i = 0; i < r->names; i++)
+        r->name[i] = format_in(r->arena, "%s", names[i]);
+    free(names);
     for (size_t i = 0; i < r->names && code == EXIT_OK; i++)
         code = read_old(r, r->name[i]);
     add_sources(r, in);

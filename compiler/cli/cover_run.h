@@ -43,7 +43,7 @@ typedef struct CoverRun {
     VEC(OldScript) old;
     VEC(NewScript) new_one;
     VEC(CoverPair) pair;
-    char **name;              // the names in the folder; `names` of them
+    const char **name;        // the names in the folder; `names` of them
     size_t names;
     const SearchResult *result;       // NULL: nothing had to be searched
     bool was_interrupted;

@@ -645,7 +645,7 @@ static void simplify(Lockstep *l, Arena *arena, Scenario *s)
 static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Program *p)
 {
     return a->size == b->size && a->m->window.n == b->m->window.n && memcmp(a->m->var_of, b->m->var_of, p->var.n * sizeof *a->m->var_of) == 0
-        && memcmp(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of) == 0;
+        && (p->window.n == 0 || memcmp(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of) == 0);
 }
 
 // Returns the scenario of a run whose last step shows a difference, without the changes that it does not need.
