@@ -47,11 +47,10 @@ static void append_bound(Arena *arena, const ProveBound *b, Buf *out)
         buf_printf(out, "%s is at %s %s", name, is_below(f, type) ? "most" : "least", const_text(arena, is_below(f, type) ? f.hi : f.lo));
 }
 
-const char *prove_invariant_text(Arena *arena, const ProveInvariant *i, TimeUnit unit)
+const char *prove_invariant_text(Arena *arena, const ProveInvariant *i)
 {
     Buf out;
 
-    (void)unit;
     buf_init(&out, arena);
     for (uint32_t k = 0; k < i->bound.n; k++)
         append_bound(arena, &i->bound.at[k], &out);
@@ -100,7 +99,7 @@ static void write_invariants(Arena *arena, const Program *p, const ProveOf *of, 
 {
     for (uint32_t s = 0; s < p->state.n; s++) {
         const ProveInvariant *i = &of->invariant[s];
-        const char *text = i->reached ? prove_invariant_text(arena, i, p->time_unit) : "it is never reached";
+        const char *text = i->reached ? prove_invariant_text(arena, i) : "it is never reached";
         if (text)
             buf_printf(out, "%*sin %s: %s\n", (int)indent, "", i->state->name->text, text);
     }

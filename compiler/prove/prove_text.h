@@ -9,7 +9,7 @@
 const char *prove_verdict_name(ProveVerdict v);       // "proved", "vacuous", "violated", "undecided"
 const char *prove_verdict_words(ProveVerdict v);      // "proved", "vacuous", "violated", "no violation found"
 // Returns what is true after each step in a state, as a sentence; NULL: nothing is known.
-const char *prove_invariant_text(Arena *arena, const ProveInvariant *i, TimeUnit unit);
+const char *prove_invariant_text(Arena *arena, const ProveInvariant *i);
 // Returns the script that shows a violation; NULL: none can be written.
 const char *prove_script(Arena *arena, const Program *p, const ProveOf *of);
 // Appends the lines that support a verdict: assumptions and what is true in each state, a script that violates it, or how much was tried.

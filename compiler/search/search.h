@@ -61,9 +61,6 @@ typedef struct SearchOptions {
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;
     uint32_t hints;
-    // Runs of given scripts, as scenarios.  The search begins at their states too.
-    const Scenario *given;
-    uint32_t givens;
     // Called about every 100,000 steps.  Returns false to stop: the result then has what was found until then.
     bool (*go_on)(void *context, const SearchProgress *p);
     void *context;
