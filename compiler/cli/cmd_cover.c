@@ -305,18 +305,11 @@ static int search_and_write(CoverRun *r, const CoverSettings *s)
 static int write_dependencies(CoverRun *r)
 {
     OsOutput out[2] = {{r->folder, NULL, 0}};
-    DepInputs in = {arena_array(r->arena, r->c->files + r->c->included.n + 1, sizeof *in.at), 0};
     size_t n = 1;
 
     if (!deps_wanted(r->c))
         return EXIT_OK;
-    for (size_t i = 0; i < r->c->files; i++)
-        in.at[in.n++] = r->c->file[i];
-    for (size_t i = 0; i < r->c->included.n; i++)
-        in.at[in.n++] = r->c->included.at[i]->name;
-    if (r->c->given[OPT_SV])
-        in.at[in.n++] = r->c->value[OPT_SV];
-    deps_add_rule(r->c, out, &n, in);
+    deps_add_rule(r->c, out, &n, deps_list_inputs(r->c));
     return cli_write_outputs(r->c, &out[1], 1);
 }
 

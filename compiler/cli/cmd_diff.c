@@ -92,21 +92,6 @@ static int run_scripts(Cli *c, ProgramDiff *d, const Version *old, const Version
     return code;
 }
 
-static DepInputs list_inputs(Cli *c)
-{
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + 1), 0};
-
-    for (size_t i = 0; i < c->files; i++)
-        all.at[all.n++] = c->file[i];
-    for (size_t i = 0; i < c->included.n; i++)
-        all.at[all.n++] = c->included.at[i]->name;
-    for (size_t i = 0; i < c->data.n; i++)
-        all.at[all.n++] = c->data.at[i];
-    if (c->given[OPT_SV])
-        all.at[all.n++] = c->value[OPT_SV];
-    return all;
-}
-
 static int write_result(Cli *c, const ProgramDiff *d, size_t format)
 {
     static WriteDiff *const writer[FORMATS] = {diff_write_text, diff_write_markdown, diff_write_json, diff_write_svg};
@@ -119,7 +104,7 @@ static int write_result(Cli *c, const ProgramDiff *d, size_t format)
     file[0].bytes = buf_text(&out);
     file[0].n = out.n;
     if (deps_wanted(c))
-        deps_add_rule(c, file, &files, list_inputs(c));
+        deps_add_rule(c, file, &files, deps_list_inputs(c));
     return cli_write_outputs(c, file, files);
 }
 

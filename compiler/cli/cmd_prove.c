@@ -33,17 +33,6 @@ static const State *find_init_state(const Cli *c, const Program *p)
     return NULL;
 }
 
-static DepInputs list_inputs(Cli *c)
-{
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + 1), 0};
-
-    for (size_t i = 0; i < c->files; i++)
-        all.at[all.n++] = c->file[i];
-    if (c->given[OPT_SV])
-        all.at[all.n++] = c->value[OPT_SV];
-    return all;
-}
-
 static int write_result(Cli *c, size_t format, const Program *p, const ProveResult *r)
 {
     OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0}};
@@ -55,7 +44,7 @@ static int write_result(Cli *c, size_t format, const Program *p, const ProveResu
     file[0].bytes = buf_text(&out);
     file[0].n = out.n;
     if (deps_wanted(c))
-        deps_add_rule(c, file, &files, list_inputs(c));
+        deps_add_rule(c, file, &files, deps_list_inputs(c));
     return cli_write_outputs(c, file, files);
 }
 

@@ -10,24 +10,6 @@ static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-// Lists the files that the report depends on.
-static DepInputs list_inputs(Cli *c)
-{
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + 2), 0};
-
-    for (size_t i = 0; i < c->files; i++)
-        all.at[all.n++] = c->file[i];
-    for (size_t i = 0; i < c->included.n; i++)
-        all.at[all.n++] = c->included.at[i]->name;
-    for (size_t i = 0; i < c->data.n; i++)
-        all.at[all.n++] = c->data.at[i];
-    if (c->given[OPT_SV])
-        all.at[all.n++] = c->value[OPT_SV];
-    if (c->given[OPT_IO])
-        all.at[all.n++] = c->value[OPT_IO];
-    return all;
-}
-
 // Tries changes of the machine on the scripts of r, if that is wanted.  Nothing is tried if a script fails.
 static void run_mutants(Cli *c, Report *r, const Program *p)
 {
@@ -121,7 +103,7 @@ int cmd_report(Cli *c)
     file[0].bytes = buf_text(&out);
     file[0].n = out.n;
     if (deps_wanted(c))
-        deps_add_rule(c, file, &files, list_inputs(c));
+        deps_add_rule(c, file, &files, deps_list_inputs(c));
     if ((code = cli_write_outputs(c, file, files)) != EXIT_OK)
         return code;
     for (size_t i = 0; i < r.runs; i++)

@@ -27,6 +27,24 @@ static void write_make_name(Buf *out, const char *name)
     }
 }
 
+DepInputs deps_list_inputs(Cli *c)
+{
+    static const OptionId option[] = {OPT_SV, OPT_IO, OPT_NET};
+    enum { OPTIONS = sizeof option / sizeof *option };
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + OPTIONS), 0};
+
+    for (size_t i = 0; i < c->files; i++)
+        all.at[all.n++] = c->file[i];
+    for (size_t i = 0; i < c->included.n; i++)
+        all.at[all.n++] = c->included.at[i]->name;
+    for (size_t i = 0; i < c->data.n; i++)
+        all.at[all.n++] = c->data.at[i];
+    for (int i = 0; i < OPTIONS; i++)
+        if (c->given[option[i]])
+            all.at[all.n++] = c->value[option[i]];
+    return all;
+}
+
 // Adds the rule after the *n outputs, where n > 0; the array has room for one more.
 void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 {

@@ -56,28 +56,13 @@ int whatif_load(Cli *c, WhatIf *w)
     return check_scripts(c, w, &in, &made);
 }
 
-static DepInputs list_inputs(Cli *c)
-{
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + 1), 0};
-
-    for (size_t i = 0; i < c->files; i++)
-        all.at[all.n++] = c->file[i];
-    for (size_t i = 0; i < c->included.n; i++)
-        all.at[all.n++] = c->included.at[i]->name;
-    for (size_t i = 0; i < c->data.n; i++)
-        all.at[all.n++] = c->data.at[i];
-    if (c->given[OPT_SV])
-        all.at[all.n++] = c->value[OPT_SV];
-    return all;
-}
-
 int whatif_write(Cli *c, const Buf *result)
 {
     OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(result), result->n}};
     size_t files = 1;
 
     if (deps_wanted(c))
-        deps_add_rule(c, file, &files, list_inputs(c));
+        deps_add_rule(c, file, &files, deps_list_inputs(c));
     return cli_write_outputs(c, file, files);
 }
 
