@@ -131,8 +131,8 @@ typedef struct ScriptEdit { uint32_t at, len; const char *text; } ScriptEdit;
 typedef struct Edits {
     Arena *arena;
     const Source *src;
-    const Var *var[FAULTS_MOST];      // the faulty inputs, and the variables with their true values
-    const char *name[FAULTS_MOST];
+    const Var *var[FAULTS_MOST];      // the faulty inputs
+    const char *name[FAULTS_MOST];    // for each of them, the variable of the script that has its true value
     uint32_t vars;
     bool hides_asserts;
     VEC(ScriptEdit) at;
