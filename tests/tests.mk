@@ -542,8 +542,8 @@ $(LIMITS_SET): $(LIMITS_SMB)
 
 # The link between a host and a board, over lines that lose and damage bytes.  `make link-trouble N=100000 SEED=2`: N updates.
 BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
-AGENT_SRC = tests/store/agent.c bytecode-vm/target/state_log.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
-$(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+AGENT_SRC = bytecode-vm/target/state_log.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
+$(B)/store/agent $(B)/store/agent_log $(B)/store/older: $(B)/store/%: $(B)/obj/tests/store/%.o $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 # A board with a key.
@@ -966,6 +966,9 @@ $(call test, store,                thorough, $(B)/store/cuts $(STORE_SMB), $(B)/
 $(call test, store-parameters,     thorough, $(B)/store/cuts $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/cuts $(LIMITS_SMB) $(LIMITS_SET))
 $(call test, agent,                thorough, $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB), $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB))
 $(call test, agent-parameters,     thorough, $(B)/store/agent $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent $(LIMITS_SET) $(LIMITS_SMB) $(LIMITS_SMB))
+$(call test, agent-log,            thorough, $(B)/store/agent_log $(STORE_SMB), $(B)/store/agent_log $(STORE_SMB))
+$(call test, agent-log-parameters, thorough, $(B)/store/agent_log $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent_log $(LIMITS_SET) $(LIMITS_SMB))
+$(call test, older-boards,         thorough, $(B)/store/older, $(B)/store/older)
 $(call test, auth,                 thorough, $(B)/store/auth $(STORE_SMB), $(B)/store/auth $(STORE_SMB))
 $(call test, device,               thorough, $(B)/device/link $(B)/device/board $(STORE_SMB) $(LIMITS_SMB), $(DEVICE_RUN))
 
