@@ -666,7 +666,7 @@ $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
 $(B)/runtime/threads: RUNTIME_LIBS = -pthread
 # These tests read logs with the reader of `smc log`.
-RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_linux log_tsan kill_linux kill_tsan)
+RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_damage log_linux log_tsan kill_linux kill_tsan)
 $(RUNTIME_READS): RUNTIME_LIBS = $(B)/libsmc.a
 $(RUNTIME_READS): | $(B)/libsmc.a
 .SECONDARY: $(RUNTIME_TSAN_OBJ)
