@@ -255,7 +255,7 @@ $(B)/why/random: $(B)/obj/tests/why/random.o $(GEN_OBJ) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
-LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
+LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api machines broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBRARY_WRAP) -pthread
@@ -836,6 +836,7 @@ $(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout t
 $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)
 $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe.smb, $(B)/clauses/memory $(B)/clauses/probe.smb)
 $(call test, library-api,          quick, $(B)/library/api, $(B)/library/api)
+$(call test, library-machines,     quick, $(B)/library/machines, $(B)/library/machines)
 $(call test, library-locale,       quick, $(B)/library/api, sh tests/library/locale.sh $(B)/library/api)
 $(call test, library-refuse,       quick, $(B)/library/refuse, $(B)/library/refuse)
 $(call test, library-broken,       quick, $(B)/library/broken, $(B)/library/broken)
