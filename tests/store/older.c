@@ -73,6 +73,9 @@ static void test_older_boards_report_less(void)
         CHECK(n < 15 || info.functions == (n >= 35 ? 0x30007 : 0));
         CHECK(n < 15 || (info.period == (n >= 27 ? 20 : 0) && info.reports_mark == (n >= 31) && info.mark == (n >= 31 ? 0x01020304 : 0)));
     }
+    memcpy(c.body, all, c.n = sizeof all);
+    c.body[20] = 3;                        // up to three machines, without windows and parameters
+    CHECK(device_query_info(&host, &info) && !info.windows && !info.parameters && info.machines == 3);
     memcpy(c.body, none, c.n = 20);
     c.body[18] = 44;                       // IMAGE now also has the milliseconds between steps
     CHECK(device_read_image_info(&host, 0, &image) && image.period == 44);
