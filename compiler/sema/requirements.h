@@ -18,7 +18,7 @@ typedef struct Requirement {
     RequirementKind kind;
     Str id, text;
     Span span;                // position of the id
-    Expr *a, *b, *c;          // as above; those that the kind does not have are NULL
+    Expr *a, *b, *c;          // the conditions that RequirementKind names; those that the kind does not have are NULL
     uint64_t within;          // LEADS_TO: in units of G
 } Requirement;
 
