@@ -21,7 +21,7 @@ static Expr *new_state_operand(Sema *s, const State *state, Span span, uint32_t 
     e->arg[0] = expr_new(s, EX_VAR, (Span){0}, 0);
     e->arg[0]->var = m ? m->s : s->p->s;
     e->arg[1] = expr_new(s, EX_NUMBER, (Span){0}, 0);
-    e->arg[1]->number = sm_from_u32(state->number - (m ? m->first : 0));
+    e->arg[1]->number = sm_from_u32(m ? state->number - m->first : state->number);
     s->knows_a_name = true;
     return e;
 }

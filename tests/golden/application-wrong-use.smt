@@ -11,7 +11,6 @@ args a.app
 args build nosuch.app
 args check a.app --message-format=json
 args build a.app
-args test a.app a.ss --coverage
 args mutate a.app a.ss
 args build a.app --emit=ast
 
@@ -75,9 +74,7 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
     7 |     machine m "missing.sm"
       |               ^~~~~~~~~~~~
 4 errors
-smc: coverage is measured of one machine, and 'a.app' is an application
-Try 'smc test --help'.
 smc: 'a.app' is neither a machine (.sm) nor a script (.ss)
 Try 'smc mutate --help'.
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 2 2 0
+2 2 2 2 2 2 2 2 2 3 1 1 2 0
