@@ -118,6 +118,14 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
         limits_check(&c->s->arena, &c->s->diags, of->program, of->measured, &c->o->limits);
 }
 
+static bool has_requirements(const Compilation *c, size_t m)
+{
+    for (size_t i = 0; i < c->in->n; i++)
+        if (c->in->at[i].kind == FILE_RQ && machine_of_source(c, i) == m)
+            return true;
+    return false;
+}
+
 static void compile_machine(Compilation *c, size_t i)
 {
     CompiledSource *of = &c->out->of[i];
@@ -125,6 +133,7 @@ static void compile_machine(Compilation *c, size_t i)
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;
+    c->s->has_requirements = has_requirements(c, i);
     if ((of->program = session_program(c->s, &m)) == NULL)
         return;
     read_script_writes_and_step(c, i, of->program, &written);

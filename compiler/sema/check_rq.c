@@ -182,13 +182,15 @@ Requirements *check_requirements(CheckContext *c, const AstFile *const *file, si
     out->program = p;
     out->by_id.arena = c->arena;
     sema_init(&s, c, hidden, p, &out->window);
-    s.in_script = true;
+    s.in_script = s.in_requirements = true;
     s.step = p->step;
     add_definitions_of_machine(&s);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < file[i]->requirements->at.n; k++)
             check_requirement(&s, out, &file[i]->requirements->at.at[k]);
     note_other_machine(&s);
+    if (c->has_requirements)
+        report_unused_definitions(c->diags, &p->define);
     return c->diags->errors_seen > errors ? NULL : out;
 }
 

@@ -426,6 +426,7 @@ static Script *end_check(ScriptCheck *k)
     const Span start = {k->script->src, 0, 0};
 
     check_unused_definitions(&k->s, &k->script->define);
+    report_unused_definitions(diags, &k->script->define);
     k->script->has_units = k->s.has_units;
     if (!k->has_delta_t && !k->s.lost->any)
         diag_report(diags, DIAG_no_delta_t, start);

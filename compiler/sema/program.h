@@ -134,7 +134,7 @@ struct Define {
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     const Measure *unit;         // its @unit, or NULL
     uint32_t names;           // 1 + the number of the definition with a unit that is its whole expression; 0: none
-    bool used;                // another part of its file uses it
+    bool used;                // another part of its file uses it, or a requirement does
     bool expanded;            // its expression has been checked, so the uses in it are listed
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
