@@ -224,7 +224,8 @@ static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts 
             break;
         case AST_STOP:
             item->stop = k->has_stop = true;
-            item->stop_span = stmt->span;
+            item->stop_at = stmt->span.at;
+            item->stop_len = stmt->span.len;
             break;
         case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
         }
