@@ -11,8 +11,6 @@ args a.app
 args build nosuch.app
 args check a.app --message-format=json
 args build a.app
-args test a.app a.ss a.rq
-args test a.app a.ss --coverage
 args mutate a.app a.ss
 args build a.app --emit=ast
 
@@ -51,9 +49,9 @@ smc: the names in an application's C come from its files: remove --prefix
 Try 'smc build --help'.
 smc: an application becomes several files: name the folder for them with -o
 Try 'smc build --help'.
-smc: an application is checked alone or with its scripts: it names its other files itself
+smc: an application is checked alone or with its scripts and requirements: it names its other files itself
 Try 'smc check --help'.
-smc: an application is checked alone or with its scripts: it names its other files itself
+smc: an application is checked alone or with its scripts and requirements: it names its other files itself
 Try 'smc check --help'.
 smc: a command precedes the file, as in 'smc check a.app'
 Try 'smc --help'.
@@ -76,11 +74,7 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
     7 |     machine m "missing.sm"
       |               ^~~~~~~~~~~~
 4 errors
-smc: requirements are judged in the scripts of one machine, and 'a.app' is an application
-Try 'smc test --help'.
-smc: coverage is measured of one machine, and 'a.app' is an application
-Try 'smc test --help'.
 smc: 'a.app' is neither a machine (.sm) nor a script (.ss)
 Try 'smc mutate --help'.
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 2 2 2 0
+2 2 2 2 2 2 2 2 2 3 1 1 2 0
