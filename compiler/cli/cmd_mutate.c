@@ -11,6 +11,7 @@ typedef struct MutateRun {
     Cli *c;
     Arena *arena;
     const Program *p;
+    const Requirements *requirements;     // NULL: none
     Mutation *u;
     VEC(const Script *) script;
     uint32_t tried;
@@ -28,6 +29,8 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 
     buf_printf(out, "  line %lu:%lu: ", (unsigned long)at.line, (unsigned long)at.col);
     mutant_write_change(r->arena, m, out);
+    if (m->verdict == MUTANT_NOTICED)
+        buf_printf(out, " [%s%s%s]", path_portable_name(r->script.at[m->script]->src->name), m->violated ? ": " : "", m->violated ? m->violated->id->text : "");
     if (m->scenario) {
         buf_str(out, "\n    ");
         mutant_write_scenario(r->p, m, out);
@@ -46,6 +49,27 @@ static void write_list(const MutateRun *r, MutantVerdict verdict, const char *ti
         write_mutant(r, order[i], out);
 }
 
+// Writes how many changes each requirement notices: "requirements notice 3 of them: R1 2, R3 1".
+static void write_requirements(const MutateRun *r, Buf *out)
+{
+    const size_t n = r->requirements ? r->requirements->at.n : 0;
+    uint32_t mutants, sum = 0, *noticed = ARENA_ARRAY(r->arena, uint32_t, n);
+    const Mutant *m = mutation_list(r->u, &mutants);
+
+    for (uint32_t i = 0; i < mutants; i++)
+        if (m[i].violated) {
+            noticed[m[i].violated - r->requirements->at.at]++;
+            sum++;
+        }
+    if (n)
+        buf_printf(out, "requirements notice %lu of them", (unsigned long)sum);
+    for (size_t i = 0, shown = 0; i < n; i++)
+        if (noticed[i])
+            buf_printf(out, "%s%s %lu", shown++ ? ", " : ": ", r->requirements->at.at[i].id->text, (unsigned long)noticed[i]);
+    if (n)
+        buf_char(out, '\n');
+}
+
 static void write_text(const MutateRun *r, Buf *out)
 {
     const MutationScore s = mutation_score(r->u);
@@ -56,6 +80,7 @@ static void write_text(const MutateRun *r, Buf *out)
     if (r->tried < s.all)
         buf_printf(out, ", and %lu were not tried", s.all - r->tried);
     buf_char(out, '\n');
+    write_requirements(r, out);
     write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
     write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
     if (r->c->given[OPT_VERBOSE]) {
@@ -79,6 +104,8 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     if (m->verdict == MUTANT_NOTICED) {
         buf_str(out, ",\"script\":");
         json_put_string(out, path_portable_name(r->script.at[m->script]->src->name));
+        if (m->violated)
+            buf_printf(out, ",\"requirement\":\"%s\"", m->violated->id->text);
     }
     if (m->scenario) {
         Buf words;
@@ -151,7 +178,7 @@ static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
     uint32_t failing;
     int code;
 
-    r->u = mutation_new(r->arena, r->p, r->script.at, r->script.n, max_steps);
+    r->u = mutation_new(r->arena, r->p, r->script.at, r->script.n, r->requirements, max_steps);
     failing = mutation_find_failing(r->u);
     if (failing < r->script.n) {
         cli_print_error(r->c, TEXT_mutate_fails, r->script.at[failing]->src->name);
@@ -202,7 +229,7 @@ int cmd_mutate(Cli *c)
 {
     MutateRun r = {.c = c, .arena = &c->session.arena};
     uint64_t max_steps = MUTATE_STEPS_MOST;
-    size_t format;
+    size_t format, scripts = 0;
     CompileInput in;
     CompileOptions o;
     Compiled made;
@@ -210,7 +237,9 @@ int cmd_mutate(Cli *c)
 
     if ((code = runs_check_arguments(c)) != EXIT_OK || (code = read_options(&r, &max_steps, &format)) != EXIT_OK)
         return code;
-    if (c->files < 2)
+    for (size_t i = 0; i < c->files; i++)
+        scripts += has_suffix(c->file[i], ".ss");
+    if (scripts == 0)
         return cli_usage_error(c, TEXT_mutate_script, c->file[0]);
     if (!cli_compile_options(c, &o))
         return EXIT_USAGE;
@@ -222,6 +251,7 @@ int cmd_mutate(Cli *c)
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
     r.p = runs_find_machine(&in, &made)->scripted;
+    r.requirements = runs_find_machine(&in, &made)->requirements;
     if ((code = check_scripts(&r, &in, &made)) != EXIT_OK)
         return code;
     return mutate(&r, max_steps, format);
