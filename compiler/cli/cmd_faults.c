@@ -196,7 +196,7 @@ static void write_text(const FaultsRun *r, Buf *out)
     if (f->options.pairs)
         buf_printf(out, "two faults at once: %" PRIu64 " pair%s, %" PRIu64 " of them worse than each alone\n", f->pairs, plural(f->pairs), f->pairs_worse);
     if (r->c->given[OPT_VERBOSE])
-        buf_printf(out, "%" PRIu64 " run%s; the other faults are of inputs that nothing reads any more\n", f->runs, plural(f->runs));
+        buf_printf(out, "%" PRIu64 " run%s; the outcome of every other fault follows from these\n", f->runs, plural(f->runs));
     if (f->input.n)
         write_matrix(f, out);
     write_lines(r, out);
