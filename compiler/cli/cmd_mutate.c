@@ -4,6 +4,7 @@
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
+#include "compiler/cli/mutate_scripts.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
 
@@ -14,6 +15,8 @@ typedef struct MutateRun {
     const Requirements *requirements;     // NULL: none
     Mutation *u;
     VEC(const Script *) script;
+    const char *machine;      // the name of its file, without folders
+    MutateScripts scripts;    // by_mutant is NULL without --scripts
     uint32_t tried;
     bool is_searched;         // --generate has begun
     double least;             // --min-score
@@ -22,6 +25,14 @@ typedef struct MutateRun {
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 
 // ---- text ----
+
+// Returns the script of --scripts that shows a mutant, or NULL.
+static const char *script_of(const MutateRun *r, const Mutant *m)
+{
+    uint32_t n;
+
+    return r->scripts.by_mutant ? r->scripts.by_mutant[m - mutation_list(r->u, &n)] : NULL;
+}
 
 static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 {
@@ -35,6 +46,8 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         buf_str(out, "\n    ");
         mutant_write_scenario(r->p, m, out);
     }
+    if (script_of(r, m))
+        buf_printf(out, " [%s]", path_file_name(script_of(r, m)));
     buf_char(out, '\n');
 }
 
@@ -83,6 +96,9 @@ static void write_text(const MutateRun *r, Buf *out)
     write_requirements(r, out);
     write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
     write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
+    if (r->scripts.by_mutant)
+        buf_printf(out, "%lu script%s in %s show %lu of these changes\n", r->scripts.scripts, r->scripts.scripts == 1 ? "" : "s", r->c->value[OPT_SCRIPTS],
+                   r->scripts.shown);
     if (r->c->given[OPT_VERBOSE]) {
         write_list(r, MUTANT_NOTICED, "noticed:\n", out);
         write_list(r, MUTANT_EQUIVALENT, "no difference:\n", out);
@@ -113,6 +129,10 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         mutant_write_scenario(r->p, m, &words);
         buf_str(out, ",\"inputs\":");
         json_put_string(out, buf_text(&words));
+    }
+    if (script_of(r, m)) {
+        buf_str(out, ",\"shown_by\":");
+        json_put_string(out, path_file_name(script_of(r, m)));
     }
     buf_char(out, '}');
 }
@@ -186,7 +206,9 @@ static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
         return EXIT_PROBLEM;
     }
     run_mutants(r);
-    code = write_result(r, format);
+    code = r->c->given[OPT_SCRIPTS] ? mutate_write_scripts(r->c, r->u, r->p, r->machine, r->c->value[OPT_SCRIPTS], &r->scripts) : EXIT_OK;
+    if (code == EXIT_OK)
+        code = write_result(r, format);
     if (code == EXIT_OK)
         code = judge_score(r);
     if (r->tried < mutation_score(r->u).all)
@@ -216,6 +238,7 @@ static int read_options(MutateRun *r, uint64_t *max_steps, size_t *format)
     Cli *c = r->c;
     const char *end = "";
 
+    c->given[OPT_GENERATE] = c->given[OPT_GENERATE] || c->given[OPT_SCRIPTS];
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format))
         return EXIT_USAGE;
     if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], max_steps))
@@ -245,6 +268,9 @@ int cmd_mutate(Cli *c)
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
+    for (size_t i = 0; i < in.n; i++)
+        if (in.at[i].kind == FILE_SM)
+            r.machine = path_file_name(in.at[i].text->name);
     o.scripts_later = true;
     o.skip_analyses = true;
     compile_sources(&c->session, &in, &o, &made);
