@@ -4,20 +4,12 @@
 // in which they are true, unless these are all.
 #include "compiler/analysis/analysis.h"
 
-#include <string.h>
-
-// Warnings that call a part of the code useless.
-static const char *const useless[] = {"dead-code", "after-transition", "shadowed-transition", "duplicate-guard", "constant-guard",
-                                      "decided-comparison", "dead-store", "self-assignment", "float-equality", "unused-window", "always-saturates"};
-
-static bool is_about_useless_code(const Diag *d)
+// Whether d calls a part of the code useless.
+static bool is_about_code(const Diag *d)
 {
-    const char *flag = diag_info[d->code].flag;
+    const char *name = diag_info[d->code].flag;
 
-    for (size_t i = 0; flag && i < sizeof useless / sizeof *useless; i++)
-        if (strcmp(flag, useless[i]) == 0)
-            return true;
-    return false;
+    return name && diag_find_flag(name)->copies == DIAG_COPIES_CODE;
 }
 
 // Returns in how many states that the machine can reach the section at this position runs.
@@ -52,7 +44,7 @@ void complete_all_states_findings(Analysis *a, size_t first)
 
         if (d->states.n >= states)
             continue;
-        if (is_about_useless_code(d))
+        if (is_about_code(d))
             diags_remove_warning(a->diags, i);
         else
             diag_note(a->diags, d, (Span){0}, DIAG_note_in_states, list_states(a, d));

@@ -333,7 +333,7 @@ static bool same_word(const char *a, const char *b)
 }
 
 const DiagFlag diag_flag[] = {
-#define FLAG(name, group, judged, sentence) {name, DIAG_GROUP_##group, DIAG_JUDGED_##judged, sentence},
+#define FLAG(name, group, judged, copies, sentence) {name, DIAG_GROUP_##group, DIAG_JUDGED_##judged, DIAG_COPIES_##copies, sentence},
 #include "compiler/diag/flags.def"
 #undef FLAG
 };

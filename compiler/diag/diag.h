@@ -43,10 +43,12 @@ typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DI
 typedef enum DiagJudged {                                 // what a run must know to report an @allow of the warning as unused (flags.def)
     DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
 } DiagJudged;
+typedef enum DiagCopies { DIAG_COPIES_CODE, DIAG_COPIES_RUN } DiagCopies;      // findings on statements of [all_states] (flags.def)
 typedef struct DiagFlag {
     const char *name;         // the name after -W, such as "unused-element"
     DiagGroup group;
     DiagJudged judged;
+    DiagCopies copies;
     const char *sentence;
 } DiagFlag;
 
