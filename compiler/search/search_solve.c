@@ -534,6 +534,16 @@ static void clamp_to_range(const SearchInput *in, SearchWish *w)
     }
 }
 
+// Bounds that exclude each other come from conditions that need different values one after the other.  Keeps one of them.
+static void keep_one_bound(SearchRun *k, const SearchInput *in, SearchWish *w)
+{
+    const bool keeps_low = search_chance(k, 50);
+
+    *(keeps_low ? &w->hi : &w->lo) = keeps_low ? BIG : -BIG;
+    *(keeps_low ? &w->below : &w->above) = false;
+    clamp_to_range(in, w);
+}
+
 // Chooses a number within the bounds.
 static double choose_value(SearchRun *k, uint32_t input)
 {
@@ -545,8 +555,8 @@ static double choose_value(SearchRun *k, uint32_t input)
         return w.differs ? w.other == 0 : w.lo > 0 || (w.lo == 0 && w.above) ? 1 : w.hi < 1 || (w.hi == 1 && w.below) ? 0 : search_pick(k, 2);
     if (search_chance(k, 90))
         clamp_to_range(in, &w);
-    if (w.lo > w.hi)
-        return search_chance(k, 50) ? w.lo : w.hi;
+    if (w.lo > w.hi || (w.lo == w.hi && (w.above || w.below)))
+        keep_one_bound(k, in, &w);
     if (w.lo == w.hi)
         return w.lo;
     if (in->constant.n && search_chance(k, 25)) {
