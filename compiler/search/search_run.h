@@ -5,7 +5,7 @@
 //     search_goals.c     goals, and how far a step was from each
 //     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
-//     search_solve.c     which inputs lead to a goal: backwards from its conditions, or at random
+//     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
 //     search_choose.h    few scenarios with few changes that reach what was reached, in three files
 //     search.c           the loop
 //
