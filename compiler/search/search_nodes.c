@@ -9,6 +9,8 @@
 
 enum {
     REPORT_STEPS = 100000,
+    LEAP_AFTER = 64,          // steps in a state after which distances are measured in one step of LEAP_EVERY
+    LEAP_EVERY = 32,
     STALE_STEPS = 2000000,    // without progress in so many steps, distances are measured in few segments
     NODE_BYTES = 192,         // counted for a node and a turn, so that a bound has the same effect on every computer: an array that grows
     TURN_BYTES = 64,          // needs its old memory too
@@ -517,16 +519,21 @@ bool search_goes_on(SearchRun *k)
     return !k->r->stopped && k->r->steps < k->stop_at;
 }
 
+// Whether a step measures distances.  The first steps in a state and the last ones of a segment do; a long wait between them, for a timer or
+// for a window to fill, runs on the machine without watched decisions, which still counts what is reached and sees transitions.
+static bool is_measured(uint64_t since, uint64_t left) { return since < LEAP_AFTER || since % LEAP_EVERY == 0 || left < 2; }
+
 // Runs the steps of a segment.
-static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t goal)
+static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t goal, bool measures)
 {
     const FlatState *s = (const FlatState *)(void *)k->now;
-    uint64_t fresh = k->running->fresh;
+    uint64_t since = 0;
 
-    while (left-- > 0 && k->r->steps < k->stop_at) {
-        run_step(k, k->running);
-        if (k->running->fresh != fresh) {
-            fresh = k->running->fresh;
+    for (; left-- > 0 && k->r->steps < k->stop_at; since++) {
+        FlatMachine *f = k->running = measures && is_measured(since, left) ? k->flat : k->quiet;
+        const uint64_t fresh = f->fresh;
+        run_step(k, f);
+        if (f->fresh != fresh) {
             finish_reached(k, seg);
             if (goal != SEARCH_NONE && k->goal[goal].done)
                 return;
@@ -535,6 +542,7 @@ static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t 
             k->visited[s->state - 1] = true;
             store_entry(k, seg);
             left = left > 256 && search_chance(k, 80) ? 256 : left;
+            since = 0;
         }
         if (k->r->steps >= k->next_report && !search_goes_on(k))
             return;
@@ -547,11 +555,10 @@ uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn,
     uint32_t node;
 
     k->node.at[from].users++;
-    k->running = k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85) ? k->quiet : k->flat;
     begin_run(k, &seg);
     for (uint32_t d = 0; d < k->decisions; d++)
         k->decision[d].is_known = false;
-    run_steps(k, &seg, steps, goal);
+    run_steps(k, &seg, steps, goal, !(k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85)));
     node = goal == SEARCH_NONE ? add_node(k, &seg) : SEARCH_NONE;
     store_near(k, &seg);
     drop_node(k, from);
