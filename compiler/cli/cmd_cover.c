@@ -326,6 +326,8 @@ static int finish(CoverRun *r, const CoverSettings *s)
         cli_print_error(r->c, TEXT_cover_interrupted);
     else if (t.not_found)
         cli_print_error(r->c, TEXT_cover_not_found, t.not_found, t.goals, (unsigned long)(10 * s->effort));
+    if (!r->was_interrupted && t.not_found && r->result && r->result->memory_reached)
+        cli_print_error(r->c, TEXT_cover_memory, (unsigned long)s->memory, (unsigned long)(4 * s->memory));
     return r->was_interrupted || t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
 }
 

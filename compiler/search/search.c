@@ -8,6 +8,7 @@
 #include "stdlib/convert.h"
 
 enum {
+    SEARCH_PART = 4,          // of the effort, one part of so many is for choosing and simplifying
     WALK_PERCENT = 20,        // of the attempts that have no goal
     WALK_LENGTH = 6,          // transitions of a walk
     ENTRY_PERCENT = 33,       // of the attempts for a goal that begin at an entry of its state
@@ -226,6 +227,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     k->o = o;
     k->random = o->seed;
     k->effort = o->effort ? o->effort : SEARCH_EFFORT;
+    k->stop_at = k->effort - k->effort / SEARCH_PART;
     k->memory = o->memory ? o->memory : SEARCH_MEMORY;
     k->start = o->init_state ? o->init_state : c->p->state.at[0];
     k->plain = flat_new(&k->work, k->m, NULL);

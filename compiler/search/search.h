@@ -6,7 +6,7 @@
 //     r->chosen[i]                              // scenarios that together reach everything that was reached
 //
 // Every scenario of a result has been replayed from its start on a flat machine, and reached what is stored for it.  The result depends only on
-// the machine, the counts of the Cover and the options: it is the same on every computer.  It depends on `memory` only if that is too small.
+// the machine, the counts of the Cover and the options: it is the same on every computer.  It depends on `memory` only if that is reached.
 //
 // A parameter has its current value, Var.init.  The caller's Cover does not change.
 #ifndef SMC_SEARCH_H
@@ -51,8 +51,8 @@ typedef struct SearchProgress {
 // Every field can be 0.
 typedef struct SearchOptions {
     uint64_t seed;            // of its random numbers
-    uint64_t effort;          // how many steps it can run, those of replays and minimising included
-    size_t memory;            // bytes of snapshots
+    uint64_t effort;          // how many steps it can run, those of replays and simplifying included; it never runs more
+    size_t memory;            // bytes of snapshots, and of what is known about them; without room, the least useful ones are evicted
     uint64_t delta_t;         // used if the machine declares no step
     const State *init_state;  // where every scenario starts; NULL: the first state
     const bool *writable;     // by Var.index: a scenario may set it; NULL: see search_default_inputs
@@ -106,6 +106,7 @@ typedef struct SearchResult {
     uint64_t delta_t;         // that of the scenarios
     uint64_t steps;           // how many have run
     bool stopped;             // go_on returned false
+    bool memory_reached;      // `memory` was too small for all snapshots: some were evicted
 } SearchResult;
 
 // Searches.  All memory is the arena's: snapshots are freed before it returns.

@@ -288,9 +288,9 @@ static void watch(void *watcher, uint32_t kept)
 
 static uint32_t open_counter(const SearchRun *k, uint32_t place) { return place && k->is_open[place] ? place : 0; }
 
-static const uint32_t *open_counters(SearchRun *k, const uint32_t *place, uint32_t n)
+static const uint32_t *open_counters(SearchRun *k, Arena *arena, const uint32_t *place, uint32_t n)
 {
-    uint32_t *out = ARENA_ARRAY(&k->flats, uint32_t, n);
+    uint32_t *out = ARENA_ARRAY(arena, uint32_t, n);
 
     for (uint32_t i = 0; i < n; i++)
         out[i] = open_counter(k, place[i]);
@@ -321,23 +321,52 @@ static bool has_open_edge(const SearchRun *k, SearchDecision *x)
     return n > 0;
 }
 
-void search_build_flat(SearchRun *k)
+// Adds the probes of what is open, outside decisions.
+static FlatProbes *add_open_probes(SearchRun *k, Arena *arena)
 {
     const uint32_t stmts = k->p->stmts + 1, states = k->p->state.n;
+    FlatProbes *p = ARENA_NEW(arena, FlatProbes);
+    const FlatFull **full = arena_array(arena, stmts, sizeof *full);
+
+    for (uint32_t s = 0; s < stmts; s++)
+        for (const FlatFull *f = k->c->probes.full[s]; f && f->hit; f++)
+            if (open_counter(k, f->hit))
+                full[s] = k->c->probes.full[s];
+    p->stmt = open_counters(k, arena, k->c->probes.stmt, stmts);
+    p->transition = open_counters(k, arena, k->c->probes.transition, stmts);
+    p->entry = open_counters(k, arena, k->c->probes.entry, states);
+    p->exit = open_counters(k, arena, k->c->probes.exit, states);
+    p->full = full;
+    p->counters = k->c->probes.counters;
+    return p;
+}
+
+FlatMachine *search_new_flat(SearchRun *k, Arena *arena)
+{
+    FlatProbes *p = add_open_probes(k, arena);
+    FlatDecision *kept = arena_array(arena, k->decisions + 1, sizeof *kept);
+
+    p->decision = kept;
+    for (uint32_t d = 0; d < k->decisions; d++)
+        if (is_open(k, k->decision[d].d))
+            kept[p->decisions++] = *k->decision[d].d;
+    return flat_new(arena, k->m, p);
+}
+
+void search_build_flat(SearchRun *k)
+{
     FlatProbes *p, *quiet;
     FlatDecision *kept;
     bool *watched;
-    const FlatFull **full;
 
     memset(k->is_open, 0, k->r->finds);
     for (uint32_t g = 0; g < k->goals; g++)
         if (!k->goal[g].done)
             k->is_open[k->counter[k->goal[g].place]] = true;
     arena_reset(&k->flats);
-    p = ARENA_NEW(&k->flats, FlatProbes);
+    p = add_open_probes(k, &k->flats);
     kept = arena_array(&k->flats, k->decisions + 1, sizeof *kept);
     watched = arena_alloc(&k->flats, k->decisions + 1);
-    full = arena_array(&k->flats, stmts, sizeof *full);
     k->kept = ARENA_ARRAY(&k->flats, uint32_t, k->decisions + 1);
     for (uint32_t d = 0; d < k->decisions; d++) {
         const bool edge = has_open_edge(k, &k->decision[d]);
@@ -348,17 +377,7 @@ void search_build_flat(SearchRun *k)
         kept[p->decisions++] = *k->decision[d].d;
         k->decision[d].is_known = false;
     }
-    for (uint32_t s = 0; s < stmts; s++)
-        for (const FlatFull *f = k->c->probes.full[s]; f && f->hit; f++)
-            if (open_counter(k, f->hit))
-                full[s] = k->c->probes.full[s];
-    p->stmt = open_counters(k, k->c->probes.stmt, stmts);
-    p->transition = open_counters(k, k->c->probes.transition, stmts);
-    p->entry = open_counters(k, k->c->probes.entry, states);
-    p->exit = open_counters(k, k->c->probes.exit, states);
-    p->full = full;
     p->decision = kept;
-    p->counters = k->c->probes.counters;
     p->watched = watched;
     k->flat = flat_new(&k->flats, k->m, p);
     k->flat->watch = watch;

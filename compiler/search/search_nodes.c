@@ -9,22 +9,86 @@
 
 enum {
     REPORT_STEPS = 100000,
-    STALE_STEPS = 2000000     // without progress in so many steps, distances are measured in few segments
+    LEAP_AFTER = 64,          // steps in a state after which distances are measured in one step of LEAP_EVERY
+    LEAP_EVERY = 32,
+    STALE_STEPS = 2000000,    // without progress in so many steps, distances are measured in few segments
+    NODE_BYTES = 192,         // counted for a node and a turn, so that a bound has the same effect on every computer: an array that grows
+    TURN_BYTES = 64,          // needs its old memory too
+    SETTING_BYTES = 48
 };
 
 static size_t round_up(size_t n) { return (n + 7) / 8 * 8; }
 
 // ---- memory ----
 
+// What is freed is reused, and never returned: `used` counts what was ever allocated at one time.
+static bool has_room(const SearchRun *k) { return k->free.n > 0 || k->used + k->nominal <= k->memory; }
+
+static bool has_room_for_node(const SearchRun *k, uint32_t turns)
+{
+    const size_t node = k->free_node == SEARCH_NONE ? NODE_BYTES : 0, turn = turns && !k->free_turn[turns] ? turns * TURN_BYTES : 0;
+
+    return k->used + node + turn <= k->memory;
+}
+
 static char *allocate_block(SearchRun *k)
 {
     if (k->free.n)
         return k->free.at[--k->free.n];
-    k->used += k->block;
+    k->used += k->nominal;
     return arena_alloc_unzeroed(&k->work, k->block);
 }
 
-static bool has_room(const SearchRun *k) { return k->free.n > 0 || k->used + k->block <= k->memory; }
+// Arrays of turns of one length are in a list when they are free; the first turn of each points to the next array.
+static SearchTurn *allocate_turns(SearchRun *k, uint32_t n)
+{
+    SearchTurn *t = k->free_turn[n];
+
+    if (n == 0)
+        return NULL;
+    if (t) {
+        memcpy(&k->free_turn[n], t, sizeof(SearchTurn *));
+        return t;
+    }
+    k->used += n * TURN_BYTES;
+    return arena_array(&k->work, n, sizeof *t);
+}
+
+static void free_turns(SearchRun *k, SearchTurn *t, uint32_t n)
+{
+    if (n == 0)
+        return;
+    memcpy(t, &k->free_turn[n], sizeof(SearchTurn *));
+    k->free_turn[n] = t;
+}
+
+static uint32_t allocate_node(SearchRun *k)
+{
+    const uint32_t n = k->free_node;
+    const SearchNode none = {.parent = SEARCH_NONE};
+
+    if (n != SEARCH_NONE) {
+        k->free_node = k->node.at[n].parent;
+        return n;
+    }
+    k->used += NODE_BYTES;
+    vec_push(&k->work, &k->node, none);
+    return k->node.n - 1;
+}
+
+// Frees a node that nothing needs, and then its parents.
+static void free_unneeded(SearchRun *k, uint32_t n)
+{
+    while (n != SEARCH_NONE && k->node.at[n].users == 0 && k->node.at[n].followers == 0) {
+        const uint32_t parent = k->node.at[n].parent;
+        free_turns(k, k->node.at[n].turn, k->node.at[n].turns);
+        k->node.at[n] = (SearchNode){.parent = k->free_node};
+        k->free_node = n;
+        if (parent != SEARCH_NONE)
+            k->node.at[parent].followers--;
+        n = parent;
+    }
+}
 
 static void use_node(SearchRun *k, uint32_t n) { k->node.at[n].users++; }
 
@@ -32,10 +96,68 @@ static void drop_node(SearchRun *k, uint32_t n)
 {
     SearchNode *x = &k->node.at[n];
 
-    if (--x->users == 0 && x->copy) {
+    if (--x->users > 0)
+        return;
+    if (x->copy)
         vec_push(&k->work, &k->free, x->copy);
-        x->copy = NULL;
+    x->copy = NULL;
+    free_unneeded(k, n);
+}
+
+// ---- eviction ----
+
+// Removes an entry from the pool of the state that has most: the one after most changes and steps.
+static bool evict_entry(SearchRun *k)
+{
+    uint32_t state = 0, worst = 0;
+    SearchNear *pool;
+
+    for (uint32_t s = 1; s < k->p->state.n; s++)
+        state = k->entries[s] > k->entries[state] ? s : state;
+    if (k->entries[state] < 2)
+        return false;
+    pool = &k->entry[state * SEARCH_ENTRIES];
+    for (uint32_t i = 1; i < k->entries[state]; i++) {
+        const SearchNode *x = &k->node.at[pool[i].node], *y = &k->node.at[pool[worst].node];
+        worst = x->depth != y->depth ? x->depth > y->depth ? i : worst : x->at > y->at ? i : worst;
     }
+    drop_node(k, pool[worst].node);
+    pool[worst] = pool[--k->entries[state]];
+    return true;
+}
+
+static uint32_t find_farthest(const SearchGoal *g)
+{
+    uint32_t at = 0;
+
+    for (uint32_t i = 1; i < g->pooled; i++)
+        at = g->pool[i].distance > g->pool[at].distance ? i : at;
+    return at;
+}
+
+// Removes the farthest snapshot of the goal that has most.
+static bool evict_near(SearchRun *k)
+{
+    SearchGoal *g = NULL;
+    uint32_t at;
+
+    for (uint32_t i = 0; i < k->goals; i++)
+        g = k->goal[i].pooled > 1 && (!g || k->goal[i].pooled > g->pooled) ? &k->goal[i] : g;
+    if (!g)
+        return false;
+    at = find_farthest(g);
+    drop_node(k, g->pool[at].node);
+    g->pool[at] = g->pool[--g->pooled];
+    return true;
+}
+
+// Evicts snapshots until a node with its copy fits, or nothing more can be evicted.
+static void make_room(SearchRun *k, uint32_t turns)
+{
+    if (has_room(k) && has_room_for_node(k, turns))
+        return;
+    k->r->memory_reached = true;
+    while (!(has_room(k) && has_room_for_node(k, turns)) && (evict_entry(k) || evict_near(k))) { }
 }
 
 // ---- inputs ----
@@ -98,26 +220,29 @@ typedef struct Segment {
     uint32_t from;
     const SearchTurn *turn;
     uint32_t turns;
-    bool is_stored;           // `turn` lives as long as the search
 } Segment;
 
-// Adds the current step of a segment as a node with one user.
-static uint32_t add_node(SearchRun *k, Segment *g)
+// Adds the current step of a segment as a node with one user.  Without room for its copy it has none, so it only shows how a goal was reached.
+static uint32_t add_node(SearchRun *k, const Segment *g)
 {
     const FlatState *s = (const FlatState *)(const void *)k->now;
     SearchNode n = {.parent = g->from, .users = 1, .at = k->at, .turns = g->turns, .state = s->state, .key = key_of(k, k->now)};
+    uint32_t at;
 
+    make_room(k, g->turns);
     n.depth = g->turns + (g->from == SEARCH_NONE ? 0 : k->node.at[g->from].depth);
-    if (!g->is_stored && g->turns)
-        g->turn = arena_copy(&k->work, g->turn, g->turns * sizeof *g->turn);
-    g->is_stored = true;
-    n.turn = g->turn;
+    n.turn = allocate_turns(k, g->turns);
+    if (g->turns)
+        memcpy(n.turn, g->turn, g->turns * sizeof *g->turn);
     if (has_room(k)) {
         n.copy = allocate_block(k);
         memcpy(n.copy, k->now, k->block);
     }
-    vec_push(&k->work, &k->node, n);
-    return k->node.n - 1;
+    at = allocate_node(k);
+    k->node.at[at] = n;
+    if (g->from != SEARCH_NONE)
+        k->node.at[g->from].followers++;
+    return at;
 }
 
 void search_load(SearchRun *k, uint32_t node, char *to) { memcpy(to, k->node.at[node].copy, k->block); }
@@ -158,11 +283,11 @@ static void add_entry(SearchRun *k, uint32_t n, uint32_t at)
     if (at < k->entries[state - 1])
         drop_node(k, pool[at].node);
     else
-        k->entries[state - 1]++;
+        at = k->entries[state - 1]++;             // eviction can have shortened the pool
     pool[at] = (SearchNear){n, 0};
 }
 
-static void store_entry(SearchRun *k, Segment *seg)
+static void store_entry(SearchRun *k, const Segment *seg)
 {
     const FlatState *s = (const FlatState *)(const void *)k->now;
     const uint32_t at = find_place_of_entry(k, s->state, key_of(k, k->now), seg->turns + k->node.at[seg->from].depth, k->at);
@@ -199,8 +324,7 @@ static void add_near(SearchRun *k, uint32_t goal, uint32_t n, double distance)
     if (g->pooled < SEARCH_POOL) {
         at = g->pooled++;
     } else {
-        for (uint32_t i = 1; i < SEARCH_POOL; i++)
-            at = g->pool[i].distance > g->pool[at].distance ? i : at;
+        at = find_farthest(g);
         drop_node(k, g->pool[at].node);
     }
     g->pool[at] = (SearchNear){n, distance};
@@ -215,6 +339,7 @@ static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
 
     g->done = true;
     g->found = node;
+    k->node.at[node].followers++;         // kept until its scenario is chosen
     k->open--;
     k->done_since++;
     for (uint32_t i = 0; i < g->pooled; i++)
@@ -227,14 +352,28 @@ static bool is_reached(const SearchRun *k, const SearchGoal *g)
     return g->place < k->r->places ? k->running->hits[k->counter[g->place]] > 0 : k->o->watch && k->distance[g->place - k->r->places] == 0;
 }
 
+// Reserves the steps of the replay of the current run.  Returns false if too few are left: the search ends, without what it cannot replay.
+static bool reserve_replay(SearchRun *k)
+{
+    if (k->r->steps + k->reserve + k->at > k->effort) {
+        k->stop_at = k->r->steps;
+        return false;
+    }
+    k->reserve += k->at;
+    k->stop_at = k->effort - k->reserve < k->stop_at ? k->effort - k->reserve : k->stop_at;
+    return true;
+}
+
 // Finishes the goals that the last step has reached.
-static void finish_reached(SearchRun *k, Segment *seg)
+static void finish_reached(SearchRun *k, const Segment *seg)
 {
     uint32_t node = SEARCH_NONE;
 
     for (uint32_t g = 0; g < k->goals; g++) {
         if (k->goal[g].done || !is_reached(k, &k->goal[g]))
             continue;
+        if (node == SEARCH_NONE && !reserve_replay(k))
+            return;
         if (node == SEARCH_NONE)
             node = add_node(k, seg);
         finish_goal(k, g, node);
@@ -274,23 +413,21 @@ static void judge_watch(SearchRun *k, bool is_rerun)
 
 // ---- running ----
 
-typedef VEC(uint32_t) Active;         // indices of inputs
-
-// Inputs whose value has to be set before each step.
-static void find_active(SearchRun *k, Active *active)
+// Finds the inputs whose value has to be set before each step.
+static void find_active(SearchRun *k)
 {
     const SearchSetting *s = search_settings(k, k->now);
 
-    active->n = 0;
+    k->active.n = 0;
     for (uint32_t i = 0; i < k->inputs; i++)
         if (s[i].set && (s[i].kind != SCENARIO_HOLD || k->input[i].forced))
-            vec_push(&k->work, active, i);
+            vec_push(&k->work, &k->active, i);
 }
 
-static void run_step(SearchRun *k, FlatMachine *f, const Active *active)
+static void run_step(SearchRun *k, FlatMachine *f)
 {
-    for (uint32_t i = 0; i < active->n; i++)
-        set_input(k, k->now, active->at[i], k->at + 1);
+    for (uint32_t i = 0; i < k->active.n; i++)
+        set_input(k, k->now, k->active.at[i], k->at + 1);
     flat_cells(f, k->now)[k->m->g] = k->at * k->delta_t;
     flat_step(f, k->now);
     k->at++;
@@ -299,13 +436,13 @@ static void run_step(SearchRun *k, FlatMachine *f, const Active *active)
         judge_watch(k, f == k->plain);
 }
 
-static void begin_run(SearchRun *k, const Segment *seg, Active *active)
+static void begin_run(SearchRun *k, const Segment *seg)
 {
     search_load(k, seg->from, k->now);
     k->at = k->node.at[seg->from].at;
     search_apply(k, k->now, k->at, seg->turn, seg->turns);
     search_set_inputs(k, k->now, k->at + 1);
-    find_active(k, active);
+    find_active(k);
 }
 
 static int compare_touched(const SearchRun *k, uint32_t a, uint32_t b)
@@ -343,31 +480,32 @@ static void select_touched(SearchRun *k)
 }
 
 // Stores a snapshot before each step that came near to a goal, by running the segment again.
-static void store_near(SearchRun *k, Segment *seg, Active *active)
+static void store_near(SearchRun *k, const Segment *seg)
 {
     uint32_t n = SEARCH_NONE;
 
     select_touched(k);
     if (k->touched.n == 0)
         return;
-    begin_run(k, seg, active);
+    begin_run(k, seg);
     for (uint32_t i = 0; i < k->touched.n; i++) {
         SearchGoal *g = &k->goal[k->touched.at[i]];
         if (n != SEARCH_NONE && k->at + 1 < g->run_step) {
             drop_node(k, n);
             n = SEARCH_NONE;
         }
-        while (k->at + 1 < g->run_step)
-            run_step(k, k->plain, active);
-        if (n == SEARCH_NONE) {
+        while (k->at + 1 < g->run_step && k->r->steps < k->stop_at)
+            run_step(k, k->plain);
+        if (n == SEARCH_NONE && k->at + 1 == g->run_step) {
             n = k->at == k->node.at[seg->from].at ? seg->from : add_node(k, seg);
             k->node.at[n].users += n == seg->from;
         }
-        if (k->node.at[n].copy)
+        if (n != SEARCH_NONE && k->node.at[n].copy)
             add_near(k, k->touched.at[i], n, g->run_best);
         g->run_best = SEARCH_UNKNOWN;
     }
-    drop_node(k, n);
+    if (n != SEARCH_NONE)
+        drop_node(k, n);
     k->touched.n = 0;
 }
 
@@ -378,19 +516,24 @@ bool search_goes_on(SearchRun *k)
         k->r->stopped = k->o->go_on && !k->o->go_on(k->o->context, &p);
         k->next_report = k->r->steps + REPORT_STEPS;
     }
-    return !k->r->stopped && k->r->steps < k->effort;
+    return !k->r->stopped && k->r->steps < k->stop_at;
 }
 
+// Whether a step measures distances.  The first steps in a state and the last ones of a segment do; a long wait between them, for a timer or
+// for a window to fill, runs on the machine without watched decisions, which still counts what is reached and sees transitions.
+static bool is_measured(uint64_t since, uint64_t left) { return since < LEAP_AFTER || since % LEAP_EVERY == 0 || left < 2; }
+
 // Runs the steps of a segment.
-static void run_steps(SearchRun *k, Segment *seg, uint64_t left, uint32_t goal, const Active *active)
+static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t goal, bool measures)
 {
     const FlatState *s = (const FlatState *)(void *)k->now;
-    uint64_t fresh = k->running->fresh;
+    uint64_t since = 0;
 
-    while (left-- > 0) {
-        run_step(k, k->running, active);
-        if (k->running->fresh != fresh) {
-            fresh = k->running->fresh;
+    for (; left-- > 0 && k->r->steps < k->stop_at; since++) {
+        FlatMachine *f = k->running = measures && is_measured(since, left) ? k->flat : k->quiet;
+        const uint64_t fresh = f->fresh;
+        run_step(k, f);
+        if (f->fresh != fresh) {
             finish_reached(k, seg);
             if (goal != SEARCH_NONE && k->goal[goal].done)
                 return;
@@ -399,6 +542,7 @@ static void run_steps(SearchRun *k, Segment *seg, uint64_t left, uint32_t goal, 
             k->visited[s->state - 1] = true;
             store_entry(k, seg);
             left = left > 256 && search_chance(k, 80) ? 256 : left;
+            since = 0;
         }
         if (k->r->steps >= k->next_report && !search_goes_on(k))
             return;
@@ -407,18 +551,16 @@ static void run_steps(SearchRun *k, Segment *seg, uint64_t left, uint32_t goal, 
 
 uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal)
 {
-    Segment seg = {from, turn, turns, false};
-    Active active = {NULL, 0, 0};
+    const Segment seg = {from, turn, turns};
     uint32_t node;
 
     k->node.at[from].users++;
-    k->running = k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85) ? k->quiet : k->flat;
-    begin_run(k, &seg, &active);
+    begin_run(k, &seg);
     for (uint32_t d = 0; d < k->decisions; d++)
         k->decision[d].is_known = false;
-    run_steps(k, &seg, steps, goal, &active);
+    run_steps(k, &seg, steps, goal, !(k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85)));
     node = goal == SEARCH_NONE ? add_node(k, &seg) : SEARCH_NONE;
-    store_near(k, &seg, &active);
+    store_near(k, &seg);
     drop_node(k, from);
     if (k->done_since > k->open / 8)
         search_build_flat(k);
@@ -432,11 +574,14 @@ void search_drop(SearchRun *k, uint32_t node) { drop_node(k, node); }
 void search_begin_nodes(SearchRun *k)
 {
     const size_t machine = round_up(k->plain->size), situation = k->o->watch ? round_up(k->o->watch->size) : 0;
-    Segment seg = {SEARCH_NONE, NULL, 0, true};
+    const Segment seg = {SEARCH_NONE, NULL, 0};
     uint32_t root;
 
     k->settings = machine + situation;
     k->block = k->settings + round_up((k->inputs + 1) * sizeof(SearchSetting));
+    k->nominal = k->settings + (k->inputs + 1) * SETTING_BYTES;
+    k->free_node = SEARCH_NONE;
+    k->free_turn = arena_array(&k->work, k->inputs + 1, sizeof *k->free_turn);
     k->now = arena_alloc(&k->work, k->block);
     k->scratch = arena_alloc(&k->work, k->block);
     k->entry = arena_array(&k->work, k->p->state.n * SEARCH_ENTRIES, sizeof *k->entry);

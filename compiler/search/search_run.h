@@ -5,8 +5,8 @@
 //     search_goals.c     goals, and how far a step was from each
 //     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
-//     search_solve.c     which inputs lead to a goal: backwards from its conditions, or at random
-//     search_choose.c    few scenarios with few changes that reach what was reached
+//     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
+//     search_choose.h    few scenarios with few changes that reach what was reached, in three files
 //     search.c           the loop
 //
 // Letters: k the search, f a flat machine, n a node, g a goal.
@@ -113,8 +113,9 @@ typedef struct SearchTurn { uint32_t input; SearchSetting setting; } SearchTurn;
 typedef struct SearchNode {
     uint32_t parent;
     uint32_t users;           // pools that contain it; without any, it has no copy
+    uint32_t followers;       // nodes whose parent it is, and goals that it has reached; without any, and without users, it is freed
     uint64_t at;              // steps from the start
-    const SearchTurn *turn;
+    SearchTurn *turn;         // its own
     uint32_t turns;
     uint32_t depth;           // changes from the start
     char *copy;               // or NULL
@@ -131,6 +132,8 @@ typedef struct SearchRun {
     const SearchOptions *o;
     SearchResult *r;
     uint64_t effort, random, delta_t;
+    uint64_t reserve;         // steps of the replays of what was found: they are part of the effort
+    uint64_t stop_at;         // the search ends after so many steps
     const State *start;
     FlatMachine *plain;       // without probes
     FlatMachine *flat;        // with the probes of open goals, and watched decisions
@@ -167,8 +170,12 @@ typedef struct SearchRun {
     uint32_t *entries;
     bool *visited;            // by State.number - 1
     size_t block, settings;   // bytes of a snapshot; offset of its settings
+    size_t nominal;           // bytes that are counted for a snapshot: the same on every computer
     size_t used, memory;
-    VEC(char *) free;
+    VEC(char *) free;         // copies
+    SearchTurn **free_turn;   // by number of turns: a list of arrays
+    uint32_t free_node;       // a list, by SearchNode.parent; SEARCH_NONE
+    VEC(uint32_t) active;     // inputs that are set before each step of the current run
     char *now, *scratch;      // the current run; another one
     uint64_t at;              // steps that the current run has run
     uint64_t *cell;           // by Var.index, for the caller's goals
@@ -193,6 +200,7 @@ void search_study_machine(SearchRun *k);
 void search_make_goals(SearchRun *k);
 void search_prove(SearchRun *k);              // finds goals that are impossible
 void search_build_flat(SearchRun *k);         // builds `flat` for the goals that are open
+FlatMachine *search_new_flat(SearchRun *k, Arena *arena);     // a machine with the probes of SearchRun.is_open
 double search_near(double difference);        // a distance from 0 to below 1
 
 void search_begin_nodes(SearchRun *k);

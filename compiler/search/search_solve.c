@@ -1,581 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds changes of inputs that lead from a snapshot towards a goal.
 //
-// One step is run on a copy of the snapshot.  Then the frame has the value of every temporary, so a condition that has to become true can be
-// solved for the inputs that it reads: through arithmetic with the values of the other operands, through windows as if their samples were
-// all equal, and through variables by one of the statements that store them.  Each input collects bounds, and its new value is chosen within.
-// Where there are several ways, chance decides, so that attempts differ.  What cannot be solved is changed at random.
-#include <string.h>
-
-#include "compiler/search/search_run.h"
+// One step is run on a copy of the snapshot.  Then the conditions of the goal are solved for the inputs that they read (search_wish.h): each
+// input collects bounds, and its new value is chosen within.  Where there are several solutions, chance decides, so that attempts differ.
+// What cannot be solved is changed at random.
+#include "compiler/search/search_wish.h"
 #include "stdlib/convert.h"
-
-enum { MOST_DEPTH = 12 };
-#define BIG 1e30
-
-typedef enum Rel { REL_GE, REL_GT, REL_LE, REL_LT, REL_EQ, REL_NE } Rel;
-
-// What an input should be.
-typedef struct SearchWish {
-    double lo, hi;            // bounds
-    bool above, below;        // lo, hi are excluded
-    bool needed;              // the current value contradicts a bound
-    bool differs;             // not equal to `other`
-    double other;
-    double vary;              // amplitude of noise; 0: none
-    double slope;             // change in each step; 0: none
-    uint32_t copies;          // an output, as index into Program.var, that it should follow; SEARCH_NONE
-} SearchWish;
-
-static void wish_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth);
-static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth);
-
-static double value_of(const SearchRun *k, uint32_t fn, IrRef ref) { return k->plain->frame[k->plain->fn[fn].slot[ref]]; }
-
-static bool satisfies(double a, Rel rel, double b)
-{
-    switch (rel) {
-    case REL_GE: return a >= b;
-    case REL_GT: return a > b;
-    case REL_LE: return a <= b;
-    case REL_LT: return a < b;
-    case REL_EQ: return a == b;
-    case REL_NE: return a != b;
-    }
-    return false;
-}
-
-static Rel flip(Rel rel)
-{
-    static const Rel flipped[] = {REL_LE, REL_LT, REL_GE, REL_GT, REL_EQ, REL_NE};
-
-    return flipped[rel];
-}
-
-static bool is_finite(double x) { return x - x == 0; }
-
-// A solution has to last for so many steps.
-static void wait_for(SearchRun *k, double steps)
-{
-    if (steps > 0 && steps < (double)k->effort / 4 && (double)k->wait < steps)
-        k->wait = (uint64_t)steps + ((double)(uint64_t)steps < steps);
-}
-
-// ---- inputs ----
-
-static void wish_input(SearchRun *k, uint32_t input, Rel rel, double x)
-{
-    SearchWish *w = &k->wish[input];
-    const double now = sm_cell_to_f64(k->input[input].type, flat_cells(k->plain, k->scratch)[k->input[input].at]);
-
-    if (!is_finite(x))
-        return;
-    w->needed |= !satisfies(now, rel, x);
-    if (rel == REL_NE) {
-        w->differs = true;
-        w->other = x;
-        return;
-    }
-    if ((rel == REL_GE || rel == REL_GT || rel == REL_EQ) && x >= w->lo) {
-        w->above = rel == REL_GT || (w->above && x == w->lo);
-        w->lo = x;
-    }
-    if ((rel == REL_LE || rel == REL_LT || rel == REL_EQ) && x <= w->hi) {
-        w->below = rel == REL_LT || (w->below && x == w->hi);
-        w->hi = x;
-    }
-}
-
-static void wish_time(SearchRun *k, uint32_t var, Rel rel, double x)
-{
-    const double now = (double)flat_cells(k->plain, k->scratch)[var], step = (double)k->delta_t;
-
-    if (rel == REL_GE || rel == REL_GT || rel == REL_EQ)
-        wait_for(k, (x - now) / step + 1 + (rel == REL_GT));
-    else if (rel == REL_NE)
-        wait_for(k, 2);
-}
-
-// ---- variables ----
-
-static void wish_path(SearchRun *k, SearchPath path, int depth)
-{
-    for (uint32_t e = path.n; e-- > 0; ) {
-        const SearchDecision *d = &k->decision[path.elem[e].decision];
-        wish_truth(k, d->fn, d->d->value, path.elem[e].value, depth);
-    }
-}
-
-// Chooses a store to a variable, of the current state if there is one.
-static const SearchStore *choose_store(SearchRun *k, uint32_t var)
-{
-    const SearchVar *v = &k->var[var];
-    uint32_t here = 0, at;
-
-    for (uint32_t i = 0; i < v->store.n; i++)
-        here += v->store.at[i].state == k->site_state;
-    if (here == 0)
-        return NULL;
-    at = search_pick(k, here);
-    for (uint32_t i = 0; i < v->store.n; i++)
-        if (v->store.at[i].state == k->site_state && at-- == 0)
-            return &v->store.at[i];
-    return NULL;
-}
-
-// Returns by how much a store changes its variable, if its value is the variable plus or minus something; else 0.
-static double increment_of(const SearchRun *k, const SearchStore *s, uint32_t var)
-{
-    const IrFn *f = k->fn[s->fn].fn;
-    IrRef ref = s->value;
-    const IrIns *i = &f->ins.at[ref];
-
-    for (; i->op == IR_cvt; i = &f->ins.at[ref])
-        ref = i->a;
-    if (i->op != IR_add && i->op != IR_sub)
-        return 0;
-    for (int side = 0; side < 2; side++) {
-        IrRef of = side ? i->b : i->a, other = side ? i->a : i->b;
-        while (f->ins.at[of].op == IR_cvt)
-            of = f->ins.at[of].a;
-        if (f->ins.at[of].op == IR_load && f->ins.at[of].var == var && (side == 0 || i->op == IR_add))
-            return i->op == IR_sub ? -value_of(k, s->fn, other) : value_of(k, s->fn, other);
-    }
-    return 0;
-}
-
-static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
-{
-    const SearchStore *s = choose_store(k, var);
-    const double now = sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->scratch)[var]);
-    double step;
-
-    if (satisfies(now, rel, x))
-        return;
-    if (!s) {
-        k->foreign = var;
-        k->foreign_value = x;
-        return;
-    }
-    wish_path(k, k->path[s->stmt], depth + 1);
-    step = increment_of(k, s, var);
-    if (step != 0) {
-        wait_for(k, (x - now) / step + 1);
-        return;
-    }
-    wish_number(k, s->fn, s->value, rel, x, depth + 1);
-    if (k->fn[s->fn].handle[s->value] & HANDLE_VAR && search_chance(k, 50))
-        wait_for(k, 1u << search_pick(k, 10));
-}
-
-// ---- windows ----
-
-static void wish_event(SearchRun *k, uint32_t window, uint32_t fn, IrRef sample, SmStat stat, Rel rel, double x, int depth)
-{
-    const bool more = rel == REL_GE || rel == REL_GT || (rel == REL_EQ && x > 0) || (rel == REL_NE && x <= 0);
-
-    (void)window;
-    wish_truth(k, fn, sample, more, depth + 1);
-    if (more)
-        wait_for(k, stat == SM_STAT_RUN_TIME ? x / (double)k->delta_t + 2 : x + 2);
-}
-
-// Adds noise, or a slope, to the inputs of what a window samples.
-static void wish_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplitude, double slope)
-{
-    const IrFn *f = k->fn[fn].fn;
-    const IrIns *i = &f->ins.at[sample];
-
-    if (i->op == IR_load && k->var[i->var].input != SEARCH_NONE) {
-        SearchWish *w = &k->wish[k->var[i->var].input];
-        w->needed = true;
-        w->vary = amplitude;
-        w->slope = slope;
-        return;
-    }
-    if (i->op == IR_const || i->op == IR_load || i->op == IR_stat)
-        return;
-    if (i->b != IR_NONE && (k->fn[fn].handle[i->b] & HANDLE_INPUT) && (!(k->fn[fn].handle[i->a] & HANDLE_INPUT) || search_chance(k, 50)))
-        wish_movement(k, fn, i->b, amplitude, slope);
-    else if (i->a != IR_NONE)
-        wish_movement(k, fn, i->a, amplitude, slope);
-}
-
-static void wish_window(SearchRun *k, uint32_t window, SmStat stat, Rel rel, double x, int depth)
-{
-    const uint32_t size = k->m->window.at[window].size;
-    const IrFn *f = k->m->sample;
-    IrRef sample = IR_NONE;
-    const bool more = rel == REL_GE || rel == REL_GT;
-
-    for (uint32_t i = 0; i < f->ins.n; i++)
-        if (f->ins.at[i].op == IR_sample && f->ins.at[i].var == window)
-            sample = f->ins.at[i].a;
-    switch (stat) {
-    case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME:
-        wish_event(k, window, 0, sample, stat, rel, x, depth);
-        return;
-    case SM_STAT_ELAPSED: return;
-    case SM_STAT_RANGE:
-        if (more || rel == REL_NE)
-            wish_movement(k, 0, sample, (x > 0 ? 2 * x : 1), 0);
-        else
-            wait_for(k, size + 1);
-        return;
-    case SM_STAT_CHANGE:
-        if (rel == REL_EQ || rel == REL_NE)
-            wish_movement(k, 0, sample, 0, rel == REL_EQ ? 0 : 1);
-        else
-            wish_movement(k, 0, sample, 0, (size > 1 ? x / (size - 1) * (search_chance(k, 50) ? 1.25 : 2) : x) + (x == 0 ? more ? 1 : -1 : 0));
-        wait_for(k, size + 1);
-        return;
-    default: break;
-    }
-    wish_number(k, 0, sample, rel, x, depth + 1);
-    if (stat != SM_STAT_NEWEST)
-        wait_for(k, size + 1);
-}
-
-// ---- expressions ----
-
-// Chooses the operand of a binary operation to solve for; the other one has its current value.
-static bool choose_second(SearchRun *k, uint32_t fn, const IrIns *i)
-{
-    static const uint8_t weight[16] = {0, 9, 3, 9, 2, 9, 3, 9, 6, 9, 6, 9, 6, 9, 6, 9};
-    const uint32_t a = weight[k->fn[fn].handle[i->a] & 15], b = weight[k->fn[fn].handle[i->b] & 15];
-
-    return a + b > 0 && search_pick(k, a + b) >= a;
-}
-
-static void wish_sum(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
-{
-    if (!choose_second(k, fn, i))
-        wish_number(k, fn, i->a, rel, i->op == IR_add ? x - value_of(k, fn, i->b) : x + value_of(k, fn, i->b), depth);
-    else if (i->op == IR_add)
-        wish_number(k, fn, i->b, rel, x - value_of(k, fn, i->a), depth);
-    else
-        wish_number(k, fn, i->b, flip(rel), value_of(k, fn, i->a) - x, depth);
-}
-
-static void wish_product(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
-{
-    const bool second = choose_second(k, fn, i);
-    const double other = value_of(k, fn, second ? i->a : i->b);
-
-    if (other != 0)
-        wish_number(k, fn, second ? i->b : i->a, other < 0 ? flip(rel) : rel, x / other, depth);
-    else if (k->fn[fn].handle[second ? i->a : i->b])
-        wish_number(k, fn, second ? i->a : i->b, REL_NE, 0, depth);
-}
-
-static void wish_quotient(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
-{
-    const double a = value_of(k, fn, i->a), b = value_of(k, fn, i->b);
-
-    if (!choose_second(k, fn, i))
-        wish_number(k, fn, i->a, b < 0 ? flip(rel) : rel, x * b, depth);
-    else if (x != 0)
-        wish_number(k, fn, i->b, (a < 0) == (x < 0) ? flip(rel) : rel, a / x, depth);
-}
-
-static void wish_magnitude(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
-{
-    const bool negative = value_of(k, fn, i->a) < 0 ? search_chance(k, 70) : search_chance(k, 30);
-
-    if (rel == REL_LE || rel == REL_LT) {
-        wish_number(k, fn, i->a, rel, x, depth);
-        wish_number(k, fn, i->a, flip(rel), -x, depth);
-    } else if (negative) {
-        wish_number(k, fn, i->a, flip(rel), -x, depth);
-    } else {
-        wish_number(k, fn, i->a, rel, x, depth);
-    }
-}
-
-// min and max.
-static void wish_extreme(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
-{
-    const bool is_min = i->op == IR_min, both = is_min == (rel == REL_GE || rel == REL_GT);
-
-    if (rel == REL_EQ || rel == REL_NE) {
-        const bool second = choose_second(k, fn, i);
-        wish_number(k, fn, second ? i->b : i->a, rel, x, depth);
-        if (rel == REL_EQ)
-            wish_number(k, fn, second ? i->a : i->b, is_min ? REL_GE : REL_LE, x, depth);
-        return;
-    }
-    if (both || satisfies(value_of(k, fn, i->a), rel, x) < satisfies(value_of(k, fn, i->b), rel, x)) {
-        wish_number(k, fn, i->b, rel, x, depth);
-        if (both)
-            wish_number(k, fn, i->a, rel, x, depth);
-    } else if (satisfies(value_of(k, fn, i->a), rel, x) && search_chance(k, 70)) {
-        wish_number(k, fn, i->a, rel, x, depth);
-    } else {
-        wish_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth);
-    }
-}
-
-static void wish_load(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
-{
-    if (k->var[var].input != SEARCH_NONE)
-        wish_input(k, k->var[var].input, rel, x);
-    else if (var == k->m->t || var == k->m->g)
-        wish_time(k, var, rel, x);
-    else if (var != k->m->s)
-        wish_var(k, var, rel, x, depth);
-}
-
-// Wishes that a temporary compares to x as `rel` says.
-static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
-{
-    const IrIns *i = &k->fn[fn].fn->ins.at[ref];
-
-    if (depth > MOST_DEPTH || k->fn[fn].handle[ref] == 0)
-        return;
-    switch (i->op) {
-    case IR_load: wish_load(k, i->var, rel, x, depth); break;
-    case IR_stat: wish_window(k, i->var, i->stat, rel, x, depth); break;
-    case IR_add: case IR_sub: wish_sum(k, fn, i, rel, x, depth); break;
-    case IR_mul: wish_product(k, fn, i, rel, x, depth); break;
-    case IR_div: wish_quotient(k, fn, i, rel, x, depth); break;
-    case IR_neg: wish_number(k, fn, i->a, flip(rel), -x, depth); break;
-    case IR_abs: wish_magnitude(k, fn, i, rel, x, depth); break;
-    case IR_min: case IR_max: wish_extreme(k, fn, i, rel, x, depth); break;
-    case IR_sqrt: wish_number(k, fn, i->a, rel, x * x, depth); break;
-    case IR_hypot: wish_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth); break;
-    case IR_sign: wish_number(k, fn, i->a, rel, 0, depth); break;
-    case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: case IR_and: case IR_or: case IR_not:
-        wish_truth(k, fn, ref, satisfies(1, rel, x), depth);
-        break;
-    default:
-        if (i->a != IR_NONE)
-            wish_number(k, fn, i->a, rel, x, depth);
-        break;
-    }
-}
-
-static Rel relation_of(IrOp op, bool truth)
-{
-    switch (op) {
-    case IR_lt: return truth ? REL_LT : REL_GE;
-    case IR_le: return truth ? REL_LE : REL_GT;
-    case IR_gt: return truth ? REL_GT : REL_LE;
-    case IR_ge: return truth ? REL_GE : REL_LT;
-    case IR_eq: return truth ? REL_EQ : REL_NE;
-    default: return truth ? REL_NE : REL_EQ;
-    }
-}
-
-// An input that is compared with an output can follow it.
-static void wish_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
-{
-    const IrFn *f = k->fn[fn].fn;
-
-    while (f->ins.at[a].op == IR_cvt)
-        a = f->ins.at[a].a;
-    while (f->ins.at[b].op == IR_cvt)
-        b = f->ins.at[b].a;
-    if (f->ins.at[a].op != IR_load || f->ins.at[b].op != IR_load || k->var[f->ins.at[a].var].input == SEARCH_NONE || k->var[f->ins.at[b].var].store.n == 0)
-        return;
-    for (uint32_t i = 0; i < k->output.n; i++)
-        if (k->m->var_of[k->output.at[i]] == f->ins.at[b].var)
-            k->wish[k->var[f->ins.at[a].var].input].copies = k->output.at[i];
-}
-
-static void wish_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool truth, int depth)
-{
-    const Rel rel = relation_of(i->op, truth);
-    const bool second = choose_second(k, fn, i);
-
-    if (rel == REL_EQ && search_chance(k, 40)) {
-        wish_copy(k, fn, i->a, i->b);
-        wish_copy(k, fn, i->b, i->a);
-    }
-    if (second)
-        wish_number(k, fn, i->b, flip(rel), value_of(k, fn, i->a), depth);
-    else
-        wish_number(k, fn, i->a, rel, value_of(k, fn, i->b), depth);
-}
-
-// Wishes that one of two has the value: one that has it already, mostly.
-static void wish_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
-{
-    const bool has_a = (value_of(k, fn, a) != 0) == truth, has_b = (value_of(k, fn, b) != 0) == truth;
-    const bool second = has_a == has_b || search_chance(k, 30) ? search_chance(k, 50) : has_b;
-
-    wish_truth(k, fn, second ? b : a, truth, depth);
-}
-
-static void wish_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth)
-{
-    const IrIns *i = &k->fn[fn].fn->ins.at[ref];
-
-    if (depth > MOST_DEPTH || k->fn[fn].handle[ref] == 0)
-        return;
-    if (i->op == IR_not) {
-        wish_truth(k, fn, i->a, !truth, depth);
-    } else if (i->op == IR_cvt) {
-        wish_truth(k, fn, i->a, truth, depth);
-    } else if (i->op == IR_and || i->op == IR_or) {
-        if (truth == (i->op == IR_and)) {
-            wish_truth(k, fn, i->a, truth, depth);
-            wish_truth(k, fn, i->b, truth, depth);
-        } else {
-            wish_either(k, fn, i->a, i->b, truth, depth);
-        }
-    } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
-        wish_comparison(k, fn, i, truth, depth);
-    } else {
-        wish_number(k, fn, ref, truth ? REL_NE : REL_EQ, 0, depth);
-    }
-}
-
-// ---- decisions ----
-
-static bool node_value(const SearchRun *k, const SearchDecision *x, uint32_t n)
-{
-    const FlatNode *node = &x->d->node[n];
-
-    switch (node->kind) {
-    case NODE_CONDITION: return value_of(k, x->fn, x->d->condition[node->a]) != 0;
-    case NODE_NOT: return !node_value(k, x, node->a);
-    case NODE_AND: return node_value(k, x, node->a) && node_value(k, x, node->b);
-    default: return node_value(k, x, node->a) || node_value(k, x, node->b);
-    }
-}
-
-static void wish_node(SearchRun *k, const SearchDecision *x, uint32_t n, bool value)
-{
-    const FlatNode *node = &x->d->node[n];
-
-    if (node->kind == NODE_CONDITION) {
-        wish_truth(k, x->fn, x->d->condition[node->a], value, 0);
-    } else if (node->kind == NODE_NOT) {
-        wish_node(k, x, node->a, !value);
-    } else if (value == (node->kind == NODE_AND)) {
-        wish_node(k, x, node->a, value);
-        wish_node(k, x, node->b, value);
-    } else {
-        const bool has_a = node_value(k, x, node->a) == value, has_b = node_value(k, x, node->b) == value;
-        wish_node(k, x, (has_a == has_b || search_chance(k, 30) ? search_chance(k, 50) : has_b) ? node->b : node->a, value);
-    }
-}
-
-// Wishes that a condition decides: it has the value, and the other operands above it do not decide.
-static void wish_condition(SearchRun *k, const SearchDecision *x, uint32_t condition, bool value)
-{
-    const FlatDecision *d = x->d;
-    uint32_t n = 0;
-
-    while (d->node[n].kind != NODE_CONDITION || d->node[n].a != condition)
-        n++;
-    wish_node(k, x, n, value);
-    for (uint32_t up = n + 1; up < d->nodes; up++) {
-        const FlatNode *node = &d->node[up];
-        const bool joins = node->kind == NODE_AND || node->kind == NODE_OR;
-        if (node->kind == NODE_CONDITION || (node->a != n && !(joins && node->b == n)))
-            continue;
-        if (joins)
-            wish_node(k, x, node->a == n ? node->b : node->a, node->kind == NODE_AND);
-        n = up;
-    }
-}
-
-// ---- values ----
-
-static const double power[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
-enum { POWERS = sizeof power / sizeof *power };
-
-static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
-
-static bool is_within(const SearchWish *w, double x)
-{
-    return (w->above ? x > w->lo : x >= w->lo) && (w->below ? x < w->hi : x <= w->hi) && !(w->differs && x == w->other);
-}
-
-// Rounds x to the coarsest decimal step that stays within the bounds and changes it by at most `most`.
-static double round_within(const SearchWish *w, double x, double most)
-{
-    for (int i = POWERS; i-- > 0; ) {
-        const double unit = power[i], y = i >= 9 ? whole(x / unit) * unit : whole(x * power[18 - i]) / power[18 - i];
-        if (y - x <= most && x - y <= most && is_within(w, y))
-            return y;
-    }
-    return x;
-}
-
-// A step that matters for numbers of this size.
-static double unit_of(const SearchInput *in, double x)
-{
-    const double size = x < 0 ? -x : x;
-    int i = 8;
-
-    if (!ir_is_float(in->type))
-        return 1;
-    if (size > 0 && size < 1)
-        for (i = 0; i < 8 && power[i + 1] < size / 50; i++) { }
-    return size >= 1 ? size >= 20 ? 1 : 0.1 : size == 0 ? 0.1 : power[i];
-}
-
-// Narrows the bounds to the range of the input, if some value is within both.
-static void clamp_to_range(const SearchInput *in, SearchWish *w)
-{
-    const Range *r = in->range;
-
-    if (!r || (w->below ? r->lo >= w->hi : r->lo > w->hi) || (w->above ? r->hi <= w->lo : r->hi < w->lo))
-        return;
-    if (r->lo > w->lo) {
-        w->lo = r->lo;
-        w->above = false;
-    }
-    if (r->hi < w->hi) {
-        w->hi = r->hi;
-        w->below = false;
-    }
-}
-
-// Chooses a number within the bounds.
-static double choose_value(SearchRun *k, uint32_t input)
-{
-    const SearchInput *in = &k->input[input];
-    SearchWish w = k->wish[input];
-    double x, span, unit;
-
-    if (in->type == SM_BOOL)
-        return w.differs ? w.other == 0 : w.lo > 0 || (w.lo == 0 && w.above) ? 1 : w.hi < 1 || (w.hi == 1 && w.below) ? 0 : search_pick(k, 2);
-    if (search_chance(k, 90))
-        clamp_to_range(in, &w);
-    if (w.lo > w.hi)
-        return search_chance(k, 50) ? w.lo : w.hi;
-    if (w.lo == w.hi)
-        return w.lo;
-    if (in->constant.n && search_chance(k, 25)) {
-        x = in->constant.at[search_pick(k, in->constant.n)];
-        if (is_within(&w, x))
-            return x;
-    }
-    if (w.lo < -BIG / 2 && w.hi > BIG / 2) {
-        const double base = w.differs ? w.other : in->constant.at[search_pick(k, in->constant.n)];
-        return base + unit_of(in, base) * ((double)search_pick(k, 21) - 10 + w.differs * 11);
-    }
-    if (w.lo < -BIG / 2 || w.hi > BIG / 2) {
-        const double bound = w.lo < -BIG / 2 ? w.hi : w.lo, size = bound < 0 ? -bound : bound, sign = w.lo < -BIG / 2 ? -1 : 1;
-        unit = unit_of(in, bound);
-        span = search_chance(k, 50) ? unit : search_chance(k, 60) ? unit + size / 10 : unit + size * (1 + search_pick(k, 4));
-        x = bound + sign * span;
-        return round_within(&w, x, span / 2);
-    }
-    span = w.hi - w.lo;
-    unit = unit_of(in, span / 2);
-    switch (search_pick(k, 4)) {
-    case 0: x = w.lo + (unit < span / 2 ? unit : span / 4); break;
-    case 1: x = w.hi - (unit < span / 2 ? unit : span / 4); break;
-    case 2: x = w.lo + span / 2; break;
-    default: x = w.lo + span * search_pick(k, 1001) / 1000; break;
-    }
-    x = is_within(&w, x) ? x : w.lo + span / 2;
-    return round_within(&w, x, span / 8);
-}
 
 // ---- changes ----
 
@@ -602,16 +32,16 @@ static void add_wished(SearchRun *k, uint32_t input)
         s.source = w->copies;
     } else if (w->vary != 0) {
         s.kind = SCENARIO_ALTERNATE;
-        s.a = is_within(w, now) ? now : choose_value(k, input);
+        s.a = search_is_within(w, now) ? now : search_choose_value(k, input);
         s.b = s.a + (search_chance(k, 50) ? w->vary : -w->vary);
         if (k->input[input].range && (s.b > k->input[input].range->hi || s.b < k->input[input].range->lo))
             s.b = 2 * s.a - s.b;
     } else if (w->slope != 0) {
         s.kind = SCENARIO_RAMP;
-        s.a = is_within(w, now) ? now : choose_value(k, input);
+        s.a = search_is_within(w, now) ? now : search_choose_value(k, input);
         s.b = w->slope;
     } else {
-        s.a = choose_value(k, input);
+        s.a = search_choose_value(k, input);
     }
     add_turn(k, input, s);
 }
@@ -639,14 +69,14 @@ static void add_random(SearchRun *k, const SearchPath *path)
     if (in->type == SM_BOOL)
         s.a = now == 0;
     else
-        s.a = choose_value(k, input);
+        s.a = search_choose_value(k, input);
     if (kind < 8 && in->type != SM_BOOL) {
         s.kind = SCENARIO_ALTERNATE;
-        s.b = s.a + unit_of(in, s.a) * (search_chance(k, 50) ? 1 : 10);
+        s.b = s.a + search_unit_of(in, s.a) * (search_chance(k, 50) ? 1 : 10);
     } else if (kind < 14 && in->type != SM_BOOL) {
         s.kind = SCENARIO_RAMP;
         s.a = now;
-        s.b = unit_of(in, now) * (search_chance(k, 50) ? 1 : -1) * (search_chance(k, 50) ? 1 : 5);
+        s.b = search_unit_of(in, now) * (search_chance(k, 50) ? 1 : -1) * (search_chance(k, 50) ? 1 : 5);
     } else if (kind < 22 && k->output.n) {
         const uint32_t source = k->output.at[search_pick(k, k->output.n)];
         if ((k->p->var.at[source]->type == SM_BOOL) == (in->type == SM_BOOL) && k->p->var.at[source] != k->p->s) {
@@ -671,14 +101,14 @@ static void run_trial(SearchRun *k, uint32_t node)
     k->foreign = SEARCH_NONE;
     k->site_state = k->node.at[node].state;
     for (uint32_t i = 0; i < k->inputs; i++)
-        k->wish[i] = (SearchWish){.lo = -BIG, .hi = BIG, .copies = SEARCH_NONE};
+        k->wish[i] = (SearchWish){.lo = -SEARCH_BIG, .hi = SEARCH_BIG, .copies = SEARCH_NONE};
 }
 
 static void add_all_wished(SearchRun *k)
 {
     for (uint32_t i = 0; i < k->inputs; i++) {
         const SearchWish *w = &k->wish[i];
-        const bool bounded = w->lo > -BIG || w->hi < BIG || w->differs;
+        const bool bounded = w->lo > -SEARCH_BIG || w->hi < SEARCH_BIG || w->differs;
         if (w->needed || w->copies != SEARCH_NONE || (bounded && search_chance(k, 10)))
             add_wished(k, i);
     }
@@ -721,14 +151,14 @@ uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal)
         for (uint32_t e = site->path.n; e-- > 0; ) {
             const SearchDecision *d = &k->decision[site->path.elem[e].decision];
             if (e == 0 && site->condition != SEARCH_NONE)
-                wish_condition(k, d, site->condition, site->value);
+                search_wish_condition(k, d, site->condition, site->value);
             else
-                wish_node(k, d, d->d->nodes - 1, site->path.elem[e].value);
+                search_wish_node(k, d, d->d->nodes - 1, site->path.elem[e].value);
         }
         add_all_wished(k);
     }
     if (g->fill && k->node.at[node].at < g->fill)
-        wait_for(k, (double)(g->fill - k->node.at[node].at));
+        search_wait_for(k, (double)(g->fill - k->node.at[node].at));
     if (k->turn.n == 0 && (k->wait == 0 || search_chance(k, 30)))
         for (uint32_t n = 1 + search_pick(k, 3); n > 0; n--)
             add_random(k, site ? &site->path : NULL);
@@ -744,7 +174,7 @@ uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x)
         return choose_steps(k);
     for (uint32_t e = x->path.n; e-- > 0; ) {
         const SearchDecision *d = &k->decision[x->path.elem[e].decision];
-        wish_node(k, d, d->d->nodes - 1, x->path.elem[e].value);
+        search_wish_node(k, d, d->d->nodes - 1, x->path.elem[e].value);
     }
     add_all_wished(k);
     if (k->turn.n == 0 && k->wait == 0)

@@ -2,6 +2,7 @@
 // How far searches come: for each machine the goals that were reached with a tenth of the effort and with all of it, and how fast.
 //
 //     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…
+//     bench [--effort=STEPS] [--seed=N] --expect=FILE       runs the machines of a table, and fails if one comes less far (expected.txt)
 //
 // A machine MACHINE.sm uses the vector MACHINE.sv, or the only .sv of its folder, if there is one.
 #include <dirent.h>
@@ -16,6 +17,7 @@
 
 static uint64_t effort = SEARCH_EFFORT, seed = 1;
 static int lists;
+static unsigned passed, failed;
 
 static const Source *read_source(Arena *a, const char *path)
 {
@@ -94,56 +96,136 @@ static void list_scenarios(const Cover *c, const SearchResult *r)
 
 static int compare(const void *a, const void *b) { return *(const int *)a - *(const int *)b; }
 
-static void run(const char *path)
+// Opens a machine.  Returns NULL if it does not compile.
+static Program *open_machine(Session *s, const char *path)
 {
-    const unsigned guards = 1u << COVER_TRANSITION | 1u << COVER_GUARD;
-    Session s;
     MachineInput in = {NULL, NULL, NULL, NULL};
     Program *p;
-    double seconds = 0;
+
+    session_init(s, host_alloc, NULL, &host_oom);
+    in.sm = read_source(&s->arena, path);
+    p = in.sm ? session_program(s, &in) : NULL;
+    if (!p && in.sm) {
+        in.sv = find_vector(&s->arena, path);
+        p = in.sv ? session_program(s, &in) : NULL;
+    }
+    return p;
+}
+
+// What a search has found.
+typedef struct Result {
+    Cover *c;
+    SearchResult *r;
+    unsigned reached, impossible, missing;
+    int median, most;         // changes of inputs in a scenario
+    double seconds;
+} Result;
+
+static Result search_machine(Session *s, const Program *p, uint64_t steps)
+{
+    const SearchOptions o = {.seed = seed, .effort = steps};
+    Result x = {.c = cover_new(&s->arena, p)};
+    const clock_t begin = clock();
+    Count all;
+    int *changes;
+
+    cover_settle(x.c);
+    x.r = search_run(&s->arena, x.c, &o);
+    x.seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+    all = count_kinds(x.c, x.r, SEARCH_KINDS);
+    x.reached = all.reached;
+    x.impossible = all.impossible;
+    x.missing = all.missing;
+    changes = calloc(x.r->chosens + 1, sizeof *changes);
+    for (uint32_t i = 0; i < x.r->chosens; i++)
+        changes[i] = (int)x.r->chosen[i].scenario.changes;
+    qsort(changes, x.r->chosens, sizeof *changes, compare);
+    x.median = x.r->chosens ? changes[x.r->chosens / 2] : 0;
+    x.most = x.r->chosens ? changes[x.r->chosens - 1] : 0;
+    free(changes);
+    return x;
+}
+
+static void print_result(const char *path, const Result *x, int percent)
+{
+    const Count guards = count_kinds(x->c, x->r, 1u << COVER_TRANSITION | 1u << COVER_GUARD), conditions = count_kinds(x->c, x->r, 1u << COVER_CONDITION);
+
+    printf("%-30.30s %4d%% guards %4u = %4u + %3u i + %3u  mcdc %4u = %4u + %3u i + %3u  all left %3u  %3u scripts, changes %d max %d  %6.1f M steps %5.1f M/s %6.2f s\n",
+           path + (strlen(path) > 30 ? strlen(path) - 30 : 0), percent, guards.goals, guards.reached, guards.impossible, guards.missing, conditions.goals,
+           conditions.reached, conditions.impossible, conditions.missing, x->missing, x->r->chosens, x->median, x->most, (double)x->r->steps / 1e6,
+           (double)x->r->steps / 1e6 / (x->seconds > 0 ? x->seconds : 1), x->seconds);
+}
+
+static void run(const char *path)
+{
+    Session s;
+    Program *p;
 
     host_check(setjmp(host_oom));
-    session_init(&s, host_alloc, NULL, &host_oom);
-    in.sm = read_source(&s.arena, path);
-    p = in.sm ? session_program(&s, &in) : NULL;
-    if (!p) {
-        in.sv = find_vector(&s.arena, path);
-        p = in.sv ? session_program(&s, &in) : NULL;
-    }
+    p = open_machine(&s, path);
     if (!p) {
         printf("%-30.30s does not compile\n", path);
         return;
     }
     for (int part = 10; part >= 1; part -= 9) {
-        Cover *c = cover_new(&s.arena, p);
-        SearchOptions o = {.seed = seed, .effort = effort / (uint64_t)part};
-        SearchResult *r;
-        int *changes, most = 0;
-        const clock_t begin = clock();
-        cover_settle(c);
-        r = search_run(&s.arena, c, &o);
-        seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
-        changes = calloc(r->chosens + 1, sizeof *changes);
-        for (uint32_t i = 0; i < r->chosens; i++) {
-            changes[i] = (int)r->chosen[i].scenario.changes;
-            most = changes[i] > most ? changes[i] : most;
-        }
-        qsort(changes, r->chosens, sizeof *changes, compare);
-        {
-            const Count a = count_kinds(c, r, guards), b = count_kinds(c, r, 1u << COVER_CONDITION), all = count_kinds(c, r, SEARCH_KINDS);
-            printf("%-30.30s %4d%% guards %4u = %4u + %3u i + %3u  mcdc %4u = %4u + %3u i + %3u  all left %3u  %3u scripts, changes %d max %d  %6.1f M steps %5.1f M/s %6.2f s\n",
-                   path + (strlen(path) > 30 ? strlen(path) - 30 : 0), 100 / part, a.goals, a.reached, a.impossible, a.missing, b.goals, b.reached,
-                   b.impossible, b.missing, all.missing, r->chosens, r->chosens ? changes[r->chosens / 2] : 0, most, (double)r->steps / 1e6,
-                   (double)r->steps / 1e6 / (seconds > 0 ? seconds : 1), seconds);
-        }
+        const Result x = search_machine(&s, p, effort / (uint64_t)part);
+        print_result(path, &x, 100 / part);
         if (lists && part == 1)
-            list_missing(c, r);
+            list_missing(x.c, x.r);
         if (lists > 1 && part == 1)
-            list_scenarios(c, r);
+            list_scenarios(x.c, x.r);
         fflush(stdout);
-        free(changes);
     }
     session_free(&s);
+}
+
+// ---- the table ----
+
+typedef struct Expected { char path[300]; unsigned reached, impossible, missing; int median, most; } Expected;
+
+static void check(const Expected *e)
+{
+    Session s;
+    Program *p;
+    Result x;
+
+    host_check(setjmp(host_oom));
+    p = open_machine(&s, e->path);
+    if (!p) {
+        printf("search: %s does not compile\n", e->path);
+        failed++;
+        return;
+    }
+    x = search_machine(&s, p, effort);
+    if (x.reached >= e->reached && x.impossible >= e->impossible && x.missing <= e->missing && x.median <= e->median && x.most <= e->most && x.r->steps <= effort) {
+        passed++;
+    } else {
+        failed++;
+        printf("search: %s: %u reached, %u impossible, %u not found, changes %d, at most %d, %lu steps; the table has %u, %u, %u, %d, %d\n", e->path, x.reached,
+               x.impossible, x.missing, x.median, x.most, (unsigned long)x.r->steps, e->reached, e->impossible, e->missing, e->median, e->most);
+    }
+    session_free(&s);
+}
+
+static int check_table(const char *path)
+{
+    FILE *f = fopen(path, "r");
+    char line[400];
+    Expected e;
+
+    while (f && fgets(line, sizeof line, f))
+        if (line[0] != '#' && line[0] != '\n') {
+            if (sscanf(line, "%299s %u %u %u %d %d", e.path, &e.reached, &e.impossible, &e.missing, &e.median, &e.most) == 6) {
+                check(&e);
+            } else {
+                printf("search: %s: a line that is no row: %s", path, line);
+                failed++;
+            }
+        }
+    if (f)
+        fclose(f);
+    printf("search: %u passed, %u failed\n", passed, failed);
+    return failed != 0 || passed == 0;
 }
 
 int main(int argc, char **argv)
@@ -153,6 +235,8 @@ int main(int argc, char **argv)
             effort = strtoull(argv[i] + 9, NULL, 10);
         else if (strncmp(argv[i], "--seed=", 7) == 0)
             seed = strtoull(argv[i] + 7, NULL, 10);
+        else if (strncmp(argv[i], "--expect=", 9) == 0)
+            return check_table(argv[i] + 9);
         else if (strcmp(argv[i], "--list") == 0)
             lists++;
         else

@@ -118,7 +118,7 @@ static void check_machine_of(const char *name, unsigned impossible)
     test_count(count(r, SEARCH_NOT_FOUND) == 0, name);
     test_count(count(r, SEARCH_IMPOSSIBLE) == impossible, name);
     test_count(count(r, SEARCH_REACHED) > 10 && count(r, SEARCH_REACHED) + impossible == c->place.n - 1, name);
-    test_count(r->steps <= EFFORT + EFFORT / 2, name);
+    test_count(r->steps <= EFFORT, name);
     check_scenarios(&s, p, r);
     session_free(&s);
 }
@@ -189,6 +189,97 @@ static void check_stop(void)
     session_free(&s);
 }
 
+// Returns how many goals a search with so little effort has reached.
+static unsigned check_effort_of(const char *name, uint64_t effort)
+{
+    SearchResult *r;
+    Session s;
+    Program *p;
+    unsigned reached;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, name);
+    r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.seed = 3, .effort = effort});
+    test_count(r->steps <= effort, name);
+    check_scenarios(&s, p, r);
+    reached = count(r, SEARCH_REACHED);
+    session_free(&s);
+    return reached;
+}
+
+// The effort is never exceeded, and what it allows to find has been replayed.
+static void check_effort(void)
+{
+    static const uint64_t effort[] = {1, 2, 10, 100, 1000, 10000, 100000, 1000000};
+    static const char *const name[] = {"lock", "timer", "vote", "handshake"};
+
+    for (size_t m = 0; m < sizeof name / sizeof *name; m++)
+        for (size_t i = 0; i < sizeof effort / sizeof *effort; i++)
+            CHECK(check_effort_of(name[m], effort[i]) > 10 || effort[i] < 1000);
+}
+
+// An allocator that knows the most bytes that were allocated at one time.
+typedef struct Heap { size_t now, most; } Heap;
+
+static void *heap_alloc(void *context, void *old, size_t size)
+{
+    Heap *h = context;
+    size_t *block = old ? (size_t *)old - 2 : NULL;
+
+    if (block)
+        h->now -= block[0];
+    if (size == 0)
+        return free(block), NULL;
+    block = realloc(block, size + 2 * sizeof *block);
+    if (!block)
+        return NULL;
+    block[0] = size;
+    h->now += size;
+    h->most = h->now > h->most ? h->now : h->most;
+    return block + 2;
+}
+
+// How many bytes a search allocates beyond those of its machine, with a limit of its memory.
+static size_t measure_memory(const char *name, uint64_t effort, size_t memory, bool *memory_reached, SearchResult *copy)
+{
+    Heap h = {0, 0};
+    Arena a;
+    SearchResult *r;
+    Session s;
+    Program *p;
+    Cover *c;
+    size_t before;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, name);
+    c = make_cover(&s, p);
+    arena_init(&a, heap_alloc, &h, &host_oom);
+    before = h.now;
+    r = search_run(&a, c, &(SearchOptions){.seed = 5, .effort = effort, .memory = memory});
+    *memory_reached = r->memory_reached;
+    copy->steps = r->steps;
+    copy->chosens = r->chosens;
+    arena_free(&a);
+    session_free(&s);
+    return h.most - before;
+}
+
+// With a limit, a search of eight times as many steps needs no more memory.
+static void check_memory(void)
+{
+    const size_t limit = 100 * 1024;
+    bool was_reached[3];
+    SearchResult r[3] = {{0}};
+    const size_t little = measure_memory("unfound", 500000, limit, &was_reached[0], &r[0]), much = measure_memory("unfound", 4000000, limit, &was_reached[1], &r[1]);
+
+    CHECK(much <= little && much < 2000000);
+    CHECK(was_reached[0] && was_reached[1]);
+    measure_memory("unfound", 4000000, limit, &was_reached[2], &r[2]);
+    CHECK(was_reached[2] && r[1].steps == r[2].steps && r[1].chosens == r[2].chosens);
+    measure_memory("unfound", 500000, 0, &was_reached[2], &r[2]);
+    CHECK(!was_reached[2]);
+}
+
 // Memory for no more than a few snapshots still leads to results.
 static void check_little_memory(void)
 {
@@ -199,7 +290,7 @@ static void check_little_memory(void)
     host_check(setjmp(host_oom));
     p = load(&s, "vote");
     r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.effort = 300000, .memory = 3000});
-    CHECK(count(r, SEARCH_REACHED) > 0);
+    CHECK(count(r, SEARCH_REACHED) > 30 && r->memory_reached);
     check_scenarios(&s, p, r);
     session_free(&s);
 }
@@ -272,6 +363,8 @@ int main(void)
     check_machine_of("impossible", 15);
     check_determinism();
     check_stop();
+    check_effort();
+    check_memory();
     check_little_memory();
     check_covered();
     check_watch();

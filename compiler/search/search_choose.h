@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of choosing and simplifying scenarios, after the search.  Only files of this folder include it.
+//
+//     search_choose.c    which scenarios together reach what was reached
+//     search_simplify.c  fewer changes, shorter times, rounder values
+//     search_replay.c    runs a scenario from its start
+#ifndef SMC_SEARCH_CHOOSE_H
+#define SMC_SEARCH_CHOOSE_H
+
+#include "compiler/search/search_run.h"
+
+typedef VEC(uint32_t) GoalSet;        // goals, as indices into SearchRun.goal
+
+typedef struct SearchEnter { uint32_t state; uint64_t step; } SearchEnter;    // a state that is entered after a step; step 0: the start
+
+// When a change is due, instead of in a fixed step: `wait` steps after the state is entered with which Chooser.enters[enter] ends, in the run
+// from which it was taken.  So the changes of later states follow when an earlier state takes another time.
+typedef struct SearchAnchor { uint32_t enter; uint64_t wait; } SearchAnchor;
+
+typedef struct Chooser {
+    SearchRun *k;
+    FlatMachine *f;           // of the current replay
+    Arena flats;              // of the machine with the probes of wanted goals
+    Arena tries;              // of the current attempt to simplify
+    FlatMachine *wanted;      // that machine
+    char *block;              // the state of the run, and the situation of the caller's goals
+    const ScenarioChange **current;   // by input
+    bool *covered;            // by goal: a chosen scenario reaches it
+    bool *seen;               // by goal of the caller: reached in this run
+    VEC(SearchScenario) chosen;
+    uint32_t *input_of;       // by Var.index
+    VEC(SearchEnter) enters;  // of the last replay
+    Scenario *way;            // by State.number - 1: the fewest changes of a chosen scenario that lead to its entry; init_state NULL: none
+    uint32_t end;             // of the scenario that is simplified: number of the state after it
+    uint64_t limit;           // simplifying the current scenario ends after so many steps
+} Chooser;
+
+// Whether the last replay has reached a goal.
+bool chooser_has_reached(const Chooser *c, uint32_t goal);
+uint32_t chooser_end_state(const Chooser *c);         // of the last replay: number of the state that its next step would run
+bool chooser_has_effort(const Chooser *c);
+// Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which it has reached all of
+// `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves the changes to where they are due.
+uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *want, const SearchAnchor *anchor);
+
+// Simplifies a scenario that reaches all of `want`.  Returns false if there was no effort to try: the scenario is as it was.
+bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want);
+// Keeps what the last replay, one of `s`, shows about ways to states.
+void chooser_keep_ways(Chooser *c, const Scenario *s);
+// Returns the scenario that leads to a node.
+Scenario chooser_scenario_of(SearchRun *k, Arena *arena, uint32_t node);
+
+#endif

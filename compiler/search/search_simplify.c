@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simplifies a scenario: fewer changes, shorter times, rounder values.  Every step of it is an attempt that is replayed, and accepted if the
+// scenario still reaches all that is wanted.
+//
+// A change that is removed lets the states that follow begin sooner or later.  So an attempt is made first with the changes anchored to the
+// entries of their states (SearchAnchor), and then with the changes at their times.
+#include <string.h>
+
+#include "compiler/search/search_choose.h"
+
+enum {
+    MOST_ROUNDS = 3,
+    MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
+    MOST_JOINS = 64           // entered states from which a shorter beginning is tried, the last ones
+};
+
+// ---- attempts ----
+
+// A scenario that differs from the current one, in memory that the next attempt reuses.
+typedef struct Attempt {
+    Scenario s;
+    ScenarioChange *change;   // s.change
+    SearchAnchor *anchor;     // by change; as the current scenario was when `enters` were recorded
+} Attempt;
+
+static Attempt begin_attempt(Chooser *c, const Scenario *s)
+{
+    Attempt t = {.s = *s};
+
+    arena_reset(&c->tries);
+    t.change = arena_array(&c->tries, s->changes + c->k->inputs + 1, sizeof *t.change);
+    if (s->changes)
+        memcpy(t.change, s->change, s->changes * sizeof *t.change);
+    t.s.change = t.change;
+    return t;
+}
+
+static void remove_changes(Attempt *t, size_t i, size_t n)
+{
+    memmove(t->change + i, t->change + i + n, (t->s.changes - i - n) * sizeof *t->change);
+    if (t->anchor)
+        memmove(t->anchor + i, t->anchor + i + n, (t->s.changes - i - n) * sizeof *t->anchor);
+    t->s.changes -= n;
+}
+
+// Of several changes of a variable in one step, only the last one has an effect.
+static void remove_overwritten(Scenario *s, ScenarioChange *change)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->changes; i++) {
+        bool is_overwritten = false;
+        for (size_t j = i + 1; j < s->changes && change[j].step == change[i].step; j++)
+            is_overwritten |= change[j].var == change[i].var;
+        if (!is_overwritten)
+            change[n++] = change[i];
+    }
+    s->changes = n;
+}
+
+// Ends a scenario after a step, which the last replay has reached.
+static void end_at(Chooser *c, Scenario *s, uint64_t step)
+{
+    s->steps = step;
+    while (s->changes && s->change[s->changes - 1].step > step)
+        s->changes--;
+    c->end = chooser_end_state(c);
+}
+
+// Replaces *s by the attempt if that still reaches everything.
+static bool accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, const SearchAnchor *anchor)
+{
+    const uint64_t end = chooser_replay(c, c->wanted, &t->s, want, anchor);
+
+    if (end == 0)
+        return false;
+    end_at(c, &t->s, end);
+    remove_overwritten(&t->s, t->change);
+    *s = t->s;
+    s->change = arena_copy(&c->k->work, t->change, (t->s.changes + 1) * sizeof *t->change);
+    return true;
+}
+
+// ---- fewer changes ----
+
+// Adds to an attempt when its changes are due after the entries of `enter`, which a replay of the same changes has recorded.
+static void add_anchors(Chooser *c, Attempt *t, const SearchEnter *enter, uint32_t enters)
+{
+    uint32_t e = 0;
+
+    t->anchor = arena_array(&c->tries, t->s.changes + 1, sizeof *t->anchor);
+    for (size_t i = 0; i < t->s.changes; i++) {
+        while (e + 1 < enters && enter[e + 1].step < t->change[i].step)
+            e++;
+        t->anchor[i] = (SearchAnchor){e, t->change[i].step - enter[e].step};
+    }
+}
+
+typedef struct Reducer {
+    Chooser *c;
+    Scenario *s;
+    const GoalSet *want;
+    SearchEnter *enter;       // of a replay of *s
+    uint32_t enters;
+} Reducer;
+
+// Keeps the entries of states of the last replay, one of *s.
+static void keep_enters(Reducer *r)
+{
+    r->enter = arena_copy(&r->c->k->work, r->c->enters.at, r->c->enters.n * sizeof *r->enter);
+    r->enters = r->c->enters.n;
+}
+
+static bool record_enters(Reducer *r)
+{
+    Scenario s = *r->s;
+
+    if (chooser_replay(r->c, r->c->wanted, &s, r->want, NULL) == 0)
+        return false;
+    keep_enters(r);
+    return true;
+}
+
+// An edit of an attempt: it has fewer changes then.  Returns false if it is no edit of this scenario.
+typedef bool Edit(Attempt *t, size_t i, size_t n);
+
+static bool edit_drop(Attempt *t, size_t i, size_t n)
+{
+    if (i + n > t->s.changes)
+        return false;
+    remove_changes(t, i, n);
+    return true;
+}
+
+// Change i gets the value of the next change of its variable, which is removed; n: 1.
+static bool edit_merge(Attempt *t, size_t i, size_t n)
+{
+    size_t next = i + n;
+
+    while (next < t->s.changes && t->change[next].var != t->change[i].var)
+        next++;
+    if (next >= t->s.changes)
+        return false;
+    t->change[i].kind = t->change[next].kind;
+    t->change[i].a = t->change[next].a;
+    t->change[i].b = t->change[next].b;
+    t->change[i].source = t->change[next].source;
+    remove_changes(t, next, 1);
+    return true;
+}
+
+// The variable of change i has the value of this change from the first step on.  n is ignored.
+static bool edit_constant(Attempt *t, size_t i, size_t n)
+{
+    const ScenarioChange x = t->change[i];
+    size_t others = 0;
+
+    (void)n;
+    for (size_t j = t->s.changes; j-- > 0; )
+        if (t->change[j].var == x.var) {
+            remove_changes(t, j, 1);
+            others++;
+        }
+    if (others < 2)
+        return false;
+    memmove(t->change + 1, t->change, t->s.changes * sizeof *t->change);
+    memmove(t->anchor + 1, t->anchor, t->s.changes * sizeof *t->anchor);
+    t->change[0] = x;
+    t->change[0].step = 1;
+    t->anchor[0] = (SearchAnchor){0, 1};
+    t->s.changes++;
+    return true;
+}
+
+// Whether the last replay of an attempt has made its changes at the times of the current scenario.
+static bool is_on_time(const Attempt *t, const SearchEnter *enter)
+{
+    for (size_t i = 0; i < t->s.changes; i++)
+        if (t->change[i].step != enter[t->anchor[i].enter].step + t->anchor[i].wait)
+            return false;
+    return true;
+}
+
+// Tries an edit with anchored changes, and with changes at their times if that is another run.
+static bool try_edit(Reducer *r, Edit *edit, size_t i, size_t n)
+{
+    for (int is_anchored = 1; is_anchored >= 0 && chooser_has_effort(r->c); is_anchored--) {
+        Attempt t = begin_attempt(r->c, r->s);
+        add_anchors(r->c, &t, r->enter, r->enters);
+        if (!edit(&t, i, n))
+            return false;
+        t.s.steps += is_anchored ? t.s.steps / 2 + 16 : 0;
+        if (accept(r->c, r->s, &t, r->want, is_anchored ? t.anchor : NULL)) {
+            keep_enters(r);
+            return true;
+        }
+        if (is_anchored && is_on_time(&t, r->enter))
+            return false;
+    }
+    return false;
+}
+
+static bool drop_changes(Reducer *r)
+{
+    bool shorter = false;
+
+    for (size_t n = r->s->changes / 2; n > 0; n /= 2)
+        for (size_t i = r->s->changes; i-- > 0 && chooser_has_effort(r->c); )
+            if (i + n <= r->s->changes && try_edit(r, edit_drop, i, n))
+                shorter = true;
+    return shorter;
+}
+
+static bool merge_changes(Reducer *r)
+{
+    bool shorter = false;
+
+    for (size_t i = 0; i < r->s->changes && chooser_has_effort(r->c); i++)
+        while (try_edit(r, edit_merge, i, 1))
+            shorter = true;
+    return shorter;
+}
+
+// Whether an earlier change of the list sets its variable to the same value.
+static bool is_repeated(const Scenario *s, size_t i)
+{
+    for (size_t j = i + 1; j < s->changes; j++)
+        if (s->change[j].var == s->change[i].var && s->change[j].kind == s->change[i].kind && s->change[j].a == s->change[i].a)
+            return true;
+    return false;
+}
+
+static bool prefer_constants(Reducer *r)
+{
+    bool shorter = false;
+
+    for (uint32_t v = 0; v < r->c->k->inputs; v++) {
+        uint32_t tried = 0;
+        for (size_t i = r->s->changes; i-- > 0 && tried < MOST_CONSTANTS && chooser_has_effort(r->c); ) {
+            if (i >= r->s->changes || r->s->change[i].var != r->c->k->input[v].var || is_repeated(r->s, i))
+                continue;
+            tried++;
+            if (try_edit(r, edit_constant, i, 0)) {
+                shorter = true;
+                break;
+            }
+        }
+    }
+    return shorter;
+}
+
+// ---- shorter times ----
+
+// Moves the changes from index i on, and the end, by `less` steps towards the start.
+static Attempt move_changes(Chooser *c, const Scenario *s, size_t i, uint64_t less)
+{
+    Attempt t = begin_attempt(c, s);
+
+    for (; i < t.s.changes; i++)
+        t.change[i].step -= less;
+    t.s.steps -= less;
+    return t;
+}
+
+// Shortens the time before each change, as far as halving finds.
+static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
+        const uint64_t before = i ? s->change[i - 1].step : 1;
+        uint64_t gap = s->change[i].step - before, least = 0;
+        while (least < gap && chooser_has_effort(c) && i < s->changes) {
+            const uint64_t middle = least + (gap - least) / 2;
+            Attempt t = move_changes(c, s, i, s->change[i].step - before - middle);
+            bool clash = false;
+            for (size_t j = 0; j < t.s.changes; j++)
+                for (size_t n = 0; n < j; n++)
+                    clash |= t.change[j].var == t.change[n].var && t.change[j].step == t.change[n].step;
+            if (!clash && accept(c, s, &t, want, NULL))
+                gap = middle;
+            else
+                least = middle + 1;
+        }
+    }
+}
+
+// ---- simpler values ----
+
+static bool try_change(Chooser *c, Scenario *s, size_t i, ScenarioChange x, const GoalSet *want)
+{
+    Attempt t = begin_attempt(c, s);
+
+    t.change[i] = x;
+    return accept(c, s, &t, want, NULL);
+}
+
+static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++)
+        if (s->change[i].kind != SCENARIO_HOLD) {
+            const ScenarioChange was = s->change[i];
+            ScenarioChange x = was;
+            x.kind = SCENARIO_HOLD;
+            x.a = was.kind == SCENARIO_COPY ? 1 : was.a;
+            if (!try_change(c, s, i, x, want)) {
+                x.a = was.kind == SCENARIO_COPY ? 0 : was.b;
+                try_change(c, s, i, x, want);
+            }
+        }
+}
+
+static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
+
+// Rounds the values of holds to few digits, and prefers values within the range.
+static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    static const double unit[] = {1e6, 1e5, 1e4, 1e3, 500, 100, 50, 10, 5, 1};
+    static const double per[] = {2, 10, 20, 100, 1000, 10000};
+
+    for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
+        const SearchInput *in = &c->k->input[c->input_of[s->change[i].var]];
+        ScenarioChange x = s->change[i];
+        const double a = x.a, size = a < 0 ? -a : a;
+        bool done = x.kind != SCENARIO_HOLD || in->type == SM_BOOL;
+        if (!done && in->range && (a < in->range->lo || a > in->range->hi)) {
+            x.a = a < in->range->lo ? in->range->lo : in->range->hi;
+            done = try_change(c, s, i, x, want);
+        }
+        for (size_t u = 0; !done && i < s->changes && u < sizeof unit / sizeof *unit + sizeof per / sizeof *per; u++) {
+            const bool is_part = u >= sizeof unit / sizeof *unit;
+            const double f = is_part ? per[u - sizeof unit / sizeof *unit] : unit[u];
+            if ((!is_part && f > 2 * size) || (is_part && !ir_is_float(in->type)))
+                continue;
+            x.a = is_part ? whole(a * f) / f : whole(a / f) * f;
+            done = x.a == a;
+            if (!done && (!in->range || (x.a >= in->range->lo && x.a <= in->range->hi)))
+                done = try_change(c, s, i, x, want);
+        }
+    }
+}
+
+// ---- shorter beginnings ----
+
+// Returns the entry of a state with the fewest changes; SEARCH_NONE: none is left.
+static uint32_t find_simplest(const SearchRun *k, uint32_t state)
+{
+    uint32_t best = SEARCH_NONE;
+
+    for (uint32_t i = 0; i < k->entries[state - 1]; i++) {
+        const uint32_t n = k->entry[(state - 1) * SEARCH_ENTRIES + i].node;
+        if (best == SEARCH_NONE || k->node.at[n].depth < k->node.at[best].depth || (k->node.at[n].depth == k->node.at[best].depth && k->node.at[n].at < k->node.at[best].at))
+            best = n;
+    }
+    return best;
+}
+
+// Finds the simplest known way to a state: that of a chosen scenario, or that of an entry.  Returns false if it has `most` changes or more.
+static bool find_way(Chooser *c, uint32_t state, size_t most, Scenario *way)
+{
+    const uint32_t node = find_simplest(c->k, state);
+    const Scenario *chosen = &c->way[state - 1];
+
+    if (chosen->init_state && chosen->changes < most) {
+        *way = *chosen;
+        return true;
+    }
+    if (node == SEARCH_NONE || c->k->node.at[node].depth >= most)
+        return false;
+    *way = chooser_scenario_of(c->k, &c->k->work, node);
+    return true;
+}
+
+void chooser_keep_ways(Chooser *c, const Scenario *s)
+{
+    size_t before = 0;
+
+    for (uint32_t i = 1; i < c->enters.n; i++) {
+        const SearchEnter *e = &c->enters.at[i];
+        Scenario *way = &c->way[e->state - 1];
+        while (before < s->changes && s->change[before].step <= e->step)
+            before++;
+        if (!way->init_state || before < way->changes)
+            *way = (Scenario){s->init_state, s->delta_t, e->step, s->change, before};
+    }
+}
+
+// Returns the last change of a variable at or before a step; NULL: none.
+static const ScenarioChange *change_at(const Scenario *s, uint32_t var, uint64_t step)
+{
+    const ScenarioChange *out = NULL;
+
+    for (size_t i = 0; i < s->changes && s->change[i].step <= step; i++)
+        out = s->change[i].var == var ? &s->change[i] : out;
+    return out;
+}
+
+// Joins a way and what `s` does after step `after`, where it enters the same state.
+static Attempt join_at(Chooser *c, const Scenario *way, const Scenario *s, uint64_t after)
+{
+    SearchRun *k = c->k;
+    const uint64_t begin = way->steps + 1;
+    size_t n = way->changes;
+    Attempt t = {.anchor = NULL};
+
+    arena_reset(&c->tries);
+    t.change = arena_array(&c->tries, n + s->changes + k->inputs + 1, sizeof *t.change);
+    if (n)
+        memcpy(t.change, way->change, n * sizeof *t.change);
+    for (uint32_t i = 0; i < k->inputs; i++) {
+        const ScenarioChange *now = change_at(s, k->input[i].var, after + 1), *was = change_at(way, k->input[i].var, begin);
+        ScenarioChange x = now ? *now : (ScenarioChange){0, k->input[i].var, SCENARIO_HOLD, 0, 0, 0};
+        if ((!now && !was) || (now && was && now->kind == SCENARIO_HOLD && was->kind == SCENARIO_HOLD && now->a == was->a))
+            continue;
+        x.step = begin;
+        t.change[n++] = x;
+    }
+    for (size_t i = 0; i < s->changes; i++)
+        if (s->change[i].step > after + 1) {
+            t.change[n] = s->change[i];
+            t.change[n++].step += begin - (after + 1);
+        }
+    t.s = (Scenario){s->init_state, s->delta_t, begin + s->steps - (after + 1), t.change, n};
+    return t;
+}
+
+// Replaces the beginning of a scenario, up to where it enters a state, by the simplest known way to that state.
+static bool simplify_beginning(Reducer *r)
+{
+    Chooser *c = r->c;
+    const Scenario from = *r->s;
+    uint32_t tries = 0;
+
+    for (uint32_t i = r->enters; i-- > 1 && tries < MOST_JOINS && chooser_has_effort(c); ) {
+        size_t before = 0;
+        Scenario way;
+        Attempt t;
+        while (before < from.changes && from.change[before].step <= r->enter[i].step)
+            before++;
+        if (r->enter[i].step + 1 > from.steps || !find_way(c, r->enter[i].state, before, &way))
+            continue;
+        tries++;
+        t = join_at(c, &way, &from, r->enter[i].step);
+        if (accept(c, r->s, &t, r->want, NULL)) {
+            keep_enters(r);
+            return true;
+        }
+    }
+    return false;
+}
+
+// ---- all of it ----
+
+bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    Reducer r = {c, s, want, NULL, 0};
+    const uint64_t end = chooser_replay(c, c->wanted, s, want, NULL);
+
+    if (end == 0)
+        return false;
+    end_at(c, s, end);
+    keep_enters(&r);
+    for (int round = 0; round < MOST_ROUNDS && s->changes > 1; round++) {
+        bool shorter = s->changes > 2 && simplify_beginning(&r);
+        shorter |= drop_changes(&r);
+        shorter |= prefer_constants(&r);
+        shorter |= merge_changes(&r);
+        if (!shorter)
+            break;
+    }
+    drop_changes(&r);
+    shorten_waits(c, s, want);
+    prefer_holds(c, s, want);
+    round_values(c, s, want);
+    if (record_enters(&r))
+        drop_changes(&r);
+    return true;
+}
