@@ -8,6 +8,7 @@
 #include "compiler/search/goal_text.h"
 #include "compiler/search/must_not.h"
 
+#define COVER_MADE_BY "smc cover"           // in the first line of a script
 #define MUST_NOT_GOAL "Must not: "          // begins the goal of a script for a pair of states
 
 // A script of the folder that smc cover has written for this machine.

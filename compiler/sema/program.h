@@ -134,7 +134,7 @@ struct Define {
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     const Measure *unit;         // its @unit, or NULL
     uint32_t names;           // its expression is only the name of another definition, which has a unit: 1 + `number` of that; 0: it is not
-    bool used;                // another part of its file uses it
+    bool used;                // another part of its file uses it, or a requirement does
     bool expanded;            // its expression has been checked, so the uses in it are listed
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
@@ -320,17 +320,19 @@ typedef struct ScriptItem ScriptItem;
 struct ScriptItem {
     Expr *guard;
     const ScriptItem *parent; // the conditional around it; NULL: none
-    bool otherwise;           // it belongs to the `else` of the parent
-    bool by_time;             // the guard is one of check_when
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
+    uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
+    bool otherwise;           // it belongs to the `else` of the parent
+    bool by_time;             // the guard is one of check_when
+    bool stop;                // the item's body ends with @stop
+    uint32_t stop_at, stop_len;       // the position of the @stop, in the source of `span`
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
-    bool stop;                // the item's body ends with @stop
-    uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
-    Span stop_span;
 };
+
+static inline Span script_stop_span(const ScriptItem *item) { return (Span){item->span.src, item->stop_at, item->stop_len}; }
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
