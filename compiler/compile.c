@@ -4,7 +4,7 @@
 //    .sv ── parse ── AST ── check ──▶ StateVec; parsed again for each .sm, .io and .net that is bound to it
 //    .io ── parse ── AST ── check ──▶ IoMap, for the image, the C of the pins, and findings about pins
 //    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ──┬── analyse ──▶ findings
-//                                        │                      └── passes ──▶ IR ──┬──▶ image (emit/bytecode)
+//                                        │                      └── passes ──▶ IR ──┬──▶ image (emit/bytecode), verified
 //                                        │                                          ├── passes for C ──▶ C (emit/c)
 //                                        │                                          └──▶ image with lines ── costs ── limits ──▶ findings
 //                                        └── parsed and checked again if scripts write its locals ──▶ Program for scripts
@@ -15,7 +15,7 @@
 //                                     ── analyse ──▶ findings; C: X_app.c with the tasks and the images, and a file for each
 //                                     vector, map of pins and machine in C
 //    findings ── @allow ── -W ── sort ──▶ diagnostics of the caller
-//    .rq ── parse ── AST ── check ──▶ Requirements of a Program, judged in the runs of its scripts
+//    .rq ── parse ── AST ── check with the Program for scripts ──▶ Requirements, for the runs of its scripts and for proofs
 //    tokens, AST or IR ──▶ dump (--emit=tokens, ast or ir)
 //
 // Machines pass their stages one after the other; then findings about all of them together.  Images, C and IR are emitted last, and only if

@@ -154,8 +154,8 @@ static bool equal_names(const char *a, const char *b)         // without regard 
     return *a == *b;
 }
 
-// Whether a new script can have this name.  Marks a stale script of this name as replaced.
-static bool take_name(CoverRun *r, const char *name, const char *path)
+// Returns whether a new script can have this name.  If so, and a stale script has the name, marks that script as replaced.
+static bool claim_name(CoverRun *r, const char *name, const char *path)
 {
     for (uint32_t i = 0; i < r->new_one.n; i++)
         if (strcmp(r->new_one.at[i].path, path) == 0)
@@ -173,7 +173,7 @@ const char *cover_new_path(CoverRun *r, const char *stem)
 {
     const char *name = format_in(r->arena, "%s.ss", stem);
 
-    for (unsigned long n = 2; !take_name(r, name, path_in_folder(r, name)); n++)
+    for (unsigned long n = 2; !claim_name(r, name, path_in_folder(r, name)); n++)
         name = format_in(r->arena, "%s-%lu.ss", stem, n);
     return path_in_folder(r, name);
 }

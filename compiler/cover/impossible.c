@@ -170,8 +170,8 @@ static void judge_function(Finder *k, const IrFn *f, const Env *begin)
             skip_block(k, &f->blk.at[b]);
 }
 
-// Gives the counts of shared windows the same verdicts.
-static void copy_shared(Finder *k)
+// Copies the verdict on the samples of each shared window to every other place that counts the same samples.
+static void copy_verdicts_to_shared(Finder *k)
 {
     for (uint32_t i = 0; i < k->c->shared.n; i++)
         for (uint32_t n = 0; n < k->c->shared.at[i].n; n++) {
@@ -193,7 +193,7 @@ void cover_find_impossible(Cover *c)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (c->m->state.at[s].block[b])
                 judge_function(&k, c->m->state.at[s].block[b], facts_at_begin(k.facts, s, b));
-    copy_shared(&k);
+    copy_verdicts_to_shared(&k);
     for (uint32_t i = 1; i < c->place.n; i++) {
         CoverPlace *p = &c->place.at[i];
         if (!is_judged(p->kind) || k.possible[i] || c->hits[i] > 0)

@@ -382,10 +382,10 @@ static void plan_statements(Plan *k, const Stmts *list)
 
 // ---- states and windows ----
 
-static bool leaves(const Stmts *list)
+static bool contains_transition(const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)
-        if (list->at[i]->kind == ST_TRANSITION || leaves(&list->at[i]->then) || leaves(&list->at[i]->otherwise))
+        if (list->at[i]->kind == ST_TRANSITION || contains_transition(&list->at[i]->then) || contains_transition(&list->at[i]->otherwise))
             return true;
     return false;
 }
@@ -398,7 +398,7 @@ static void plan_state(Plan *k, const State *s)
     k->entry[i] = push_place(k, p);
     p.value = false;
     p.part_of = k->entry[i];
-    if (leaves(&s->block[BLOCK_ENTRY]) || leaves(&s->block[BLOCK_STEP]))
+    if (contains_transition(&s->block[BLOCK_ENTRY]) || contains_transition(&s->block[BLOCK_STEP]))
         k->exit[i] = push_place(k, p);
     k->state = s;
     for (int b = 0; b < BLOCK_COUNT; b++) {

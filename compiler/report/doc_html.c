@@ -77,7 +77,7 @@ static void write_cell(Buf *out, const DocCell *c)
     }
 }
 
-// Prevents a line break at the hyphen of -Wflight.
+// Returns the class attribute of a table cell; "": none.  The class of an option, as -Wflight, prevents a line break at its hyphen.
 static const char *cell_class(const DocCell *c)
 {
     if (c->kind == CELL_PLAIN && c->text[0] == '-')

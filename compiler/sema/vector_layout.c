@@ -36,7 +36,7 @@ static uint32_t hash_regions(const StateVec *sv)
     return sm_crc32_end(crc);
 }
 
-// Computes offsets, sizes and hash of a state vector whose elements and regions are complete (vector_layout.c).
+// Computes offsets, sizes and hash of a state vector whose elements and regions are complete.
 void layout_state_vector(StateVec *sv)
 {
     uint32_t offset = 0;
