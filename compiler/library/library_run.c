@@ -204,6 +204,66 @@ uint64_t smc_run_asserts(const SmcSession *s, uint32_t script)
     return run ? run->run.result.asserts_passed : 0;
 }
 
+// ---- requirements ----
+
+// Returns a requirement of a compiled machine; NULL if there is none of this number.
+static const Requirement *find_requirement(const SmcSession *s, uint32_t machine, uint32_t requirement)
+{
+    const CompiledSource *m = library_is_open(s) && s->of.is_compiled ? library_compiled(s, machine) : NULL;
+
+    return m && m->requirements && requirement < m->requirements->at.n ? &m->requirements->at.at[requirement] : NULL;
+}
+
+uint32_t smc_requirement_count(const SmcSession *s, uint32_t machine)
+{
+    uint32_t n = 0;
+
+    while (find_requirement(s, machine, n))
+        n++;
+    return n;
+}
+
+const char *smc_requirement_id(const SmcSession *s, uint32_t machine, uint32_t requirement)
+{
+    const Requirement *r = find_requirement(s, machine, requirement);
+
+    return r ? r->id->text : "";
+}
+
+const char *smc_requirement_text(const SmcSession *s, uint32_t machine, uint32_t requirement)
+{
+    const Requirement *r = find_requirement(s, machine, requirement);
+
+    return r ? r->text->text : "";
+}
+
+// Returns what a run has found about a requirement; NULL if there is none of this number.
+static const RequirementRun *find_requirement_run(const SmcSession *s, uint32_t script, uint32_t requirement)
+{
+    const LibraryRun *run = done_run(s, script);
+
+    return run && run->run.result.requirement && find_requirement(s, s->of.machine[script], requirement) ? &run->run.result.requirement[requirement]
+                                                                                                         : NULL;
+}
+
+int32_t smc_run_requirement(const SmcSession *s, uint32_t script, uint32_t requirement)
+{
+    const RequirementRun *r = find_requirement_run(s, script, requirement);
+
+    return !r               ? SMC_REQUIREMENT_UNJUDGED
+           : r->violated    ? SMC_REQUIREMENT_VIOLATED
+           : r->undecided   ? SMC_REQUIREMENT_UNDECIDED
+           : r->judged > 0  ? SMC_REQUIREMENT_MET
+                            : SMC_REQUIREMENT_UNJUDGED;
+}
+
+uint64_t smc_run_judged(const SmcSession *s, uint32_t script, uint32_t requirement)
+{
+    const RequirementRun *r = find_requirement_run(s, script, requirement);
+
+    return r ? r->judged : 0;
+}
+
 const char *smc_run_report(const SmcSession *s, uint32_t script)
 {
     const LibraryRun *run = done_run(s, script);

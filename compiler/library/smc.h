@@ -276,6 +276,18 @@ enum SmcOutcome {
     SMC_OUTCOME_DIFFERENT = 6     // two engines disagree
 };
 
+enum SmcRequirement {
+    SMC_REQUIREMENT_UNJUDGED = 0, // no step could have violated it
+    SMC_REQUIREMENT_MET = 1,
+    SMC_REQUIREMENT_VIOLATED = 2, // then the run has ended, as SMC_OUTCOME_FAILED
+    SMC_REQUIREMENT_UNDECIDED = 3 // it was still open when the run ended
+};
+
+// The requirements of a compiled machine, in the order of their files.  0, or "", if there are none.
+uint32_t smc_requirement_count(const SmcSession *s, uint32_t machine);
+const char *smc_requirement_id(const SmcSession *s, uint32_t machine, uint32_t requirement);
+const char *smc_requirement_text(const SmcSession *s, uint32_t machine, uint32_t requirement);
+
 // Runs a script on its compiled machine for at most `max_steps` steps; 0: 1,000,000.  SMC_OK: it passed.  SMC_E_FAILED: it did not.  Its
 // diagnostics replace those of its last run.  A run with the same engines and limits as the last one is not repeated.
 // SMC_E_SOURCE: the script or the machine has errors.  SMC_E_STATE: nothing is compiled, or the script has no machine
@@ -284,6 +296,10 @@ SmcResult smc_run(SmcSession *s, uint32_t script, uint32_t engines, uint64_t max
 int32_t smc_run_outcome(const SmcSession *s, uint32_t script);
 uint64_t smc_run_steps(const SmcSession *s, uint32_t script);
 uint64_t smc_run_asserts(const SmcSession *s, uint32_t script);       // how many asserts passed
+// What a run found about a requirement of the script's machine, by its number among smc_requirement_count.  SMC_REQUIREMENT_UNJUDGED also if
+// there is no such run or requirement.
+int32_t smc_run_requirement(const SmcSession *s, uint32_t script, uint32_t requirement);
+uint64_t smc_run_judged(const SmcSession *s, uint32_t script, uint32_t requirement);  // in how many steps it was judged
 const char *smc_run_report(const SmcSession *s, uint32_t script);     // the report that smc test prints
 // CSV with a row for each step, as smc test --trace writes it; "" unless SMC_OPTION_TRACE was set.
 const char *smc_run_trace(const SmcSession *s, uint32_t script);

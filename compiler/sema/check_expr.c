@@ -361,6 +361,31 @@ static void report_negated_state(Sema *s, const AstExpr *e)
     diag_edit(s->diags, d, e->span, text);
 }
 
+// Returns S of `prev(S)`, or NULL.
+static const AstExpr *previous_state_element(const Sema *s, const AstExpr *e)
+{
+    const bool is_prev = e->kind == AST_CALL && strcmp(e->name->text, "prev") == 0 && e->args->n == 1;
+
+    return is_prev && machine_of_state(s, e->args->at[0]) ? e->args->at[0] : NULL;
+}
+
+// Reports A in `prev(S) == A`, where it has no value, because only S itself can be compared with a name: the user means `prev(S == A)`.
+static void report_previous_state(Sema *s, const AstExpr *e)
+{
+    const bool is_equality = operator_class(e) == SM_CLASS_EQUALITY;
+    const AstExpr *element = is_equality ? previous_state_element(s, e->a) : NULL;
+    const AstExpr *name = element ? name_of_state(s, machine_of_state(s, element), e->b) : NULL;
+    const char *text;
+    Diag *d;
+
+    if (!name)
+        return;
+    text = format_in(s->arena, "prev(%s %s %s)", sema_quote_source(s, element->span), sm_op_info[e->op].spelling, name->name->text);
+    d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
+    diag_label(s->diags, d, DIAG_label_write, text);
+    diag_edit(s->diags, d, e->span, text);
+}
+
 // Reports an unknown name beside S in a comparison as that of a state. Returns false if the name is known, or there is none.
 static bool report_unknown_state(Sema *s, const AstExpr *e)
 {
@@ -384,6 +409,7 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
         return out;
     report_state_as_condition(s, e);
     report_negated_state(s, e);
+    report_previous_state(s, e);
     for (int k = 0; k < 2 && operator_class(e) == SM_CLASS_LOGIC; k++)
         warn_of_number_as_condition(s, e, operands[k]);
     if (operator_class(e) == SM_CLASS_EQUALITY) {

@@ -108,6 +108,40 @@ HintResult hint_report_missing_call(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Whether the name is an operand of before, after or without, where a state's name stands alone. The current token is the name.
+static bool is_at_state_operand(const Parser *p, const AstExpr *word)
+{
+    static const char *const words[] = {"before", "after", "without"};
+    const char *text = p->lex.src->text;
+    uint32_t end = word->span.at, begin;
+
+    while (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    for (begin = end; begin > 0 && lexer_is_word(text[begin - 1]); begin--) {}
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if ((end - begin == strlen(words[i]) && memcmp(text + begin, words[i], end - begin) == 0) || hint_is_word(&p->ahead, words[i]))
+            return true;
+    return false;
+}
+
+// Reports `state Abort` in a requirement. The current token is Abort.
+HintResult hint_report_state_word(HintCase *c)
+{
+    Parser *p = c->p;
+    const Span both = span_join(c->e->span, parser_token_span(p));
+    const char *name = p->tok.text->text, *text;
+    Diag *d;
+
+    if (p->kind != FILE_RQ || strcmp(c->e->name->text, "state") != 0 || is_at_word_after_value(p))
+        return HINT_NONE;
+    text = is_at_state_operand(p, c->e) ? name : format_in(p->arena, "S == %s", name);
+    d = parser_report(p, DIAG_foreign_word, c->e->span, "state");
+    diag_label(p->diags, d, DIAG_label_write, text);
+    diag_edit(p->diags, d, both, text);
+    parser_advance(p);
+    return HINT_SKIPPED;
+}
+
 // Reports a name with a dot, as in tank.pressure. The current token is `.pressure`.
 HintResult hint_report_dotted_name(HintCase *c)
 {

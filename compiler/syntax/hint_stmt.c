@@ -4,6 +4,7 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_unit.h"
 #include "compiler/syntax/hint_words.h"
+#include "compiler/syntax/lexer.h"
 #include "compiler/syntax/time_unit.h"
 
 // ---- the rest of the line ----
@@ -273,6 +274,77 @@ HintResult hint_skip_bracketed_state(HintCase *c)
     diag_edit(p->diags, d, parser_token_span(p), p->tok.text->text);
     parser_advance(p);
     return HINT_SKIPPED;
+}
+
+// ---- a condition inside braces ----
+
+// Returns the length of `x = 2 ` in `x = 2 -> Abort }`, which is all on one line; 0 if the text is anything else.
+static uint32_t length_of_braced_guard(const char *text)
+{
+    const uint32_t n = (uint32_t)strcspn(text, "-:;{}#\n");
+    uint32_t end = n;
+
+    while (text[end] == '-' && text[end + 1] != '>')
+        end += 1 + (uint32_t)strcspn(text + end + 1, "-:;{}#\n");
+    if (text[end] != '-' || strspn(text, " \t") == end)
+        return 0;
+    return end;
+}
+
+// Returns the end of ` Abort }`; NULL if the text is anything else.
+static const char *end_of_braced_target(const char *text)
+{
+    const char *at = text + strspn(text, " \t"), *name = at;
+
+    while (lexer_is_word(*at))
+        at++;
+    if (at == name)
+        return NULL;
+    at += strspn(at, " \t");
+    return *at == '}' ? at + 1 : NULL;
+}
+
+// Returns the condition with == for each =, and sets *assigns if it has one.
+static const char *braced_condition(Parser *p, const char *text, uint32_t n, bool *assigns)
+{
+    Buf out;
+
+    buf_init(&out, p->arena);
+    while (n > 0 && (text[n - 1] == ' ' || text[n - 1] == '\t'))
+        n--;
+    for (uint32_t i = (uint32_t)strspn(text, " \t"); i < n; i++) {
+        const bool is_assign = text[i] == '=' && text[i + 1] != '=' && !strchr("=<>!", text[i - 1]);
+        *assigns = *assigns || is_assign;
+        buf_str(&out, is_assign ? "=" : "");
+        buf_char(&out, text[i]);
+    }
+    return buf_text(&out);
+}
+
+bool hint_report_guard_in_braces(Parser *p)
+{
+    const char *text = p->lex.src->text + p->tok.at + 1;
+    const uint32_t n = length_of_braced_guard(text);
+    const char *end = n ? end_of_braced_target(text + n + 2) : NULL, *fixed;
+    bool assigns = false;
+    uint32_t length;
+    Diag *d;
+
+    if (!end)
+        return false;
+    fixed = braced_condition(p, text, n, &assigns);
+    length = (uint32_t)strcspn(text + n, "}");
+    while (text[n + length - 1] == ' ' || text[n + length - 1] == '\t')
+        length--;
+    fixed = format_in(p->arena, "%s: %.*s", fixed, (int)length, text + n);
+    d = parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
+    diag_label(p->diags, d, DIAG_label_write, fixed);
+    if (!assigns)                                     // otherwise it can be an assignment and a transition
+        diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, (uint32_t)(end - text) + 1}, fixed);
+    while (p->tok.kind != TOK_RBRACE && p->tok.kind != TOK_END)
+        parser_advance(p);
+    parser_advance(p);
+    return true;
 }
 
 // ---- statements of other languages ----

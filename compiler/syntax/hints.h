@@ -74,6 +74,10 @@ void hint_init_index(HintIndex *index);
 // likeliest cause.
 HintResult hint_explain(struct Parser *p, HintContext context, struct AstExpr *e);
 
+// Reports `{ x == 2 -> Abort }`, a transition whose condition is inside the braces, and skips it. The current token is the brace. Returns false,
+// and reports nothing, if the braces contain something else.
+bool hint_report_guard_in_braces(struct Parser *p);
+
 // Whether the token is a word that another language has in place of an operator, with a value after it, as in `state is Burn`.
 bool hint_is_phrase(const struct Parser *p, const Token *word);
 

@@ -137,6 +137,8 @@ static void report_unguarded_braces(Parser *p)
     AstStmts ignored = {0};
     Span span;
 
+    if (hint_report_guard_in_braces(p))
+        return;
     parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
     if (!enter_nesting(p))
         return;

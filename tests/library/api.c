@@ -362,6 +362,28 @@ static void test_requirements(void)
 }
 
 // Two machines, each with its own script, and a script without a machine.
+static void test_results_of_requirements(void)
+{
+    SmcSession *s = open_session();
+    const uint32_t sm = add(s, SMC_KIND_SM, "tank.sm", tank), ss = add(s, SMC_KIND_SS, "good.ss", script);
+    static const char text[] = "R1 \"opens\" always p > 700 implies valve\nR2 \"never\" always p > 9000 implies not valve\n"
+                               "R3 \"in time\" always valve leads to not valve within 5 s\n";
+
+    add(s, SMC_KIND_RQ, "tank.rq", text);
+    CHECK(smc_requirement_count(s, sm) == 0 && is_text(smc_requirement_id(s, sm, 0), ""));
+    CHECK(smc_compile(s) == SMC_OK && smc_requirement_count(s, sm) == 3 && smc_requirement_count(s, ss) == 0);
+    CHECK(is_text(smc_requirement_id(s, sm, 0), "R1") && is_text(smc_requirement_text(s, sm, 2), "in time") && is_text(smc_requirement_id(s, sm, 3), ""));
+    CHECK(smc_run_requirement(s, ss, 0) == SMC_REQUIREMENT_UNJUDGED && smc_run_judged(s, ss, 0) == 0);
+    CHECK(smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_OK);
+    CHECK(smc_run_requirement(s, ss, 0) == SMC_REQUIREMENT_MET && smc_run_judged(s, ss, 0) > 0);
+    CHECK(smc_run_requirement(s, ss, 1) == SMC_REQUIREMENT_UNJUDGED && smc_run_requirement(s, ss, 2) == SMC_REQUIREMENT_UNDECIDED);
+    CHECK(smc_run_requirement(s, ss, 3) == SMC_REQUIREMENT_UNJUDGED && smc_run_requirement(s, 77, 0) == SMC_REQUIREMENT_UNJUDGED);
+    add(s, SMC_KIND_RQ, "more.rq", "R4 \"stays shut\" never valve\n");
+    CHECK(smc_compile(s) == SMC_OK && smc_run(s, ss, SMC_ENGINE_VM, 0) == SMC_E_FAILED);
+    CHECK(smc_run_requirement(s, ss, 3) == SMC_REQUIREMENT_VIOLATED && smc_run_requirement(s, ss, 0) == SMC_REQUIREMENT_MET);
+    smc_close(s);
+}
+
 static void test_running_scripts_of_several_machines(void)
 {
     SmcSession *s = open_session();
@@ -540,6 +562,7 @@ int main(void)
     test_allowed_warnings_are_kept();
     test_running_scripts();
     test_requirements();
+    test_results_of_requirements();
     test_including_scripts();
     test_running_scripts_of_several_machines();
     test_cancelling();
