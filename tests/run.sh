@@ -81,7 +81,7 @@ floor_of() { sed -n "s/^$1  *\([0-9][0-9]*\)$/\1/p" "$floors" | tail -n 1 | grep
 
 # cpu_of NUMBER: the processor seconds that a command and the processes it waited for took
 cpu_of() {
-    awk '{ for (i = 1; i <= 2; i++) { split($i, t, "m"); sum += (NR > 2 ? 1 : -1) * (60 * t[1] + t[2]) } } END { printf "%.1f", sum }' "$work/$1.times"
+    awk '{ for (i = 1; i <= 2; i++) { split($i, t, "m"); sum += (NR > 2 ? 1 : -1) * (60 * t[1] + t[2]) } } END { printf "%.1f", sum < 0 ? 0 : sum }' "$work/$1.times"
 }
 
 # report NUMBER: prints the result of a command and adds it to the totals

@@ -8,7 +8,7 @@ make=$1 build=$2 cc=$3 machine=$4
 dir=$folder/tmp
 native=$(cd "$build" && pwd)/smc
 bridge= board=
-trap 'for p in $bridge $board; do kill $p 2>/dev/null; done' EXIT
+trap 'for p in $bridge $board; do kill $p 2>/dev/null; done; wineserver -k' EXIT
 $cc -std=gnu99 -O1 -Wall -Wextra tests/windows/bridge.c -o "$dir/bridge" || { echo "0 passed, 1 failed"; exit 1; }
 
 # connect: a line, one end of which is COM33 of Wine, the other the terminal device $end

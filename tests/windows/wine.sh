@@ -15,6 +15,12 @@ folder=$(cd "$build" && pwd)/windows-test-$machine
 mkdir -p "$folder/tmp"
 export WINEPREFIX="$folder/wine" WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
 unset DISPLAY CC
+# One server of Wine for the whole script.  Debian's wineserver is `wineserver -p0`, which ends with the last program, so that each command would start
+# Wine again: its services, and winedevice.exe, which sometimes crashes then and prints so on the standard error of the command.
+wineserver -k 2>/dev/null
+wineserver -w 2>/dev/null
+wineserver -p 2>/dev/null
+trap 'wineserver -k' EXIT
 [ -f "$WINEPREFIX/system.reg" ] || wine wineboot -i >"$folder/wineboot.log" 2>&1
 if ! wine "$files/smc.exe" --version >"$folder/version.log" 2>&1 </dev/null; then
     echo "Wine does not run $machine programs here: 0 passed, 0 failed, 1 skipped"
