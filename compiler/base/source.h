@@ -18,7 +18,7 @@ typedef struct Source {
 
     // A copy of a source whose statements belong to several states ([all_states] of a machine), one for each of these states. Positions in it
     // tell which state they belong to. Diagnostics replace it by the source itself.
-    const struct Source *written; // the source itself; NULL: this is one
+    const struct Source *written; // the source of which this is a copy; NULL: this is no copy
     const char *state;            // the name of the state
 } Source;
 

@@ -36,7 +36,7 @@ extern const char *const fault_outcome_name[FAULT_OUTCOME_COUNT], *const fault_o
 typedef struct FaultTrigger {
     uint32_t script;
     uint64_t step, g;
-    const State *from, *state;        // the state that the step runs, and the one that was left for it; from is NULL unless it begins with a transition
+    const State *from, *state;        // from: the state that a transition to `state` has left, NULL: no transition; state: the one that the step runs
     bool is_timed;                    // a time that the caller has chosen
 } FaultTrigger;
 
