@@ -3,11 +3,11 @@
 
 #include <string.h>
 
-// What a requirement has seen.
+// What the steps so far have shown about a requirement.
 typedef struct Memory {
-    uint64_t since;           // AFTER: G of the last step with b; LEADS_TO: G of the step with a that b has not followed
-    bool seen;                // BEFORE, AFTER: a step has had b
-    bool open;                // AFTER: no step since the last with b has had c; LEADS_TO: undecided
+    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the step in which a was true, while b has not been true since
+    bool seen;                // BEFORE, AFTER: b was true in some step so far
+    bool open;                // AFTER: c has not been true since b was; LEADS_TO: b is still awaited
 } Memory;
 
 // The part of a RefWindow that a step changes, without its samples.

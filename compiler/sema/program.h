@@ -133,7 +133,7 @@ struct Define {
     uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     const Measure *unit;         // its @unit, or NULL
-    uint32_t names;           // 1 + the number of the definition with a unit that is its whole expression; 0: none
+    uint32_t names;           // its expression is only the name of another definition, which has a unit: 1 + `number` of that; 0: it is not
     bool used;                // another part of its file uses it, or a requirement does
     bool expanded;            // its expression has been checked, so the uses in it are listed
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
@@ -227,7 +227,7 @@ struct AstSection;
 typedef struct AllStates {
     const struct AstSection *section;     // only for the checker
     Span span;                // the whole section
-    bool *excepted;           // by State.number: whether it does not run there
+    bool *excepted;           // by State.number: the section does not run in this state
     bool *proposed;           // by State.number: an edit that excepts the state has been proposed
     uint32_t copies;          // for how many states its statements have been checked
 } AllStates;
@@ -250,7 +250,7 @@ typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
 typedef struct Joint {
     VEC(Member) member;       // in the order in which they step in a tick
     VEC(MemberStart) start;   // the values of [start]
-    uint64_t tick, unit;      // nanoseconds: from tick to tick; 1 in G
+    uint64_t tick, unit;      // in nanoseconds: the time between two ticks; one unit of G
     const struct App *app;
 } Joint;
 
@@ -377,7 +377,7 @@ typedef struct ScriptData {
     Span file_span, time_span;
     TimeUnit unit;            // of the times
     bool is_linear;           // values between two rows are interpolated; otherwise they are those of the earlier one
-    bool stops_at_bad_time, skips_bad_times;      // `on_bad_time error`; `on_bad_time skip` is written
+    bool stops_at_bad_time, skips_bad_times;      // the section has `on_bad_time error`; it has `on_bad_time skip`
     bool missing_is_nan;
     VEC(ScriptColumn) column; // written to variables
     VEC(ScriptCompare) compare;
