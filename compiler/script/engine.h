@@ -68,6 +68,8 @@ static inline size_t engine_machines(const Program *p) { return p->joint ? p->jo
 // Joins one engine for each machine of an application, in the order of p->joint->member, to an engine for p (language.md 8.71 to 8.83).
 // Closing it closes them.
 Engine *engine_app_open(Arena *arena, const Program *p, Engine *const *machine);
+// Sets, before init, whether the ticks of an engine of an application are the rows of recorded data (language.md 8.84).
+void engine_app_set_rows(Engine *e, bool by_rows);
 // Returns the engine of machine i; e itself if it is no engine of an application.
 Engine *engine_app_machine(Engine *e, size_t i);
 

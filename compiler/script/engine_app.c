@@ -16,6 +16,7 @@ typedef struct MachineOfApp {
     EngineWrite *write;       // the elements that the machine lists, then what the script writes to its locals
     uint32_t elements, writes;
     uint64_t wait;            // ticks until it is due
+    uint64_t periods;         // with ticks of recorded data: its periods until the last tick
     bool ran;                 // it ran a step in this tick
 } MachineOfApp;
 
@@ -27,6 +28,8 @@ typedef struct AppEngine {
     uint8_t *stored;
     MachineOfApp *machine;
     size_t machines;
+    bool by_rows;             // its ticks are the rows of recorded data
+    uint64_t ticks;           // that have run
 } AppEngine;
 
 // ---- one machine ----
@@ -110,6 +113,15 @@ static void write_local(MachineOfApp *m, const Var *v, uint64_t cell)
     m->write[elements + m->writes++] = (EngineWrite){local, cell};
 }
 
+// Decides in ticks of recorded data whether a machine is due: in the first one, and where a period of it has ended.
+static void wait_for_period(const AppEngine *a, MachineOfApp *m)
+{
+    const uint64_t periods = joint_periods_until(a->p->joint, m->member->every, a->cell[a->p->g->index]);
+
+    m->wait = a->ticks > 0 && periods == m->periods;
+    m->periods = periods;
+}
+
 // ---- all machines ----
 
 // Writes a variable of the application.
@@ -144,9 +156,12 @@ static EngineStatus app_step(Engine *e, const EngineWrite *write, uint32_t n, En
     memset(a->stored, 0, a->p->var.n);
     for (uint32_t i = 0; i < n; i++)
         write_variable(a, write[i]);
+    for (size_t i = 0; i < a->machines && a->by_rows; i++)
+        wait_for_period(a, &a->machine[i]);
     for (size_t i = 0; i < a->machines && status == ENGINE_OK; i++)
         status = step_machine(a, &a->machine[i]);
-    for (size_t i = 0; i < a->machines; i++) {
+    a->ticks++;
+    for (size_t i = 0; i < a->machines && !a->by_rows; i++) {
         MachineOfApp *m = &a->machine[i];
         m->wait = m->wait > 0 ? m->wait - 1 : m->member->every - 1;
     }
@@ -179,6 +194,7 @@ static EngineStatus app_init(Engine *e, uint32_t state, EngineStep *out)
     (void)state;
     memset(a->cell, 0, a->p->var.n * sizeof *a->cell);
     memset(a->stored, 0, a->p->var.n);
+    a->ticks = 0;
     for (size_t i = 0; i < j->start.n; i++)
         a->cell[j->start.at[i].var->index] = j->start.at[i].cell;
     for (size_t i = 0; i < a->machines && status == ENGINE_OK; i++)
@@ -193,6 +209,8 @@ static void app_close(Engine *e)
     for (size_t i = 0; i < a->machines; i++)
         a->machine[i].engine->close(a->machine[i].engine);
 }
+
+void engine_app_set_rows(Engine *e, bool by_rows) { ((AppEngine *)e->self)->by_rows = by_rows; }
 
 Engine *engine_app_machine(Engine *e, size_t i)
 {

@@ -164,6 +164,8 @@ static void check_answers(ScriptRun *r)
 
 static void init_engines(ScriptRun *r)
 {
+    for (size_t i = 0; r->p->joint && i < r->engines; i++)
+        engine_app_set_rows(r->engine[i], r->s->by_rows);
     for (size_t i = 0; i < r->engines; i++)
         r->answer[i].status = r->engine[i]->init(r->engine[i], r->s->init_state->number, &r->answer[i]);
     check_answers(r);
@@ -229,26 +231,40 @@ uint64_t run_next_g(const ScriptRun *r, uint32_t machine)
 {
     uint64_t g = r->g, rest = r->rest;
 
+    if (r->s->by_rows)                                // of a machine of an application, no tick is earlier
+        return replay_find_next_time(r->replay, &g) ? g : UINT64_MAX;
     if (r->p->joint)
         return add_ticks(r->p->joint, machine ? r->machine[machine - 1].every : 1, &g, &rest) ? g : UINT64_MAX;
-    if (r->s->by_rows)
-        return replay_find_next_time(r->replay, &g) ? g : UINT64_MAX;
     return r->g < UINT64_MAX - r->s->delta_t ? r->g + r->s->delta_t : UINT64_MAX;
+}
+
+// Sets how many ticks each machine waits from the next one on, which is at `next`.
+static void advance_waits(ScriptRun *r, uint64_t next)
+{
+    const Joint *j = r->p->joint;
+
+    for (size_t i = 0; i < r->machines; i++) {
+        ScriptMachine *m = &r->machine[i];
+        if (j && r->s->by_rows)
+            m->wait = joint_periods_until(j, m->every, next) == joint_periods_until(j, m->every, r->g);
+        else
+            m->wait = m->wait ? m->wait - 1 : m->every - 1;
+    }
 }
 
 static void advance_time(ScriptRun *r)
 {
     const uint64_t next = run_next_g(r, 0);
 
+    advance_waits(r, next);
+
     r->data_ended = next == UINT64_MAX && r->s->by_rows;
     if (next == UINT64_MAX)
         run_finish(r, r->data_ended ? SCRIPT_NO_DATA : SCRIPT_TIME_OVERFLOW);
-    else if (r->p->joint)
+    else if (r->p->joint && !r->s->by_rows)
         add_ticks(r->p->joint, 1, &r->g, &r->rest);
     else
         r->g = next;
-    for (size_t i = 0; i < r->machines; i++)
-        r->machine[i].wait = r->machine[i].wait ? r->machine[i].wait - 1 : r->machine[i].every - 1;
 }
 
 // Returns to what the script sees between steps, if the machine reads other values.  What it judged after the last step was the machine's.

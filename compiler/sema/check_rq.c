@@ -250,6 +250,11 @@ void check_requirements_of_script(CheckContext *c, const Requirements *r, const 
     Map reported = {c->arena, NULL, NULL, 0, 0};
     unsigned guesses = 30;
 
+    for (size_t i = 0; i < r->window.n && script->by_rows && script->program->joint; i++)
+        if (r->window.at[i].in_time || r->window.at[i].gap > 0) {
+            diag_report(c->diags, DIAG_delta_t_file, script->delta_t_span, "a requirement depends on the time from tick to tick");
+            break;
+        }
     for (size_t i = 0; i < script->section.n; i++)
         for (size_t k = 0; k < script->section.at[i].item.n; k++) {
             const ScriptItem *item = script->section.at[i].item.at[k];

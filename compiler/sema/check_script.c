@@ -36,6 +36,35 @@ static void check_declared_step(ScriptCheck *k, const AstOption *o)
     diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
 }
 
+// Whether G is 0 in the first step. In an application, [start] can set another one.
+static bool starts_at_zero(const Program *p)
+{
+    const Joint *j = p->joint;
+
+    for (size_t i = 0; j && i < j->start.n; i++)
+        if (j->start.at[i].var == p->g && j->start.at[i].cell != 0)
+            return false;
+    return true;
+}
+
+// Checks `delta_t file` in the script of an application.
+static void check_app_rows(ScriptCheck *k, const AstOption *o)
+{
+    const Joint *j = k->s.p->joint;
+    const char *why = NULL;
+
+    for (size_t i = 0; i < j->member.n && !why; i++)
+        if (j->member.at[i].program->step > 0)
+            why = format_in(k->s.arena, "the machine '%s' declares a step", j->member.at[i].name->text);
+    if (!starts_at_zero(k->s.p))
+        why = "the first row is at the time 0, and [start] sets another one";
+    if (why)
+        diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, why);
+    k->script->by_rows = true;
+    k->script->delta_t = k->s.step = 0;
+    k->script->delta_t_span = o->value_span;
+}
+
 // Checks an option in the script of an application, whose ticks follow from the periods of the .app.
 static void check_app_option(ScriptCheck *k, const AstOption *o)
 {
@@ -45,7 +74,7 @@ static void check_app_option(ScriptCheck *k, const AstOption *o)
     if (o->name == k->init_state && o->word)
         diag_report(k->s.diags, DIAG_app_init_state, o->name_span);
     if (o->name == k->delta_t && o->word)
-        diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the ticks of an application follow from its periods");
+        check_app_rows(k, o);
     if (o->name != k->delta_t || !o->number)
         return;
     if (o->number->unit != TIME_NONE && k->s.p->time_unit == TIME_NONE)
@@ -364,16 +393,8 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
     }
 }
 
-// Whether G is a multiple of delta_t in every step. In an application, [start] can set another G.
-static bool has_regular_times(const ScriptCheck *k)
-{
-    const Joint *j = k->s.p->joint;
-
-    for (size_t i = 0; j && i < j->start.n; i++)
-        if (j->start.at[i].var == k->s.p->g && j->start.at[i].cell != 0)
-            return false;
-    return k->script->delta_t > 0;
-}
+// Whether G is a multiple of delta_t in every step.
+static bool has_regular_times(const ScriptCheck *k) { return k->script->delta_t > 0 && starts_at_zero(k->s.p); }
 
 // Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts is never true, the run itself reports its
 // asserts as unevaluated.

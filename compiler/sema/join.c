@@ -167,6 +167,17 @@ uint32_t joint_machine_of(const Joint *j, uint32_t number)
     return i;
 }
 
+// Computes floor(g * unit / period).  A period is at most an hour and a unit at most a second, so after division by their gcd, x below is less
+// than 2^42 and the unit less than 2^30.
+uint64_t joint_periods_until(const Joint *j, uint64_t every, uint64_t g)
+{
+    enum { HALF = 15 };
+    const uint64_t common = gcd(every * j->tick, j->unit), period = every * j->tick / common, unit = j->unit / common;
+    const uint64_t x = g % period, high = x * (unit >> HALF), low = x * (unit & ((1u << HALF) - 1));
+
+    return g / period * unit + ((high / period) << HALF) + (((high % period) << HALF) + low) / period;
+}
+
 const Program *join_machines(const CheckContext *c, const App *app, const Program *const *program)
 {
     Join k = {c, app, ARENA_NEW(c->arena, Program), ARENA_NEW(c->arena, Joint), NULL};

@@ -404,6 +404,8 @@ typedef struct Script {
 
 // Returns the index of the machine that has state `number` of a joined Program.
 uint32_t joint_machine_of(const Joint *j, uint32_t number);
+// Returns how many periods of a machine that is due once in `every` ticks are over when G is g.
+uint64_t joint_periods_until(const Joint *j, uint64_t every, uint64_t g);
 
 // ---- parameters ----
 

@@ -1,8 +1,5 @@
 # Oxygen flows and flows, and the line stays 1 K too warm, but for moments: after two minutes the end. No sensor is to blame.
 
-[options]
-delta_t 50
-
 [all_states]
 at 0: chill = true
 true {

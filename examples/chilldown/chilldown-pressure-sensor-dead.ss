@@ -17,7 +17,5 @@ true: @assert G < 5000 or G >= 5000 and not chillValve and bleedValve and not se
 at 5 s: @assert S == Abort
 at 20 s: @assert S == Abort
 at 20 s: linePressure = 1
-at 20.1 s {
-    @assert S == Warm
-    @stop
-}
+at 20.1 s: @assert S == Warm
+at 20.1 s: @stop

@@ -1,9 +1,6 @@
 # Too much pressure, once in each state in which there may be some. Every time the valve is shut in the same step, and nothing
 # goes on before the pressure has left and the operator has withdrawn the order.
 
-[options]
-delta_t 50
-
 [all_states]
 at 0: lineTemp = 290
 not chill and T >= 500: chill = true

@@ -1,9 +1,6 @@
 # The wire of the thermometer breaks: it reads 0 K, which is colder than cold enough. Once in a pause, once while oxygen flows, once
 # with the line ready. Before that, single samples of 0 and of 9999 have no effect.
 
-[options]
-delta_t 50
-
 [all_states]
 at 0: lineTemp = 290
 not chill and T >= 500: chill = true

@@ -1,8 +1,5 @@
 # The line was ready and warms up: to 99 K, and the valve opens; to 110 K, and it is not ready any more.
 
-[options]
-delta_t 50
-
 [all_states]
 at 0 {
     chill    = true

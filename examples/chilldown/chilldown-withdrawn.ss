@@ -1,9 +1,6 @@
 # The operator withdraws the order: in a pause, in a pulse, while oxygen flows. The valve shuts in that step. The next
 # order begins from the start, with all pulses allowed.
 
-[options]
-delta_t 50
-
 [all_states]
 at 0: lineTemp = 290
 T >= 500 and not chill: chill = true

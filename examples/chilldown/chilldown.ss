@@ -1,9 +1,6 @@
 # A chill-down as it should be, by a simple picture of the line: each pulse costs it about 6 K and raises the pressure,
 # steady flow cools it by 8 K a second down to 91 K, and with the valve shut it warms up slowly.
 
-[options]
-delta_t 50
-
 [all_states]
 at 0: lineTemp = 290
 at 0: linePressure = 1
@@ -50,7 +47,5 @@ T > 1000 and lineTemp < 94: @assert not chillValve
 at 900 ms: @assert S == Warm
 at 40 s: @assert S == Pulse or S == Soak
 at 400 s: @assert S == Ready
-at 500.1 s {
-    @assert S == Warm and not chillValve and not lineReady
-    @stop
-}
+at 500.1 s: @assert S == Warm and not chillValve and not lineReady
+at 500.1 s: @stop

@@ -1,24 +1,11 @@
 # Sensor A wakes up late: the engine must start by the other two. After two seconds the flame goes out: the pressure falls to 5 bar. A dip of 90 ms before that is no flame-out.
 
-[all_states]
-at 1 s: fire = true
-
-[Ignite]
-T == 100 ms: igniterLit = true
+include "burning.ss"
 
 [Start]
-true {
-    pressureA = 0
-    pressureB = 10
-    pressureC = 10
-}
+true: pressureA = 0
 
 [Burn]
-true {
-    pressureA = 20
-    pressureB = 20
-    pressureC = 20
-}
 1 s <= T < 1.09 s or T >= 2 s {
     pressureA = 5
     pressureB = 5

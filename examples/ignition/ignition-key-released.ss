@@ -5,14 +5,7 @@
 F64 chamber = 0
 
 [all_states]
-at 1 s: fire = true
-at 1.5 s: fire = false
-at 10 s: fire = true
-at 11.3 s: fire = false
-at 20 s: fire = true
-at 22 s: fire = false
-at 30 s: fire = true
-at 33 s: fire = false
+true: fire = 1 s <= G < 1.5 s or 10 s <= G < 11.3 s or 20 s <= G < 22 s or 30 s <= G < 33 s
 
 at 1.49 s: @assert S == Purge
 at 11.29 s: @assert S == Ignite
@@ -47,7 +40,5 @@ at 1.52 s: @assert S == Abort
 at 11.32 s: @assert S == Abort
 at 22.01 s: @assert S == Abort
 at 33.01 s: @assert S == Abort
-at 40 s {
-    @assert S == Idle
-    @stop
-}
+at 40 s: @assert S == Idle
+at 40 s: @stop

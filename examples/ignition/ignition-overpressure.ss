@@ -1,24 +1,8 @@
 # The pressure rises above what is allowed, in the middle of the burn.
 
-[all_states]
-at 1 s: fire = true
-
-[Ignite]
-T == 100 ms: igniterLit = true
-
-[Start]
-true {
-    pressureA = 10
-    pressureB = 10
-    pressureC = 10
-}
+include "burning.ss"
 
 [Burn]
-true {
-    pressureA = 20
-    pressureB = 20
-    pressureC = 20
-}
 T >= 1.5 s {
     pressureA = 30
     pressureB = 31

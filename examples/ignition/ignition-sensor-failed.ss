@@ -47,7 +47,5 @@ T < 4 s: @assert S == Burn and oxidizerValve and fuelValve
 2.7 s < G < 6.5 s: @assert S == Burn
 
 [Shutdown]
-T == 200 ms {
-    @assert not oxidizerValve and not fuelValve
-    @stop
-}
+T == 200 ms: @assert not oxidizerValve and not fuelValve
+T == 200 ms: @stop

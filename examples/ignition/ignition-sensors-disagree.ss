@@ -1,26 +1,10 @@
 # Two sensors fail, and no two of the three agree any more.
 
-[all_states]
-at 1 s: fire = true
-
-[Ignite]
-T == 100 ms: igniterLit = true
-
-[Start]
-true {
-    pressureA = 10
-    pressureB = 10
-    pressureC = 10
-}
+include "burning.ss"
 
 # First each of the sensors alone is wrong for 300 ms, with one sample of another one wrong too: no reason to stop. From 2 s on
 # two are wrong, each in its own way.
 [Burn]
-true {
-    pressureA = 20
-    pressureB = 20
-    pressureC = 20
-}
 1 s <= T < 1.3 s: pressureA = 27
 1.3 s <= T < 1.6 s: pressureB = 27
 1.6 s <= T < 1.9 s: pressureC = 27

@@ -61,7 +61,5 @@ at 2.5 s: @assert S == Ignite
 at 6.5 s: @assert S == Burn
 at 8 s: @assert S == Shutdown
 at 11.99 s: @assert S == Shutdown
-at 12.1 s {
-    @assert S == Idle
-    @stop
-}
+at 12.1 s: @assert S == Idle
+at 12.1 s: @stop

@@ -12,7 +12,5 @@ G < 3 s: @assert S == Retracted and brakeOrder == 0
 from 3 s to 5 s: velocity = 200
 at 4 s: @assert S == Braking and brakeOrder == 1
 at 5 s: @assert brakeOrder == 0
-at 6 s {
-    @assert S == Retracted and brakeOrder == 0
-    @stop
-}
+at 6 s: @assert S == Retracted and brakeOrder == 0
+at 6 s: @stop

@@ -15,7 +15,5 @@ true: brakePosition = brakeOrder
 G < 3 s: @assert S == Retracted and brakeOrder == 0
 at 3.03 s: @assert S == Braking and brakeOrder == 1
 at 4 s: @assert S == Braking and brakeOrder == 0
-at 4.01 s {
-    @assert S == Retracted
-    @stop
-}
+at 4.01 s: @assert S == Retracted
+at 4.01 s: @stop

@@ -28,7 +28,5 @@ true: @assert G <= 14.01 s
 [all_states]
 at 1.9 s: @assert S == Retracted
 at 5 s: @assert S == Braking
-at 14.1 s {
-    @assert S == Retracted
-    @stop
-}
+at 14.1 s: @assert S == Retracted
+at 14.1 s: @stop

@@ -1,9 +1,6 @@
 # The accelerometer sticks at 50 from lift-off on, and the navigation filter that lives on it says for ever that the rocket climbs.
 # Burnout and parachutes come by the timers.
 
-[options]
-delta_t 10
-
 [all_states]
 true {
     acceleration = 50

@@ -1,8 +1,5 @@
 # On the pad the accelerometer says what it likes: as long as the plug is in, nothing has been launched.
 
-[options]
-delta_t 10
-
 [all_states]
 at 0: umbilical = true
 true: acceleration = 60

@@ -1,8 +1,5 @@
 # The velocity reads 0 from the eighth second on, at more than 100 m/s. The parachutes wait until the altitude falls.
 
-[options]
-delta_t 10
-
 [all_states]
 from 2 s to 6 s {
     acceleration = 50
@@ -17,7 +14,5 @@ after 6 s {
 after 8 s: velocity = 0
 at 8 s: @assert S == Coast
 G < 21000: @assert not deployParachutes
-at 21.5 s {
-    @assert deployParachutes
-    @stop
-}
+at 21.5 s: @assert deployParachutes
+at 21.5 s: @stop

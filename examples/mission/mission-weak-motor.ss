@@ -1,8 +1,5 @@
 # The motor dies after two seconds, at 40 m. No airbrakes; parachutes at the highest point, for what they are worth.
 
-[options]
-delta_t 10
-
 [all_states]
 G < 2000 {
     acceleration = 30

@@ -1,8 +1,5 @@
 # The flight as it should be: plug out at 1 s, lift-off at 2 s, burnout at 6 s, highest point at 21 s.
 
-[options]
-delta_t 10
-
 [all_states]
 at 0 {
     umbilical    = true
@@ -53,7 +50,5 @@ true: @assert altitude == 40 and not deployParachutes
 at 3.6 s: @assert S == Powered
 at 10 s: @assert S == Coast
 at 60 s: @assert S == Descent
-at 110 s {
-    @assert S == Landed
-    @stop
-}
+at 110 s: @assert S == Landed
+at 110 s: @stop

@@ -8,7 +8,5 @@ at 19 s: @assert S == Ascent and not drogueCharge
 at 20 s: @assert S == Drogue and drogueCharge
 at 22.4 s: @assert S == Drogue and not mainCharge
 at 22.7 s: @assert S == Main and mainCharge
-at 23.7 s {
-    @assert not mainCharge
-    @stop
-}
+at 23.7 s: @assert not mainCharge
+at 23.7 s: @stop

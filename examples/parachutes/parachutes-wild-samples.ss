@@ -30,7 +30,5 @@ T == 0: @assert 235 < roll_avg(altitude, 25) < 255
 G < 1 s: @assert S == Pad
 2 s < G < 15 s: @assert S == Ascent and not drogueCharge
 17 s < G < 52 s: @assert S == Drogue and not mainCharge
-at 56 s {
-    @assert S == Main
-    @stop
-}
+at 56 s: @assert S == Main
+at 56 s: @stop

@@ -39,7 +39,5 @@ at 500 ms: @assert S == Pad
 at 8 s: @assert S == Ascent
 at 30 s: @assert S == Drogue
 at 70 s: @assert S == Main
-at 110 s {
-    @assert S == Landed
-    @stop
-}
+at 110 s: @assert S == Landed
+at 110 s: @stop

@@ -10,7 +10,5 @@ T >= 1 s: @assert not drogueCharge
 [Main]
 T == 0: @assert 22 s < G < 22.2 s
 T < 1 s: @assert mainCharge
-T >= 1 s {
-    @assert not mainCharge
-    @stop
-}
+T >= 1 s: @assert not mainCharge
+T >= 1 s: @stop

@@ -30,7 +30,5 @@ true: altitude = max(altitude - 0.05, 0)
 true: @assert not mainCharge and not drogueCharge
 
 [all_states]
-at 40 s {
-    @assert S == Descent and altitude == 0
-    @stop
-}
+at 40 s: @assert S == Descent and altitude == 0
+at 40 s: @stop

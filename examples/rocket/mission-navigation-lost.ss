@@ -1,9 +1,6 @@
 # The navigation knows nothing of the flight and the tank's sensor sticks: the accelerometer alone keeps the flight from being
 # called off in the air, and both timers bring the parachute out all the same.
 
-[options]
-delta_t 10
-
 [all_states]
 at 0 {
     tankPressure = 40
@@ -18,8 +15,5 @@ at 7.55 s {
     @assert engineMode == 1 and parachuteMode == 1
 }
 at 11.4 s: @assert S == Coast
-at 11.6 s {
-    @assert S == Recovery
-    @assert parachuteMode == 2
-    @stop
-}
+at 11.6 s: @assert S == Recovery and parachuteMode == 2
+at 11.6 s: @stop

@@ -1,8 +1,5 @@
 # The valve is opened and nothing happens: a second later it is shut again, and the charge is not fired beside people.
 
-[options]
-delta_t 10
-
 [all_states]
 at 0 {
     tankPressure = 40
@@ -14,7 +11,5 @@ at 4.05 s {
     @assert S == Scrub
     @assert engineMode == 1 and not flying
 }
-at 20 s {
-    @assert S == Scrub
-    @stop
-}
+at 20 s: @assert S == Scrub
+at 20 s: @stop

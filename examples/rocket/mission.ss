@@ -1,8 +1,5 @@
 # The flight as it should be: ignition after 3 s, the tank is empty at 6 s, the highest point is reached at 14 s.
 
-[options]
-delta_t 10
-
 [all_states]
 at 0 {
     tankPressure = 40
@@ -52,7 +49,5 @@ true: @assert altitude == 0 and parachuteMode == 1 and engineMode == 1
 at 5 s: @assert S == Powered
 at 10.5 s: @assert S == Coast
 at 20 s: @assert S == Recovery
-at 80 s {
-    @assert S == Landed
-    @stop
-}
+at 80 s: @assert S == Landed
+at 80 s: @stop

@@ -56,7 +56,5 @@ from 18.04 s to 18.1 s: @assert sensorFault == 5
 from 19 s to 19.11 s: overruns = overruns + 1
 at 19.09 s: @assert sensorFault == 0
 from 19.1 s to 19.99 s: @assert sensorFault == 6
-at 21 s {
-    @assert sensorFault == 0
-    @stop
-}
+at 21 s: @assert sensorFault == 0
+at 21 s: @stop

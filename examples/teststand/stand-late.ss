@@ -40,8 +40,5 @@ at 33.3 s {
     tankPressure = 40
 }
 G > 30 s and S == Ignite: flame = true
-at 36.5 s {
-    @assert S == Abort
-    @assert abortReason == 5 and not oxidizerValve and not fuelValve and not igniter
-    @stop
-}
+at 36.5 s: @assert S == Abort and abortReason == 5 and not oxidizerValve and not fuelValve and not igniter
+at 36.5 s: @stop

@@ -14,8 +14,7 @@ fuelValve and T > 80 ms {
     chamberPressureA = 20
     chamberPressureB = 20.3
 }
-oxidizerValve: flow = 0.9
-else: flow = 0
+true: flow = 0.9 * oxidizerValve
 not fuelValve {
     chamberPressureA = 1
     chamberPressureB = 1
@@ -52,7 +51,5 @@ T >= 100 ms: @assert not fuelValve and purgeValve
 [all_states]
 at 9.5 s: @assert S == Burn
 at 14 s: @assert S == Shutdown
-at 16 s {
-    @assert S == Idle and not purgeValve
-    @stop
-}
+at 16 s: @assert S == Idle and not purgeValve
+at 16 s: @stop
