@@ -11,6 +11,7 @@ args mutate a.sm still.ss a.rq -v | sed -n '1,2p;/^noticed/,$p'
 args mutate a.sm still.ss a.rq --format=json -o m.json; grep -c '"requirement":"R1"' m.json
 args mutate a.sm still.ss never.rq
 args mutate a.sm a.rq
+args mutate first.sm first.ss -v --scripts=made; cat made/first-change-16-*; "$SMC" mutate first.sm first.ss made/*.ss | head -n 1
 
 -- a.sm --
 [state_vector]
@@ -58,6 +59,45 @@ R1 "open at a high pressure"   always S == Abort and p > 850 leads to open withi
 R2 "no abort at a low one"     never  S == Abort and p < 800
 -- never.rq --
 R3 "never an abort"            never  S == Abort
+-- first.sm --
+# The initial value of `count` is never read.  The output that Off sets is what the outside left there.
+[state_vector]
+U64 G
+U32 S
+bool go @read_only
+bool heater
+bool alarm
+
+[local]
+U32 count = 5
+U32 seen = 0
+
+[Off]
+.entry
+    heater = false
+    alarm = false
+    count = 0
+.step
+    seen = seen + 1
+    go: -> On
+
+[On]
+.entry
+    heater = true
+    count = 1
+.step
+    count = count + 1
+    count + seen > 6: -> Off
+-- first.ss --
+[options]
+delta_t 10
+[all_states]
+G == 20: go = true
+G == 50: @assert heater
+G == 70 {
+    @assert not heater
+    @stop
+}
 -- broken.ss --
 [options]
 delta_t 10
@@ -101,9 +141,9 @@ not noticed; these inputs would show it:
   line 10:7: `>` changed to `>=` in Fill, on the way to an @abort state
     from Fill, at G = 0: p = 825; at G = 10, S differs
   line 10:9: `825` changed to `743` in Fill, on the way to an @abort state
-    from Fill, at G = 0: p = 825; at G = 10, S differs
+    from Fill, at G = 0: p = 762.5; at G = 10, S differs
   line 10:9: `825` changed to `907` in Fill, on the way to an @abort state
-    from Fill, at G = 0: p = 825.825; at G = 10, S differs
+    from Fill, at G = 0: p = 907; at G = 10, S differs
   line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state
     from Fill, at G = 10, S differs
   line 10:18: `<` changed to `>=` in Fill, on the way to an @abort state
@@ -113,9 +153,9 @@ not noticed; these inputs would show it:
   line 9:19: `>` changed to `>=` in Fill, an output
     from Fill, at G = 0: p = 700; at G = 0, open differs
   line 9:21: `700` changed to `630` in Fill, an output
-    from Fill, at G = 0: p = 699.3; at G = 0, open differs
+    from Fill, at G = 0: p = 700; at G = 0, open differs
   line 9:21: `700` changed to `770` in Fill, an output
-    from Fill, at G = 0: p = 735; at G = 0, open differs
+    from Fill, at G = 0: p = 770; at G = 0, open differs
   line 9:26: `and` changed to `or` in Fill, an output
     from Fill, at G = 0: p = 1000; at G = 0, open differs
   line 9:32: `>` changed to `>=` in Fill, an output
@@ -149,5 +189,8 @@ broken.ss:4:9: error: unknown element 'q' [E0204]
 smc: still.ss fails without any change: 'smc test' shows why
 smc: a script is required that could notice changes, as in 'smc mutate a.sm SCRIPT.ss'
 Try 'smc mutate --help'.
+smc: first.ss fails without any change: 'smc test' shows why
+cat: 'made/first-change-16-*': No such file or directory
+smc: cannot read 'made/*.ss': No such file or directory
 -- exit --
-0 1 0 0 1 2 2 1 0 0 1 2
+0 1 0 0 1 2 2 1 0 0 1 2 0
