@@ -506,3 +506,14 @@ void flat_clear_counts(FlatMachine *f)
     memset(f->seen, 0, (f->probes->decisions + 1) * sizeof *f->seen);
     f->fresh = 0;
 }
+
+static bool equal_bytes(const void *a, const void *b, size_t n) { return n == 0 || memcmp(a, b, n) == 0; }
+
+bool flat_have_same_layout(const Program *p, const FlatMachine *a, const FlatMachine *b)
+{
+    return a->size == b->size && a->m->var.n == b->m->var.n && a->m->window.n == b->m->window.n
+        && equal_bytes(a->m->var_of, b->m->var_of, p->var.n * sizeof *a->m->var_of)
+        && equal_bytes(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of)
+        && equal_bytes(a->window_at, b->window_at, a->m->window.n * sizeof *a->window_at)
+        && equal_bytes(a->window_kind, b->window_kind, a->m->window.n * sizeof *a->window_kind);
+}

@@ -116,4 +116,7 @@ bool flat_step(FlatMachine *f, void *run);
 // Sets all counters to 0.
 void flat_clear_counts(FlatMachine *f);
 
+// Whether the states of two machines of the same program have the same parts at the same offsets.
+bool flat_have_same_layout(const Program *p, const FlatMachine *a, const FlatMachine *b);
+
 #endif

@@ -18,12 +18,17 @@ struct MutantEdit {
     const MutantEdit *next;
 };
 
+// ---- mutant_initial.c ----
+
+// Whether no run reads the initial value of a local, from whatever state it starts.
+bool mutant_initial_is_unread(const Program *p, const Var *v);
+
 // ---- mutant_equal.c ----
 
 // Returns the step by which G advances, for mutants that differ only between two steps: that of the machine, or that which all its scripts have.
 // 0: unknown.
 uint64_t mutant_step(const Program *p, const Script *const *script, uint32_t scripts);
-// Whether facts prove that the machine behaves as before with these edits, from whatever state it starts and whatever its inputs are.
+// Whether it is proved that the machine behaves as before with these edits, from whatever state it starts and whatever its inputs are.
 // Statements of p are changed during the call.
 bool mutant_is_equivalent(Arena *work, const Program *p, const MutantEdit *edit, uint64_t step);
 

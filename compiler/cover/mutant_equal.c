@@ -353,7 +353,7 @@ static bool is_without_effect(Arena *work, const Program *p, const MutantEdit *a
         if (d->stmt->kind == ST_ASSIGN)
             return has_same_value(&k, d->stmt, make_variable(work, d->stmt->var), d->stmt->value) && !may_be_rounded(&k, d);
         return !may_differ(&k, d->stmt, NULL, 0);
-    case EDIT_INITIAL: return false;
+    case EDIT_INITIAL: break;
     }
     return false;
 }
@@ -364,7 +364,7 @@ bool mutant_is_equivalent(Arena *work, const Program *p, const MutantEdit *edit,
         bool is_only = true;
         for (const MutantEdit *other = edit; other; other = other->next)
             is_only = is_only && (other == d || other->stmt != d->stmt);
-        if (!is_without_effect(work, p, edit, d, is_only, step))
+        if (d->kind == EDIT_INITIAL ? !mutant_initial_is_unread(p, d->var) : !is_without_effect(work, p, edit, d, is_only, step))
             return false;
     }
     return true;

@@ -309,17 +309,6 @@ typedef struct Race {
     uint32_t stmts;
 } Race;
 
-static bool equal_bytes(const void *a, const void *b, size_t n) { return n == 0 || memcmp(a, b, n) == 0; }
-
-static bool has_same_layout(const Program *p, const FlatMachine *a, const FlatMachine *b)
-{
-    return a->size == b->size && a->m->var.n == b->m->var.n && a->m->window.n == b->m->window.n
-        && equal_bytes(a->m->var_of, b->m->var_of, p->var.n * sizeof *a->m->var_of)
-        && equal_bytes(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of)
-        && equal_bytes(a->window_at, b->window_at, a->m->window.n * sizeof *a->window_at)
-        && equal_bytes(a->window_kind, b->window_kind, a->m->window.n * sizeof *a->window_kind);
-}
-
 static bool includes_any(const Race *c, const uint8_t *executed)
 {
     for (uint32_t i = 0; i < c->stmts; i++)
@@ -474,7 +463,7 @@ static void move_up(MutantRuns *u, uint32_t i)
 
 uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated)
 {
-    Race c = {u, NULL, mutant, has_same_layout(u->p, u->original, mutant), true, stmt, n};
+    Race c = {u, NULL, mutant, flat_have_same_layout(u->p, u->original, mutant), true, stmt, n};
 
     *violated = NULL;
     for (uint32_t i = 0; i < n; i++)

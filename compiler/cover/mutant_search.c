@@ -3,23 +3,15 @@
 
 #include <string.h>
 
+#include "compiler/cover/mutant_values.h"
 #include "stdlib/convert.h"
 
 enum {
     NODES_MOST = 512,         // stored situations
     SEEN_SLOTS = 4096,        // a power of two
-    HOLD_MOST = 5000,         // steps of one extension
+    AROUND_MOST = 100000,     // steps of an extension for a time that the change concerns
     MINIMISE_STEPS = 200000   // of the replays that make a scenario shorter
 };
-
-typedef VEC(double) Numbers;
-
-// An input, and the values that are tried.
-typedef struct Input {
-    uint32_t var;
-    SmType type;
-    Numbers value;
-} Input;
 
 // What an input does from a step on.
 typedef struct Course { double a, b; uint64_t step; bool is_ramp; } Course;
@@ -45,10 +37,7 @@ struct MutantSearch {
     uint32_t starts;
     const Scenario *const *given;
     uint32_t givens;
-    VEC(Input) input;
-    Numbers number;           // all numbers of the machine
-    VEC(uint64_t) hold;       // durations, in steps
-    VEC(uint32_t) output;     // variables that the machine stores (Var.index) and a script can read
+    MutantValues v;
     uint64_t random;
 };
 
@@ -65,176 +54,6 @@ static uint64_t draw(MutantSearch *k)
 
 static uint32_t below(MutantSearch *k, uint32_t n) { return (uint32_t)(draw(k) % n); }
 
-// ---- values ----
-
-static void add_number(Arena *arena, Numbers *list, double x)
-{
-    for (uint32_t i = 0; i < list->n; i++)
-        if (list->at[i] == x)
-            return;
-    if (x - x == 0)
-        vec_push(arena, list, x);
-}
-
-// Which inputs a variable depends on, by assignments and windows: a bit for each of the first 64 inputs.
-typedef struct Origins {
-    MutantSearch *k;
-    uint64_t *of;             // by Var.index
-    uint64_t found;           // of the current expression
-    Stmt *stmt;
-    bool changed;
-} Origins;
-
-static void add_origin(Expr *e, void *context)
-{
-    Origins *o = context;
-
-    if (e->kind == EX_VAR)
-        o->found |= o->of[e->var->index];
-    if (e->kind == EX_ROLL)
-        expr_walk(o->k->p->window.at[e->window].sample, add_origin, o);
-}
-
-static uint64_t origins_of(Origins *o, Expr *e)
-{
-    o->found = 0;
-    expr_walk(e, add_origin, o);
-    return o->found;
-}
-
-static void add_values_of(Origins *o, Expr *a, Expr *b)
-{
-    const uint64_t from = origins_of(o, a);
-
-    if (!expr_is_constant(b) || b->kind == EX_ROLL)
-        return;
-    for (uint32_t i = 0; i < o->k->input.n && i < 64; i++)
-        if (from >> i & 1)
-            add_number(o->k->arena, &o->k->input.at[i].value, expr_constant_value(b));
-}
-
-static void collect_values(Expr *e, void *context)
-{
-    Origins *o = context;
-
-    if (e->kind == EX_NUMBER)
-        add_number(o->k->arena, &o->k->number, e->number);
-    if (e->kind == EX_VAR && e->var->is_constant)
-        add_number(o->k->arena, &o->k->number, sm_cell_to_f64(e->var->type, e->var->init));
-    for (uint32_t i = 0; (e->kind == EX_CHAIN || (e->kind == EX_BINARY && e->op >= SM_OP_EQ && e->op <= SM_OP_GE)) && i + 1 < e->n; i++) {
-        add_values_of(o, e->arg[i], e->arg[i + 1]);
-        add_values_of(o, e->arg[i + 1], e->arg[i]);
-    }
-}
-
-static void each_statement(const Stmts *list, void (*f)(Stmt *s, void *context), void *context)
-{
-    for (size_t i = 0; i < list->n; i++) {
-        f(list->at[i], context);
-        each_statement(&list->at[i]->then, f, context);
-        each_statement(&list->at[i]->otherwise, f, context);
-    }
-}
-
-static void each_statement_of(const Program *p, void (*f)(Stmt *s, void *context), void *context)
-{
-    for (size_t s = 0; s < p->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            each_statement(&p->state.at[s]->block[b], f, context);
-}
-
-static void spread_origins(Stmt *s, void *context)
-{
-    Origins *o = context;
-    uint64_t from;
-
-    if (s->kind != ST_ASSIGN)
-        return;
-    from = origins_of(o, s->value);
-    o->changed = o->changed || (from & ~o->of[s->var->index]);
-    o->of[s->var->index] |= from;
-}
-
-static void collect_values_of_statement(Stmt *s, void *context)
-{
-    if (s->value)
-        expr_walk(s->value, collect_values, context);
-}
-
-// Adds what is beside each value: the neighbours, and what is in the middle of two values.
-static void add_neighbours(Arena *arena, Numbers *list, SmType type)
-{
-    const uint32_t n = list->n;
-    const bool is_float = type == SM_F32 || type == SM_F64;
-
-    for (uint32_t i = 0; i < n; i++) {
-        const double x = list->at[i], size = x < 0 ? -x : x, by = is_float ? 0.001 * (size > 1 ? size : 1) : 1;
-        add_number(arena, list, x + by);
-        add_number(arena, list, x - by);
-        add_number(arena, list, x * 1.05);
-        add_number(arena, list, x * 0.95);
-        for (uint32_t other = 0; other < i; other++)
-            add_number(arena, list, (x + list->at[other]) / 2);
-    }
-}
-
-static void list_inputs(MutantSearch *k)
-{
-    for (uint32_t i = 0; i < k->p->var.n; i++) {
-        const Var *v = k->p->var.at[i];
-        const bool is_input = v->kind == VAR_ELEMENT ? v != k->p->g && v != k->p->s && !v->written && v->read : v->kind == VAR_LOCAL && v->outside && !v->parameter;
-        const Input in = {.var = i, .type = v->type};
-        if (is_input)
-            vec_push(k->arena, &k->input, in);
-        if (v->kind == VAR_ELEMENT && v->written)
-            vec_push(k->arena, &k->output, i);
-    }
-}
-
-static void list_values(MutantSearch *k)
-{
-    Origins o = {.k = k, .of = ARENA_ARRAY(k->arena, uint64_t, k->p->var.n)};
-
-    for (uint32_t i = 0; i < k->input.n && i < 64; i++)
-        o.of[k->input.at[i].var] |= UINT64_C(1) << i;
-    do {
-        o.changed = false;
-        each_statement_of(k->p, spread_origins, &o);
-    } while (o.changed);
-    each_statement_of(k->p, collect_values_of_statement, &o);
-    for (size_t i = 0; i < k->p->window.n; i++)
-        expr_walk(k->p->window.at[i].sample, collect_values, &o);
-    for (uint32_t i = 0; i < k->input.n; i++) {
-        Input *in = &k->input.at[i];
-        if (in->type != SM_BOOL) {
-            add_neighbours(k->arena, &in->value, in->type);
-            add_number(k->arena, &in->value, 0);
-        } else {
-            in->value.n = 0;
-            add_number(k->arena, &in->value, 0);
-            add_number(k->arena, &in->value, 1);
-        }
-    }
-}
-
-static void add_hold(MutantSearch *k, double steps)
-{
-    for (int by = -1; by <= 1; by++)
-        if (steps + by >= 1 && steps + by <= (double)HOLD_MOST)
-            vec_push(k->arena, &k->hold, (uint64_t)(steps + by));
-}
-
-static void list_durations(MutantSearch *k)
-{
-    for (uint32_t i = 0; i < k->number.n; i++) {
-        add_hold(k, k->number.at[i] / (double)k->delta_t);
-        add_hold(k, k->number.at[i]);
-    }
-    for (size_t i = 0; i < k->p->window.n; i++)
-        add_hold(k, k->p->window.at[i].size);
-    add_hold(k, 2);
-}
-
 MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
                                 const Scenario *const *given, uint32_t givens)
 {
@@ -248,9 +67,7 @@ MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *ori
     k->starts = starts;
     k->given = given;
     k->givens = givens;
-    list_inputs(k);
-    list_values(k);
-    list_durations(k);
+    mutant_values_list(arena, p, k->delta_t, &k->v);
     return k;
 }
 
@@ -267,6 +84,8 @@ typedef struct Lockstep {
     uint64_t replayed;        // steps of scenarios that were made shorter
     VEC(Node *) node;
     VEC(Node *) apart;        // nodes whose states differ
+    const State *state;       // where the change is; or NULL
+    VEC(Node *) inside;       // those of `node` that are in this state
     uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
     const Var *what;          // what differs
 } Lockstep;
@@ -285,13 +104,13 @@ static void write_inputs(const Lockstep *l, Node *n, uint64_t step)
 
     write_cell(k->original, n->original, k->p->g->index, (step - 1) * k->delta_t);
     write_cell(l->mutant, n->mutant, k->p->g->index, (step - 1) * k->delta_t);
-    for (uint32_t i = 0; i < k->input.n; i++) {
+    for (uint32_t i = 0; i < k->v.input.n; i++) {
         uint64_t cell;
-        if (n->course[i].step == 0)
+        if (n->course[i].step == 0 || (k->v.input.at[i].is_stored && step > 1))
             continue;
-        cell = sm_cell_from_f64(k->input.at[i].type, value_at(&n->course[i], step));
-        write_cell(k->original, n->original, k->input.at[i].var, cell);
-        write_cell(l->mutant, n->mutant, k->input.at[i].var, cell);
+        cell = sm_cell_from_f64(k->v.input.at[i].type, value_at(&n->course[i], step));
+        write_cell(k->original, n->original, k->v.input.at[i].var, cell);
+        write_cell(l->mutant, n->mutant, k->v.input.at[i].var, cell);
     }
 }
 
@@ -304,8 +123,8 @@ static bool is_visible(Lockstep *l, Node *n)
         l->what = NULL;
         return true;
     }
-    for (uint32_t i = 0; i < k->output.n; i++) {
-        const uint32_t v = k->output.at[i];
+    for (uint32_t i = 0; i < k->v.output.n; i++) {
+        const uint32_t v = k->v.output.at[i];
         if (flat_cells(k->original, n->original)[k->original->m->var_of[v]] != flat_cells(l->mutant, n->mutant)[l->mutant->m->var_of[v]]) {
             l->what = k->p->var.at[v];
             return true;
@@ -376,7 +195,7 @@ static Node *copy_node(Lockstep *l, const Node *n)
 
     copy->original = arena_copy(l->work, n->original, l->k->original->size);
     copy->mutant = arena_copy(l->work, n->mutant, l->mutant->size);
-    copy->course = arena_copy(l->work, n->course, (l->k->input.n + 1) * sizeof *n->course);
+    copy->course = arena_copy(l->work, n->course, (l->k->v.input.n + 1) * sizeof *n->course);
     return copy;
 }
 
@@ -386,7 +205,7 @@ static Node *new_start(const Lockstep *l, const State *start)
 
     n->original = arena_alloc(l->work, l->k->original->size);
     n->mutant = arena_alloc(l->work, l->mutant->size);
-    n->course = ARENA_ARRAY(l->work, Course, l->k->input.n + 1);
+    n->course = ARENA_ARRAY(l->work, Course, l->k->v.input.n + 1);
     n->start = start;
     flat_start(l->k->original, n->original, start->number);
     flat_start(l->mutant, n->mutant, start->number);
@@ -395,7 +214,7 @@ static Node *new_start(const Lockstep *l, const State *start)
 
 // ---- extensions ----
 
-static double choose_value(const Lockstep *l, const Input *in)
+static double choose_value(const Lockstep *l, const MutantInput *in)
 {
     MutantSearch *k = l->k;
 
@@ -405,7 +224,7 @@ static double choose_value(const Lockstep *l, const Input *in)
     }
     if (in->value.n && (in->type == SM_BOOL || below(k, 8)))
         return in->value.at[below(k, in->value.n)];
-    return k->number.n ? k->number.at[below(k, k->number.n)] : below(k, 2);
+    return k->v.number.n ? k->v.number.at[below(k, k->v.number.n)] : below(k, 2);
 }
 
 static uint64_t choose_duration(const Lockstep *l)
@@ -416,11 +235,11 @@ static uint64_t choose_duration(const Lockstep *l)
 
     if (which == 0 && l->arounds) {
         const double steps = l->around[below(k, l->arounds)] / (double)k->delta_t + below(k, 3) - 1;
-        if (steps >= 1 && steps <= (double)HOLD_MOST)
+        if (steps >= 1 && steps <= (double)AROUND_MOST)
             return (uint64_t)steps;
     }
-    if (which < 4 && k->hold.n)
-        return k->hold.at[below(k, k->hold.n)];
+    if (which < 4 && k->v.hold.n)
+        return k->v.hold.at[below(k, k->v.hold.n)];
     return plain[below(k, sizeof plain / sizeof *plain)];
 }
 
@@ -430,15 +249,15 @@ static void change_inputs(Lockstep *l, Node *n, uint64_t duration, ScenarioChang
     MutantSearch *k = l->k;
     const bool is_first = n->steps == 0;
 
-    for (uint32_t i = 0; i < k->input.n; i++) {
+    for (uint32_t i = 0; i < k->v.input.n; i++) {
         Course *c = &n->course[i];
-        ScenarioChange change = {n->steps + 1, k->input.at[i].var, SCENARIO_HOLD, 0, 0, 0};
+        ScenarioChange change = {n->steps + 1, k->v.input.at[i].var, SCENARIO_HOLD, 0, 0, 0};
         double now;
-        if (!is_first && below(k, k->input.n < 3 ? 2 : k->input.n / 2 + 1))
+        if (k->v.input.at[i].is_stored ? !is_first || below(k, 4) : !is_first && below(k, k->v.readings < 3 ? 2 : k->v.readings / 2 + 1))
             continue;
         now = c->step ? value_at(c, n->steps + 1) : 0;
-        change.a = choose_value(l, &k->input.at[i]);
-        if (!is_first && k->input.at[i].type != SM_BOOL && below(k, 5) == 0) {
+        change.a = choose_value(l, &k->v.input.at[i]);
+        if (!is_first && k->v.input.at[i].type != SM_BOOL && below(k, 5) == 0) {
             change.kind = SCENARIO_RAMP;
             change.b = (change.a - now) / (double)(duration ? duration : 1);
             change.a = now;
@@ -455,6 +274,8 @@ static Node *choose_node(const Lockstep *l)
 
     if (l->apart.n && below(k, 2))
         return l->apart.at[below(k, l->apart.n)];
+    if (l->inside.n && below(k, 2))
+        return l->inside.at[below(k, l->inside.n)];
     return l->node.at[l->node.n - 1 - newest];
 }
 
@@ -470,6 +291,8 @@ static const Node *store(Lockstep *l, const Node *n)
         vec_push(l->work, &l->apart, copy);
     else
         vec_push(l->work, &l->node, copy);
+    if (!copy->differs && l->state && ((FlatState *)copy->original)->state == l->state->number)
+        vec_push(l->work, &l->inside, copy);
     return copy;
 }
 
@@ -529,8 +352,8 @@ static Scenario *scenario_of(const Lockstep *l, Arena *arena, const Node *last)
 
 static Course *course_of(const Lockstep *l, const Node *n, uint32_t var)
 {
-    for (uint32_t i = 0; i < l->k->input.n; i++)
-        if (l->k->input.at[i].var == var)
+    for (uint32_t i = 0; i < l->k->v.input.n; i++)
+        if (l->k->v.input.at[i].var == var)
             return &n->course[i];
     return NULL;
 }
@@ -642,12 +465,6 @@ static void simplify(Lockstep *l, Arena *arena, Scenario *s)
     }
 }
 
-static bool has_same_layout(const FlatMachine *a, const FlatMachine *b, const Program *p)
-{
-    return a->size == b->size && a->m->window.n == b->m->window.n && memcmp(a->m->var_of, b->m->var_of, p->var.n * sizeof *a->m->var_of) == 0
-        && (p->window.n == 0 || memcmp(a->m->window_of, b->m->window_of, p->window.n * sizeof *a->m->window_of) == 0);
-}
-
 // Returns the scenario of a run whose last step shows a difference, without the changes that it does not need.
 static const Scenario *finish(Lockstep *l, Arena *out, const Node *last, const Var **what)
 {
@@ -672,21 +489,28 @@ static void begin_at(const Lockstep *l, Node *at, const Node *from)
     *at = (Node){.parent = from, .start = from->start, .steps = from->steps, .original = original, .mutant = mutant, .course = course};
     memcpy(original, from->original, l->k->original->size);
     memcpy(mutant, from->mutant, l->mutant->size);
-    memcpy(course, from->course, (l->k->input.n + 1) * sizeof *course);
+    memcpy(course, from->course, (l->k->v.input.n + 1) * sizeof *course);
 }
 
-const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const double *around, uint32_t n, uint64_t steps,
+static void add_start(Lockstep *l, Node *n)
+{
+    vec_push(l->work, &l->node, n);
+    if (n->start == l->state)
+        vec_push(l->work, &l->inside, n);
+}
+
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n, uint64_t steps,
                                   const Var **what)
 {
     Lockstep *l = ARENA_NEW(work, Lockstep);
-    ScenarioChange *list = arena_array(work, k->input.n + 1, sizeof *list);
+    ScenarioChange *list = arena_array(work, k->v.input.n + 1, sizeof *list);
     Node *at = NULL;
 
-    *l = (Lockstep){.k = k, .work = work, .mutant = mutant, .around = around, .arounds = n, .left = steps};
-    l->same_layout = has_same_layout(k->original, mutant, k->p);
+    *l = (Lockstep){.k = k, .work = work, .mutant = mutant, .state = state, .around = around, .arounds = n, .left = steps};
+    l->same_layout = flat_have_same_layout(k->p, k->original, mutant);
     k->random = 1;
     for (uint32_t i = 0; i < k->starts; i++)
-        vec_push(work, &l->node, new_start(l, k->start[i]));
+        add_start(l, new_start(l, k->start[i]));
     for (uint32_t i = 0; i < k->givens; i++)
         if (run_given(l, at = new_start(l, k->given[i]->init_state), k->given[i]))
             return finish(l, out, at, what);

@@ -14,9 +14,10 @@ typedef struct MutantSearch MutantSearch;
 // in which scenarios can begin.  The arguments must outlive the result.
 MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
                                 const Scenario *const *given, uint32_t givens);
-// Returns a scenario in whose last step the mutant differs, allocated in `out`; NULL: none was found in `steps` steps.  around: the numbers, n
+// Returns a scenario in whose last step the mutant differs, allocated in `out`; NULL: none was found in `steps` steps.  state: where the
+// change is, and where most runs begin; or NULL.  around: the numbers, n
 // of them, that the change concerns; they are tried more often.  *what receives the variable that differs; NULL: S.
-const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const double *around, uint32_t n, uint64_t steps,
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n, uint64_t steps,
                                   const Var **what);
 
 #endif

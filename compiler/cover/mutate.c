@@ -488,7 +488,35 @@ static void collect_around(Expr *e, void *context)
         add_around(context, expr_constant_value(e));
 }
 
-static Around find_around(const Mutant *m)
+static bool contains_statement(const Stmts *list, const Stmt *s)
+{
+    for (size_t i = 0; i < list->n; i++)
+        if (list->at[i] == s || contains_statement(&list->at[i]->then, s) || contains_statement(&list->at[i]->otherwise, s))
+            return true;
+    return false;
+}
+
+// Adds the numbers of the guards around a statement.
+static void add_guards(Around *around, const Stmts *list, const Stmt *inside)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        const Stmt *s = list->at[i];
+        if (s->kind != ST_IF || (!contains_statement(&s->then, inside) && !contains_statement(&s->otherwise, inside)))
+            continue;
+        expr_walk(s->value, collect_around, around);
+        add_guards(around, &s->then, inside);
+        add_guards(around, &s->otherwise, inside);
+    }
+}
+
+static void add_all_guards(const Program *p, Around *around, const Stmt *inside)
+{
+    for (size_t i = 0; i < p->state.n; i++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            add_guards(around, &p->state.at[i]->block[b], inside);
+}
+
+static Around find_around(const Program *p, const Mutant *m)
 {
     Around list = {.n = 0};
 
@@ -501,8 +529,40 @@ static Around find_around(const Mutant *m)
             expr_walk(d->stmt->value, collect_around, &list);
         else if (d->e)
             expr_walk(d->e, collect_around, &list);
+        if (d->stmt)
+            add_all_guards(p, &list, d->stmt);
     }
     return list;
+}
+
+static bool reads_var(const Expr *e, const Var *v)
+{
+    bool found = e->kind == EX_VAR && e->var == v;
+
+    for (uint32_t i = 0; i < e->n && !found; i++)
+        found = reads_var(e->arg[i], v);
+    return found;
+}
+
+// Whether some statement of the list reads a variable.
+static bool reads(const Stmts *list, const Var *v)
+{
+    for (size_t i = 0; i < list->n; i++)
+        if ((list->at[i]->value && reads_var(list->at[i]->value, v)) || reads(&list->at[i]->then, v) || reads(&list->at[i]->otherwise, v))
+            return true;
+    return false;
+}
+
+// Returns the state in which a change has its effect: for an initial value the last one that reads it; NULL: several.
+static const State *find_state(const Program *p, const Mutant *m)
+{
+    const State *found = m->state;
+
+    for (size_t i = 0; i < p->state.n && m->edit->kind == EDIT_INITIAL; i++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            if (reads(&p->state.at[i]->block[b], m->edit->var))
+                found = p->state.at[i];
+    return found;
 }
 
 static void add_start(Mutation *u, const State *start)
@@ -550,8 +610,8 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
         u->search = new_search(u);
     arena_reset(&u->work);
     mutant = mutation_build(u, &u->work, m);
-    around = find_around(m);
-    m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, around.at, around.n, steps, &m->differs);
+    around = find_around(u->p, m);
+    m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, find_state(u->p, m), around.at, around.n, steps, &m->differs);
     if (m->scenario)
         m->verdict = MUTANT_GENERATED;
     return true;

@@ -39,14 +39,14 @@ typedef struct Mutant {
     MutantVerdict verdict;
     uint32_t script;          // NOTICED: the index of the script
     const Requirement *violated;      // NOTICED: the requirement that its run violates; NULL: the script itself fails
-    const Scenario *scenario; // GENERATED: in its last step the mutant differs
+    const Scenario *scenario; // GENERATED: in its last step the mutant differs; it sets what the machine stores in the first step alone
     const Var *differs;       // GENERATED: in this variable
 } Mutant;
 
 typedef struct Mutation Mutation;
 
 #define MUTATE_STEPS_MOST UINT64_C(1000000)   // default of max_steps
-#define MUTATE_SEARCH_STEPS UINT64_C(500000)  // default of the steps of a search for one mutant: about 0.2 s
+#define MUTATE_SEARCH_STEPS UINT64_C(2000000)  // default of the steps of a search for one mutant: about 0.8 s
 
 // Lists the changes, and runs every script without a change.  rq: requirements that are judged after each step; or NULL.  Expressions and statements of p are changed while a mutant runs, and are as
 // before afterwards.

@@ -44,9 +44,9 @@ not noticed; these inputs would show it:
   line 10:7: `>` changed to `>=` in Fill, on the way to an @abort state
     from Fill, at G = 0: p = 825; at G = 10, S differs [a-change-10-7-2.ss]
   line 10:9: `825` changed to `743` in Fill, on the way to an @abort state
-    from Fill, at G = 0: p = 825; at G = 10, S differs [a-change-10-7-2.ss]
+    from Fill, at G = 0: p = 762.5; at G = 10, S differs [a-change-10-7-2.ss]
   line 10:9: `825` changed to `907` in Fill, on the way to an @abort state
-    from Fill, at G = 0: p = 825.825; at G = 10, S differs [a-change-10-9-2.ss]
+    from Fill, at G = 0: p = 907; at G = 10, S differs [a-change-10-9-2.ss]
   line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state
     from Fill, at G = 10, S differs [a-change-10-5-2.ss]
   line 10:18: `<` changed to `>=` in Fill, on the way to an @abort state
@@ -56,9 +56,9 @@ not noticed; these inputs would show it:
   line 9:19: `>` changed to `>=` in Fill, an output
     from Fill, at G = 0: p = 700; at G = 0, open differs [a-change-9-19-2.ss]
   line 9:21: `700` changed to `630` in Fill, an output
-    from Fill, at G = 0: p = 699.3; at G = 0, open differs [a-change-9-19-2.ss]
+    from Fill, at G = 0: p = 700; at G = 0, open differs [a-change-9-19-2.ss]
   line 9:21: `700` changed to `770` in Fill, an output
-    from Fill, at G = 0: p = 735; at G = 0, open differs [a-change-9-21-2.ss]
+    from Fill, at G = 0: p = 770; at G = 0, open differs [a-change-9-21-2.ss]
   line 9:26: `and` changed to `or` in Fill, an output
     from Fill, at G = 0: p = 1000; at G = 0, open differs [a-change-10-7-2.ss]
   line 9:32: `>` changed to `>=` in Fill, an output
@@ -90,10 +90,10 @@ at 10 ms: @stop
 6 passed, 0 failed
 mutations of a: 23 of 23 changes are noticed (100.0 %)
 15
-3862732510 232
+1857944801 233
 mutations of a: 8 of 23 changes are noticed (34.8 %)
-3862732510 232
-6 scripts in made show 13 of these changes
+1857944801 233
+6 scripts in made show 14 of these changes
 # mine
 # mine
 -- stderr --

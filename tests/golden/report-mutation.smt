@@ -47,16 +47,16 @@ The scripts notice 4 of 12 changes (33.3 %). Changes that make no difference are
 On the way to an abort
   Line  As written         Change that no script notices                                    Inputs that would show it
     10  p > 825: -> Abort  `p > 825` changed to `0` in Fill, on the way to an @abort state  from Fill, at G = 0: p = 900; at G = 10, S differs
-    10  p > 825: -> Abort  `>` changed to `>=` in Fill, on the way to an @abort state       from Fill, at G = 0: p from 699.3 by 41.90000000000001 a step; at G = 40, S differs
-    10  p > 825: -> Abort  `825` changed to `743` in Fill, on the way to an @abort state    from Fill, at G = 0: p = 772.1333333333333; at G = 10, S differs
+    10  p > 825: -> Abort  `>` changed to `>=` in Fill, on the way to an @abort state       from Fill, at G = 0: p = 825; at G = 10, S differs
+    10  p > 825: -> Abort  `825` changed to `743` in Fill, on the way to an @abort state    from Fill, at G = 0: p = 825; at G = 10, S differs
     10  p > 825: -> Abort  `825` changed to `907` in Fill, on the way to an @abort state    from Fill, at G = 0: p = 900; at G = 10, S differs
     10  p > 825: -> Abort  `-> Abort` removed in Fill, on the way to an @abort state        from Fill, at G = 0: p = 900; at G = 10, S differs
 
 At an output
   Line  As written      Change that no script notices              Inputs that would show it
      9  open = p > 700  `>` changed to `>=` in Fill, an output     from Fill, at G = 0: p = 700; at G = 0, open differs
-     9  open = p > 700  `700` changed to `630` in Fill, an output  from Fill, at G = 0: p = 699.3; at G = 0, open differs
-     9  open = p > 700  `700` changed to `770` in Fill, an output  from Fill, at G = 0: p = 722.8666666666667; at G = 0, open differs
+     9  open = p > 700  `700` changed to `630` in Fill, an output  from Fill, at G = 0: p = 700; at G = 0, open differs
+     9  open = p > 700  `700` changed to `770` in Fill, an output  from Fill, at G = 0: p = 702.0723684210526; at G = 0, open differs
 
 What it costs
 =============

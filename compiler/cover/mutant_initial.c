@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which initial values no run reads: those of locals that are assigned before they are read, on every path from the start.
+#include "compiler/cover/mutant.h"
+
+typedef struct InitialSearch { const Program *p; const Var *v; bool is_read; } InitialSearch;         // is_read: before it is assigned
+
+static void note_read(Expr *e, void *context)
+{
+    InitialSearch *k = context;
+
+    k->is_read = k->is_read || (e->kind == EX_VAR && e->var == k->v);
+}
+
+// Follows statements that begin with v not assigned.  Returns whether v is assigned after them on every path.  What follows a transition in a
+// block counts as executed after it, which can only find more reads.
+static bool follow(InitialSearch *k, const Stmts *list)
+{
+    for (size_t i = 0; i < list->n; i++) {
+        const Stmt *s = list->at[i];
+        bool then, otherwise;
+        if (s->value)
+            expr_walk(s->value, note_read, k);
+        if (s->kind == ST_ASSIGN && s->var == k->v)
+            return true;
+        if (s->kind != ST_IF)
+            continue;
+        then = follow(k, &s->then);
+        otherwise = follow(k, &s->otherwise);
+        if (then && otherwise)
+            return true;
+    }
+    return false;
+}
+
+// Whether what is computed outside of statements reads v: windows at each step, and other initial values.
+static bool is_read_elsewhere(InitialSearch *k)
+{
+    for (size_t i = 0; i < k->p->window.n; i++)
+        expr_walk(k->p->window.at[i].sample, note_read, k);
+    for (size_t i = 0; i < k->p->var.n; i++)
+        if (k->p->var.at[i]->kind == VAR_LOCAL && k->p->var.at[i]->init_value)
+            expr_walk(k->p->var.at[i]->init_value, note_read, k);
+    return k->is_read;
+}
+
+// A transition in a step runs .exit after it, and .exit can follow only a part of .step.  So nothing that .step assigns counts there.
+bool mutant_initial_is_unread(const Program *p, const Var *v)
+{
+    InitialSearch k = {p, v, false};
+
+    if (v->kind != VAR_LOCAL || v->outside || v->parameter || v->sizes || v->is_constant || is_read_elsewhere(&k))
+        return false;
+    for (size_t s = 0; s < p->state.n && !k.is_read; s++)
+        if (!follow(&k, &p->state.at[s]->block[BLOCK_ENTRY])) {
+            follow(&k, &p->state.at[s]->block[BLOCK_STEP]);
+            follow(&k, &p->state.at[s]->block[BLOCK_EXIT]);
+        }
+    return !k.is_read;
+}
