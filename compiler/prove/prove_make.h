@@ -3,6 +3,7 @@
 //
 //     prove_emit.c      variables and instructions of the step that is being made
 //     prove_window.c    rolling windows as variables, and their samples
+//     prove_slice.c     removes from the machine what cannot influence the requirement
 //     prove_judge.c     the judgement of the requirement at the end of a step
 //     prove_branch.c    the branches of a block
 #ifndef SMC_PROVE_MAKE_H
@@ -13,6 +14,7 @@
 // A rolling window of the machine or of the requirement.
 typedef struct MadeWindow {
     uint32_t size, stats;
+    bool used;                        // a relevant value reads it (prove_slice)
     bool is_boolean;                  // its samples are 0 or 1
     double longest;                   // of a run: the times from here on are not distinguished
     uint32_t var[SM_STAT_COUNT];      // by statistic that is read: the variable with its value
@@ -25,7 +27,8 @@ typedef struct MadeWindow {
 typedef struct ProveMaker {
     ProveModel *model;
     Arena *arena;
-    const IrMachine *m;
+    const IrMachine *m;               // once sliced: the slice
+    const IrMachine *whole;           // the machine before it is sliced
     IrMachine judge;                  // the windows of the requirement, and their sample function
     uint32_t *window_of;              // by window of the requirements: index into `window`
     MadeWindow *window;               // those of the machine, then those of the requirement
@@ -67,9 +70,20 @@ void prove_copy_block(ProveMaker *k, const IrFn *from, const IrBlk *b, IrRef *co
 // ---- windows ----
 
 void prove_merge_windows(ProveMaker *k, const Requirements *all);
+// Finds out which windows can be followed exactly.  `loose`: those of the machine that the requirement does not read are not.
+void prove_find_samples(ProveMaker *k, bool loose);
+// Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
+bool prove_follows_samples(const MadeWindow *w);
 void prove_add_windows(ProveMaker *k);
 // Emits the sample of a window, and makes the block after it the current one.
 void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first);
+
+// ---- the slice ----
+
+// Replaces k->m by a machine with the same variables, windows, states and transitions, whose functions contain only what can influence
+// the requirement or the next state: what it reads, the stores to that, the branches that decide whether they run, what these read, and so
+// on.  Sets MadeWindow.used.  Returns for each variable whether it is relevant: no function of the slice loads or stores another.
+const bool *prove_slice(ProveMaker *k);
 
 // ---- the requirement, and branches ----
 

@@ -120,7 +120,8 @@ static void run_machine(ProveMaker *k, const IrState *s, bool first)
     IrBlkRef judge, leave, step, sampled;
 
     for (uint32_t w = 0; w < k->of_machine; w++)
-        prove_sample_window(k, &k->window[w], 0);
+        if (k->window[w].used)
+            prove_sample_window(k, &k->window[w], 0);
     sampled = k->b;
     judge = prove_new_block(k);
     leave = copy_function(k, s->block[BLOCK_EXIT], judge, judge);
@@ -137,7 +138,8 @@ static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
     if (state < k->m->state.n)
         run_machine(k, &k->m->state.at[state], first);
     for (uint32_t w = k->of_machine; w < k->windows; w++)
-        prove_sample_window(k, &k->window[w], k->of_machine);
+        if (k->window[w].used)
+            prove_sample_window(k, &k->window[w], k->of_machine);
     prove_judge_requirement(k);
     return finish_step(k);
 }
@@ -163,23 +165,26 @@ static void build_conditions(ProveMaker *k)
         k->condition[c] = of[c] ? ir_build_guard(k->arena, &named, of[c]) : NULL;
 }
 
-ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t)
+// Slices the machine, and marks the variables.
+static void slice_machine(ProveMaker *k)
 {
-    ProveModel *p = ARENA_NEW(arena, ProveModel);
-    ProveMaker *k = ARENA_NEW(arena, ProveMaker);
+    ProveModel *p = k->model;
+    const bool *relevant = prove_slice(k);
 
-    *p = (ProveModel){.arena = arena, .machine = m, .what = what, .delta_t = delta_t, .ir = ARENA_NEW(arena, IrMachine), .maker = k};
-    p->step = arena_array(arena, m->state.n + 1, sizeof *p->step);
-    k->model = p;
-    k->arena = arena;
-    k->m = m;
-    p->ir->g = m->g;
-    p->ir->s = m->s;
-    p->ir->t = m->t;
-    add_machine_vars(k);
-    prove_merge_windows(k, all);
-    build_conditions(k);
-    prove_add_windows(k);
+    p->machine = k->m;
+    for (uint32_t v = 0; v < k->m->var.n; v++) {
+        p->var[v].relevant = relevant[v];
+        if (relevant[v] || p->var[v].kind == PROVE_TIME)
+            continue;
+        p->var[v].kind = PROVE_IRRELEVANT;
+        p->var[v].stored = false;
+    }
+}
+
+static void add_own_vars(ProveMaker *k)
+{
+    ProveModel *p = k->model;
+
     p->next = prove_add_var(k, SM_F64, PROVE_CHOICE, prove_fact_of_number(0));
     p->premise = prove_add_var(k, SM_F64, PROVE_CHOICE, prove_fact_of_number(0));
     k->sampled = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0));
@@ -188,5 +193,27 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     k->age = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0));
     k->offset = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0));
     p->var[k->sampled].few = p->var[k->seen].few = p->var[k->open].few = true;
+}
+
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, bool loose)
+{
+    ProveModel *p = ARENA_NEW(arena, ProveModel);
+    ProveMaker *k = ARENA_NEW(arena, ProveMaker);
+
+    *p = (ProveModel){.arena = arena, .machine = m, .what = what, .delta_t = delta_t, .ir = ARENA_NEW(arena, IrMachine), .maker = k};
+    p->step = arena_array(arena, m->state.n + 1, sizeof *p->step);
+    k->model = p;
+    k->arena = arena;
+    k->m = k->whole = m;
+    p->ir->g = m->g;
+    p->ir->s = m->s;
+    p->ir->t = m->t;
+    add_machine_vars(k);
+    prove_merge_windows(k, all);
+    build_conditions(k);
+    prove_find_samples(k, loose);
+    slice_machine(k);
+    prove_add_windows(k);
+    add_own_vars(k);
     return p;
 }

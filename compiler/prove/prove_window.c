@@ -44,8 +44,8 @@ static bool is_exact(const MadeWindow *w, SmStat stat)
 {
     switch (stat) {
     case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME: return w->operand != IR_NONE;
-    case SM_STAT_NEWEST: return true;
-    case SM_STAT_OLDEST: return w->size == 2;
+    case SM_STAT_NEWEST: return prove_follows_samples(w);
+    case SM_STAT_OLDEST: return prove_follows_samples(w) && w->size == 2;
     case SM_STAT_MIN: case SM_STAT_MAX: return w->is_boolean;
     default: return false;
     }
@@ -66,7 +66,7 @@ static void add_window_vars(ProveMaker *k, MadeWindow *w, Fact sample)
     for (int s = 0; s < SM_STAT_COUNT; s++)
         if (w->stats >> s & 1)
             w->var[s] = is_exact(w, (SmStat)s) ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : prove_add_var(k, SM_F64, PROVE_CHOICE, fact_of_choice(k, w, (SmStat)s, sample));
-    w->last = w->stats >> SM_STAT_NEWEST & 1 ? w->var[SM_STAT_NEWEST] : w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : IR_NONE;
+    w->last = !prove_follows_samples(w) ? IR_NONE : w->stats >> SM_STAT_NEWEST & 1 ? w->var[SM_STAT_NEWEST] : w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : IR_NONE;
     if (w->is_boolean) {              // before the first sample nothing has been false, and nothing true
         w->trues = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(is_run(w->stats) ? 0 : w->size));
         w->falses = is_run(w->stats) ? w->trues : prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(w->size));
@@ -166,17 +166,48 @@ void prove_merge_windows(ProveMaker *k, const Requirements *all)
     }
 }
 
+// Marks the windows that a condition of the requirement reads.
+static void find_read_windows(const ProveMaker *k, bool *read)
+{
+    for (int c = 0; c < 3; c++)
+        for (uint32_t r = 0; k->condition[c] && r < k->condition[c]->ins.n; r++)
+            if (k->condition[c]->ins.at[r].op == IR_stat)
+                read[k->condition[c]->ins.at[r].var] = true;
+}
+
+void prove_find_samples(ProveMaker *k, bool loose)
+{
+    bool *read = ARENA_ARRAY(k->arena, bool, k->windows + 1u);
+
+    find_samples(k, k->m, 0);
+    find_samples(k, &k->judge, k->of_machine);
+    find_read_windows(k, read);
+    for (uint32_t n = 0; loose && n < k->of_machine; n++) {
+        MadeWindow *w = &k->window[n];
+        if (read[n] || !prove_follows_samples(w))
+            continue;
+        w->is_boolean = false;
+        w->operand = IR_NONE;
+        k->model->loosened = true;
+    }
+}
+
+bool prove_follows_samples(const MadeWindow *w)
+{
+    const bool ends = w->stats >> SM_STAT_NEWEST & 1 || (w->stats >> SM_STAT_OLDEST & 1 && w->size == 2);
+
+    return w->operand != IR_NONE && (w->is_boolean || (ends && !(w->stats & SM_STATS_OF_TIMES)));
+}
+
 void prove_add_windows(ProveMaker *k)
 {
     IrMachine judge = *k->m;
-    FactMachine *of_machine = facts_of_machine(k->arena, k->m), *of_judge;
+    FactMachine *of_machine = facts_of_machine(k->arena, k->whole), *of_judge;
 
     judge.window = k->judge.window;
     judge.sample = k->judge.sample;
     judge.state.n = 0;
     of_judge = facts_of_machine(k->arena, &judge);
-    find_samples(k, k->m, 0);
-    find_samples(k, &judge, k->of_machine);
     for (size_t s = 0; s < k->m->state.n; s++)
         for (int block = 0; block < BLOCK_COUNT; block++)
             find_longest(k, k->m->state.at[s].block[block], 0);
@@ -185,7 +216,8 @@ void prove_add_windows(ProveMaker *k)
     for (int c = 0; c < 3; c++)
         find_longest(k, k->condition[c], 0);
     for (uint32_t n = 0; n < k->windows; n++)
-        add_window_vars(k, &k->window[n], n < k->of_machine ? facts_of_window(of_machine, n) : facts_of_window(of_judge, n - k->of_machine));
+        if (k->window[n].used)
+            add_window_vars(k, &k->window[n], n < k->of_machine ? facts_of_window(of_machine, n) : facts_of_window(of_judge, n - k->of_machine));
 }
 
 // ---- samples ----
@@ -289,7 +321,7 @@ void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first)
     IrBlkRef next, yes, no;
     IrRef value;
 
-    if (w->operand == IR_NONE || (!w->is_boolean && (w->stats & SM_STATS_OF_TIMES)))
+    if (!prove_follows_samples(w))
         return;                                   // its statistics are choices
     value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), first);
     next = prove_new_block(k);
