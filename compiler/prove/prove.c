@@ -80,22 +80,44 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
     return out;
 }
 
-// Tries proofs with all assumptions, first with few situations and then with many.  Returns whether one is found.
+// The attempts at a proof, from cheap to expensive.
+static const struct { bool is_loose, is_fine; } attempt[] = {{true, false}, {false, false}, {true, true}, {false, true}};
+
+enum { ATTEMPTS = sizeof attempt / sizeof *attempt };
+
+static ProveModel *new_model(ProveRun *v, const ProveOf *of, bool loose)
+{
+    return prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, loose);
+}
+
+// Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.
+static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+{
+    if (!try_proof(v, model, assumed, is_fine, x, of))
+        return false;
+    of->assumed = weaken_assumptions(v, model, assumed, is_fine, x, of);
+    of->is_loose = model->loosened;
+    of->verdict = x->premise ? PROVE_PROVED : PROVE_VACUOUS;
+    of->invariant = invariants_of(v, model, x);
+    return true;
+}
+
+// Tries proofs with all assumptions.  Returns whether one is found.
 static bool prove_requirement(ProveRun *v, ProveOf *of)
 {
-    ProveModel *model = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t);
+    ProveModel *const model[2] = {new_model(v, of, false), new_model(v, of, true)};
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
     const unsigned assumed[2] = {all, all | 1u << PROVE_PARAMETERS};
     ProveExplored x = {.closed = false};
 
+    for (uint32_t n = 0; n < v->m->var.n; n++)
+        of->irrelevant += model[0]->var[n].kind == PROVE_IRRELEVANT;
     for (int k = 0; k < (program_has_parameters(v->p) ? 2 : 1); k++)
-        for (int is_fine = 0; is_fine < 2 && goes_on(v); is_fine++) {
-            if (!try_proof(v, model, assumed[k], is_fine, &x, of))
+        for (int n = 0; n < ATTEMPTS && goes_on(v); n++) {
+            if (attempt[n].is_loose && !model[1]->loosened)
                 continue;
-            of->assumed = weaken_assumptions(v, model, assumed[k], is_fine, &x, of);
-            of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
-            of->invariant = invariants_of(v, model, &x);
-            return true;
+            if (try_attempt(v, model[attempt[n].is_loose], assumed[k], attempt[n].is_fine, &x, of))
+                return true;
         }
     of->obstacle = !goes_on(v) ? PROVE_INTERRUPTED : x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
     return false;
@@ -164,7 +186,7 @@ static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *al
 {
     const Requirement never = {.kind = REQUIREMENT_NEVER, .a = premise ? new_expr(arena, EX_BINARY, SM_OP_AND, (Expr *)premise, condition) : condition};
 
-    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1));
+    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1, false));
 }
 
 static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }

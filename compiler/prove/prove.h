@@ -14,9 +14,12 @@
 //
 // How a proof works.  A step of the machine, and the judgement of the requirement after it, become one function of variables (prove_model.h).
 // The exploration (prove_explore.h) computes facts about these variables: intervals of values, by state, by the past of the requirement and by the
-// values of variables with few of them.  It begins with all situations in which the machine can start.  It ends when each step leads to a
-// situation that the facts already cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are
+// values of variables with few of them.  It begins with all values with which the machine can start.  It ends when each step leads to
+// values that the facts already cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are
 // computed with the language's own arithmetic, with infinities, NaN and saturation.
+//
+// Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
+// not read.
 //
 // What a proof covers:
 //
@@ -69,9 +72,11 @@ typedef struct ProveOf {
     const Scenario *scenario; // VIOLATED
     bool premise_seen;        // some run that was tried could have violated the requirement; always true if VIOLATED
     ProveObstacle obstacle;   // UNDECIDED
-    uint32_t nodes;           // situations that the last exploration distinguished
+    uint32_t irrelevant;      // variables that cannot influence the requirement
+    bool is_loose;            // PROVED, VACUOUS: with windows of any value (prove_model_new)
+    uint32_t nodes;           // abstract states of the last exploration (prove_explore.h)
     uint64_t steps;           // of all runs that were tried
-    uint64_t visits;          // branches that all explorations visited
+    uint64_t visits;          // paths from block to block that all explorations visited
 } ProveOf;
 
 typedef struct ProveOptions {
@@ -79,7 +84,7 @@ typedef struct ProveOptions {
     const State *init_state;  // NULL: the first state
     bool assume_ranges;       // PROVE_RANGES
     uint64_t effort;          // how many steps the search for violations can run; 0: a default
-    uint64_t visits;          // how many branches an exploration can visit; 0: a default
+    uint64_t visits;          // how many paths an exploration can visit; 0: a default
     bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never
     void *context;
 } ProveOptions;

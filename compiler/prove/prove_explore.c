@@ -125,6 +125,7 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
             return *before;
         return v < p->machine->var.n && assumes(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
     case PROVE_CHOICE: return p->var[v].begin;
+    case PROVE_IRRELEVANT: return type;
     case PROVE_TIME: break;
     }
     if (v == p->ir->s)
@@ -215,7 +216,7 @@ static void join_at_node(Explorer *x, uint32_t number, const Env *env)
     queue_node(x, x->table, number);
 }
 
-static void add_situation(Explorer *x, const Env *env, uint32_t state, bool first)
+static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
 {
     ProveTable *t = x->table;
     ProveNode n = {.env = env, .state = state, .first = first};
@@ -300,7 +301,7 @@ static void end_step(Explorer *x, const Env *env)
     for (double n = next.lo < 0 ? 0 : next.lo; n <= hi; n++) {
         const bool first = n > 0;
         const uint32_t state = first ? (uint32_t)n - 1 : x->from->state;
-        add_situation(x, begin_step(x, env, false, state, first), state, first);
+        add_node(x, begin_step(x, env, false, state, first), state, first);
     }
 }
 
@@ -424,7 +425,7 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
     ProveTable *t = x->table = new_table(x);
 
     x->widens = true;
-    add_situation(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
+    add_node(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
     while (t->next < t->queue.n) {
         const uint32_t n = t->queue.at[t->next++];
         const ProveNode from = t->node.at[n];
@@ -438,7 +439,7 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
     return EXPLORE_CLOSED;
 }
 
-// Explores one step from each node, which covers all situations of a run: so do the start and what follows these steps, without widening.
+// Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
 static void narrow(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
@@ -447,7 +448,7 @@ static void narrow(Explorer *x, const State *init)
     x->widens = false;
     x->out->violated = x->out->premise = false;
     memset(x->out->reached, 0, x->p->machine->state.n * sizeof *x->out->reached);
-    add_situation(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
+    add_node(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
     for (uint32_t n = 0; n < from->node.n; n++)
         explore_step(x, &from->node.at[n]);
 }
@@ -506,7 +507,7 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
         const ProveVarKind kind = x->p->var[v].kind;
-        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && assumes(x, PROVE_OWN_OUTPUTS)) || v == x->p->ir->t;
+        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && assumes(x, PROVE_OWN_OUTPUTS)) || (v == x->p->ir->t && x->p->var[v].relevant);
         if (lasts && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
             key[n++] = v;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explores what can be true when a step of a machine begins (prove.h), and whether a step can violate the requirement.
 //
-// A node is a state of the machine, whether its first step is next, the values of some variables, the keys, and facts about all others.  Nodes
+// A node, an abstract state, is a state of the machine, whether its first step is next, the values of some variables, the keys, and facts about
+// all others.  Nodes
 // are added until the steps from all of them lead to known nodes only.  Facts of a node that keep growing are widened; then the steps are
 // explored once more from the facts found, which makes them tighter.
 //
@@ -14,7 +15,7 @@
 
 typedef struct ProveLimits {
     uint32_t nodes;           // with more, a key is given up
-    uint64_t visits;          // of branches; after these, the exploration gives up
+    uint64_t visits;          // of branches, each once per path to its block; after these, the exploration gives up
 } ProveLimits;
 
 typedef struct ProveExplored {

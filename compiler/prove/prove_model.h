@@ -5,6 +5,8 @@
 // run, and then the requirement is judged.  Rolling windows, and what the requirement has seen, are variables that the function loads and
 // stores.  So facts about variables are all that is known between steps.
 //
+// Only what can influence the requirement is part of it (prove_make.h).
+//
 // Each block of a function is split into branches.  A branch adds one of several conditions, which exclude each other and of which one is
 // always true.  They are the ways in which the conditions at the end of the block, and the booleans that it stores, get their values.
 #ifndef SMC_PROVE_MODEL_H
@@ -18,13 +20,15 @@ typedef enum ProveVarKind {
     PROVE_OUTPUT,             // an element that the machine assigns
     PROVE_KEPT,               // changed by the functions alone
     PROVE_CHOICE,             // begins each step with a value of `begin`, whatever it was
-    PROVE_TIME                // G, S or T
+    PROVE_TIME,               // G, S or T
+    PROVE_IRRELEVANT          // no function reads it, so nothing is known about it
 } ProveVarKind;
 
 typedef struct ProveVar {
     ProveVarKind kind;
     Fact begin;               // KEPT: in the first step; CHOICE: in each step
     bool stored;              // a function stores it
+    bool relevant;            // it can influence the requirement or the next state
     bool few;                 // KEPT: it has few values, such as a flag or a count of samples
 } ProveVar;
 
@@ -50,18 +54,21 @@ typedef struct ProveStep {
 
 typedef struct ProveModel {
     Arena *arena;
-    const IrMachine *machine;
+    const IrMachine *machine; // only what is relevant for the requirement (prove_slice)
     const Requirement *what;
     uint64_t delta_t;
     IrMachine *ir;            // the variables: those of the machine, and then others.  It has no states
     ProveVar *var;            // by variable of ir
+    bool loosened;            // some window has any value because of `loose`
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement
     ProveStep *(*step)[2];    // by state from 0, and whether it is the first step in the state; made when first asked for
     struct ProveMaker *maker;
 } ProveModel;
 
-ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t);
+// `loose`: windows of the machine that the requirement does not read have any possible value in each step.  Then the model has more runs than
+// the machine, but fewer variables.
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, bool loose);
 // `state` is from 0.  The number of states: the requirement is judged alone, without a step of the machine.
 const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first);
 

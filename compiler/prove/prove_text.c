@@ -78,7 +78,7 @@ const char *prove_script(Arena *arena, const Program *p, const ProveOf *of)
 
 // By ProveObstacle: for people, and for programs.
 static const char *const obstacle_text[] = {"what is known about the values is too little for a proof",
-                                            "the machine has too many situations for a proof within the limits", "interrupted before it was decided"};
+                                            "a proof needs too many abstract states", "interrupted before it was decided"};
 static const char *const obstacle_name[] = {"facts-too-weak", "too-large", "interrupted"};
 
 const char *prove_verdict_words(ProveVerdict v)
@@ -142,7 +142,7 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
         break;
     case PROVE_UNDECIDED:
         buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
-        buf_printf(out, "%*s%lu situations and %llu branches were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
+        buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
         break;
     }
 }
@@ -207,7 +207,7 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     json_put_string(out, of->what->id->text);
     buf_str(out, ",\"text\":");
     json_put_string(out, of->what->text->text);
-    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"situations\":%lu,\"branches\":%llu,\"assumptions\":[", prove_verdict_name(of->verdict),
+    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"abstract_states\":%lu,\"paths\":%llu,\"assumptions\":[", prove_verdict_name(of->verdict),
                of->premise_seen ? "true" : "false", (unsigned long long)of->steps, (unsigned long)of->nodes, (unsigned long long)of->visits);
     for (int a = 0; a < PROVE_ASSUMPTIONS; a++)
         if (of->assumed >> a & 1) {

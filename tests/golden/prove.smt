@@ -60,11 +60,8 @@ requirements of a, from state Idle, with a step every 10 ms:
       in Hold: valve is false, count is from 1 to 3
       in Never: valve is false, count is 0
   R2  proved              filling ends
-      assuming that only this machine writes the elements that it assigns
-      in Idle: valve is false
-      in Fill: count is 0, T is at most 2000
-      in Hold: valve is false, count is from 1 to 3
-      in Never: valve is false, count is 0
+      in Fill: T is at most 2000
+      in Hold: count is at least 1
   R3  violated            no second fill
       after 2 steps
       # Violates R3 (no second fill).
@@ -84,10 +81,10 @@ requirements of a, from state Idle, with a step every 10 ms:
   R5  proved              the count is small
       assuming that only this machine writes the elements that it assigns
       assuming that in the first step G and the elements that the machine assigns are 0
-      in Idle: valve is false, count is at most 3
+      in Idle: count is at most 3
       in Fill: count is 0, T is at most 2000
-      in Hold: valve is false, count is from 1 to 3
-      in Never: valve is false, count is 0
+      in Hold: count is from 1 to 3
+      in Never: count is 0
   R7  violated            filling ends sooner
       after 202 steps
       # Violates R7 (filling ends sooner).
@@ -136,11 +133,11 @@ requirements of a, from state Idle, with a step every 10 ms:
       in Hold: count is at least 1
       in Never: it is never reached
 {"smc-proofs":1,"machine":"a","state":"Hold","delta_t":10,"requirements":[
-{"id":"Q1","text":"nothing after Never","verdict":"violated","premise_seen":true,"steps":6455,"situations":54,"branches":567048,"assumptions":[],"violated_after":6,"changes":2,"script":"# Violates Q1 (nothing after Never).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Hold\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Hold and not valve and count == 1\u000aat 10 ms: @assert state Hold and not valve and count == 2\u000aat 20 ms: @assert state Hold and not valve and count == 3\u000aat 30 ms: @assert state Idle and not valve and count == 3\u000aat 40 ms: p = 4000\u000aat 40 ms: @assert state Fill and not valve and count == 0\u000aat 50 ms: @assert state Never and not valve and count == 0\u000aat 50 ms: @stop\u000a"}
+{"id":"Q1","text":"nothing after Never","verdict":"violated","premise_seen":true,"steps":[..],"abstract_states":[..],"paths":[..],"assumptions":[],"violated_after":6,"changes":2,"script":"# Violates Q1 (nothing after Never).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Hold\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Hold and not valve and count == 1\u000aat 10 ms: @assert state Hold and not valve and count == 2\u000aat 20 ms: @assert state Hold and not valve and count == 3\u000aat 30 ms: @assert state Idle and not valve and count == 3\u000aat 40 ms: p = 4000\u000aat 40 ms: @assert state Fill and not valve and count == 0\u000aat 50 ms: @assert state Never and not valve and count == 0\u000aat 50 ms: @stop\u000a"}
 ]}
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
       1000000 steps were tried; what is known about the values is too little for a proof
-      61 situations and 522588 branches were examined
+      [..] abstract states and [..] paths were examined
 -- exit --
 1 0 0 5

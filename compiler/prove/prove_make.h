@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a model is made: the parts that prove_model.c is composed of.
+//
+//     prove_emit.c      variables and instructions of the step that is being made
+//     prove_window.c    rolling windows as variables, and their samples
+//     prove_slice.c     removes from the machine what cannot influence the requirement
+//     prove_judge.c     the judgement of the requirement at the end of a step
+//     prove_branch.c    the branches of a block
+#ifndef SMC_PROVE_MAKE_H
+#define SMC_PROVE_MAKE_H
+
+#include "compiler/prove/prove_model.h"
+
+// A rolling window of the machine or of the requirement.
+typedef struct MadeWindow {
+    uint32_t size, stats;
+    bool used;                        // a relevant value reads it (prove_slice)
+    bool is_boolean;                  // its samples are 0 or 1
+    double longest;                   // of a run: the times from here on are not distinguished
+    uint32_t var[SM_STAT_COUNT];      // by statistic that is read: the variable with its value
+    uint32_t trues, falses;           // KEPT variables: how many samples since the last false one, and since the last true one; at most `size`
+    uint32_t last;                    // KEPT variable: the newest sample; or IR_NONE
+    const IrFn *sample;               // the sample function that contains it, and the operand of its sample
+    IrRef operand;
+} MadeWindow;
+
+typedef struct ProveMaker {
+    ProveModel *model;
+    Arena *arena;
+    const IrMachine *m;               // once sliced: the slice
+    const IrMachine *whole;           // the machine before it is sliced
+    IrMachine judge;                  // the windows of the requirement, and their sample function
+    uint32_t *window_of;              // by window of the requirements: index into `window`
+    MadeWindow *window;               // those of the machine, then those of the requirement
+    uint32_t windows, of_machine;
+    IrFn *condition[3];               // a, b, c of the requirement; NULL: it has none
+    uint32_t sampled;                 // variable: a step has run
+    uint32_t seen, open, age, offset; // variables: what the requirement has seen (judge_leads_to)
+    IrFn *f;                          // the step that is being made
+    IrBlkRef b;                       // its current block
+    VEC(ProveEnd) end;                // by block
+    uint32_t vars;                    // capacity of model->var
+} ProveMaker;
+
+// ---- variables and instructions ----
+
+uint32_t prove_add_var(ProveMaker *k, SmType type, ProveVarKind kind, Fact begin);
+Fact prove_fact_of_number(double x);
+
+IrBlkRef prove_new_block(ProveMaker *k);
+// These append to the current block, and return the temporary with the value.
+IrRef prove_emit(ProveMaker *k, IrOp op, IrRef a, IrRef b);
+IrRef prove_emit_number(ProveMaker *k, double x);
+IrRef prove_emit_load(ProveMaker *k, uint32_t var);       // as an F64
+void prove_emit_store(ProveMaker *k, uint32_t var, IrRef value);
+void prove_emit_set(ProveMaker *k, uint32_t var, double x);
+
+void prove_jump_from(ProveMaker *k, IrBlkRef from, IrBlkRef to);
+void prove_branch_from(ProveMaker *k, IrBlkRef from, IrRef cond, IrBlkRef then, IrBlkRef otherwise);
+// Ends the current block: continues in `then` if the variable is greater than x, else in `otherwise`.
+void prove_branch_if_above(ProveMaker *k, uint32_t var, double x, IrBlkRef then, IrBlkRef otherwise);
+
+// Returns the temporary of the current block with the value of `r` of the function `from`.  `copy`: by temporary; IR_NONE: not emitted yet.
+// `first`: index in k->window of window 0 of `from`.
+IrRef prove_copy_value(ProveMaker *k, const IrFn *from, IrRef r, IrRef *copy, uint32_t first);
+IrRef *prove_new_copies(ProveMaker *k, const IrFn *from);
+// Copies the instructions of a block to the current block.
+void prove_copy_block(ProveMaker *k, const IrFn *from, const IrBlk *b, IrRef *copy);
+
+// ---- windows ----
+
+void prove_merge_windows(ProveMaker *k, const Requirements *all);
+// Finds out which windows can be followed exactly.  `loose`: those of the machine that the requirement does not read are not.
+void prove_find_samples(ProveMaker *k, bool loose);
+// Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
+bool prove_follows_samples(const MadeWindow *w);
+void prove_add_windows(ProveMaker *k);
+// Emits the sample of a window, and makes the block after it the current one.
+void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first);
+
+// ---- the slice ----
+
+// Replaces k->m by a machine with the same variables, windows, states and transitions, whose functions contain only what can influence
+// the requirement or the next state: what it reads, the stores to that, the branches that decide whether they run, what these read, and so
+// on.  Sets MadeWindow.used.  Returns for each variable whether it is relevant: no function of the slice loads or stores another.
+const bool *prove_slice(ProveMaker *k);
+
+// ---- the requirement, and branches ----
+
+// Emits the judgement of the step, and its two ends.
+void prove_judge_requirement(ProveMaker *k);
+// Appends the branches of block b of f to `to`.
+void prove_split_block(ProveMaker *k, ProveBlock *to, const IrFn *f, const IrBlk *b);
+
+#endif

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/prove/prove_make.h"
+
+#include "compiler/ir/build.h"
+#include "compiler/ir/eval.h"
+
+#define TIME_LIMIT 18446744073709551616.0     // 2^64: above every time
+
+static Fact whole_between(double lo, double hi)
+{
+    const Fact f = {lo, hi, true, false, false, false};
+
+    return f;
+}
+
+// ---- windows ----
+
+// Returns the bool of which r is the number 0 or 1; IR_NONE if there is none.
+static IrRef bool_of_number(const IrFn *f, IrRef r)
+{
+    const IrIns *i = &f->ins.at[r];
+
+    if (i->op != IR_cvt || i->type != SM_F64 || f->ins.at[i->a].type != SM_BOOL)
+        return IR_NONE;
+    return ir_op_info[f->ins.at[i->a].op].types == IR_T_LOAD || f->ins.at[i->a].op == IR_not || f->ins.at[i->a].op == IR_and || f->ins.at[i->a].op == IR_or
+            || ir_op_info[f->ins.at[i->a].op].types == IR_T_COMPARE || f->ins.at[i->a].op == IR_cvt ? i->a : IR_NONE;
+}
+
+// Returns the condition of a run.  Its event is 1 or 2 if the condition is true (build_windows.c).
+static IrRef condition_of_run(const IrFn *f, const IrWindow *w, IrRef event)
+{
+    const IrIns *i = &f->ins.at[event];
+
+    return bool_of_number(f, w->first && w->first->gap && i->op == IR_add ? i->a : event);
+}
+
+static bool is_run(uint32_t stats) { return (stats & SM_STATS_OF_RUNS) != 0; }
+
+// Whether each sample of a run is known from its condition: with a gap, G must not advance by more than that.
+static bool is_exact_run(const ProveMaker *k, const IrWindow *w) { return !w->first || w->first->gap == 0 || k->model->delta_t <= w->first->gap; }
+
+// Whether the value of a statistic follows from variables that the samples change.
+static bool is_exact(const MadeWindow *w, SmStat stat)
+{
+    switch (stat) {
+    case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME: return w->operand != IR_NONE;
+    case SM_STAT_NEWEST: return prove_follows_samples(w);
+    case SM_STAT_OLDEST: return prove_follows_samples(w) && w->size == 2;
+    case SM_STAT_MIN: case SM_STAT_MAX: return w->is_boolean;
+    default: return false;
+    }
+}
+
+static Fact fact_of_choice(const ProveMaker *k, const MadeWindow *w, SmStat stat, Fact sample)
+{
+    if (stat == SM_STAT_ELAPSED) {
+        const IrIns *event = &w->sample->ins.at[w->operand];
+        const bool each_step = event->op == IR_const && event->bits == sm_bits(1.0);
+        return whole_between(0, each_step ? (double)k->model->delta_t * (w->size - 1) : TIME_LIMIT);
+    }
+    return fact_of_stat(stat, sample);
+}
+
+static void add_window_vars(ProveMaker *k, MadeWindow *w, Fact sample)
+{
+    for (int s = 0; s < SM_STAT_COUNT; s++)
+        if (w->stats >> s & 1)
+            w->var[s] = is_exact(w, (SmStat)s) ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : prove_add_var(k, SM_F64, PROVE_CHOICE, fact_of_choice(k, w, (SmStat)s, sample));
+    w->last = !prove_follows_samples(w) ? IR_NONE : w->stats >> SM_STAT_NEWEST & 1 ? w->var[SM_STAT_NEWEST] : w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : IR_NONE;
+    if (w->is_boolean) {              // before the first sample nothing has been false, and nothing true
+        w->trues = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(is_run(w->stats) ? 0 : w->size));
+        w->falses = is_run(w->stats) ? w->trues : prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(w->size));
+        k->model->var[w->trues].few = k->model->var[w->falses].few = true;
+        for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+            if (w->stats >> stat & 1)
+                k->model->var[w->var[stat]].few = true;
+        if (w->last != IR_NONE)
+            k->model->var[w->last].few = true;
+    }
+}
+
+// Finds the operands of the samples of a sample function, whose windows begin at `first`.
+static void find_samples(ProveMaker *k, const IrMachine *m, uint32_t first)
+{
+    for (uint32_t n = 0; m->sample && n < m->sample->blk.at[0].ins.n; n++) {
+        const IrIns *i = &m->sample->ins.at[m->sample->blk.at[0].ins.at[n]];
+        MadeWindow *w;
+        if (i->op != IR_sample)
+            continue;
+        w = &k->window[first + i->var];
+        w->sample = m->sample;
+        w->operand = i->a;
+        if (is_run(w->stats)) {
+            w->operand = is_exact_run(k, &m->window.at[i->var]) ? condition_of_run(m->sample, &m->window.at[i->var], i->a) : IR_NONE;
+            w->is_boolean = w->operand != IR_NONE;
+        } else if (!(w->stats & SM_STATS_OF_TIMES) && bool_of_number(m->sample, i->a) != IR_NONE) {
+            w->is_boolean = true;
+            w->operand = bool_of_number(m->sample, i->a);
+        }
+    }
+}
+
+// Raises w->longest where a function compares the time of a run with a number.
+static void find_longest(ProveMaker *k, const IrFn *f, uint32_t first)
+{
+    for (uint32_t r = 0; f && r < f->ins.n; r++) {
+        const IrIns *i = &f->ins.at[r];
+        for (int side = 0; side < 2; side++) {
+            const IrRef operand = side ? i->b : i->a;
+            const IrIns *from = operand == IR_NONE ? NULL : &f->ins.at[operand];
+            MadeWindow *w;
+            double limit = TIME_LIMIT;
+            if (!from || from->op != IR_stat || from->stat != SM_STAT_RUN_TIME)
+                continue;
+            w = &k->window[first + from->var];
+            if (i->op == IR_ge && side == 0 && f->ins.at[i->b].op == IR_const)
+                limit = ir_number(f->ins.at[i->b].type, f->ins.at[i->b].bits);
+            if (limit > w->longest)
+                w->longest = limit;
+        }
+    }
+}
+
+static void not_stored(Expr *e, void *context)
+{
+    bool *all = context;
+
+    *all = *all && (e->kind != EX_VAR || !e->var->written) && e->kind != EX_ROLL;
+}
+
+// Returns the window of the machine that has the same samples, because both sample what no step changes; IR_NONE if there is none.
+static uint32_t same_window(const ProveMaker *k, const Window *w)
+{
+    bool constant = true;
+
+    expr_walk(w->sample, not_stored, &constant);
+    for (uint32_t n = 0; constant && n < k->m->window.n; n++) {
+        const Window *of = k->m->window.at[n].first;
+        const uint32_t stat = 1u << w->stat, stats = k->m->window.at[n].stats;
+        if (of && of->size == w->size && of->gap == w->gap && is_run(stat) == is_run(stats) && ir_stores_times(&k->m->window.at[n]) == ((stat & SM_STATS_OF_TIMES) != 0)
+            && expr_equal(of->sample, w->sample, NULL))
+            return n;
+    }
+    return IR_NONE;
+}
+
+void prove_merge_windows(ProveMaker *k, const Requirements *all)
+{
+    Program program = *k->m->program;
+    Builder b = {.arena = k->arena, .p = &program, .m = &k->judge, .var = (uint32_t *)k->m->var_of};
+
+    program.window = all->window;
+    build_windows(&b);
+    k->of_machine = k->m->window.n;
+    k->windows = k->m->window.n + k->judge.window.n;
+    k->window = ARENA_ARRAY(k->arena, MadeWindow, k->windows + 1u);
+    for (uint32_t n = 0; n < k->windows; n++) {
+        const IrWindow *from = n < k->of_machine ? &k->m->window.at[n] : &k->judge.window.at[n - k->of_machine];
+        k->window[n] = (MadeWindow){.size = from->size, .stats = from->stats, .operand = IR_NONE};
+    }
+    k->window_of = ARENA_ARRAY(k->arena, uint32_t, all->window.n + 1u);
+    for (uint32_t n = 0; n < all->window.n; n++) {
+        const uint32_t same = same_window(k, &all->window.at[n]);
+        k->window_of[n] = same == IR_NONE ? k->of_machine + b.window[n] : same;
+        k->window[k->window_of[n]].stats |= 1u << all->window.at[n].stat;
+    }
+}
+
+// Marks the windows that a condition of the requirement reads.
+static void find_read_windows(const ProveMaker *k, bool *read)
+{
+    for (int c = 0; c < 3; c++)
+        for (uint32_t r = 0; k->condition[c] && r < k->condition[c]->ins.n; r++)
+            if (k->condition[c]->ins.at[r].op == IR_stat)
+                read[k->condition[c]->ins.at[r].var] = true;
+}
+
+void prove_find_samples(ProveMaker *k, bool loose)
+{
+    bool *read = ARENA_ARRAY(k->arena, bool, k->windows + 1u);
+
+    find_samples(k, k->m, 0);
+    find_samples(k, &k->judge, k->of_machine);
+    find_read_windows(k, read);
+    for (uint32_t n = 0; loose && n < k->of_machine; n++) {
+        MadeWindow *w = &k->window[n];
+        if (read[n] || !prove_follows_samples(w))
+            continue;
+        w->is_boolean = false;
+        w->operand = IR_NONE;
+        k->model->loosened = true;
+    }
+}
+
+bool prove_follows_samples(const MadeWindow *w)
+{
+    const bool ends = w->stats >> SM_STAT_NEWEST & 1 || (w->stats >> SM_STAT_OLDEST & 1 && w->size == 2);
+
+    return w->operand != IR_NONE && (w->is_boolean || (ends && !(w->stats & SM_STATS_OF_TIMES)));
+}
+
+void prove_add_windows(ProveMaker *k)
+{
+    IrMachine judge = *k->m;
+    FactMachine *of_machine = facts_of_machine(k->arena, k->whole), *of_judge;
+
+    judge.window = k->judge.window;
+    judge.sample = k->judge.sample;
+    judge.state.n = 0;
+    of_judge = facts_of_machine(k->arena, &judge);
+    for (size_t s = 0; s < k->m->state.n; s++)
+        for (int block = 0; block < BLOCK_COUNT; block++)
+            find_longest(k, k->m->state.at[s].block[block], 0);
+    find_longest(k, k->m->sample, 0);
+    find_longest(k, k->judge.sample, k->of_machine);
+    for (int c = 0; c < 3; c++)
+        find_longest(k, k->condition[c], 0);
+    for (uint32_t n = 0; n < k->windows; n++)
+        if (k->window[n].used)
+            add_window_vars(k, &k->window[n], n < k->of_machine ? facts_of_window(of_machine, n) : facts_of_window(of_judge, n - k->of_machine));
+}
+
+// ---- samples ----
+
+// Emits what a sample that is true, or false, changes in the variables of a window of booleans, and continues in block `next`.
+static void sample_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
+{
+    const uint32_t counts = value ? w->trues : w->falses, ends = value ? w->falses : w->trues;
+    const IrRef more = prove_emit(k, IR_min, prove_emit(k, IR_add, prove_emit_load(k, counts), prove_emit_number(k, 1)), prove_emit_number(k, w->size));
+
+    prove_emit_store(k, counts, more);
+    prove_emit_set(k, ends, 0);
+    for (int s = SM_STAT_MIN; s <= SM_STAT_MAX; s++)
+        if (w->stats >> s & 1) {
+            const bool all = s == SM_STAT_MIN ? value : !value;       // all samples may be equal: then they decide
+            if (!all) {
+                prove_emit_set(k, w->var[s], value);
+                continue;
+            }
+            const IrRef full = prove_emit(k, IR_ge, prove_emit_load(k, counts), prove_emit_number(k, w->size));
+            const IrBlkRef equal = prove_new_block(k), other = prove_new_block(k), join = prove_new_block(k);
+            prove_branch_from(k, k->b, full, equal, other);
+            k->b = equal;
+            prove_emit_set(k, w->var[s], value);
+            prove_jump_from(k, k->b, join);
+            k->b = other;
+            prove_emit_set(k, w->var[s], !value);
+            prove_jump_from(k, k->b, join);
+            k->b = join;
+        }
+    prove_jump_from(k, k->b, next);
+}
+
+// The same for a run.
+static void sample_run(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
+{
+    const uint32_t time = w->stats >> SM_STAT_RUN_TIME & 1 ? w->var[SM_STAT_RUN_TIME] : IR_NONE;
+    const uint32_t steps = w->stats >> SM_STAT_RUN_STEPS & 1 ? w->var[SM_STAT_RUN_STEPS] : IR_NONE;
+
+    if (value && time != IR_NONE) {
+        const IrBlkRef more = prove_new_block(k), first = prove_new_block(k), join = prove_new_block(k);
+        prove_branch_if_above(k, w->trues, 0, more, first);
+        k->b = more;
+        prove_emit_store(k, time, prove_emit(k, IR_min, prove_emit(k, IR_add, prove_emit_load(k, time), prove_emit_number(k, (double)k->model->delta_t)), prove_emit_number(k, w->longest)));
+        prove_jump_from(k, k->b, join);
+        k->b = first;
+        prove_emit_set(k, time, 0);
+        prove_jump_from(k, k->b, join);
+        k->b = join;
+    } else if (time != IR_NONE) {
+        prove_emit_set(k, time, 0);
+    }
+    if (value)
+        prove_emit_store(k, w->trues, prove_emit(k, IR_min, prove_emit(k, IR_add, prove_emit_load(k, w->trues), prove_emit_number(k, 1)), prove_emit_number(k, w->size)));
+    else
+        prove_emit_set(k, w->trues, 0);
+    if (steps != IR_NONE)
+        prove_emit_store(k, steps, prove_emit_load(k, w->trues));
+    prove_jump_from(k, k->b, next);
+}
+
+// Emits what a sample changes in the newest and in the oldest sample, and continues in block `next`.  In the first step they are the same.
+static void sample_ends(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRef next)
+{
+    const uint32_t oldest = w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? w->var[SM_STAT_OLDEST] : IR_NONE;
+    IrBlkRef first;
+
+    if (oldest != IR_NONE)
+        prove_emit_store(k, oldest, prove_emit_load(k, w->last));
+    if (w->last != IR_NONE)
+        prove_emit_store(k, w->last, value);
+    if (oldest == IR_NONE) {
+        prove_jump_from(k, k->b, next);
+        return;
+    }
+    first = prove_new_block(k);
+    prove_branch_if_above(k, k->sampled, 0, next, first);
+    k->b = first;
+    prove_emit_store(k, oldest, prove_emit_load(k, w->last));
+    prove_jump_from(k, k->b, next);
+}
+
+// Emits the sample of a window of booleans whose value is known, and continues in block `next`.
+static void sample_known(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
+{
+    IrBlkRef ends;
+
+    if (is_run(w->stats)) {
+        sample_run(k, w, value, next);
+        return;
+    }
+    ends = prove_new_block(k);
+    sample_boolean(k, w, value, ends);
+    k->b = ends;
+    sample_ends(k, w, prove_emit_number(k, value), next);
+}
+
+// Emits the sample of a window, and makes the block after it the current one.
+void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first)
+{
+    IrBlkRef next, yes, no;
+    IrRef value;
+
+    if (!prove_follows_samples(w))
+        return;                                   // its statistics are choices
+    value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), first);
+    next = prove_new_block(k);
+    if (w->is_boolean) {
+        yes = prove_new_block(k);
+        no = prove_new_block(k);
+        prove_branch_from(k, k->b, value, yes, no);
+        k->b = yes;
+        sample_known(k, w, true, next);
+        k->b = no;
+        sample_known(k, w, false, next);
+    } else {
+        sample_ends(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
+    }
+    k->b = next;
+}
