@@ -280,6 +280,7 @@ static void watch(void *watcher, uint32_t kept)
         if (k->goal[e->goal].run_best < k->goal[e->goal].best) {
             k->goal[e->goal].best = k->goal[e->goal].run_best;
             k->goal[e->goal].best_elem = (SearchElem){k->kept[kept], e->value, true};
+            k->goal[e->goal].best_condition = e->condition;
         }
     }
 }
