@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc cover: searches for inputs that reach what no script has tested, and writes each run as a script.
 //
-// 1. The given scripts run, and those of the folder that a person has edited.  The goals are the places that they do not cover.
+// 1. The given scripts run, and those of the folder that a person has edited.  The goals are the places that they do not cover.  The search
+//    starts with the states along the given scripts.
 // 2. The other scripts of the folder that smc has written run.  If they reach every goal that is not impossible, nothing is searched.
 // 3. Else the search is the same as without them, so a second call finds the same, and nothing is written twice.  What it finds is written if
 //    it reaches a goal that no script of the folder reaches.
@@ -77,7 +78,7 @@ static int read_options(CoverRun *r, CoverSettings *s)
 // Checks and runs the given scripts.
 static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Compiled *made)
 {
-    Engine *e[] = {cover_open_engine(r->given), cover_open_engine(r->all)};
+    Engine *const counting = cover_open_engine(r->given), *e[2] = {NULL, cover_open_engine(r->all)};
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
     int code;
 
@@ -89,12 +90,15 @@ static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Co
         }
     if ((code = cli_print_diagnostics(r->c)) != EXIT_OK)
         return code;
-    for (uint32_t i = 0; i < r->script.n; i++)
+    for (uint32_t i = 0; i < r->script.n; i++) {
+        e[0] = cover_open_recorder(r, counting, r->script.at[i]->delta_t);
         if (script_run(r->arena, &r->c->session.diags, r->script.at[i], e, 2, &o).outcome != SCRIPT_PASSED) {
             cli_print_diagnostics(r->c);
             cli_print_error(r->c, TEXT_cover_fails, r->script.at[i]->src->name);
             return EXIT_PROBLEM;
         }
+        cover_keep_recorded(r, e[0]);
+    }
     return cli_print_diagnostics(r->c);
 }
 
@@ -140,7 +144,7 @@ static void end_progress(CoverProgress *k)
 static SearchResult *search(CoverRun *r, const CoverSettings *s, const SearchWatch *watch)
 {
     CoverProgress progress = {r, os_seconds(), 0, false};
-    const SearchOptions o = {.seed = s->seed, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .delta_t = s->delta_t, .kinds = r->kinds,
+    const SearchOptions o = {.seed = s->seed, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .delta_t = s->delta_t, .kinds = r->kinds, .given = r->recorded.at, .givens = r->recorded.n,
                              .no_places = watch != NULL, .watch = watch, .go_on = go_on, .context = &progress};
     SearchResult *result = search_run(r->arena, r->given, &o);
 

@@ -38,22 +38,34 @@ CoverTotals cover_count(const CoverRun *r)
     return t;
 }
 
+// Returns how the search of a place ended that it has not reached; NULL: it was not searched.
+static const SearchFind *missing_of(const CoverRun *r, uint32_t place)
+{
+    const SearchFind *f = r->result ? &r->result->find[place] : NULL;
+
+    return f && f->outcome == SEARCH_NOT_FOUND ? f : NULL;
+}
+
 // Returns what the search knows about a place that it has not reached; "": nothing.
 static const char *reason_of(const CoverRun *r, uint32_t place)
 {
-    const SearchFind *f = r->result ? &r->result->find[place] : NULL;
-    const CoverPlace *blocked = f && f->blocked_by && f->blocked_by != place ? &r->all->place.at[f->blocked_by] : NULL;
+    const SearchFind *f = missing_of(r, place);
+    const CoverPlace *blocked = f && f->blocked_by ? &r->all->place.at[f->blocked_by] : NULL;
+    Buf out;
 
-    if (!f || f->outcome != SEARCH_NOT_FOUND)
+    if (!f)
         return "";
+    buf_init(&out, r->arena);
     if (!f->is_state_reached && r->all->place.at[place].from)
-        return "no run was in its state";
-    if (blocked && f->nearest < SEARCH_UNKNOWN)
-        return format_in(r->arena, "'%s' was never %s; the nearest run missed by %.4g", source_text(r->arena, blocked->span), blocked->value ? "true" : "false",
-                         f->nearest);
-    if (blocked)
-        return format_in(r->arena, "'%s' was never %s", source_text(r->arena, blocked->span), blocked->value ? "true" : "false");
-    return f->nearest < SEARCH_UNKNOWN ? format_in(r->arena, "the nearest run missed by %.4g", f->nearest) : "no run came to what decides it";
+        buf_str(&out, "no run was in its state");
+    if (blocked && (blocked->kind == COVER_CONDITION || blocked->kind == COVER_GUARD)) {
+        if (f->blocked_by != place)
+            buf_printf(&out, "%s'%s' was %s %s%s", out.n ? "; " : "", source_text(r->arena, blocked->span), f->is_never ? "never" : "not",
+                       blocked->value ? "true" : "false", f->is_never ? "" : " together with the rest");
+        if (f->missed_by < SEARCH_UNKNOWN)
+            buf_printf(&out, "%sthe nearest run missed by %.4g", out.n ? "; " : "", f->missed_by);
+    }
+    return out.n ? buf_text(&out) : "no run came to what decides it";
 }
 
 // ---- text ----
@@ -125,6 +137,19 @@ static void write_field(Buf *out, const char *name, const char *text)
     json_put_string(out, text);
 }
 
+static void write_blocked(const CoverRun *r, const SearchFind *f, Buf *out)
+{
+    const CoverPlace *p = &r->all->place.at[f->blocked_by];
+    const LineCol at = source_position(p->span.src, p->span.at);
+
+    buf_printf(out, ",\"blocked_by\":{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu", cover_kind_name[p->kind], (unsigned long)at.line, (unsigned long)at.col);
+    write_field(out, "text", source_text(r->arena, p->span));
+    buf_printf(out, ",\"wanted\":%s,\"never\":%s", p->value ? "true" : "false", f->is_never ? "true" : "false");
+    if (f->missed_by < SEARCH_UNKNOWN)
+        buf_printf(out, ",\"missed_by\":%.6g", f->missed_by);
+    buf_char(out, '}');
+}
+
 static void write_goal(const CoverRun *r, uint32_t i, Buf *out)
 {
     static const char *const word[] = {"reached", "impossible", "not found"};
@@ -140,6 +165,8 @@ static void write_goal(const CoverRun *r, uint32_t i, Buf *out)
         write_field(out, "reason", p->impossible);
     if (outcome == OUTCOME_NOT_FOUND && *reason_of(r, i))
         write_field(out, "reason", reason_of(r, i));
+    if (outcome == OUTCOME_NOT_FOUND && missing_of(r, i))
+        write_blocked(r, missing_of(r, i), out);
     buf_char(out, '}');
 }
 

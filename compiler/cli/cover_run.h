@@ -41,6 +41,7 @@ typedef struct CoverRun {
     GoalTexts *text;
     unsigned kinds;           // 1u << CoverKind of each kind that has goals
     VEC(const Script *) script;       // the given ones
+    VEC(Scenario) recorded;           // their runs, as far as they are scenarios
     VEC(OldScript) old;
     VEC(NewScript) new_one;
     VEC(CoverPair) pair;
@@ -49,6 +50,13 @@ typedef struct CoverRun {
     const SearchResult *result;       // NULL: nothing had to be searched
     bool was_interrupted;
 } CoverRun;
+
+// ---- cover_given.c ----
+
+// Opens an engine that runs `inner`, and records the scenario of one run.
+Engine *cover_open_recorder(CoverRun *r, Engine *inner, uint64_t delta_t);
+// Adds the scenario to r->recorded: it ends before the first write that no scenario has, and before too many changes.
+void cover_keep_recorded(CoverRun *r, Engine *recorder);
 
 // ---- cover_folder.c ----
 

@@ -195,22 +195,29 @@ static void begin_result(SearchRun *k)
     }
 }
 
-// Describes what was not found.
-static void describe_missing(SearchRun *k)
+// Runs scenarios of the caller, so that the snapshots along them are known.
+static void run_given(SearchRun *k)
 {
-    for (uint32_t i = 0; i < k->goals; i++) {
-        const SearchGoal *g = &k->goal[i];
-        SearchFind *f = &k->r->find[g->place];
-        if (f->outcome != SEARCH_NOT_FOUND)
+    for (uint32_t i = 0; i < k->o->givens && search_goes_on(k); i++) {
+        const Scenario *s = &k->o->given[i];
+        uint64_t at = 0;
+        uint32_t node = k->root;
+        if (s->init_state != k->start || s->delta_t != k->delta_t)
             continue;
-        f->nearest = g->best >= SEARCH_UNKNOWN ? SEARCH_UNKNOWN : g->best / (1 + g->best);
-        for (uint32_t s = 0; s < g->site.n; s++)
-            f->is_state_reached |= g->site.at[s].state == 0 || k->visited[g->site.at[s].state - 1];
-        if (g->best < SEARCH_UNKNOWN && g->place < k->r->places) {
-            const uint32_t place = k->decision[g->best_elem.decision].d->hit + !g->best_elem.value;
-            const uint32_t blocking = k->goal_of[place];
-            f->blocked_by = blocking != SEARCH_NONE && !k->goal[blocking].done ? place : 0;
+        k->node.at[node].users++;
+        for (size_t c = 0; at < s->steps && search_goes_on(k) && k->node.at[node].copy; ) {
+            uint64_t end;
+            uint32_t next;
+            k->turn.n = 0;
+            for (; c < s->changes && s->change[c].step <= at + 1; c++)
+                search_add_change(k, &s->change[c]);
+            end = c < s->changes && s->change[c].step <= s->steps ? s->change[c].step - 1 : s->steps;
+            next = search_run_segment(k, node, k->turn.at, k->turn.n, end - at, SEARCH_NONE);
+            search_drop(k, node);
+            node = next;
+            at = end;
         }
+        search_drop(k, node);
     }
 }
 
@@ -238,9 +245,10 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     search_begin_nodes(k);
     search_begin_solving(k);
     search_build_flat(k);
+    run_given(k);
     search(k);
     search_choose(k);
-    describe_missing(k);
+    search_describe_missing(k);
     arena_free(&k->flats);
     arena_free(&k->work);
     return k->r;

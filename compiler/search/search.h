@@ -61,6 +61,8 @@ typedef struct SearchOptions {
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;
     uint32_t hints;
+    const Scenario *given;    // starting points: the states along them are known from the start.  Those with another start or delta_t are not used
+    uint32_t givens;
     // Called about every 100,000 steps.  Returns false to stop: the result then has what was found until then.
     bool (*go_on)(void *context, const SearchProgress *p);
     void *context;
@@ -85,8 +87,10 @@ typedef struct SearchFind {
     const char *reason;       // IMPOSSIBLE: why, as CoverPlace.impossible
     double nearest;           // NOT_FOUND: the smallest distance that was seen, SEARCH_UNKNOWN: no run came to what
                               // decides it
-    uint32_t blocked_by;      // NOT_FOUND: the place of the condition or guard that never had the value that the goal needs; 0: each has had
-                              // it, but not all in one step
+    uint32_t blocked_by;      // NOT_FOUND: the place of the condition or guard that did not have the value that the goal needs, in the run
+                              // that came nearest to it, or to a state from which it can be reached; 0: a goal of the caller
+    bool is_never;            // NOT_FOUND: it never had that value; else it had it, but not together with what else the goal needs
+    double missed_by;         // NOT_FOUND: the difference of the numbers that it compares, in that run; SEARCH_UNKNOWN: none
     bool is_state_reached;    // NOT_FOUND: some run was in its state
 } SearchFind;
 

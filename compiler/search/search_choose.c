@@ -231,7 +231,11 @@ void search_choose(SearchRun *k)
     Candidate *all, *best;
     uint32_t n = 0;
     GoalSet want = {NULL, 0, 0};
+    const uint64_t full = k->effort;
 
+    // A step for each goal that was not found is left, to describe it.
+    if (k->effort - k->r->steps > k->reserve + k->open)
+        k->effort -= k->open;
     k->stop_at = k->effort;
     begin_chooser(&c);
     all = make_candidates(&c, &n);
@@ -241,4 +245,5 @@ void search_choose(SearchRun *k)
     }
     k->r->chosen = c.chosen.at;
     k->r->chosens = c.chosen.n;
+    k->effort = full;
 }

@@ -32,7 +32,8 @@ static void share_sites(SearchRun *k)
     for (uint32_t i = 0; i < k->c->shared.n; i++)
         for (uint32_t n = 0; n < k->c->shared.at[i].n; n++) {
             const uint32_t from = k->goal_of[k->c->shared.at[i].from + n], to = k->goal_of[k->c->shared.at[i].to + n];
-            for (uint32_t s = 0; from != SEARCH_NONE && to != SEARCH_NONE && s < k->goal[from].site.n; s++)
+            const uint32_t sites = from == SEARCH_NONE || to == SEARCH_NONE || from == to ? 0 : k->goal[from].site.n;
+            for (uint32_t s = 0; s < sites; s++)
                 add_site(k, &k->goal[to], k->goal[from].site.at[s]);
         }
 }
@@ -280,6 +281,7 @@ static void watch(void *watcher, uint32_t kept)
         if (k->goal[e->goal].run_best < k->goal[e->goal].best) {
             k->goal[e->goal].best = k->goal[e->goal].run_best;
             k->goal[e->goal].best_elem = (SearchElem){k->kept[kept], e->value, true};
+            k->goal[e->goal].best_condition = e->condition;
         }
     }
 }

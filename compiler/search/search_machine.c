@@ -287,6 +287,12 @@ static void find_constants(SearchRun *k)
         if (at != IR_NONE && k->var[at].input != SEARCH_NONE)
             add_constant(k, &k->input[k->var[at].input], k->o->hint[i].value);
     }
+    for (uint32_t i = 0; i < k->o->givens; i++)
+        for (size_t c = 0; c < k->o->given[i].changes; c++) {
+            const uint32_t at = k->m->var_of[k->o->given[i].change[c].var];
+            if (at != IR_NONE && k->var[at].input != SEARCH_NONE)
+                add_constant(k, &k->input[k->var[at].input], k->o->given[i].change[c].a);
+        }
     for (uint32_t i = 0; i < k->inputs; i++) {
         add_constant(k, &k->input[i], 0);
         add_constant(k, &k->input[i], 1);

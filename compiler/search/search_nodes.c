@@ -11,6 +11,7 @@ enum {
     REPORT_STEPS = 100000,
     LEAP_AFTER = 64,          // steps in a state after which distances are measured in one step of LEAP_EVERY
     LEAP_EVERY = 32,
+    STAY_PERCENT = 10,        // of the segments do not become shorter at transitions: a machine that goes around counts what it does
     STALE_STEPS = 2000000,    // without progress in so many steps, distances are measured in few segments
     NODE_BYTES = 192,         // counted for a node and a turn, so that a bound has the same effect on every computer: an array that grows
     TURN_BYTES = 64,          // needs its old memory too
@@ -527,6 +528,7 @@ static bool is_measured(uint64_t since, uint64_t left) { return since < LEAP_AFT
 static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t goal, bool measures)
 {
     const FlatState *s = (const FlatState *)(void *)k->now;
+    const bool stays = search_chance(k, STAY_PERCENT);
     uint64_t since = 0;
 
     for (; left-- > 0 && k->r->steps < k->stop_at; since++) {
@@ -541,7 +543,7 @@ static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t 
         if (s->first) {
             k->visited[s->state - 1] = true;
             store_entry(k, seg);
-            left = left > 256 && search_chance(k, 80) ? 256 : left;
+            left = left > 256 && !stays && search_chance(k, 80) ? 256 : left;
             since = 0;
         }
         if (k->r->steps >= k->next_report && !search_goes_on(k))
@@ -575,7 +577,6 @@ void search_begin_nodes(SearchRun *k)
 {
     const size_t machine = round_up(k->plain->size), situation = k->o->watch ? round_up(k->o->watch->size) : 0;
     const Segment seg = {SEARCH_NONE, NULL, 0};
-    uint32_t root;
 
     k->settings = machine + situation;
     k->block = k->settings + round_up((k->inputs + 1) * sizeof(SearchSetting));
@@ -592,7 +593,7 @@ void search_begin_nodes(SearchRun *k)
     flat_start(k->plain, k->now, k->start->number);
     if (k->o->watch)
         k->o->watch->start(k->o->watch->self, k->now + machine);
-    root = add_node(k, &seg);
+    k->root = add_node(k, &seg);
     k->visited[k->start->number - 1] = true;
-    add_entry(k, root, 0);
+    add_entry(k, k->root, 0);                  // the user that add_node has counted stays
 }

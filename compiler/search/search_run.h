@@ -7,6 +7,7 @@
 //     search_nodes.c     states that have been reached, and runs from them
 //     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
 //     search_choose.h    few scenarios with few changes that reach what was reached, in three files
+//     search_missing.c   what blocked the goals that were not found
 //     search.c           the loop
 //
 // Letters: k the search, f a flat machine, n a node, g a goal.
@@ -88,6 +89,7 @@ typedef struct SearchGoal {
     uint32_t pooled;
     double best;              // in all runs
     SearchElem best_elem;     // the element that decided it
+    uint32_t best_condition;  // which of its conditions has to decide with this value; SEARCH_NONE: the decision has to have it
     uint64_t cost;            // steps spent on it
     uint32_t found;           // the node after the step that reached it
     double run_best;          // in the current segment
@@ -166,6 +168,7 @@ typedef struct SearchRun {
     double *cost[2];          // by node of a decision: how far it is from being false, true
     // nodes
     VEC(SearchNode) node;
+    uint32_t root;            // the start; it always has a copy
     SearchNear *entry;        // by State.number - 1, SEARCH_ENTRIES each
     uint32_t *entries;
     bool *visited;            // by State.number - 1
@@ -218,8 +221,12 @@ static inline SearchSetting *search_settings(const SearchRun *k, char *block) { 
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
 
+// Adds a change of a given scenario to k->turn, if it sets an input.
+void search_add_change(SearchRun *k, const ScenarioChange *c);
+
 void search_begin_solving(SearchRun *k);
 
 void search_choose(SearchRun *k);
+void search_describe_missing(SearchRun *k);
 
 #endif

@@ -21,6 +21,14 @@ static void add_turn(SearchRun *k, uint32_t input, SearchSetting s)
     k->turn.at[k->turn.n - 1].setting.set = true;
 }
 
+void search_add_change(SearchRun *k, const ScenarioChange *c)
+{
+    const uint32_t input = k->m->var_of[c->var] == IR_NONE ? SEARCH_NONE : k->var[k->m->var_of[c->var]].input;
+
+    if (input != SEARCH_NONE)
+        add_turn(k, input, (SearchSetting){.kind = c->kind, .a = c->a, .b = c->b, .source = c->source});
+}
+
 static void add_wished(SearchRun *k, uint32_t input)
 {
     const SearchWish *w = &k->wish[input];
@@ -37,9 +45,11 @@ static void add_wished(SearchRun *k, uint32_t input)
         if (k->input[input].range && (s.b > k->input[input].range->hi || s.b < k->input[input].range->lo))
             s.b = 2 * s.a - s.b;
     } else if (w->slope != 0) {
+        const double steps = ((now < w->lo ? w->lo : now > w->hi ? w->hi : now) - now) / w->slope;
         s.kind = SCENARIO_RAMP;
-        s.a = search_is_within(w, now) ? now : search_choose_value(k, input);
+        s.a = steps >= 0 ? now : search_choose_value(k, input);
         s.b = w->slope;
+        search_wait_for(k, steps + 2);
     } else {
         s.a = search_choose_value(k, input);
     }

@@ -162,14 +162,14 @@ static void wish_event(SearchRun *k, uint32_t window, uint32_t fn, IrRef sample,
 }
 
 // Adds noise, or a slope, to the inputs of what a window samples.
-static void wish_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplitude, double slope)
+static void wish_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplitude, double slope, bool is_needed)
 {
     const IrFn *f = k->fn[fn].fn;
     const IrIns *i = &f->ins.at[sample];
 
     if (i->op == IR_load && k->var[i->var].input != SEARCH_NONE) {
         SearchWish *w = &k->wish[k->var[i->var].input];
-        w->needed = true;
+        w->needed |= is_needed;
         w->vary = amplitude;
         w->slope = slope;
         return;
@@ -177,12 +177,25 @@ static void wish_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplit
     if (i->op == IR_const || i->op == IR_load || i->op == IR_stat)
         return;
     if (i->b != IR_NONE && (k->fn[fn].handle[i->b] & HANDLE_INPUT) && (!(k->fn[fn].handle[i->a] & HANDLE_INPUT) || search_chance(k, 50)))
-        wish_movement(k, fn, i->b, amplitude, slope);
+        wish_movement(k, fn, i->b, amplitude, slope, is_needed);
     else if (i->a != IR_NONE)
-        wish_movement(k, fn, i->a, amplitude, slope);
+        wish_movement(k, fn, i->a, amplitude, slope, is_needed);
 }
 
-static void wish_window(SearchRun *k, uint32_t window, SmStat stat, Rel rel, double x, int depth)
+// Returns by how much a sample has to change in each step, so that a window changes by more, or by less, than x.
+static double choose_slope(SearchRun *k, uint32_t size, double x, bool more)
+{
+    const double exact = size > 1 ? x / (size - 1) : x;
+
+    if (x == 0)
+        return more ? 1 : -1;
+    if (more == (x > 0))
+        return exact * (search_chance(k, 50) ? 1.25 : 2);
+    return exact * (search_chance(k, 50) ? 0.75 : 0.25);
+}
+
+// is_satisfied: the value of the window is as it should be; it should stay so.
+static void wish_window(SearchRun *k, uint32_t window, SmStat stat, Rel rel, double x, bool is_satisfied, int depth)
 {
     const uint32_t size = k->m->window.at[window].size;
     const IrFn *f = k->m->sample;
@@ -199,15 +212,15 @@ static void wish_window(SearchRun *k, uint32_t window, SmStat stat, Rel rel, dou
     case SM_STAT_ELAPSED: return;
     case SM_STAT_RANGE:
         if (more || rel == REL_NE)
-            wish_movement(k, 0, sample, (x > 0 ? 2 * x : 1), 0);
+            wish_movement(k, 0, sample, (x > 0 ? 2 * x : 1), 0, true);
         else
             search_wait_for(k, size + 1);
         return;
     case SM_STAT_CHANGE:
         if (rel == REL_EQ || rel == REL_NE)
-            wish_movement(k, 0, sample, 0, rel == REL_EQ ? 0 : 1);
+            wish_movement(k, 0, sample, 0, rel == REL_EQ ? 0 : 1, true);
         else
-            wish_movement(k, 0, sample, 0, (size > 1 ? x / (size - 1) * (search_chance(k, 50) ? 1.25 : 2) : x) + (x == 0 ? more ? 1 : -1 : 0));
+            wish_movement(k, 0, sample, 0, choose_slope(k, size, x, more), !is_satisfied);
         search_wait_for(k, size + 1);
         return;
     default: break;
@@ -315,7 +328,7 @@ static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x,
         return;
     switch (i->op) {
     case IR_load: wish_load(k, i->var, rel, x, depth); break;
-    case IR_stat: wish_window(k, i->var, i->stat, rel, x, depth); break;
+    case IR_stat: wish_window(k, i->var, i->stat, rel, x, satisfies(value_of(k, fn, ref), rel, x), depth); break;
     case IR_add: case IR_sub: wish_sum(k, fn, i, rel, x, depth); break;
     case IR_mul: wish_product(k, fn, i, rel, x, depth); break;
     case IR_div: wish_quotient(k, fn, i, rel, x, depth); break;

@@ -157,6 +157,48 @@ check 0 "the message of an interrupted search" has '^smc: interrupted'
 check 0 "and leaves scripts" sh -c 'ls stopped/*.ss'
 check 0 "that are whole" sh -c "\"$smc\" test -w hard.sm stopped/*.ss"
 
+"$smc" cover "$root/tests/search/machines/unfound.sm" -o unfound --effort=1 --format=json >unfound.json 2>err
+check 0 "goals that are not found as JSON" grep -q '"outcome":"not found"' unfound.json
+check 1 "name what blocked them" sh -c "grep '\"outcome\":\"not found\"' unfound.json | grep -qv '\"blocked_by\":{\"kind\"'"
+check 0 "and how near a run came" grep -q '"missed_by":' unfound.json
+check 5 "little memory" "$smc" cover "$root/tests/search/machines/unfound.sm" -o small-memory --effort=20 --memory=1
+check 0 "is reported" has '^smc: the search has used its 1 MB of memory; --memory=4'
+
+# ---- given scripts as starting points ----
+
+cat >code.sm <<'END_OF_FILE'
+[state_vector]
+U64 G
+U32 S
+U8  code @read_only
+F64 h
+bool open
+[Locked] @safe
+.step
+    h = sin(h * 100 + code)
+    T == 50 and h > 0.99264536936 and h < 0.99264536938: -> Open
+[Open] @safe
+.step
+    open = true
+    code > 200 and T > 500: -> Locked
+END_OF_FILE
+cat >code.ss <<'END_OF_FILE'
+[options]
+delta_t 10
+[all_states]
+G == 0:  code = 7
+G == 20: code = 99
+G == 40: code = 31
+G == 80: @assert state Open
+G == 80: @stop
+END_OF_FILE
+check 5 "a code that only a script knows" "$smc" cover code.sm -o codes --effort=1 --goals=transitions
+check 0 "with this script" "$smc" cover code.sm code.ss -o codes --effort=1 --goals=transitions
+check 0 "the search begins where it leads" test -s codes/code-2-open-to-locked.ss
+check 1 "and repeats nothing" test -e codes/code-1-locked-to-open.ss
+sed 's/^G == 0:.*/&\nG == 0: h = 0/' code.ss >wrote.ss
+check 5 "a script that writes an output is no start" "$smc" cover code.sm wrote.ss -o codes-2 --effort=1 --goals=transitions
+
 # ---- every example ----
 
 cd "$root" || exit 1
