@@ -66,6 +66,7 @@
 #define SM_ROLL_INLINE static inline
 #endif
 #define SM_ROLL_INLINE_FOR_SPEED SM_ROLL_INLINE
+#define SM_ROLL_OUTLINE SM_ROLL_INLINE
 #ifdef __OPTIMIZE_SIZE__
 #define SM_ROLL_AT_ONCE 1u
 #endif
@@ -82,6 +83,11 @@
 #elif !defined(SM_ROLL_INLINE_FOR_SPEED)
 #define SM_ROLL_INLINE_FOR_SPEED SM_ROLL_INLINE
 #endif
+#if !defined(SM_ROLL_OUTLINE) && defined(__GNUC__)
+#define SM_ROLL_OUTLINE __attribute__((noinline)) static
+#elif !defined(SM_ROLL_OUTLINE)
+#define SM_ROLL_OUTLINE static
+#endif
 // The kind of a window: the type in which it stores its samples, and the statistics that it supports.
 enum {
     SM_ROLL_I8 = 0, SM_ROLL_I16 = 1, SM_ROLL_I32 = 2, SM_ROLL_U8 = 4, SM_ROLL_U16 = 5, SM_ROLL_U32 = 6,
@@ -90,7 +96,8 @@ enum {
     SM_ROLL_OLDEST = 512, SM_ROLL_NEWEST = 1024, SM_ROLL_CHANGE = 2048,
     SM_ROLL_TIMES = 7,         // a window of times or a run, with its own statistics:
     SM_ROLL_ELAPSED = 4096, SM_ROLL_RUN_STEPS = 8192, SM_ROLL_RUN_TIME = 16384,
-    SM_ROLL_ORDER = 480        // the statistics that compare samples
+    SM_ROLL_ORDER = 480,       // the statistics that compare samples
+    SM_ROLL_MEDIAN_OF_3 = SM_ROLL_MEDIAN | 32768    // the same as SM_ROLL_MEDIAN, of a window of three slots in emitted C
 };
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
@@ -117,13 +124,27 @@ enum {
 #define SM_ROLL_BY_VALUE 0      // outside emitted C, the smaller code
 #endif
 // snippet: SM_ROLL_BY_VALUE
-// 1: a window of F32 or F64 without a median stores its samples as they are, and compares them as numbers.  For processors whose registers hold
-// such numbers, where that costs less than comparing keys.
+// 1: a window of F32 or F64 stores its samples as they are, and compares them as numbers, unless a median stores them in order.  For processors
+// whose registers hold such numbers, where that costs less than comparing keys.
 #ifndef SM_ROLL_BY_VALUE
 #if !SM_ROLL_SMALL && (defined(__SSE2__) || defined(_M_X64) || defined(__aarch64__) || defined(_M_ARM64))
 #define SM_ROLL_BY_VALUE 1
 #else
 #define SM_ROLL_BY_VALUE 0
+#endif
+#endif
+// snippet: end
+#ifndef SM_ROLL_LATE_ORDER
+#define SM_ROLL_LATE_ORDER 0    // outside emitted C: files that share a window can be compiled with different options
+#endif
+// snippet: SM_ROLL_LATE_ORDER
+// 1: three samples are put in order when their median is read, which takes less time than storing them in order.  It is more code, unless they are
+// compared as numbers.
+#ifndef SM_ROLL_LATE_ORDER
+#if !SM_ROLL_SMALL && defined(__OPTIMIZE__) && (SM_ROLL_BY_VALUE || !defined(__OPTIMIZE_SIZE__))
+#define SM_ROLL_LATE_ORDER 1
+#else
+#define SM_ROLL_LATE_ORDER 0
 #endif
 #endif
 // snippet: SM_ROLL_AT_ONCE
@@ -169,7 +190,10 @@ SM_ROLL_INLINE SmRollKey sm_roll_ordered(uint32_t kind, SmRollKey sample)
 // Whether a window stores its samples as the integers of sm_roll_ordered.  Otherwise it stores their bits.
 SM_ROLL_INLINE bool sm_roll_stores_order(uint32_t kind)
 {
-    return SM_ROLL_SMALL || (kind & (SM_ROLL_BY_VALUE ? (uint32_t)SM_ROLL_MEDIAN : (uint32_t)SM_ROLL_ORDER)) != 0;
+    const uint32_t in_order = SM_ROLL_LATE_ORDER ? SM_ROLL_MEDIAN_OF_3 : SM_ROLL_MEDIAN;
+    if (!SM_ROLL_BY_VALUE)
+        return SM_ROLL_SMALL || (kind & SM_ROLL_ORDER) != 0;
+    return (kind & in_order) == SM_ROLL_MEDIAN;
 }
 // snippet: sm_roll_key
 // Converts a sample to its key, which is what the window stores, or a key to its sample.
@@ -327,19 +351,6 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmR
         sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i + 1u), kind));
     sm_roll_store(sorted, i, kind, key);
 }
-// snippet: end
-#ifndef SM_ROLL_LATE_ORDER
-#define SM_ROLL_LATE_ORDER 0    // outside emitted C: files that share a window can be compiled with different options
-#endif
-// snippet: SM_ROLL_LATE_ORDER
-// 1: three samples are put in order when their median is read, which takes less time than storing them in order, but more code.
-#ifndef SM_ROLL_LATE_ORDER
-#if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !SM_ROLL_SMALL
-#define SM_ROLL_LATE_ORDER 1
-#else
-#define SM_ROLL_LATE_ORDER 0
-#endif
-#endif
 // snippet: sm_roll_is_ordered
 // Whether a window with a median stores its samples in order.
 SM_ROLL_INLINE bool sm_roll_is_ordered(uint32_t n) { return !SM_ROLL_LATE_ORDER || n != 3; }
@@ -465,6 +476,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint3
 // eight, … slots.  An odd last group passes its sum on unchanged.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
 {
+    SM_ROLL_UNROLL
     for (n = (n + 1) / 2; n > 1; n = (n + 1) / 2) {
         i /= 2;
         count = (count + 1) / 2;
@@ -502,7 +514,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t 
     SmF64 sum = sm_roll_value(kind, key);
     if ((partials & 2u) != 0) {
         sum = paired ? sm_add(sum, sm_roll_value(kind, other)) : sum;
-        *all++ = sm_bits(sm_roll_update_sums(node, n, i, count, sum));
+        *all++ = sm_bits(count == n ? sm_roll_update_sums(node, n, i, n, sum) : sm_roll_update_sums(node, n, i, count, sum));
         node += sm_roll_tree_words(n);
     }
     key = sm_roll_order_of_key(kind, key);
@@ -534,6 +546,8 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     SmF64 part[17], *end = part, sum = sm_from_bits(0);
     SmRollSize i, whole;
+    if (n <= SM_ROLL_AT_ONCE)
+        return sm_roll_sum_group(at, count, kind);
     for (i = 0; i < count; i = (SmRollSize)(i + SM_ROLL_AT_ONCE), at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
         sum = sm_roll_sum_group(at, (uint32_t)(count - i), kind);
         for (whole = (SmRollSize)(i / SM_ROLL_AT_ONCE); whole % 2 != 0; whole /= 2)
@@ -573,16 +587,62 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32
         sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind, count) : sm_roll_sum_of_integers(w, n, kind, count);
     return sm_div(sum, sm_from_u32(count));
 }
+// snippet: sm_roll_load_f32
+SM_ROLL_INLINE float sm_roll_load_f32(const unsigned char *at) { float x; memcpy(&x, at, sizeof x); return x; }
+// snippet: sm_roll_load_f64
+SM_ROLL_INLINE SmF64 sm_roll_load_f64(const unsigned char *at) { SmF64 x; memcpy(&x, at, sizeof x); return x; }
+// snippet: sm_roll_extreme_of_f32
+// The smaller number, or the larger if `up`.  A comparison in this form is one instruction on x86.
+SM_ROLL_INLINE float sm_roll_extreme_of_f32(bool up, float a, float b) { return (up ? b < a : a < b) ? a : b; }
+// snippet: sm_roll_extreme_of_f64
+// The same for F64.
+SM_ROLL_INLINE SmF64 sm_roll_extreme_of_f64(bool up, SmF64 a, SmF64 b) { return (up ? sm_lt(b, a) : sm_lt(a, b)) ? a : b; }
 // snippet: sm_roll_extreme_of_two
 // The smaller key, or the larger if `up`.
 SM_ROLL_INLINE SmRollKey sm_roll_extreme_of_two(bool up, SmRollKey a, SmRollKey b) { return (up ? a > b : a < b) ? a : b; }
+// snippet: end
+#ifndef SM_ROLL_VECTORS
+#define SM_ROLL_VECTORS 0       // outside emitted C, sizes are known only at run time
+#endif
+// snippet: SM_ROLL_VECTORS
+// 1: the smallest and largest of F32 are found four at a time, by instructions that every x86-64 has.
+#ifndef SM_ROLL_VECTORS
+#if SM_ROLL_BY_VALUE && defined(__SSE2__) && defined(__GNUC__) && defined(__OPTIMIZE__)
+#define SM_ROLL_VECTORS 1
+#else
+#define SM_ROLL_VECTORS 0
+#endif
+#endif
+#if SM_ROLL_VECTORS
+#include <xmmintrin.h>
+#endif
+// snippet: sm_roll_extreme_vector
+#if SM_ROLL_VECTORS
+// The smallest of n >= 4 numbers, or the largest if `up`.  If that is 0, its sign can be wrong.  The last four overlap the four before them.
+SM_ROLL_INLINE __m128 sm_roll_load_vector(const unsigned char *at) { return _mm_loadu_ps((const float *)(const void *)at); }
+SM_ROLL_INLINE __m128 sm_roll_extreme_of_vectors(bool up, __m128 a, __m128 b) { return up ? _mm_max_ps(a, b) : _mm_min_ps(a, b); }
+SM_ROLL_INLINE float sm_roll_extreme_vector(const unsigned char *at, uint32_t n, bool up)
+{
+    __m128 end = sm_roll_load_vector(at + (size_t)(n - 4) * 4);
+    uint32_t i;
+    SM_ROLL_UNROLL
+    for (i = 0; i + 4 < n; i += 4)
+        end = sm_roll_extreme_of_vectors(up, end, sm_roll_load_vector(at + (size_t)i * 4));
+    end = sm_roll_extreme_of_vectors(up, end, _mm_movehl_ps(end, end));
+    return _mm_cvtss_f32(sm_roll_extreme_of_vectors(up, end, _mm_shuffle_ps(end, end, 1)));
+}
+#endif
 // snippet: sm_roll_extreme_f32
-// The smallest number, or the largest if `up`.  If that is 0, its sign can be wrong.  A comparison in this form is one instruction on x86.
-SM_ROLL_INLINE float sm_roll_load_f32(const unsigned char *at) { float x; memcpy(&x, at, sizeof x); return x; }
-SM_ROLL_INLINE float sm_roll_extreme_of_f32(bool up, float a, float b) { return (up ? b < a : a < b) ? a : b; }
-SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, SmRollSize left, bool up)
+// The smallest number, or the largest if `up`.  If that is 0, its sign can be wrong.
+SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, uint32_t n, SmRollSize left, bool up)
 {
     float end = sm_roll_load_f32(at), a, b;
+#if SM_ROLL_VECTORS
+    if (n >= 4 && left == n)
+        return sm_roll_extreme_vector(at, n, up);
+#else
+    (void)n;
+#endif
     for (; SM_ROLL_AT_ONCE == 4u && left >= 4; left = (SmRollSize)(left - 4u), at += 16) {
         a = sm_roll_extreme_of_f32(up, sm_roll_load_f32(at), sm_roll_load_f32(at + 4));
         b = sm_roll_extreme_of_f32(up, sm_roll_load_f32(at + 8), sm_roll_load_f32(at + 12));
@@ -594,8 +654,6 @@ SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, SmRollSize lef
 }
 // snippet: sm_roll_extreme_f64
 // The same for F64.
-SM_ROLL_INLINE SmF64 sm_roll_load_f64(const unsigned char *at) { SmF64 x; memcpy(&x, at, sizeof x); return x; }
-SM_ROLL_INLINE SmF64 sm_roll_extreme_of_f64(bool up, SmF64 a, SmF64 b) { return (up ? sm_lt(b, a) : sm_lt(a, b)) ? a : b; }
 SM_ROLL_INLINE SmF64 sm_roll_extreme_f64(const unsigned char *at, SmRollSize left, bool up)
 {
     SmF64 end = sm_roll_load_f64(at), a, b;
@@ -620,7 +678,7 @@ SM_ROLL_INLINE bool sm_roll_compares_numbers(uint32_t n, uint32_t kind)
 SM_ROLL_INLINE SmF64 sm_roll_extreme_number(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
     const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
-    return (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_extreme_f32(at, count, up)) : sm_roll_extreme_f64(at, count, up);
+    return (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_extreme_f32(at, n, count, up)) : sm_roll_extreme_f64(at, count, up);
 }
 // snippet: sm_roll_extreme_zero
 // The smallest, or the largest if `up`, of samples of which it is a zero: -0 if any is -0, or 0 if any is 0.
@@ -653,13 +711,43 @@ SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint
 // The key of a rank in a window of three slots, of which `count` are used.
 SM_ROLL_INLINE SmRollKey sm_roll_rank_of_three(const uint64_t *w, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
-    const SmRollKey a = sm_roll_slot_key(w, 3, kind, 0), b = sm_roll_slot_key(w, 3, kind, 1), c = sm_roll_slot_key(w, 3, kind, 2);
-    const SmRollKey lo = a < b ? a : b, hi = a < b ? b : a, mid = hi < c ? hi : c;
+    const SmRollKey a = sm_roll_order_of_key(kind, sm_roll_slot_key(w, 3, kind, 0)), b = sm_roll_order_of_key(kind, sm_roll_slot_key(w, 3, kind, 1));
+    const SmRollKey c = sm_roll_order_of_key(kind, sm_roll_slot_key(w, 3, kind, 2)), lo = a < b ? a : b, hi = a < b ? b : a, mid = hi < c ? hi : c;
     if (count == 1)
-        return a;
+        return sm_roll_order_of_key(kind, a);
     if (count == 2)
-        return rank == 0 ? lo : hi;
-    return rank == 1 ? (lo < mid ? mid : lo) : rank == 0 ? (lo < c ? lo : c) : (hi < c ? c : hi);
+        return sm_roll_order_of_key(kind, rank == 0 ? lo : hi);
+    return sm_roll_order_of_key(kind, rank == 1 ? (lo < mid ? mid : lo) : rank == 0 ? (lo < c ? lo : c) : (hi < c ? c : hi));
+}
+// snippet: sm_roll_middle_f32
+// The median of three numbers.  If that is 0, its sign can be wrong.
+SM_ROLL_INLINE float sm_roll_middle_f32(const unsigned char *at)
+{
+    const float a = sm_roll_load_f32(at), b = sm_roll_load_f32(at + 4), c = sm_roll_load_f32(at + 8);
+    const float lo = sm_roll_extreme_of_f32(false, a, b), hi = sm_roll_extreme_of_f32(true, a, b);
+    return sm_roll_extreme_of_f32(true, lo, sm_roll_extreme_of_f32(false, hi, c));
+}
+// snippet: sm_roll_middle_f64
+// The same for F64.
+SM_ROLL_INLINE SmF64 sm_roll_middle_f64(const unsigned char *at)
+{
+    const SmF64 a = sm_roll_load_f64(at), b = sm_roll_load_f64(at + 8), c = sm_roll_load_f64(at + 16);
+    const SmF64 lo = sm_roll_extreme_of_f64(false, a, b), hi = sm_roll_extreme_of_f64(true, a, b);
+    return sm_roll_extreme_of_f64(true, lo, sm_roll_extreme_of_f64(false, hi, c));
+}
+// snippet: sm_roll_middle_number
+// The median of a full window of three slots, by comparing numbers.  If that is 0, at least two of the three have its sign.
+SM_ROLL_INLINE SmF64 sm_roll_middle_number(const uint64_t *w, uint32_t kind)
+{
+    const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(3, kind));
+    const SmF64 x = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_middle_f32(at)) : sm_roll_middle_f64(at);
+    SmRollKey a, b, c;
+    if (!sm_eq(x, sm_from_bits(0)))
+        return x;
+    a = sm_roll_slot_key(w, 3, kind, 0);
+    b = sm_roll_slot_key(w, 3, kind, 1);
+    c = sm_roll_slot_key(w, 3, kind, 2);
+    return sm_from_bits(((a & b) | (a & c) | (b & c)) < 0 ? 0x8000000000000000u : 0);
 }
 // snippet: sm_roll_value_of_rank
 // The value of the ordered sample of a rank.
@@ -670,24 +758,37 @@ SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32
         return sm_roll_value(kind, sm_roll_rank_of_three(w, kind, count, rank));
     return sm_roll_value(kind, sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind));
 }
-// snippet: sm_roll_median
-SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
+// snippet: sm_roll_mean_of_two
+// The mean of a <= b, the two samples in the middle.
+SM_ROLL_OUTLINE SmF64 sm_roll_mean_of_two(SmF64 a, SmF64 b)
 {
-    SmF64 a, b, d;
-    if (count == 0)
-        return sm_from_i32(0);
-    if (!sm_roll_is_ordered(n) && count >= 3)
-        return sm_roll_value_of_rank(w, n, kind, 3, 1);
-    a = sm_roll_value_of_rank(w, n, kind, count, (count - 1u) / 2u);
-    if (count % 2 != 0)
-        return a;
-    b = sm_roll_value_of_rank(w, n, kind, count, count / 2u);
+    const SmF64 d = sm_sub(b, a);
     if (sm_eq(a, b))
         return a;
-    d = sm_sub(b, a);
     if (!sm_lt(d, sm_from_bits(0x7FF0000000000000u)))   // too far apart: the difference is infinite
         return sm_add(sm_div(a, sm_from_i32(2)), sm_div(b, sm_from_i32(2)));
     return sm_add(a, sm_div(d, sm_from_i32(2)));
+}
+// snippet: sm_roll_median
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
+{
+    if (count == 0)
+        return sm_from_i32(0);
+    if (count % 2 != 0)
+        return sm_roll_value_of_rank(w, n, kind, count, count / 2u);
+    return sm_roll_mean_of_two(sm_roll_value_of_rank(w, n, kind, count, count / 2u - 1u), sm_roll_value_of_rank(w, n, kind, count, count / 2u));
+}
+// snippet: sm_roll_median_of_3
+// The median of a window of three slots.  It is another function than sm_roll_median, because that is shared when optimizing for size.
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median_of_3(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
+{
+    if (!SM_ROLL_LATE_ORDER)
+        return sm_roll_median(w, n, kind, count);
+    if (count >= 3)
+        return sm_roll_compares_numbers(n, kind) ? sm_roll_middle_number(w, kind) : sm_roll_value_of_rank(w, n, kind, 3, 1);
+    if (count == 2)
+        return sm_roll_mean_of_two(sm_roll_value_of_rank(w, n, kind, 2, 0), sm_roll_value_of_rank(w, n, kind, 2, 1));
+    return count == 0 ? sm_from_i32(0) : sm_roll_value_of_rank(w, n, kind, 1, 0);
 }
 // snippet: sm_roll_extreme
 // The smallest sample, or the largest if `up`; -0 is below +0.
@@ -962,7 +1063,7 @@ SM_ROLL_INLINE SmF64 sm_roll_read_stat(const uint64_t *w, uint32_t n, uint32_t k
     const SmRollSize count = sm_roll_count(ring);
     switch (stat) {
     case SM_STAT_AVG: return sm_roll_avg(w, n, kind, count);
-    case SM_STAT_MEDIAN: return sm_roll_median(w, n, kind, count);
+    case SM_STAT_MEDIAN: return SM_ROLL_LATE_ORDER && n == 3 ? sm_roll_median_of_3(w, n, kind, count) : sm_roll_median(w, n, kind, count);
     case SM_STAT_MIN: return sm_roll_min(w, n, kind, count);
     case SM_STAT_MAX: return sm_roll_max(w, n, kind, count);
     case SM_STAT_RANGE: return sm_roll_range(w, n, kind, count);

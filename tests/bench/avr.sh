@@ -15,7 +15,8 @@ rm -rf "$dir"
 mkdir -p "$dir" || exit 1
 $CC -std=gnu99 -O1 -I. tests/avr/sim.c $here/run.c -o "$dir/run" -lsimavr -lelf || exit 1
 flags="-mmcu=atmega328p -DF_CPU=16000000UL -Os -std=gnu99 -Wall -Wextra -ffunction-sections -fdata-sections -Wl,--gc-sections -I. -I$here -I$dir"
-vm="bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/interp.c bytecode-vm/function.c bytecode-vm/interp_avr.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S"
+# Without elementary functions, as the firmware of an Uno (bytecode-vm/firmware/config.h).
+vm="-DSMVM_FUNCTIONS=0 bytecode-vm/load.c bytecode-vm/pins.c bytecode-vm/interp.c bytecode-vm/function.c bytecode-vm/interp_avr.S stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S"
 
 build() {                     # build ROW HEADER MACHINE INIT STEP SOURCE-OR-OPTION…
     elf=$dir/$m-$1.elf header=$2 machine=$3 init=$4 step=$5

@@ -22,7 +22,7 @@ static void write_kind(const IrWindow *w, Buf *out)
     buf_printf(out, "SM_ROLL_%s", type[roll_kind(w) & SM_ROLL_TYPE]);
     for (int s = 0; s < SM_STAT_COUNT; s++)
         if (w->stats >> s & 1)
-            buf_printf(out, " | SM_ROLL_%s", stat[s]);
+            buf_printf(out, s == SM_STAT_MEDIAN && w->size == 3 ? " | SM_ROLL_MEDIAN_OF_3" : " | SM_ROLL_%s", stat[s]);
 }
 
 // The words of a window without its ring, which is a separate member.
@@ -210,6 +210,12 @@ static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, "&m->%s)", u->ring[w]);
 }
 
+// Returns the name of the function of roll.h that reads a statistic of a window of samples.
+static const char *statistic_function(const CUnit *u, size_t w, int stat)
+{
+    return stat == SM_STAT_MEDIAN && get_window(u, w)->size == 3 ? "sm_roll_median_of_3" : format_in(u->arena, "sm_roll_%s", stat_name[stat]);
+}
+
 static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
 {
     buf_printf(out, "static %s %s_%s_%s(const %s *m)\n{\n    return ", c_type_of(u, SM_F64), u->names.prefix, u->window[w],
@@ -217,7 +223,7 @@ static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
     if (ir_stores_times(get_window(u, w))) {
         write_statistic_of_times(u, w, stat, out);
     } else {
-        begin_roll_call(u, format_in(u->arena, "sm_roll_%s", stat_name[stat]), w, out);
+        begin_roll_call(u, statistic_function(u, w, stat), w, out);
         if (stat < SM_STAT_OLDEST)
             buf_printf(out, ", %s(&m->%s))", helper_require(u, "sm_roll_count"), u->ring[w]);
         else
