@@ -133,7 +133,7 @@ const char *doc_replace_links(Arena *arena, const char *text)
 
 static void add_cell(DocTable *t, DocCellKind kind, const char *text, uint64_t number, uint64_t most)
 {
-    DocCell c = {kind, text ? text : "", number, most};
+    DocCell c = {kind, text ? text : "", number, most, NULL, NULL};
 
     vec_push(t->arena, &t->cell, c);
 }
@@ -145,6 +145,18 @@ void doc_add_number_cell(DocTable *t, uint64_t n) { add_cell(t, CELL_NUMBER, NUL
 void doc_add_bar_cell(DocTable *t, uint64_t n, uint64_t most) { add_cell(t, CELL_BAR, NULL, n, most); }
 void doc_add_line_cell(DocTable *t, uint32_t line) { add_cell(t, CELL_LINE, NULL, line, 0); }
 void doc_add_state_cell(DocTable *t, const char *name) { add_cell(t, CELL_STATE, name, 0, 0); }
+
+void doc_add_section_cell(DocTable *t, const char *title, const char *id)
+{
+    add_cell(t, CELL_SECTION, title, 0, 0);
+    t->cell.at[t->cell.n - 1].link = id;
+}
+
+void doc_add_badge_cell(DocTable *t, const char *word, const char *tone)
+{
+    add_cell(t, CELL_BADGE, word, 0, 0);
+    t->cell.at[t->cell.n - 1].tone = tone;
+}
 
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
 {

@@ -20,13 +20,17 @@ typedef enum DocCellKind {
     CELL_NUMBER,
     CELL_BAR,                 // a number, with a bar that shows its share of `most`
     CELL_LINE,                // a line number in the source; 0: none
-    CELL_STATE                // a state's name
+    CELL_STATE,               // a state's name
+    CELL_SECTION,             // the title of a section of this page
+    CELL_BADGE                // a word with a colour; "": none
 } DocCellKind;
 
 typedef struct DocCell {
     DocCellKind kind;
     const char *text;
     uint64_t number, most;
+    const char *link;         // SECTION: the section's id
+    const char *tone;         // BADGE: as in DocPart
 } DocCell;
 
 typedef struct DocColumn { const char *key, *title; } DocColumn;
@@ -133,6 +137,8 @@ void doc_add_number_cell(DocTable *t, uint64_t n);
 void doc_add_bar_cell(DocTable *t, uint64_t n, uint64_t most);
 void doc_add_line_cell(DocTable *t, uint32_t line);
 void doc_add_state_cell(DocTable *t, const char *name);
+void doc_add_section_cell(DocTable *t, const char *title, const char *id);
+void doc_add_badge_cell(DocTable *t, const char *word, const char *tone);
 
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
 void doc_set_line_comment(DocList *l, const char *plain);  // sets DocLine.comment of the last line

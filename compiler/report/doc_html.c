@@ -74,6 +74,15 @@ static void write_cell(Buf *out, const DocCell *c)
     case CELL_STATE:
         write_state_link(out, c->text, strlen(c->text));
         break;
+    case CELL_SECTION:
+        buf_printf(out, "<a href=\"#%s\">", c->link);
+        xml_write_str(out, c->text);
+        buf_str(out, "</a>");
+        break;
+    case CELL_BADGE:
+        if (*c->text)
+            buf_printf(out, "<span class=\"badge %s\">%s</span>", c->tone, c->text);
+        break;
     }
 }
 

@@ -48,6 +48,7 @@ Doc *report_build(Report *r);
 // ---- the sections, one file each ----
 
 void report_add_overview(Report *r, Doc *d);
+void report_add_verdicts(Report *r, Doc *d);           // part of the overview
 void report_add_diagram_section(Report *r, Doc *d);
 void report_add_all_states(Report *r, Doc *d);
 void report_add_states(Report *r, Doc *d);

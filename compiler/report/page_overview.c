@@ -185,6 +185,7 @@ void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramC
 void report_add_overview(Report *r, Doc *d)
 {
     doc_add_section(d, "overview", "Overview");
+    report_add_verdicts(r, d);
     doc_add_quote(d, comment_of_file(r->arena, r->analysis.p->src));
     add_summary(r, d);
     add_facts(r, d);

@@ -39,6 +39,12 @@ Design review of the state machine in a.sm
 Overview
 --------
 
+  Section       Verdict  Details
+  Findings      passed   none
+  Scripts       failed   0 of 2 passed
+  Coverage      passed   100 % of 6 places, 0 of 0 transitions
+  Longest step           5 instructions, in Idle
+
 The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. It never leaves
 `Idle`.
 

@@ -17,6 +17,11 @@ bool valve    # lets "fuel" in
    "text": [
     "The machine has 2 states and starts in `Idle`. It writes `valve`. It never leaves `Done`."],
    "tables": {
+    "verdicts": [
+      {"section": "Findings", "verdict": "open", "details": "1 open"},
+      {"section": "Scripts", "verdict": "open", "details": "none were run"},
+      {"section": "Longest step", "verdict": "", "details": "7 instructions, in Idle"}
+    ],
     "facts": {
       "States": "2",
       "Transitions": "1",

@@ -60,6 +60,12 @@ Design review of the state machine in fill.sm
 Overview
 --------
 
+  Section       Verdict  Details
+  Findings      open     2 open
+  Scripts       passed   1 of 1 passed
+  Coverage      open     73 % of 45 places, 2 of 3 transitions
+  Longest step           16 instructions, in Fill
+
 Fills a tank.
 
 The machine has 4 states and starts in `Idle`. It reads `level`. It writes `valve`. It never leaves

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verdicts on top of the page: one line for each section that judges the machine, with a link to it.
+#include "compiler/prove/prove_text.h"
+#include "compiler/report/page.h"
+
+static const DocColumn columns[] = {{"section", "Section"}, {"verdict", "Verdict"}, {"details", "Details"}};
+
+typedef enum Verdict { VERDICT_GOOD, VERDICT_OPEN, VERDICT_BAD, VERDICT_FACT } Verdict;      // FACT: a number without a judgement
+
+static void add_verdict(DocTable *t, const char *id, const char *title, Verdict v, const char *details)
+{
+    static const char *const tone[] = {"good", "note", "bad", NULL}, *const word[] = {"passed", "open", "failed", ""};
+
+    doc_add_section_cell(t, title, id);
+    doc_add_badge_cell(t, word[v], tone[v]);
+    doc_add_plain_cell(t, details);
+}
+
+// Appends "3 met", unless n is 0.
+static void add_count(Buf *out, unsigned long n, const char *what)
+{
+    if (n)
+        buf_printf(out, "%s%lu %s", out->n ? ", " : "", n, what);
+}
+
+static void add_requirements(const Report *r, DocTable *t)
+{
+    const size_t n = r->requirements ? r->requirements->at.n : 0;
+    RequirementTotal *total = ARENA_ARRAY(r->arena, RequirementTotal, n);
+    unsigned long violated = 0, undecided = 0, met = 0, unjudged = 0;
+    Buf out;
+
+    if (!r->requirements)
+        return;
+    for (size_t i = 0; i < r->runs; i++)
+        if (r->run[i].script)
+            requirement_add_run(total, r->requirements, &r->run[i].result);
+    for (size_t i = 0; i < n; i++) {
+        violated += total[i].violated > 0;
+        undecided += !total[i].violated && total[i].undecided;
+        met += !total[i].violated && !total[i].undecided && total[i].judged;
+        unjudged += !total[i].violated && !total[i].undecided && !total[i].judged;
+    }
+    buf_init(&out, r->arena);
+    add_count(&out, violated, "violated");
+    add_count(&out, undecided, "undecided");
+    add_count(&out, unjudged, "untested");
+    add_count(&out, met, "met in all scripts");
+    add_verdict(t, "requirements", "Requirements", violated ? VERDICT_BAD : undecided || unjudged ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&out));
+}
+
+static void add_proofs(const Report *r, DocTable *t)
+{
+    unsigned long of[PROVE_UNDECIDED + 1] = {0};
+    Buf out;
+
+    if (!r->proofs)
+        return;
+    for (uint32_t i = 0; i < r->proofs->n; i++)
+        of[r->proofs->of[i].verdict]++;
+    buf_init(&out, r->arena);
+    for (int v = PROVE_UNDECIDED; v >= PROVE_PROVED; v--)
+        add_count(&out, of[v], prove_verdict_words((ProveVerdict)v));
+    add_verdict(t, "proofs", "Proofs", of[PROVE_VIOLATED] ? VERDICT_BAD : of[PROVE_PROVED] == r->proofs->n ? VERDICT_GOOD : VERDICT_OPEN, buf_text(&out));
+}
+
+static void add_findings(const Report *r, DocTable *t)
+{
+    const FindingCount n = report_count_findings(r);
+    Buf out;
+
+    buf_init(&out, r->arena);
+    add_count(&out, n.open, "open");
+    add_count(&out, n.allowed, "allowed");
+    add_verdict(t, "findings", "Findings", n.open ? VERDICT_OPEN : VERDICT_GOOD, out.n ? buf_text(&out) : "none");
+}
+
+static void add_scripts(const Report *r, DocTable *t)
+{
+    unsigned long passed = 0;
+
+    for (size_t i = 0; i < r->runs; i++)
+        passed += r->run[i].script && r->run[i].result.outcome == SCRIPT_PASSED;
+    add_verdict(t, "scripts", "Scripts", r->runs == 0 ? VERDICT_OPEN : passed < r->runs ? VERDICT_BAD : VERDICT_GOOD,
+                r->runs ? format_in(r->arena, "%lu of %lu passed", passed, (unsigned long)r->runs) : "none were run");
+}
+
+static void add_coverage(const Report *r, DocTable *t)
+{
+    unsigned long covered = 0, possible = 0;
+    CoverTotal transitions;
+
+    if (!r->cover)
+        return;
+    for (int k = 0; k <= COVER_PARAMETER; k++) {
+        const CoverTotal of = cover_total(r->cover, (CoverKind)k);
+        covered += of.covered;
+        possible += of.possible;
+    }
+    transitions = cover_total(r->cover, COVER_TRANSITION);
+    add_verdict(t, "scripts", "Coverage", covered < possible ? VERDICT_OPEN : VERDICT_GOOD,
+                format_in(r->arena, "%.0f %% of %lu places, %lu of %lu transitions", possible ? 100 * (double)covered / (double)possible : 100.0, possible,
+                          (unsigned long)transitions.covered, (unsigned long)transitions.possible));
+}
+
+static void add_mutation(const Report *r, DocTable *t)
+{
+    MutationScore s;
+
+    if (r->not_mutated)
+        add_verdict(t, "mutation", "Changes that scripts notice", VERDICT_BAD, format_in(r->arena, "not tried, because %s", r->not_mutated));
+    if (!r->mutation)
+        return;
+    s = mutation_score(r->mutation);
+    add_verdict(t, "mutation", "Changes that scripts notice", s.of[MUTANT_NOTICED] < s.noticeable ? VERDICT_OPEN : VERDICT_GOOD,
+                format_in(r->arena, "%.1f %% of %lu", s.percent, s.noticeable));
+}
+
+void report_add_verdicts(Report *r, Doc *d)
+{
+    DocTable *t = DOC_ADD_TABLE(d, "verdicts", columns);
+
+    t->narrow = true;
+    add_requirements(r, t);
+    add_proofs(r, t);
+    add_findings(r, t);
+    add_scripts(r, t);
+    add_coverage(r, t);
+    add_mutation(r, t);
+    add_verdict(t, "cost", "Longest step", VERDICT_FACT,
+                format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+}
