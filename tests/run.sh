@@ -88,7 +88,7 @@ cpu_of() {
 report() {
     out=$work/$1.out name=$(sed -n "$1s/^+\{0,1\}\([^:]*\):.*/\1/p" "$work/lines")
     read -r code seconds <"$work/$1.code"
-    last=$(grep '[0-9] passed, [0-9]* failed' "$out" | tail -n 1)
+    last=$(LC_ALL=C sed -n '/[0-9] passed, [0-9]* failed/p' "$out" | tail -n 1)        # grep prints no line of a file with other bytes than text
     p=$(printf '%s\n' "$last" | sed -n 's/^\(.*[^0-9]\)\{0,1\}\([0-9][0-9]*\) passed, [0-9][0-9]* failed.*/\2/p')
     f=$(printf '%s\n' "$last" | sed -n 's/.* passed, \([0-9][0-9]*\) failed.*/\1/p')
     s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')

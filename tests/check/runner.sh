@@ -36,6 +36,7 @@ ends 1 'a: two commands have this name' 'a: echo 1 passed, 0 failed' '+a: echo 1
 ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
 ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'
 ends 0 '^\[1/1\] a  *[0-9]* s  *[0-9.]*[1-9][0-9.]* cpu ' 'a: awk "BEGIN { while (i < 3000000) i++ }"; echo 1 passed, 0 failed'
+ends 0 '^1 passed, 0 failed$' 'a: printf "\\377\\000\\n"; echo 1 passed, 0 failed'        # bytes that are no text
 if timeout --foreground 1 true 2>/dev/null; then ends 1 'a: ended with exit code 124' 'a: exec sleep 20'; fi
 # Files that a command leaves in the source tree, which is a repository of git.
 runner=$PWD/tests/run.sh
