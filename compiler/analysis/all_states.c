@@ -7,8 +7,8 @@
 #include <string.h>
 
 // Warnings that call a part of the code useless.
-static const char *const useless[] = {"dead-code", "shadowed-transition", "duplicate-guard", "constant-guard", "decided-comparison", "dead-store",
-                                      "self-assignment", "float-equality", "unused-window", "always-saturates"};
+static const char *const useless[] = {"dead-code", "after-transition", "shadowed-transition", "duplicate-guard", "constant-guard",
+                                      "decided-comparison", "dead-store", "self-assignment", "float-equality", "unused-window", "always-saturates"};
 
 static bool is_about_useless_code(const Diag *d)
 {

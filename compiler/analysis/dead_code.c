@@ -72,20 +72,31 @@ static Diag *report_after_transition(const ReachWalk *k, const Stmt *transition,
     return d;
 }
 
-// Reports list->at[first], which is never executed because the statement before it always leaves the state.  Reports nothing if the statement before always leaves only because one of its guards
-// has a finding or is a switch (`explained`).
-static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
+// Reports list->at[i], which is never executed because `before` always leaves the state.  Returns NULL if another finding explains it: one of
+// the guards of `before` has a finding or is a switch (`explained`), or the checker has reported the statement.
+static Diag *report_dead_stmt(const ReachWalk *k, const Stmt *before, const Stmt *stmt, bool explained)
 {
-    const Stmt *before = list->at[first - 1];
     const bool both = before->kind == ST_IF && always_leaves(&before->then) && always_leaves(&before->otherwise);
-    Diag *d = NULL;
+    Diag *d;
 
     if (before->kind == ST_TRANSITION)
-        d = report_after_transition(k, before, list->at[first]);
-    else if (both || !explained) {
-        d = diag_report(k->a->diags, both ? DIAG_dead_code : DIAG_dead_rest, list->at[first]->span);
-        diag_note(k->a->diags, d, before->span, both ? DIAG_note_leaves_here : DIAG_note_last_case);
-    }
+        return report_after_transition(k, before, stmt);
+    if (!both && explained)
+        return NULL;
+    d = diag_report(k->a->diags, both ? DIAG_dead_code : DIAG_dead_rest, stmt->span);
+    diag_note(k->a->diags, d, before->span, both ? DIAG_note_leaves_here : DIAG_note_last_case);
+    return d;
+}
+
+// Reports the statements from list->at[first] on, after one that always leaves the state: the first of each section [all_states] and of the
+// state, because the findings on a section are removed if its statements run in another state.
+static void report_dead_rest(ReachWalk *k, const Stmts *list, size_t first, bool explained)
+{
+    Diag *d = report_dead_stmt(k, list->at[first - 1], list->at[first], explained);
+
+    for (size_t i = first + 1; i < list->n; i++)
+        if (find_section(k->a->p, list->at[i]->span.at) != find_section(k->a->p, list->at[i - 1]->span.at))
+            report_dead_stmt(k, list->at[first - 1], list->at[i], explained);
     mark_reported_from(k, list, first, d);
 }
 
@@ -183,6 +194,7 @@ static void forget_earlier_guards(ReachWalk *k)
     k->leaving.n = 0;
 }
 
+// entry_leaves: .entry always makes a transition, so .step never runs.  explained: a finding in .entry already says so.
 static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
 {
     const Stmts *step = &k->state->block[BLOCK_STEP];

@@ -112,6 +112,8 @@ bool has_suffix(const char *path, const char *suffix);
 // begins at 1.
 bool cli_read_whole(const char *text, uint64_t *number);
 bool cli_read_count(const char *text, uint64_t *count);
+// Reads a time of --at, as in 400, '4 s' or 250ms, and converts it to units of G.  EXIT_OK, or EXIT_USAGE after a message.
+int cli_read_time(Cli *c, const char *text, TimeUnit unit, uint64_t *g);
 // Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
 const char *cli_read_percent(const char *at, double *percent);
 bool cli_is_standard_output(const Cli *c, OptionId id);         // whether an option names "-"

@@ -206,7 +206,7 @@ static int write_script(CoverRun *r, const Scenario *found, const char *stem, co
     s.steps++;                                                 // shows the state to which the last step leads
     if (!script_write(r->arena, &page, &body))
         return EXIT_INTERNAL;
-    generated_write(r->machine, &body, &out);
+    generated_write(COVER_MADE_BY, r->machine, &body, &out);
     script = session_script(&r->c->session, source_new(r->arena, stem, buf_text(&out), out.n), r->p);
     diags_clear(&r->c->session.diags);
     if (!script || script_run(r->arena, &r->c->session.diags, script, &e, 1, &o).outcome != SCRIPT_PASSED)

@@ -3,6 +3,7 @@
 // source with errors.
 #include "compiler/base/path.h"
 #include "compiler/cli/deps.h"
+#include "compiler/cli/runs.h"
 #include "compiler/diff/diff.h"
 
 enum { STEPS_MOST = 1000000 };
@@ -27,6 +28,8 @@ static int check_arguments(Cli *c)
     size_t machines = 0;
 
     for (size_t i = 0; i < c->files; i++) {
+        if (has_suffix(c->file[i], ".app"))
+            return runs_refuse_app(c, c->file[i]);
         if (!has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sm"))
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i], has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
         machines += has_suffix(c->file[i], ".sm");

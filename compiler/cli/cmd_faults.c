@@ -15,8 +15,8 @@ enum { RUNS_MOST = 200000, LATE = 5, DROPPED = 10, SCRIPTS_MOST = 1000 };
 
 // One line of the list: the faults of one kind, of the same inputs and with the same outcome.
 typedef struct FaultLine {
-    const FaultResult *r;     // the first of them
-    uint32_t others;          // how many more triggers
+    const FaultResult *r;     // the result of the first run of this line
+    uint32_t others;          // how many other triggers have the same outcome
     const char *script;       // the file that reproduces it; NULL: none
     const char *text;         // its contents
 } FaultLine;
@@ -196,7 +196,7 @@ static void write_text(const FaultsRun *r, Buf *out)
     if (f->options.pairs)
         buf_printf(out, "two faults at once: %" PRIu64 " pair%s, %" PRIu64 " of them worse than each alone\n", f->pairs, plural(f->pairs), f->pairs_worse);
     if (r->c->given[OPT_VERBOSE])
-        buf_printf(out, "%" PRIu64 " run%s; the other faults are of inputs that nothing reads any more\n", f->runs, plural(f->runs));
+        buf_printf(out, "%" PRIu64 " run%s; the outcome of every other fault follows from these\n", f->runs, plural(f->runs));
     if (f->input.n)
         write_matrix(f, out);
     write_lines(r, out);
@@ -482,10 +482,8 @@ static bool add_time(void *context, const char *word, size_t n)
     FaultsRun *r = context;
     uint64_t g;
 
-    if (!cli_read_whole(format_in(r->arena, "%.*s", (int)n, word), &g)) {
-        cli_usage_error(r->c, TEXT_faults_at, r->c->value[OPT_AT]);
+    if (cli_read_time(r->c, format_in(r->arena, "%.*s", (int)n, word), r->w.p->time_unit, &g) != EXIT_OK)
         return false;
-    }
     vec_push(r->arena, &r->at, g);
     return true;
 }
@@ -574,7 +572,7 @@ static bool read_options(FaultsRun *r, size_t *format)
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]), false;
     if (!c->given[OPT_KINDS])
         r->o.kinds = (1u << FAULT_KIND_COUNT) - 1;
-    return (!c->given[OPT_KINDS] || whatif_read_list(c->value[OPT_KINDS], r, add_kind)) && (!c->given[OPT_AT] || whatif_read_list(c->value[OPT_AT], r, add_time));
+    return !c->given[OPT_KINDS] || whatif_read_list(c->value[OPT_KINDS], r, add_kind);
 }
 
 int cmd_faults(Cli *c)
@@ -587,6 +585,8 @@ int cmd_faults(Cli *c)
         return EXIT_USAGE;
     if ((code = whatif_load(c, &r.w)) != EXIT_OK)
         return code;
+    if (c->given[OPT_AT] && !whatif_read_list(c->value[OPT_AT], &r, add_time))
+        return EXIT_USAGE;
     if (c->given[OPT_INPUTS] && !whatif_read_list(c->value[OPT_INPUTS], &r, add_input))
         return EXIT_PROBLEM;
     if ((code = settings_read(c, r.w.p, &r.setting)) != EXIT_OK)

@@ -4,6 +4,7 @@
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
+#include "compiler/cli/mutate_scripts.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
 
@@ -11,8 +12,11 @@ typedef struct MutateRun {
     Cli *c;
     Arena *arena;
     const Program *p;
+    const Requirements *requirements;     // NULL: none
     Mutation *u;
     VEC(const Script *) script;
+    const char *machine;      // the name of its file, without folders
+    MutateScripts scripts;    // by_mutant is NULL without --scripts
     uint32_t tried;
     bool is_searched;         // --generate has begun
     double least;             // --min-score
@@ -22,16 +26,28 @@ static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json
 
 // ---- text ----
 
+// Returns the script of --scripts that shows a mutant, or NULL.
+static const char *script_of(const MutateRun *r, const Mutant *m)
+{
+    uint32_t n;
+
+    return r->scripts.by_mutant ? r->scripts.by_mutant[m - mutation_list(r->u, &n)] : NULL;
+}
+
 static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
 {
     const LineCol at = source_position(m->span.src, m->span.at);
 
     buf_printf(out, "  line %lu:%lu: ", (unsigned long)at.line, (unsigned long)at.col);
     mutant_write_change(r->arena, m, out);
+    if (m->verdict == MUTANT_NOTICED)
+        buf_printf(out, " [%s%s%s]", path_portable_name(r->script.at[m->script]->src->name), m->violated ? ": " : "", m->violated ? m->violated->id->text : "");
     if (m->scenario) {
         buf_str(out, "\n    ");
         mutant_write_scenario(r->p, m, out);
     }
+    if (script_of(r, m))
+        buf_printf(out, " [%s]", path_file_name(script_of(r, m)));
     buf_char(out, '\n');
 }
 
@@ -46,6 +62,27 @@ static void write_list(const MutateRun *r, MutantVerdict verdict, const char *ti
         write_mutant(r, order[i], out);
 }
 
+// Writes how many changes each requirement notices: "requirements notice 3 of them: R1 2, R3 1".
+static void write_requirements(const MutateRun *r, Buf *out)
+{
+    const size_t n = r->requirements ? r->requirements->at.n : 0;
+    uint32_t mutants, sum = 0, *noticed = ARENA_ARRAY(r->arena, uint32_t, n);
+    const Mutant *m = mutation_list(r->u, &mutants);
+
+    for (uint32_t i = 0; i < mutants; i++)
+        if (m[i].violated) {
+            noticed[m[i].violated - r->requirements->at.at]++;
+            sum++;
+        }
+    if (n)
+        buf_printf(out, "requirements notice %lu of them", (unsigned long)sum);
+    for (size_t i = 0, shown = 0; i < n; i++)
+        if (noticed[i])
+            buf_printf(out, "%s%s %lu", shown++ ? ", " : ": ", r->requirements->at.at[i].id->text, (unsigned long)noticed[i]);
+    if (n)
+        buf_char(out, '\n');
+}
+
 static void write_text(const MutateRun *r, Buf *out)
 {
     const MutationScore s = mutation_score(r->u);
@@ -56,8 +93,12 @@ static void write_text(const MutateRun *r, Buf *out)
     if (r->tried < s.all)
         buf_printf(out, ", and %lu were not tried", s.all - r->tried);
     buf_char(out, '\n');
+    write_requirements(r, out);
     write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
     write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
+    if (r->scripts.by_mutant)
+        buf_printf(out, "%lu script%s in %s show %lu of these changes\n", r->scripts.scripts, r->scripts.scripts == 1 ? "" : "s", r->c->value[OPT_SCRIPTS],
+                   r->scripts.shown);
     if (r->c->given[OPT_VERBOSE]) {
         write_list(r, MUTANT_NOTICED, "noticed:\n", out);
         write_list(r, MUTANT_EQUIVALENT, "no difference:\n", out);
@@ -79,6 +120,8 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     if (m->verdict == MUTANT_NOTICED) {
         buf_str(out, ",\"script\":");
         json_put_string(out, path_portable_name(r->script.at[m->script]->src->name));
+        if (m->violated)
+            buf_printf(out, ",\"requirement\":\"%s\"", m->violated->id->text);
     }
     if (m->scenario) {
         Buf words;
@@ -86,6 +129,10 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         mutant_write_scenario(r->p, m, &words);
         buf_str(out, ",\"inputs\":");
         json_put_string(out, buf_text(&words));
+    }
+    if (script_of(r, m)) {
+        buf_str(out, ",\"shown_by\":");
+        json_put_string(out, path_file_name(script_of(r, m)));
     }
     buf_char(out, '}');
 }
@@ -151,7 +198,7 @@ static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
     uint32_t failing;
     int code;
 
-    r->u = mutation_new(r->arena, r->p, r->script.at, r->script.n, max_steps);
+    r->u = mutation_new(r->arena, r->p, r->script.at, r->script.n, r->requirements, max_steps);
     failing = mutation_find_failing(r->u);
     if (failing < r->script.n) {
         cli_print_error(r->c, TEXT_mutate_fails, r->script.at[failing]->src->name);
@@ -159,7 +206,9 @@ static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
         return EXIT_PROBLEM;
     }
     run_mutants(r);
-    code = write_result(r, format);
+    code = r->c->given[OPT_SCRIPTS] ? mutate_write_scripts(r->c, r->u, r->p, r->machine, r->c->value[OPT_SCRIPTS], &r->scripts) : EXIT_OK;
+    if (code == EXIT_OK)
+        code = write_result(r, format);
     if (code == EXIT_OK)
         code = judge_score(r);
     if (r->tried < mutation_score(r->u).all)
@@ -189,6 +238,7 @@ static int read_options(MutateRun *r, uint64_t *max_steps, size_t *format)
     Cli *c = r->c;
     const char *end = "";
 
+    c->given[OPT_GENERATE] = c->given[OPT_GENERATE] || c->given[OPT_SCRIPTS];
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format))
         return EXIT_USAGE;
     if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], max_steps))
@@ -202,7 +252,7 @@ int cmd_mutate(Cli *c)
 {
     MutateRun r = {.c = c, .arena = &c->session.arena};
     uint64_t max_steps = MUTATE_STEPS_MOST;
-    size_t format;
+    size_t format, scripts = 0;
     CompileInput in;
     CompileOptions o;
     Compiled made;
@@ -210,18 +260,24 @@ int cmd_mutate(Cli *c)
 
     if ((code = runs_check_arguments(c)) != EXIT_OK || (code = read_options(&r, &max_steps, &format)) != EXIT_OK)
         return code;
-    if (c->files < 2)
+    for (size_t i = 0; i < c->files; i++)
+        scripts += has_suffix(c->file[i], ".ss");
+    if (scripts == 0)
         return cli_usage_error(c, TEXT_mutate_script, c->file[0]);
     if (!cli_compile_options(c, &o))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
+    for (size_t i = 0; i < in.n; i++)
+        if (in.at[i].kind == FILE_SM)
+            r.machine = path_file_name(in.at[i].text->name);
     o.scripts_later = true;
     o.skip_analyses = true;
     compile_sources(&c->session, &in, &o, &made);
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
     r.p = runs_find_machine(&in, &made)->scripted;
+    r.requirements = runs_find_machine(&in, &made)->requirements;
     if ((code = check_scripts(&r, &in, &made)) != EXIT_OK)
         return code;
     return mutate(&r, max_steps, format);

@@ -14,6 +14,8 @@ static int check_arguments(Cli *c)
     size_t machines = 0, requirements = 0;
 
     for (size_t i = 0; i < c->files; i++) {
+        if (has_suffix(c->file[i], ".app"))
+            return runs_refuse_app(c, c->file[i]);
         const bool is_requirements = has_suffix(c->file[i], ".rq");
         if (!is_requirements && !has_suffix(c->file[i], ".sm"))
             return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i], has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");

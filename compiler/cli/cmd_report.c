@@ -10,20 +10,26 @@ static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-// Tries changes of the machine on the scripts of r, if that is wanted.  Nothing is tried if a script fails.
+// Tries changes of the machine on the scripts of r, if that is wanted.  Nothing is tried if a script fails, which is reported.
 static void run_mutants(Cli *c, Report *r, const Program *p)
 {
     const Script **script = ARENA_ARRAY(&c->session.arena, const Script *, r->runs + 1);
     Mutation *u;
 
-    if (!c->given[OPT_MUTATE] || r->runs == 0)
+    if (!c->given[OPT_MUTATE])
         return;
-    for (size_t i = 0; i < r->runs; i++) {
+    if (r->runs == 0)
+        r->not_mutated = "there is no script that could notice it";
+    for (size_t i = 0; i < r->runs && !r->not_mutated; i++) {
         script[i] = r->run[i].script;
         if (!script[i] || r->run[i].result.outcome != SCRIPT_PASSED)
-            return;
+            r->not_mutated = format_in(&c->session.arena, "%s fails without one", r->run[i].name);
     }
-    u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, MUTATE_STEPS_MOST);
+    if (r->not_mutated) {
+        cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
+        return;
+    }
+    u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
     while (mutation_run_next(u))
         ;
     while (mutation_search_next(u, MUTATE_SEARCH_STEPS))

@@ -126,27 +126,12 @@ static int read_options(WhyCommand *y)
 // Reads the time of --at in units of G, with a unit after it or in an argument of its own.
 static int read_time(WhyCommand *y)
 {
-    Cli *c = y->c;
-    const char *text = c->given[OPT_AT] ? c->value[OPT_AT] : NULL, *unit;
-    TimeUnit from = y->p->time_unit;
-    size_t digits;
-    SmF64 g;
+    const char *text = y->c->value[OPT_AT];
 
-    if (!text)
+    if (!y->c->given[OPT_AT])
         return EXIT_OK;
-    digits = strspn(text, "0123456789.");
-    for (unit = text + digits; *unit == ' '; unit++)
-        continue;
-    unit = y->unit ? y->unit : unit;
-    if (*unit && (from = time_unit_find(unit)) == TIME_NONE)
-        return cli_usage_error(c, TEXT_why_time, text);
-    if (!isdigit((unsigned char)text[0]) || text[digits - 1] == '.' || strchr(text, '.') != strrchr(text, '.') || !time_to_f64(text, digits, from, y->p->time_unit, &g))
-        return cli_usage_error(c, TEXT_why_time, text);
-    if (!sm_lt(g, sm_from_u64(UINT64_C(1) << 53)) || !sm_eq(sm_from_u64(sm_to_u64(g)), g))
-        return cli_usage_error(c, TEXT_why_time_part, y->unit ? format_in(y->arena, "%s %s", text, y->unit) : text, time_unit_name(y->p->time_unit));
-    y->q.at_g = sm_to_u64(g);
     y->q.has_g = true;
-    return EXIT_OK;
+    return cli_read_time(y->c, y->unit ? format_in(y->arena, "%s %s", text, y->unit) : text, y->p->time_unit, &y->q.at_g);
 }
 
 // ---- the names of the question ----

@@ -2,8 +2,10 @@
 // Functions for every subcommand: messages, writing outputs, reporting diagnostics.
 #include "compiler/base/path.h"
 #include "compiler/cli/cli.h"
+#include "compiler/syntax/time_unit.h"
 #include "compiler/version.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -351,6 +353,22 @@ bool cli_read_whole(const char *text, uint64_t *number)
         *number = *number * 10 + (uint64_t)(*digit - '0');
     }
     return *digit == '\0' && digit > text;
+}
+
+int cli_read_time(Cli *c, const char *text, TimeUnit unit, uint64_t *g)
+{
+    const size_t digits = strspn(text, "0123456789.");
+    const char *after = text + digits + strspn(text + digits, " ");
+    const TimeUnit from = *after ? time_unit_find(after) : unit;
+    SmF64 x;
+
+    if (from == TIME_NONE || !isdigit((unsigned char)text[0]) || text[digits - 1] == '.' || strchr(text, '.') != strrchr(text, '.') ||
+        !time_to_f64(text, digits, from, unit, &x))
+        return cli_usage_error(c, TEXT_at_time, text);
+    if (!sm_lt(x, sm_from_u64(UINT64_C(1) << 53)) || !sm_eq(sm_from_u64(sm_to_u64(x)), x))
+        return cli_usage_error(c, TEXT_at_time_part, text, time_unit_name(unit));
+    *g = sm_to_u64(x);
+    return EXIT_OK;
 }
 
 bool cli_read_count(const char *text, uint64_t *count) { return cli_read_whole(text, count) && *count > 0; }

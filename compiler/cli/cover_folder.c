@@ -31,11 +31,11 @@ static int read_old(CoverRun *r, const char *name)
     OldScript old = {.path = path};
     size_t n;
 
-    if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) || generated_read(r->machine, head, n) == GENERATED_OTHER)
+    if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) || generated_read(COVER_MADE_BY, r->machine, head, n) == GENERATED_OTHER)
         return EXIT_OK;
     if ((old.src = cli_read_source(r->c, path)) == NULL)
         return EXIT_ENVIRONMENT;
-    old.verdict = generated_read(r->machine, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
+    old.verdict = generated_read(COVER_MADE_BY, r->machine, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
     vec_push(r->arena, &r->old, old);
     return EXIT_OK;
 }

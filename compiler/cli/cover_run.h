@@ -8,6 +8,7 @@
 #include "compiler/search/goal_text.h"
 #include "compiler/search/must_not.h"
 
+#define COVER_MADE_BY "smc cover"           // in the first line of a script
 #define MUST_NOT_GOAL "Must not: "          // begins the goal of a script for a pair of states
 
 // A script of the folder that smc cover has written for this machine.
@@ -23,7 +24,7 @@ typedef struct NewScript {
     const char *path, *goal;  // goal: as in its comment
     const char *text;
     size_t n;
-    const char *also;         // what else it is the first to show; ""
+    const char *also;         // the other goals that this script is the first to reach, as text; "": none
 } NewScript;
 
 // A pair of states without a transition.

@@ -7,13 +7,39 @@
 
 enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the default limit of smc test
 
+// Returns the path of the first file of a kind that an application names, or `otherwise`.
+static const char *find_app_file(Cli *c, const CompileInput *in, FileKind kind, const char *otherwise)
+{
+    const AppFiles *files = &in->app->files;
+
+    for (size_t i = 0; i < files->n; i++)
+        if (files->at[i].kind == kind && files->at[i].src)
+            return cli_printable_name(&c->session.arena, files->at[i].src->name);
+    return otherwise;
+}
+
+int runs_refuse_app(Cli *c, const char *app)
+{
+    CompileSource source = {.text = cli_read_source(c, app), .kind = FILE_APP};
+    CompileInput in = {.at = &source, .n = 1};
+
+    if (!source.text)
+        return EXIT_ENVIRONMENT;
+    cli_load_app(c, &in);
+    diags_clear(&c->session.diags);
+    return cli_usage_error(c, TEXT_not_an_app, app, c->command->name, c->command->name, find_app_file(c, &in, FILE_SM, "MACHINE.sm"),
+                           find_app_file(c, &in, FILE_SV, "VECTOR.sv"));
+}
+
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c)
 {
-    const bool judges = c->command->run == cmd_report || c->command->run == cmd_faults || c->command->run == cmd_sweep;
+    const bool judges = c->command->run == cmd_report || c->command->run == cmd_mutate || c->command->run == cmd_faults || c->command->run == cmd_sweep;
     size_t machines = 0;
 
     for (size_t i = 0; i < c->files; i++) {
+        if (has_suffix(c->file[i], ".app"))
+            return runs_refuse_app(c, c->file[i]);
         const bool script = has_suffix(c->file[i], ".ss") || (judges && has_suffix(c->file[i], ".rq"));
         if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],

@@ -8,6 +8,8 @@
 
 // Checks that the arguments are one machine and scripts, and for some commands requirements.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c);
+// Reports that the command is for one machine, and what to name instead of an application.  Returns an exit code.
+int runs_refuse_app(Cli *c, const char *app);
 // Returns the machine among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made);
 // Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.

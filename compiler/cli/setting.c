@@ -55,6 +55,21 @@ bool setting_parse(Cli *c, const char *word, Setting *s)
     return true;
 }
 
+// Reports an unknown parameter whose name is near to that of another one.  Returns false if none is near.
+static bool report_near(Cli *c, const Program *p, const Setting *s)
+{
+    const char **name = ARENA_ARRAY(&c->session.arena, const char *, p->var.n), *near;
+    size_t n = 0;
+
+    for (size_t i = 0; i < p->var.n; i++)
+        if (p->var.at[i]->parameter)
+            name[n++] = p->var.at[i]->name->text;
+    near = str_nearest(format_in(&c->session.arena, "%.*s", (int)s->name_size, s->name), name, n);
+    if (near)
+        cli_print_error(c, TEXT_setting_near, (int)s->name_size, s->name, near);
+    return near != NULL;
+}
+
 int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
 {
     SmRefusal refusal = SM_REFUSAL_UNKNOWN;
@@ -65,7 +80,8 @@ int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
         refusal = parameter_judge(out->parameter, s->value, &out->cell);
     if (!refusal)
         return EXIT_OK;
-    setting_report_refused(c, s, parameter_refusal_text(refusal));
+    if (refusal != SM_REFUSAL_UNKNOWN || !report_near(c, p, s))
+        setting_report_refused(c, s, parameter_refusal_text(refusal));
     return EXIT_PROBLEM;
 }
 

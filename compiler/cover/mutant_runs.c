@@ -54,10 +54,12 @@ struct MutantRuns {
     Cover *cover;             // counts what the unchanged runs execute
     Engine *engine;           // runs the current mutant
     Diags muted;
+    const Requirements *requirements; // or NULL
+    const Requirement *violated;      // by the last run; NULL: none
     uint32_t failing;
 };
 
-// ---- what a script reads ----
+// ---- what a script and the requirements read ----
 
 static void mark_seen(Expr *e, void *context)
 {
@@ -77,8 +79,20 @@ static void mark_seen_by_item(const ScriptItem *item, bool *seen)
             expr_walk(item->asserts.at[i].condition, mark_seen, seen);
 }
 
-// Lists the variables of the machine that the script reads.
-static void list_seen(Arena *arena, const Program *p, const uint32_t *var_of, Record *r)
+static void mark_seen_by_requirements(const Requirements *rq, bool *seen)
+{
+    for (size_t i = 0; i < rq->window.n; i++)
+        expr_walk(rq->window.at[i].sample, mark_seen, seen);
+    for (size_t i = 0; i < rq->at.n; i++) {
+        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
+        for (int k = 0; k < 3; k++)
+            if (condition[k])
+                expr_walk(condition[k], mark_seen, seen);
+    }
+}
+
+// Lists the variables of the machine that the script reads, or a requirement.
+static void list_seen(Arena *arena, const Program *p, const Requirements *rq, const uint32_t *var_of, Record *r)
 {
     const Script *s = r->script;
     bool *seen = arena_alloc(arena, p->var.n + s->local.n);
@@ -89,6 +103,8 @@ static void list_seen(Arena *arena, const Program *p, const uint32_t *var_of, Re
     for (size_t i = 0; i < s->section.n; i++)
         for (size_t k = 0; k < s->section.at[i].item.n; k++)
             mark_seen_by_item(s->section.at[i].item.at[k], seen);
+    if (rq)
+        mark_seen_by_requirements(rq, seen);
     for (uint32_t v = 0; v < p->var.n; v++)
         if (seen[v] && var_of[v] != IR_NONE)
             list[r->seens++] = v;
@@ -180,12 +196,23 @@ static void record_run(MutantRuns *u, Record *r)
     r->run.engine = arena_copy(u->arena, &u->engine, sizeof u->engine);
 }
 
+// Returns the first requirement that the last step of a run has violated.
+static const Requirement *find_violated(const MutantRuns *u, const ScriptResult *result)
+{
+    size_t i = 0;
+
+    while (!result->requirement[i].violated)
+        i++;
+    return &u->requirements->at.at[i];
+}
+
 // Runs the script once on its own, with everything that ends a run.  Returns whether it passes.
 static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
 {
     ScriptResult result = script_run(work, &u->muted, r->script, &u->engine, 1, &r->options);
 
     *steps = result.steps;
+    u->violated = result.is_violated ? find_violated(u, &result) : NULL;
     return result.outcome == SCRIPT_PASSED;
 }
 
@@ -196,24 +223,25 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     bool passes;
 
     arena_init_within(&work, u->arena);
-    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true};
+    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true, .requirements = u->requirements};
     engine_flat_set(u->engine, u->cover->flat, engine_flat_run(u->engine));
     passes = run_whole(u, r, &work, &r->steps);
     if (!passes && u->failing == u->records)
         u->failing = script;
     r->reached = take_executed(u);
-    list_seen(u->arena, u->p, u->original->m->var_of, r);
+    list_seen(u->arena, u->p, u->requirements, u->original->m->var_of, r);
     if (passes && run_has_points(r->script))
         record_run(u, r);
     r->options.max_steps = r->steps < UINT64_MAX / 8 ? 4 * r->steps + 1000 : r->steps;
 }
 
-MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps)
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps)
 {
     MutantRuns *u = ARENA_NEW(arena, MutantRuns);
 
     u->arena = arena;
     u->p = p;
+    u->requirements = rq;
     u->records = u->failing = scripts;
     u->record = arena_array(arena, scripts, sizeof *u->record);
     u->order = ARENA_ARRAY(arena, uint32_t, scripts);
@@ -406,6 +434,7 @@ static bool passes_from(Race *c, uint32_t point)
     memcpy(c->u->state, c->u->at_point, c->u->original->size);
     engine_flat_set(c->u->engine, c->mutant, c->u->state);
     run_continue(run, c->r->options.max_steps);
+    c->u->violated = run->violated;
     return run->ended && run->result.outcome == SCRIPT_PASSED;
 }
 
@@ -443,10 +472,11 @@ static void move_up(MutantRuns *u, uint32_t i)
     }
 }
 
-uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n)
+uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated)
 {
     Race c = {u, NULL, mutant, has_same_layout(u->p, u->original, mutant), true, stmt, n};
 
+    *violated = NULL;
     for (uint32_t i = 0; i < n; i++)
         c.same_start = c.same_start && stmt[i] != MUTANT_START;
     for (uint32_t i = 0; i < u->records; i++) {
@@ -454,6 +484,7 @@ uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *muta
         c.r = &u->record[script];
         if (passes(&c, work))
             continue;
+        *violated = u->violated;
         c.r->noticed++;
         move_up(u, i);
         return script;

@@ -10,22 +10,25 @@
 #define SMC_MUTANT_RUNS_H
 
 #include "compiler/cover/flat.h"
+#include "compiler/script/script.h"
 #include "compiler/search/scenario.h"
 #include "compiler/sema/program.h"
 
 typedef struct MutantRuns MutantRuns;
 
-// Records the runs of the scripts.  What they execute is counted by statement.
-MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps);
+// Records the runs of the scripts.  What they execute is counted by statement.  A run fails if it violates one of the requirements `rq`, which
+// can be NULL.
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
 // Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
 uint32_t mutant_runs_find_failing(const MutantRuns *r);
 // What is changed, instead of a Stmt.number: something that each step executes; an initial value.
 #define MUTANT_EACH_STEP UINT32_C(0)
 #define MUTANT_START UINT32_MAX
 
-// Returns a script that fails on the mutant, or `scripts`.  stmt: the n places that were changed, each a Stmt.number or one of the above.  A run that takes more than four times as many steps as before, and 1000, has failed.  `work` receives what is
-// needed during the call.
-uint32_t mutant_runs_find_noticing(MutantRuns *r, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n);
+// Returns a script that fails on the mutant, or `scripts`.  *violated receives the requirement with which its run fails, or NULL.  stmt: the n
+// places that were changed, each a Stmt.number or one of the above.  A run that takes more than four times as many steps as before, and 1000,
+// has failed.  `work` receives what is needed during the call.
+uint32_t mutant_runs_find_noticing(MutantRuns *r, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated);
 // Returns what a recorded run writes to the inputs of the machine, as a scenario; NULL: the run was not recorded.  What a script writes to
 // variables that the machine stores is left out.
 const Scenario *mutant_runs_scenario(const MutantRuns *r, Arena *arena, uint32_t script);

@@ -39,7 +39,7 @@ static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at,
 static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
 {
     MutantEdit *copy;
-    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0, NULL, NULL};
+    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0, NULL, NULL, NULL};
 
     edit.stmt = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {
@@ -426,13 +426,13 @@ static const char *optimised_text(Mutation *u, Arena *arena)
 }
 
 // Returns the first script that fails on the current program, or the number of scripts.
-static uint32_t find_noticing(Mutation *u, const Mutant *m)
+static uint32_t find_noticing(Mutation *u, Mutant *m)
 {
     uint32_t n = 0, *stmt = ARENA_ARRAY(&u->work, uint32_t, count_edits(m));
 
     for (const MutantEdit *d = m->edit; d; d = d->next)
         stmt[n++] = d->stmt ? d->stmt->number : d->kind == EDIT_INITIAL ? MUTANT_START : MUTANT_EACH_STEP;
-    return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n);
+    return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n, &m->violated);
 }
 
 // Makes the program that of the mutant.  Returns what undo_edits needs.
@@ -557,7 +557,7 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
     return true;
 }
 
-Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps)
+Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps)
 {
     Mutation *u = ARENA_NEW(arena, Mutation);
 
@@ -570,7 +570,7 @@ Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *scri
     add_start(u, p->state.at[0]);
     for (uint32_t i = 0; i < scripts; i++)
         add_start(u, script[i]->init_state);
-    u->runs = mutant_runs_new(arena, p, script, scripts, max_steps);
+    u->runs = mutant_runs_new(arena, p, script, scripts, rq, max_steps);
     u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
     for (size_t i = 0; i < p->var.n; i++)
         u->initial[i] = p->var.at[i]->init;

@@ -2,7 +2,7 @@
 // Mutation: changes one number, operator, target or statement of a machine at a time, and finds the changes that no script notices
 // (docs/testing.md).  A change is made in the checked program and undone after its runs, so nothing is parsed again.
 //
-//     Mutation *u = mutation_new(arena, p, script, scripts);
+//     Mutation *u = mutation_new(arena, p, script, scripts, requirements, max_steps);
 //     while (mutation_run_next(u)) ;
 //
 // Every change is also an edit of the source: `old` at `span` becomes `text`.
@@ -15,7 +15,7 @@
 
 typedef enum MutantVerdict {
     MUTANT_WAITING,           // it has not been run
-    MUTANT_NOTICED,           // a script fails
+    MUTANT_NOTICED,           // a script fails, or its run violates a requirement
     MUTANT_UNNOTICED,         // every script passes as before
     MUTANT_EQUIVALENT,        // it is proved that the change makes no difference
     MUTANT_GENERATED,         // every script passes as before, and a scenario was found in which the mutant differs
@@ -38,6 +38,7 @@ typedef struct Mutant {
     const MutantEdit *edit;   // a list: one edit for each copy in the program
     MutantVerdict verdict;
     uint32_t script;          // NOTICED: the index of the script
+    const Requirement *violated;      // NOTICED: the requirement that its run violates; NULL: the script itself fails
     const Scenario *scenario; // GENERATED: in its last step the mutant differs
     const Var *differs;       // GENERATED: in this variable
 } Mutant;
@@ -47,10 +48,10 @@ typedef struct Mutation Mutation;
 #define MUTATE_STEPS_MOST UINT64_C(1000000)   // default of max_steps
 #define MUTATE_SEARCH_STEPS UINT64_C(500000)  // default of the steps of a search for one mutant: about 0.2 s
 
-// Lists the changes, and runs every script without a change.  Expressions and statements of p are changed while a mutant runs, and are as
+// Lists the changes, and runs every script without a change.  rq: requirements that are judged after each step; or NULL.  Expressions and statements of p are changed while a mutant runs, and are as
 // before afterwards.
-Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, uint64_t max_steps);
-// Returns the index of a script that fails without any change; `scripts` if all pass.
+Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
+// Returns the index of a script that fails without any change, or violates a requirement; `scripts` if all pass.
 uint32_t mutation_find_failing(const Mutation *u);
 // Runs the next mutant.  Returns false if there is none.
 bool mutation_run_next(Mutation *u);

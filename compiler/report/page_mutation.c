@@ -105,10 +105,14 @@ void report_add_mutation(Report *r, Doc *d)
 {
     MutationScore s;
 
-    if (!r->mutation)
+    if (!r->mutation && !r->not_mutated)
         return;
-    s = mutation_score(r->mutation);
     doc_add_section(d, "mutation", "What no script notices");
+    if (r->not_mutated) {
+        doc_add_plain(d, format_in(r->arena, "No change of the machine was tried, because %s.", r->not_mutated));
+        return;
+    }
+    s = mutation_score(r->mutation);
     doc_add_paragraph(d, TEXT_MUTATION);
     doc_add_plain(d, format_in(r->arena, "The scripts notice %lu of %lu changes (%.1f %%). Changes that make no difference are not counted: %lu.",
                                s.of[MUTANT_NOTICED], s.noticeable, s.percent, s.of[MUTANT_EQUIVALENT]));

@@ -8,15 +8,15 @@
 #include "compiler/base/buf.h"
 
 typedef enum GeneratedMark {
-    GENERATED_OTHER,          // of another origin, of another machine, or of another form
+    GENERATED_OTHER,          // of another command or origin, of another machine, or of another form
     GENERATED_EDITED,         // the checksum differs
     GENERATED_WHOLE           // as it was written
 } GeneratedMark;
 
-// Appends the first line, and then `body`.  `machine` is the name of the machine's file, without folders.
-void generated_write(const char *machine, const Buf *body, Buf *out);
+// Appends the first line, and then `body`.  by: the command, as in "smc cover".  machine: the name of the machine's file, without folders.
+void generated_write(const char *by, const char *machine, const Buf *body, Buf *out);
 // Reads the first line of the n bytes of a file.
-GeneratedMark generated_read(const char *machine, const char *text, size_t n);
+GeneratedMark generated_read(const char *by, const char *machine, const char *text, size_t n);
 // Returns the goal of a generated script: its first comment after the first line, with the lines of one paragraph joined.
 const char *generated_goal(Arena *arena, const char *text, size_t n);
 

@@ -88,7 +88,7 @@ typedef struct Faults {
     VEC(FaultInput) input;
     VEC(FaultTrigger) trigger;
     VEC(FaultResult) result;          // of single faults: all; of pairs: those that are worse than alone
-    uint64_t faults, runs;            // faults that were judged; those of them that were run, because some state that can follow reads the input
+    uint64_t faults, runs;            // faults that were judged; those of them that were run, because something reads the input
     uint64_t pairs, pairs_worse;      // of two faults: how many were run; how many are worse than alone
     bool is_cut;                      // max_runs was reached
     uint32_t failing;                 // a script that fails without a fault; `scripts`: none

@@ -19,7 +19,7 @@ F64 y
     y = 3                   #! W0501 transition is here
 [all_states] @except Abort Done Run
 .step
-    x > 8: y = 3
+    x > 8: y = 3            #! W0501 transition is here
 [Check]
 .entry
     x > 4: -> Run

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # smc mutate against the slow way: every change is made in the text of the machine, and smc test runs the scripts on it in a process of its own.
 #     sh tests/cover/mutate.sh SMC
-# Machines: those of the folder, with scripts of the same stem, and examples.
+# Machines: those of the folder, with scripts and requirements of the same stem, and examples.
 smc=$1
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
-passed=0 failed=0
+passed=0 failed=0 by_requirement=0
 
 fail() { echo "$1"; failed=$((failed + 1)); }
 
-# Compares all mutants of machine $1 with the scripts after it.
+# Compares all mutants of machine $1 with the scripts and requirements after it.
 compare() {
     machine=$1
     shift
@@ -18,10 +18,11 @@ compare() {
         fail "$machine: mutate: $(head -n 1 "$dir/errors")"
         return
     fi
-    # at, length, verdict, then the text, which can be empty.
-    sed -n 's/.*"at":\([0-9]*\),"length":\([0-9]*\),.*,"new":"\(.*\)","danger":.*"verdict":"\([a-z]*\)".*/\1 \2 \4 \3/p' "$dir/list.json" >"$dir/list"
+    # at, length, verdict, the requirement that a run violates, or -, then the text, which can be empty.
+    sed -e 's/"verdict":"\([a-z]*\)"\(.*\)"requirement":"\([^"]*\)"/"verdict":"\1 \3"\2/' -e 's/"verdict":"\([a-z]*\)"/"verdict":"\1 -"/' "$dir/list.json" |
+        sed -n 's/.*"at":\([0-9]*\),"length":\([0-9]*\),.*,"new":"\(.*\)","danger":.*"verdict":"\([a-z]* [^"]*\)".*/\1 \2 \4 \3/p' >"$dir/list"
     test -s "$dir/list" || fail "$machine: no mutants"
-    while read -r at length verdict text; do
+    while read -r at length verdict requirement text; do
         { head -c "$at" "$machine"; printf %s "$text"; tail -c +$((at + length + 1)) "$machine"; } >"$dir/$name"
         "$smc" test -w "$dir/$name" "$@" >"$dir/out" 2>&1
         code=$?
@@ -29,6 +30,10 @@ compare() {
         noticed) wanted=1 ;;
         *) wanted=0 ;;
         esac
+        if test $requirement != -; then
+            by_requirement=$((by_requirement + 1))
+            grep -q "requirement $requirement violated" "$dir/out" || fail "$machine: byte $at, '$text': smc test does not report that $requirement is violated"
+        fi
         if test $code = $wanted; then
             passed=$((passed + 1))
         else
@@ -37,11 +42,14 @@ compare() {
     done <"$dir/list"
 }
 
-compare examples/tank/tank.sm examples/tank/tank.ss
+compare examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
 compare examples/recovery/recovery.sm examples/recovery/recovery.ss
 for machine in tests/cover/*.sm; do
-    compare "$machine" "${machine%.sm}"*.ss
+    requirements=${machine%.sm}.rq
+    test -f "$requirements" || requirements=
+    compare "$machine" "${machine%.sm}"*.ss $requirements
 done
+test $by_requirement -ge 15 || fail "requirements notice $by_requirement changes, not 15"
 
 # Ctrl-C: what is known so far is complete, and the process ends by the signal.
 interrupt() {

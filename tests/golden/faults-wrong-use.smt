@@ -10,6 +10,9 @@ args faults a.sm a.ss --offset=0
 args faults a.sm a.ss --late=0
 args faults a.sm a.ss --at=soon
 args faults a.sm a.ss --at=9999
+args faults a.sm a.ss --at='1 s',2s --kinds=dead
+args faults a.sm a.ss --at='0.5 q'
+args faults a.sm a.ss --at=0.5
 args faults a.sm a.ss --fail-on=none
 args faults a.sm a.ss --max-runs=0
 args faults a.sm a.ss --max-runs=3 | head -n 1
@@ -17,6 +20,14 @@ args faults none.sm none.ss
 args faults a.sm a.ss --seed=x
 args faults a.sm a.ss -MD
 args faults a.sm a.ss --scripts=kept; cat kept/001-p-stuck.ss
+
+-- a.app --
+[options]
+state_vector "a.sv"
+
+[main]
+every 10 ms:
+    machine a "a.sm"
 
 -- a.sm --
 [state_vector]
@@ -67,13 +78,17 @@ faults of a: 1 input, 0 triggers in 1 script; 0 of 0 faults have an effect
 input  stuck      dead       nan        low        high       below      above      noisy      late       dropped
 p      -          -          -          -          -          -          -          -          -          -
 note: 'p' has no @range; its range in the runs without a fault is 0 to 300
+faults of a: 1 input, 0 triggers in 1 script; 0 of 0 faults have an effect
+input  dead
+p      -
+note: 'p' has no @range; its range in the runs without a fault is 0 to 300
 faults of a: 1 input, 2 triggers in 1 script; 3 of 3 faults have an effect
 faults of none: 0 inputs, 2 triggers in 1 script; 0 of 0 faults have an effect
 my own script
 -- stderr --
 smc: faults requires a script to run, as in 'smc faults a.sm SCRIPT.ss'
 Try 'smc faults --help'.
-smc: 'a.app' is neither a machine (.sm) nor a script (.ss)
+smc: 'a.app' is an application, and smc faults is for one machine: name the file of a machine and the state vector, as in 'smc faults a.sm --sv VECTOR.sv'
 Try 'smc faults --help'.
 smc: bad.ss fails without any fault: 'smc test' shows why
 broken.ss:4:7: error: unknown element 'q' [E0204]
@@ -88,9 +103,14 @@ smc: --offset requires a percentage above 0 and up to 100, not '0'
 Try 'smc faults --help'.
 smc: --late requires a number of steps from 1 to 10000, not '0'
 Try 'smc faults --help'.
-smc: --at requires whole numbers in units of G, as in 0,5000, not 'soon'
+smc: --at requires a time, as in 400, '4 s' or 250ms, not 'soon'
 Try 'smc faults --help'.
 smc: warning: no script reaches a time of --at, so no fault begins
+smc: warning: no script reaches a time of --at, so no fault begins
+smc: --at requires a time, as in 400, '4 s' or 250ms, not '0.5 q'
+Try 'smc faults --help'.
+smc: --at: '0.5' is no whole number of ms, in which G counts
+Try 'smc faults --help'.
 smc: --fail-on is aborted, differs, endless, elsewhere, failed or violated, not 'none'
 Try 'smc faults --help'.
 smc: --max-runs requires a whole number from 1, not '0'
@@ -104,4 +124,4 @@ Try 'smc faults --help'.
 smc: 'kept/001-p-stuck.ss' is the name of a source, and only 'smc fix' writes to sources; name another folder with --scripts
 Try 'smc faults --help'.
 -- exit --
-2 2 1 1 2 1 1 2 2 2 0 2 2 0 0 2 2 0
+2 2 1 1 2 1 1 2 2 2 0 0 2 2 2 2 0 0 2 2 0

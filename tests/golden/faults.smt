@@ -168,7 +168,7 @@ other outputs or states on the way:
 {"faults":[{"input":"altitude","kind":"dead"}],"trigger":2,"outcome":"failed","end":"Drogue","failed_G":690,"effect":"assert at a.ss:7 at G = 690"},
 {"faults":[{"input":"altitude","kind":"dead"}],"trigger":3,"outcome":"failed","end":"Drogue","failed_G":690,"effect":"assert at a.ss:7 at G = 690"}]}
 faults of a: 1 input, 2 triggers in 1 script; 2 of 2 faults have an effect
-2 runs; the other faults are of inputs that nothing reads any more
+2 runs; the outcome of every other fault follows from these
 input     high
 altitude  failed
 an assert fails:

@@ -7,6 +7,10 @@ args mutate a.sm a.ss bad.ss
 args mutate a.sm
 args mutate a.sm a.ss --min-score=all
 args mutate a.sm broken.ss
+args mutate a.sm still.ss a.rq -v | sed -n '1,2p;/^noticed/,$p'
+args mutate a.sm still.ss a.rq --format=json -o m.json; grep -c '"requirement":"R1"' m.json
+args mutate a.sm still.ss never.rq
+args mutate a.sm a.rq
 
 -- a.sm --
 [state_vector]
@@ -40,6 +44,20 @@ delta_t 10
 [all_states]
 true: @assert not open
 G == 50: @stop
+-- still.ss --
+[options]
+delta_t 10
+[all_states]
+G == 30: p = 1000
+G == 50 {
+    @assert p == 1000
+    @stop
+}
+-- a.rq --
+R1 "open at a high pressure"   always S == Abort and p > 850 leads to open within 10
+R2 "no abort at a low one"     never  S == Abort and p < 800
+-- never.rq --
+R3 "never an abort"            never  S == Abort
 -- broken.ss --
 [options]
 delta_t 10
@@ -65,14 +83,14 @@ not noticed:
   line 9:35: `1` changed to `0` in Fill, an output
   line 9:35: `1` changed to `2` in Fill, an output
 noticed:
-  line 10:5: `p > 825 or G < 0` changed to `0` in Fill, on the way to an @abort state
-  line 10:13: `or` changed to `and` in Fill, on the way to an @abort state
-  line 10:23: `-> Abort` removed in Fill, on the way to an @abort state
-  line 9:5: `open = not (p > 700) and p > -1` removed in Fill, an output
-  line 9:12: `not` left out in Fill, an output
-  line 9:19: `>` changed to `<=` in Fill, an output
-  line 9:32: `>` changed to `<=` in Fill, an output
-  line 14:5: `open = true` removed in Abort, an output
+  line 10:5: `p > 825 or G < 0` changed to `0` in Fill, on the way to an @abort state [a.ss]
+  line 10:13: `or` changed to `and` in Fill, on the way to an @abort state [a.ss]
+  line 10:23: `-> Abort` removed in Fill, on the way to an @abort state [a.ss]
+  line 9:5: `open = not (p > 700) and p > -1` removed in Fill, an output [a.ss]
+  line 9:12: `not` left out in Fill, an output [a.ss]
+  line 9:19: `>` changed to `<=` in Fill, an output [a.ss]
+  line 9:32: `>` changed to `<=` in Fill, an output [a.ss]
+  line 14:5: `open = true` removed in Abort, an output [a.ss]
 mutations of a: 8 of 23 changes are noticed (34.8 %)
 mutations of a: 8 of 23 changes are noticed (34.8 %)
 not noticed; these inputs would show it:
@@ -106,6 +124,16 @@ not noticed; these inputs would show it:
     from Fill, at G = 0, open differs
   line 9:35: `1` changed to `2` in Fill, an output
     from Fill, at G = 0: p = -1.05; at G = 0, open differs
+mutations of a: 6 of 23 changes are noticed (26.1 %)
+requirements notice 6 of them: R1 1, R2 5
+noticed:
+  line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state [still.ss: R2]
+  line 10:7: `>` changed to `<=` in Fill, on the way to an @abort state [still.ss: R2]
+  line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state [still.ss: R2]
+  line 10:18: `<` changed to `>=` in Fill, on the way to an @abort state [still.ss: R2]
+  line 10:20: `0` changed to `1` in Fill, on the way to an @abort state [still.ss: R2]
+  line 14:5: `open = true` removed in Abort, an output [still.ss: R1]
+1
 -- stderr --
 smc: the scripts notice 34.8 % of the changes, and 40 % are required
 smc: the scripts notice 34.8 % of the changes, and 100 % are required
@@ -118,5 +146,8 @@ broken.ss:4:9: error: unknown element 'q' [E0204]
     4 | G == 0: q = 1
       |         ^
 1 error
+smc: still.ss fails without any change: 'smc test' shows why
+smc: a script is required that could notice changes, as in 'smc mutate a.sm SCRIPT.ss'
+Try 'smc mutate --help'.
 -- exit --
-0 1 0 0 1 2 2 1
+0 1 0 0 1 2 2 1 0 0 1 2

@@ -1,6 +1,7 @@
 # With --mutate a report lists the changes that no script notices, with inputs that would show them.
 args report a.sm a.ss --mutate --format=text | sed -n '/no script notices/,/^Source/p'
-args report a.sm bad.ss --mutate --format=text | grep -c 'What no script notices'
+args report a.sm bad.ss --mutate --format=text | grep -A 4 'What no script notices'
+args report a.sm --mutate --format=text | grep -A 4 'What no script notices'
 
 -- a.sm --
 [state_vector]
@@ -102,8 +103,16 @@ less. The state vector is shared with the application and is not included.
   Image, in flash or RAM            97
   of which code                     18
 
-0
+What no script notices
+----------------------
+
+No change of the machine was tried, because bad.ss fails without one.
+
+What no script notices
+----------------------
+
+No change of the machine was tried, because there is no script that could notice it.
 -- stderr --
+smc: --mutate: no change of the machine was tried, because bad.ss fails without one
 smc: bad.ss failed; the report shows why
--- exit --
-0 1
+smc: --mutate: no change of the machine was tried, because there is no script that could notice it

@@ -8,6 +8,7 @@ args sweep v.sm v.ss --set limit=800:900:2 | tail -n 1
 args sweep v.sm v.ss --set on=false:true:5
 args sweep v.sm never.ss --set wait=0:3:20
 args sweep v.sm v.ss
+args sweep v.sm v.ss --set limt=700:900:3
 args sweep v.sm v.ss --set limit=1:800:3
 args sweep v.sm v.ss --set limit=800:700:3
 args sweep v.sm v.ss --set limit=700:700:3
@@ -129,6 +130,7 @@ wait:
 -- stderr --
 smc: sweep requires one or two parameters to sweep, as in --set=limit=700:900:21
 Try 'smc sweep --help'.
+smc: the machine has no parameter 'limt'; did you mean 'limit'?
 smc: cannot set parameter 'limit' to 1: the value is below the range
 smc: the first end of a sweep must be below the second one, not 'limit=800:700:3'
 Try 'smc sweep --help'.
@@ -149,4 +151,4 @@ Try 'smc sweep --help'.
 smc: sweep requires one or two parameters to sweep, as in --set=limit=700:900:21
 Try 'smc sweep --help'.
 -- exit --
-0 0 0 0 0 0 0 0 2 1 2 2 2 2 2 1 1 2 2 2
+0 0 0 0 0 0 0 0 2 1 1 2 2 2 2 2 1 1 2 2 2

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the files of a campaign of faults share (faults.h): fault_inputs.c lists inputs and what reads them, fault_watch.c observes a run,
+// faults.c runs.
+#ifndef SMC_FAULT_PART_H
+#define SMC_FAULT_PART_H
+
+#include "compiler/cover/cover.h"
+#include "compiler/script/script_run.h"
+#include "compiler/whatif/faults.h"
+
+// A change of an output in the run without a fault.
+typedef struct Change {
+    uint64_t step, cell;
+    uint32_t output;
+} Change;
+
+// The run of a script without a fault.
+typedef struct Healthy {
+    VEC(Change) change;
+    uint64_t *last;           // by State.number - 1: the last step that ran the state; 0: none
+    uint64_t steps;
+    const State *end;
+} Healthy;
+
+// A visit of a state, from its first step to its last one.
+typedef struct Visit { uint64_t first, last; } Visit;
+
+// What is observed in a run.  It is in the arena of the run, so that a copy of the run contains it.
+typedef struct FaultWatch {
+    FaultRunner *x;
+    ScriptRun *r;
+    FaultEngine *e;
+    Healthy *healthy;
+    bool is_healthy;          // the run has no fault, and is recorded instead of compared
+    uint64_t *cell;           // by output: the value without a fault
+    uint32_t next;            // index into healthy->change
+    Monitor *monitor;         // judges the true values
+    bool judges_truth;        // a requirement reads a faulty input, so the true values can have another result than the readings
+    void *situation;
+    const State *last;        // the state that the step before ran
+    uint8_t *visited;         // by State.number - 1: the run was in the state since the fault began
+    FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
+    FaultResult result;       // only what is seen after a step
+} FaultWatch;
+
+struct FaultRunner {
+    Faults *f;
+    Arena *arena;             // of the results
+    Arena run, copy;          // of the current run; of its copy
+    ArenaCopy saved;
+    FlatMachine *flat;
+    ScriptOptions o;
+    const Var **output;
+    uint32_t outputs;         // elements that the machine writes, and then S
+    Healthy *healthy;         // by script
+    Visit *visit;             // by State.number - 1: the longest one of the current script
+    VEC(Fault) single;        // the faults that apply
+    uint8_t *is_required;      // by input: a requirement reads it
+    uint8_t *is_judged;        // by input: a requirement, an assert or an @compare reads it
+    uint8_t *reads;           // by State.number - 1 and input: the state reads it
+    uint8_t *alone;           // by single fault: its outcome at the current trigger
+    uint8_t *visited;         // by single fault and State.number - 1: its run was in the state from the current trigger on
+    uint8_t *is_repeated;     // by single fault: an earlier one of the same input reads the same constant there
+    uint32_t at, i, k;        // the next run: its trigger; its fault, or its two faults i and k
+    bool in_pairs;            // the single faults of the trigger have been run
+    bool is_prepared;         // the current run is before trigger `at`
+    FaultWatch *w;                 // of the current run
+    FaultWrites *writes;      // what faults_record collects; NULL: nothing
+};
+
+// ---- fault_inputs.c ----
+
+// Lists the inputs, outputs, and what each state, assert and requirement reads.
+void fault_find_inputs(FaultRunner *x);
+// Lists the faults that apply.  The ranges of inputs must be known.
+void fault_list_single(FaultRunner *x);
+// Whether a state of a run reads an input, or an assert or a requirement does.  visited: by State.number - 1, of the run.  If none does, the
+// run is the same with every fault of the input.
+bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited);
+
+// ---- fault_watch.c ----
+
+// Is called after each step of a run, with its FaultWatch.
+void fault_watch_step(void *context, const ScriptStep *step);
+// Observes the run of x->w from its start on.
+void fault_begin_watching(FaultRunner *x, uint32_t script);
+// Begins to judge the true values.  Until a fault begins, they are what the machine reads.
+void fault_begin_judging_truth(FaultWatch *w, const Fault *fault, uint32_t n);
+
+#endif
