@@ -13,6 +13,7 @@
 #include "compiler/cli/cover_run.h"
 #include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
+#include "compiler/search/scenario_record.h"
 #include "compiler/search/script_writer.h"
 
 enum { STEPS_MOST = 1000000, ALSO_MOST = 4, GOAL_KINDS = COVER_PARAMETER };     // parameters, the last kind, are set and not reached
@@ -91,13 +92,13 @@ static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Co
     if ((code = cli_print_diagnostics(r->c)) != EXIT_OK)
         return code;
     for (uint32_t i = 0; i < r->script.n; i++) {
-        e[0] = cover_open_recorder(r, counting, r->script.at[i]->delta_t);
+        e[0] = scenario_record_open(r->arena, r->p, counting, r->script.at[i]->delta_t);
         if (script_run(r->arena, &r->c->session.diags, r->script.at[i], e, 2, &o).outcome != SCRIPT_PASSED) {
             cli_print_diagnostics(r->c);
             cli_print_error(r->c, TEXT_cover_fails, r->script.at[i]->src->name);
             return EXIT_PROBLEM;
         }
-        cover_keep_recorded(r, e[0]);
+        vec_push(r->arena, &r->recorded, scenario_recorded(e[0]));
     }
     return cli_print_diagnostics(r->c);
 }

@@ -51,13 +51,6 @@ typedef struct CoverRun {
     bool was_interrupted;
 } CoverRun;
 
-// ---- cover_given.c ----
-
-// Opens an engine that runs `inner`, and records the scenario of one run.
-Engine *cover_open_recorder(CoverRun *r, Engine *inner, uint64_t delta_t);
-// Adds the scenario to r->recorded: it ends before the first write that no scenario has, and before too many changes.
-void cover_keep_recorded(CoverRun *r, Engine *recorder);
-
 // ---- cover_folder.c ----
 
 // Creates the folder, lists it, and reads the scripts that smc has written for this machine.  Adds them to the sources.
