@@ -201,8 +201,6 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
         i.b = emit_f32_operand(n, i.b);
     f32 = narrow_emit(n, i);
     narrow_ins(n, cvt)->a = f32;
-    if (!n->fact[r].nan)
-        n->same[cvt] = f32;
 }
 
 // ---- conversions ----

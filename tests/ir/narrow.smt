@@ -69,16 +69,17 @@ b0:
     %18 = cvt F64 %17
     %19 = const F32 0x3f000000  # 0.5
     %20 = mul F32 %17, %19
-    store F32 f32, %20
-    %21 = const F64 0x3fb999999999999a  # 0.1
-    %22 = mul F64 %18, %21
-    %23 = cvt F32 %22
-    store F32 f32, %23
-    %24 = load U64 u64
-    %25 = cvt F64 %24
-    %26 = const F64 1
-    %27 = add F64 %25, %26
-    %28 = cvt U64 %27
-    store U64 u64, %28
+    %21 = cvt F32 %20
+    store F32 f32, %21
+    %22 = const F64 0x3fb999999999999a  # 0.1
+    %23 = mul F64 %18, %22
+    %24 = cvt F32 %23
+    store F32 f32, %24
+    %25 = load U64 u64
+    %26 = cvt F64 %25
+    %27 = const F64 1
+    %28 = add F64 %26, %27
+    %29 = cvt U64 %28
+    store U64 u64, %29
     ret
 }
