@@ -749,14 +749,30 @@ SM_ROLL_INLINE SmF64 sm_roll_middle_number(const uint64_t *w, uint32_t kind)
     c = sm_roll_slot_key(w, 3, kind, 2);
     return sm_from_bits(((a & b) | (a & c) | (b & c)) < 0 ? 0x8000000000000000u : 0);
 }
+// snippet: sm_roll_key_of_rank
+// The key of the ordered sample of a rank.
+SM_ROLL_INLINE SmRollKey sm_roll_key_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, SmRollSize rank)
+{
+    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
+    if (!sm_roll_is_ordered(n))
+        return sm_roll_rank_of_three(w, kind, count, rank);
+    return sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind);
+}
 // snippet: sm_roll_value_of_rank
 // The value of the ordered sample of a rank.
 SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
-    const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
-    if (!sm_roll_is_ordered(n))
-        return sm_roll_value(kind, sm_roll_rank_of_three(w, kind, count, rank));
-    return sm_roll_value(kind, sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind));
+    return sm_roll_value(kind, sm_roll_key_of_rank(w, n, kind, count, rank));
+}
+// snippet: sm_roll_whole_median
+// The median of integers of at most 16 bits, without its fraction.
+SM_ROLL_INLINE_FOR_SPEED int32_t sm_roll_whole_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
+{
+    int32_t a;
+    if (count == 0)
+        return 0;
+    a = (int32_t)sm_roll_key_of_rank(w, n, kind, count, (SmRollSize)((count - 1u) / 2u));
+    return count % 2 != 0 ? a : (a + (int32_t)sm_roll_key_of_rank(w, n, kind, count, (SmRollSize)(count / 2u))) / 2;
 }
 // snippet: sm_roll_mean_of_two
 // The mean of a <= b, the two samples in the middle.

@@ -162,6 +162,13 @@ static void clear(uint32_t words)
 #endif
 }
 
+// Whether the samples are integers of at most 16 bits.
+static bool has_short_integers(uint32_t kind)
+{
+    const uint32_t type = kind & SM_ROLL_TYPE;
+    return type == SM_ROLL_I8 || type == SM_ROLL_I16 || type == SM_ROLL_U8 || type == SM_ROLL_U16;
+}
+
 static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
 {
     double stat[SM_STAT_ELAPSED];
@@ -169,6 +176,8 @@ static void check_stats(uint32_t n, uint32_t kind, uint32_t steps)
     for (int s = 0; s < SM_STAT_ELAPSED; s++)
         if ((kind >> 4 >> s & 1u) != 0)
             CHECK(same(sm_roll_stat(memory, n, kind, (SmStat)s), stat[s]));
+    if ((kind & SM_ROLL_MEDIAN) != 0 && has_short_integers(kind))
+        CHECK(sm_roll_whole_median(memory + 1, n, kind, sm_roll_count(memory)) == (int32_t)stat[SM_STAT_MEDIAN]);
 #if SM_ROLL_SMALL
     if (n <= EMITTED)
         check_emitted(n, kind, stat);

@@ -179,5 +179,6 @@ void c_write_sample(CFn *fn, const IrIns *i);              // the statement that
 // Whether the function that adds sample i to its rolling window reads a NaN as 0, so that the caller need not check for it.
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i);
 void c_write_statistic_call(CFn *fn, const IrIns *i);      // the call that reads a statistic of a rolling window
+bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r); // the same as an integer, if r is a median of integers
 
 #endif

@@ -44,6 +44,8 @@ void soft_write_to_f64(CFn *fn, IrRef r)
 // Writes a float that is in range as an integer, or any number as an F32.
 void soft_write_cast(CFn *fn, SmType to, IrRef r)
 {
+    if (to != SM_F32 && c_try_write_whole_median(fn, to, r))
+        return;
     c_write(fn, to == SM_F32 ? "sm_round_f32(" : truncation_helper[to]);
     c_write_double(fn, r, PREC_ANY);
     c_write(fn, ")");

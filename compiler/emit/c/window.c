@@ -216,6 +216,35 @@ static const char *statistic_function(const CUnit *u, size_t w, int stat)
     return stat == SM_STAT_MEDIAN && get_window(u, w)->size == 3 ? "sm_roll_median_of_3" : format_in(u->arena, "sm_roll_%s", stat_name[stat]);
 }
 
+// A bit of window_stats_read beside those of the statistics: the median is read without its fraction.
+enum { WHOLE_MEDIAN = SM_STAT_COUNT };
+
+// If r is the median of integers of at most 16 bits, writes it as an integer of type `to`, without its fraction.  That
+// needs no soft numbers.
+bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r)
+{
+    const IrIns *i = &fn->f->ins.at[r];
+    CUnit *u = fn->u;
+
+    if (i->op != IR_stat || i->stat != SM_STAT_MEDIAN || fn->ins[r].variable)
+        return false;
+    switch (roll_kind(get_window(u, i->var)) & SM_ROLL_TYPE) {
+    case SM_ROLL_I8: case SM_ROLL_I16: case SM_ROLL_U8: case SM_ROLL_U16: break;
+    default: return false;
+    }
+    fn->uses_m = true;
+    u->window_stats_read[i->var] |= 1u << WHOLE_MEDIAN;
+    buf_printf(&fn->line, "(%s)%s_%s_whole_median(m)", c_type_of(u, to), u->names.prefix, u->window[i->var]);
+    return true;
+}
+
+static void write_whole_median_function(CUnit *u, size_t w, Buf *out)
+{
+    buf_printf(out, "static int32_t %s_%s_whole_median(const %s *m)\n{\n    return ", u->names.prefix, u->window[w], u->names.type);
+    begin_roll_call(u, "sm_roll_whole_median", w, out);
+    buf_printf(out, ", %s(&m->%s));\n}\n\n", helper_require(u, "sm_roll_count"), u->ring[w]);
+}
+
 static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
 {
     buf_printf(out, "static %s %s_%s_%s(const %s *m)\n{\n    return ", c_type_of(u, SM_F64), u->names.prefix, u->window[w],
@@ -238,10 +267,13 @@ void c_write_statistic_functions(CUnit *u, Buf *out)
     bool any = false;
 
     for (size_t w = 0; w < u->m->window.n; w++)
-        for (int stat = 0; stat < SM_STAT_COUNT; stat++)
+        for (int stat = 0; stat <= WHOLE_MEDIAN; stat++)
             if (u->window_stats_read[w] >> stat & 1) {
                 buf_str(out, any ? "" : "// ---- statistics of rolling windows ----\n\n");
                 any = true;
-                write_statistic_function(u, w, stat, out);
+                if (stat == WHOLE_MEDIAN)
+                    write_whole_median_function(u, w, out);
+                else
+                    write_statistic_function(u, w, stat, out);
             }
 }
