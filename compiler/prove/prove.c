@@ -6,7 +6,8 @@
 
 enum {
     DELTA_T = 10,             // of a machine without a step
-    EFFORT = 30000000,        // steps of a search for a violation
+    EFFORT = 30000000,        // steps of searches for a violation
+    FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
     EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
 };
 
@@ -83,51 +84,67 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 // The attempts at a proof, from cheap to expensive.
 static const struct { bool is_loose, is_fine; } attempt[] = {{true, false}, {false, false}, {true, true}, {false, true}};
 
-enum { ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 2, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
-static ProveModel *new_model(ProveRun *v, const ProveOf *of, bool loose)
+// What the attempts at the proof of a requirement have in common.
+typedef struct ProveProof {
+    ProveModel *exact, *loose;
+    unsigned assumed[2];      // sets of assumptions, the weaker one first
+    uint32_t sets, tried;     // how many there are; how many attempts have been made with each
+} ProveProof;
+
+static void begin_proof(const ProveRun *v, ProveProof *p, ProveOf *of)
 {
-    return prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, loose);
+    const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
+
+    *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
+    p->exact = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, false);
+    p->loose = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, true);
+    for (uint32_t n = 0; n < v->m->var.n; n++)
+        of->irrelevant += p->exact->var[n].kind == PROVE_IRRELEVANT;
 }
 
 // Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.
-static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveOf *of)
 {
-    if (!try_proof(v, model, assumed, is_fine, x, of))
+    ProveExplored x;
+
+    if (!try_proof(v, model, assumed, is_fine, &x, of)) {
+        of->obstacle = x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
         return false;
-    of->assumed = weaken_assumptions(v, model, assumed, is_fine, x, of);
+    }
+    of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
     of->is_loose = model->loosened;
-    of->verdict = x->premise ? PROVE_PROVED : PROVE_VACUOUS;
-    of->invariant = invariants_of(v, model, x);
+    of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
+    of->invariant = invariants_of(v, model, &x);
     return true;
 }
 
-// Tries proofs with all assumptions.  Returns whether one is found.
-static bool prove_requirement(ProveRun *v, ProveOf *of)
+// Makes the attempts before number `to` that have not been made.  Returns whether one is a proof.
+static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 {
-    ProveModel *const model[2] = {new_model(v, of, false), new_model(v, of, true)};
-    const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
-    const unsigned assumed[2] = {all, all | 1u << PROVE_PARAMETERS};
-    ProveExplored x = {.closed = false};
+    const uint32_t from = p->tried;
 
-    for (uint32_t n = 0; n < v->m->var.n; n++)
-        of->irrelevant += model[0]->var[n].kind == PROVE_IRRELEVANT;
-    for (int k = 0; k < (program_has_parameters(v->p) ? 2 : 1); k++)
-        for (int n = 0; n < ATTEMPTS && goes_on(v); n++) {
-            if (attempt[n].is_loose && !model[1]->loosened)
+    p->tried = to;
+    for (uint32_t set = 0; set < p->sets; set++)
+        for (uint32_t n = from; n < to; n++) {
+            if (attempt[n].is_loose && !p->loose->loosened)
                 continue;
-            if (try_attempt(v, model[attempt[n].is_loose], assumed[k], attempt[n].is_fine, &x, of))
+            if (!goes_on(v)) {
+                of->obstacle = PROVE_INTERRUPTED;
+                return false;
+            }
+            if (try_attempt(v, attempt[n].is_loose ? p->loose : p->exact, p->assumed[set], attempt[n].is_fine, of))
                 return true;
         }
-    of->obstacle = !goes_on(v) ? PROVE_INTERRUPTED : x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
     return false;
 }
 
 // ---- violations ----
 
-static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t effort)
+static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
-    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .effort = effort,
+    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
                           .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
     GoalFound found = goal_search(v->arena, v->cover, &g);
 
@@ -138,23 +155,36 @@ static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t ef
     return found;
 }
 
-static void decide(ProveRun *v, ProveOf *of)
+// Searches for a violation with what is left of the effort.  Returns whether there is one.
+static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
-    GoalFound found;
+    const GoalFound found = search_for(v, of, GOAL_VIOLATION, seed, effort);
 
-    of->verdict = PROVE_UNDECIDED;
-    if (prove_requirement(v, of)) {
-        if (of->verdict == PROVE_VACUOUS || !goes_on(v))
-            return;
-        found = search_for(v, of, GOAL_PREMISE, EFFORT_PREMISE);
-        of->premise_seen = found.premise_seen;
-        return;
-    }
-    found = search_for(v, of, GOAL_VIOLATION, v->o->effort ? v->o->effort : EFFORT);
-    of->premise_seen = found.premise_seen || found.scenario != NULL;
+    of->premise_seen = of->premise_seen || found.premise_seen || found.scenario;
     of->scenario = found.scenario;
     if (found.scenario)
         of->verdict = PROVE_VIOLATED;
+    return found.scenario != NULL;
+}
+
+// Proofs that take long, and searches that take long, come last: most requirements are decided before.
+static void decide(ProveRun *v, ProveOf *of)
+{
+    const uint64_t effort = v->o->effort ? v->o->effort : EFFORT;
+    ProveProof proof;
+
+    of->verdict = PROVE_UNDECIDED;
+    begin_proof(v, &proof, of);
+    if (!try_proofs(v, &proof, of, ATTEMPTS_FIRST)) {
+        if (search_violation(v, of, 1, effort / FIRST_SHARE))
+            return;
+        if (!try_proofs(v, &proof, of, ATTEMPTS)) {
+            search_violation(v, of, 2, effort > of->steps ? effort - of->steps : 1);
+            return;
+        }
+    }
+    if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
+        of->premise_seen = search_for(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
 }
 
 // ---- contradictions ----

@@ -7,6 +7,7 @@
 // The goal's own part of a situation, before that of the monitor.
 typedef struct GoalMemory {
     bool seen;                // a step has had b
+    bool outside;             // an input was outside its range, although ranges are assumed
     bool open;                // AFTER: no step since the last one with b has had c; LEADS_TO: undecided
 } GoalMemory;
 
@@ -71,6 +72,42 @@ static double distance_of(const Expr *e, const uint64_t *cell, const RefWindows 
 // Maps a distance to one below 1, so that a condition that comes first counts more.
 static double below_one(double d) { return d / (d + 1); }
 
+// ---- ranges ----
+
+static bool is_ranged_input(const Program *p, const Var *v) { return v->kind == VAR_ELEMENT && v != p->g && v != p->s && !v->written && v->range; }
+
+// Whether all inputs are in their ranges.  An input that a scenario never sets is 0: hold_in_ranges sets it.
+static bool is_in_ranges(const Program *p, const uint64_t *cell)
+{
+    for (uint32_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        const double x = is_ranged_input(p, v) ? ref_read(v->type, cell[i]) : 0;
+        if (x != 0 && (x < v->range->lo || x > v->range->hi))
+            return false;
+    }
+    return true;
+}
+
+// Adds a change in the first step for each input that has none there and whose range does not contain 0.
+static void hold_in_ranges(Arena *arena, const Program *p, Scenario *s)
+{
+    ScenarioChange *change = ARENA_ARRAY(arena, ScenarioChange, s->changes + p->var.n);
+    size_t n = 0;
+
+    for (uint32_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        bool is_set = !is_ranged_input(p, v) || (v->range->lo <= 0 && v->range->hi >= 0);
+        for (size_t k = 0; !is_set && k < s->changes && s->change[k].step == 1; k++)
+            is_set = s->change[k].var == i;
+        if (!is_set)
+            change[n++] = (ScenarioChange){.step = 1, .var = i, .kind = SCENARIO_HOLD, .a = v->range->lo > 0 ? v->range->lo : v->range->hi};
+    }
+    for (size_t k = 0; k < s->changes; k++)
+        change[n++] = s->change[k];
+    s->change = change;
+    s->changes = n;
+}
+
 // ---- the goal ----
 
 // Returns how far the step is from the goal, if it does not reach it.
@@ -121,7 +158,7 @@ static bool is_premise(const GoalWatch *w, const GoalMemory *before, const uint6
 static void start_goal(void *self, void *situation)
 {
     const GoalWatch *w = self;
-    const GoalMemory none = {false, false};
+    const GoalMemory none = {false, false, false};
 
     *(GoalMemory *)situation = none;
     monitor_start(w->monitor, (char *)situation + MEMORY_SIZE);
@@ -137,9 +174,10 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     monitor_step(w->monitor, (char *)situation + MEMORY_SIZE, cell);
     note_step(w, m, cell);
     premise = is_premise(w, &before, cell);
-    w->premise_seen = w->premise_seen || premise;
-    reached = w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
-    *distance = distance_to_goal(w, &before, m, cell);
+    w->premise_seen = w->premise_seen || (premise && !m->outside);
+    m->outside = m->outside || (w->g->assume_ranges && !is_in_ranges(w->g->all->program, cell));
+    reached = m->outside ? false : w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
+    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, cell);
     if (reached)
         *distance = 0;
     else if (!(*distance > 0))
@@ -197,17 +235,6 @@ static bool *writable_elements(Arena *arena, const Program *p)
     return writable;
 }
 
-static bool is_in_ranges(const Program *p, const Scenario *s)
-{
-    for (size_t i = 0; i < s->changes; i++) {
-        const ScenarioChange *c = &s->change[i];
-        const Range *range = p->var.at[c->var]->range;
-        if (range && (c->kind != SCENARIO_HOLD || !(c->a >= range->lo && c->a <= range->hi)))
-            return false;
-    }
-    return true;
-}
-
 // ---- fewer changes ----
 
 enum { SIMPLIFY_CHANGES = 12, SIMPLIFY_STEPS = 20000 };       // larger scenarios are left as they are
@@ -227,6 +254,7 @@ static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t d
 {
     ScenarioChange *change = ARENA_ARRAY(arena, ScenarioChange, s->changes);
     Scenario less = *s;
+    bool reached;
 
     less.change = change;
     less.changes = 0;
@@ -237,10 +265,12 @@ static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t d
         if (i != drop)
             change[less.changes++] = c;
     }
-    if (!reaches(arena, g, &less))
-        return false;
-    *s = less;
-    return true;
+    if (g->assume_ranges)
+        hold_in_ranges(arena, g->all->program, &less);
+    reached = less.changes < s->changes && reaches(arena, g, &less);
+    if (reached)
+        *s = less;
+    return reached;
 }
 
 // Removes changes that the goal does not need, also those that it does not need if another change has the value of a third one.
@@ -275,7 +305,7 @@ GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g)
     const Expr *condition[3];
     SearchWatch watch = {.self = w, .goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = 1, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch, .go_on = may_go_on,
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch, .go_on = may_go_on,
                        .context = &stop};
     const Requirement *r = w->what;
     const Expr *const part[3] = {r->a, r->b, r->c};
@@ -294,14 +324,16 @@ GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g)
         *s = found->chosen[found->find[found->places].scenario].scenario;
         s->steps = goal_confirm(arena, g, s);
         out.unconfirmed = s->steps == 0;
-        if (s->steps && (!g->assume_ranges || is_in_ranges(g->all->program, s)))
+        if (s->steps && g->assume_ranges) {
+            hold_in_ranges(arena, g->all->program, s);
+            s->steps = goal_confirm(arena, g, s);
+        }
+        if (s->steps)
             out.scenario = s;
         while (s->changes && s->change[s->changes - 1].step > s->steps)
             s->changes--;
         if (out.scenario)
             simplify(arena, g, s);
-        if (out.scenario && g->assume_ranges && !is_in_ranges(g->all->program, s))
-            out.scenario = NULL;
     }
     out.premise_seen = w->premise_seen;
     return out;

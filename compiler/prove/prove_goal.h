@@ -13,9 +13,9 @@ typedef struct GoalSearch {
     const Requirements *all;
     size_t requirement;
     GoalKind kind;
-    uint64_t delta_t, effort;
+    uint64_t delta_t, seed, effort;
     const State *init_state;
-    bool assume_ranges;               // values outside an @range are not accepted
+    bool assume_ranges;               // elements with @range that the machine does not assign have values in it, in each step
     bool (*go_on)(void *context);     // or NULL
     void *context;
 } GoalSearch;

@@ -137,7 +137,7 @@ requirements of a, from state Idle, with a step every 10 ms:
 ]}
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
-      750000 steps were tried; what is known about the values is too little for a proof
+      [..] steps were tried; what is known about the values is too little for a proof
       [..] abstract states and [..] paths were examined
 -- exit --
 1 0 0 5
