@@ -45,36 +45,38 @@ static unsigned find_specialized_use(const DecodedWindow *w, unsigned *type)
     return (stats & SM_ROLL_ORDER) != 0 && (stats & (SM_ROLL_MEDIAN | SM_ROLL_AVG)) == 0 && w->n <= SM_ROLL_SCAN ? FOR_EXTREMES : FOR_NONE;
 }
 
-static unsigned sample_op(const DecodedWindow *w, bool memory)
+// Returns the opcode that samples a window.  from_memory: it reads the value from memory; otherwise from F.
+static unsigned sample_op(const DecodedWindow *w, bool from_memory)
 {
     static const uint16_t family[2][3] = {{FAST_PUSH_MEDIAN_I16_OP, FAST_PUSH_AVG_I16_OP, FAST_PUSH_EXTREMES_I16_OP},
                                           {FAST_PUSH_MEMORY_MEDIAN_I16_OP, FAST_PUSH_MEMORY_AVG_I16_OP, FAST_PUSH_MEMORY_EXTREMES_I16_OP}};
     unsigned type, use = find_specialized_use(w, &type);
 
-    return use == FOR_NONE ? (unsigned)FAST_SAMPLE_OP : family[memory][use] + type;
+    return use == FOR_NONE ? (unsigned)FAST_SAMPLE_OP : family[from_memory][use] + type;
 }
 
-static unsigned statistic_op(const DecodedWindow *w, uint32_t stat, bool store)
+// Returns the opcode that computes a statistic into F.  and_store: it also stores the result in an output.
+static unsigned statistic_op(const DecodedWindow *w, uint32_t stat, bool and_store)
 {
     static const uint16_t family[2][SM_STAT_COUNT] = {             // indexed by SmStat; 0: no such instruction
         {FAST_AVG_I16_OP, FAST_MEDIAN_I16_OP, FAST_SMALLEST_I16_OP, FAST_LARGEST_I16_OP, FAST_RANGE_I16_OP},
         {FAST_AVGN_I16_OP, FAST_MEDIANN_I16_OP, 0, 0, FAST_RANGEN_I16_OP}};
     unsigned type;
 
-    return find_specialized_use(w, &type) == FOR_NONE || family[store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[store][stat] + type;
+    return find_specialized_use(w, &type) == FOR_NONE || family[and_store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[and_store][stat] + type;
 }
 
 void smvm_decode_sample(DecodeState *d)
 {
     const DecodedWindow w = read_window(d, d->n[0]);
     const DecodedValue *x = smvm_compute_x(d);
-    const bool memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sample_op(&w, true) != FAST_SAMPLE_OP;
+    const bool from_memory = is_memory(x) && x->kind == (w.kind & SM_ROLL_TYPE) && sample_op(&w, true) != FAST_SAMPLE_OP;
 
-    if (!memory)
+    if (!from_memory)
         smvm_move_x_to_f(d);
-    smvm_emit_op(d, sample_op(&w, memory));
+    smvm_emit_op(d, sample_op(&w, from_memory));
     emit_window(d, &w);
-    if (memory)
+    if (from_memory)
         smvm_emit_operand(d, x);
 }
 

@@ -26,7 +26,7 @@ enum { SWAP_PARAMETER = SMVM_SWAP_SAMPLE + 1 };       // the kind of a parameter
 // In memory: SmvmSwap, the names of `to`, those of `from`, and for each state of `from` its number in `to`.
 struct SmvmSwap {
     SmvmMachine from, to;
-    uint32_t to_names, from_names;    // from_names: after the comparison, the number of those that only `from` has
+    uint32_t to_names, from_names;    // how many names each machine has; from_names, after the comparison: how many names only `from` has
     uint32_t map_at;                  // offset of the map of states
 };
 
@@ -337,7 +337,7 @@ static void refill_window(const uint64_t *from, uint32_t from_kind, const SmVm *
 
     memset(to, 0, sm_roll_bytes(n, to_kind));
     if ((from_kind & SM_ROLL_TYPE) == SM_ROLL_TIMES || (to_kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
-        return;                                        // only an equal kind has the same contents
+        return;                                        // times are only taken over by a window of the same kind, which the caller copies
     for (uint32_t i = 0; i < count + more; i++)
         smvm_sample(vm, to, n, to_kind, sm_roll_value(from_kind, sm_roll_slot_key(from + 1, n, from_kind, (SmRollSize)(i < count ? i : i - count))));
 }

@@ -67,9 +67,10 @@ static void mark_included_scripts(Compilation *c)
     }
 }
 
+// Returns the index of the machine to which source i belongs, or of the application; SIZE_MAX: none.
 static size_t machine_of_source(const Compilation *c, size_t i)
 {
-    return c->in->at[i].machine ? c->in->at[i].machine - 1 : c->only_machine;
+    return c->in->app ? 0 : c->in->at[i].machine ? c->in->at[i].machine - 1 : c->only_machine;
 }
 
 // Returns the index of the machine that source i is a script of; SIZE_MAX: it is no script, or has no machine.
@@ -77,7 +78,7 @@ static size_t machine_of_script(const Compilation *c, size_t i)
 {
     if (c->in->at[i].kind != FILE_SS || c->out->of[i].is_included)
         return SIZE_MAX;
-    return c->in->app ? 0 : machine_of_source(c, i);
+    return machine_of_source(c, i);
 }
 
 // Adds the locals that the scripts of machine m, which has the program p, write to `written`.  If the option `step` is 0, the session's step
@@ -117,6 +118,14 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
         limits_check(&c->s->arena, &c->s->diags, of->program, of->measured, &c->o->limits);
 }
 
+static bool has_requirements(const Compilation *c, size_t m)
+{
+    for (size_t i = 0; i < c->in->n; i++)
+        if (c->in->at[i].kind == FILE_RQ && machine_of_source(c, i) == m)
+            return true;
+    return false;
+}
+
 static void compile_machine(Compilation *c, size_t i)
 {
     CompiledSource *of = &c->out->of[i];
@@ -124,6 +133,7 @@ static void compile_machine(Compilation *c, size_t i)
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
 
     c->s->step = c->o->step;
+    c->s->has_requirements = has_requirements(c, i);
     if ((of->program = session_program(c->s, &m)) == NULL)
         return;
     read_script_writes_and_step(c, i, of->program, &written);
@@ -151,7 +161,7 @@ static void compile_requirements(Compilation *c)
 {
     for (size_t i = 0; i < c->in->n; i++) {
         const size_t m = c->in->at[i].kind == FILE_RQ ? machine_of_source(c, i) : SIZE_MAX;
-        if (c->in->at[i].kind == FILE_SM)
+        if (c->in->at[i].kind == FILE_SM || c->in->at[i].kind == FILE_APP)
             compile_requirements_of(c, i);
         else if (c->in->at[i].kind == FILE_RQ && (m == SIZE_MAX || !c->out->of[m].scripted))
             session_parse(c->s, c->in->at[i].text, FILE_RQ);
@@ -226,7 +236,7 @@ static void check_app_limits(Compilation *c, const App *a)
     c->s->locals = LOCALS_READ;
 }
 
-// Joins the machines of an application for its scripts, and compiles these.
+// Joins the machines of an application for its scripts and requirements, and compiles these.
 static void compile_scripts_of_app(Compilation *c, const App *a)
 {
     Map written = {&c->s->arena, NULL, NULL, 0, 0};
@@ -235,6 +245,7 @@ static void compile_scripts_of_app(Compilation *c, const App *a)
         if (machine_of_script(c, i) == 0)
             session_script_writes(c->s, c->in->at[i].text, TIME_NONE, &written);
     c->out->of[0].scripted = session_join(c->s, a, &c->in->app->files, &written);
+    compile_requirements(c);
     if (!c->o->scripts_later)
         compile_scripts(c);
 }

@@ -46,7 +46,7 @@ static AstFile *parse(Session *s, const Source *src, FileKind kind)
 
 static CheckContext make_check_context(Session *s)
 {
-    CheckContext c = {&s->arena, &s->strings, &s->diags, s->proposes_guards};
+    CheckContext c = {&s->arena, &s->strings, &s->diags, s->proposes_guards, s->has_requirements};
     return c;
 }
 

@@ -40,6 +40,7 @@ typedef struct Session {
     Buf *print_to;                // "build": before the first pass; NULL: no printing
     bool check_passes;            // session_ir verifies the IR after every pass, not only the last: takes a third of a build's time
     unsigned warnings;            // 1u << DiagGroup of each group that session_analyse checks
+    bool has_requirements;        // session_program leaves definitions that nothing uses to session_requirements
     bool proposes_guards;         // session_script reports comparisons with G that a guard by time can replace
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL

@@ -8,7 +8,8 @@
 
 // Receives all bytes of the description in order, and stores those from byte `from` on, at most `room` of them, at `out`.
 typedef struct DescriptionSink {
-    uint32_t at, from, room;  // at: number of bytes received so far
+    uint32_t at;              // number of bytes received so far
+    uint32_t from, room;      // stores the bytes from `from` on, at most `room` of them
     uint8_t *out;
     uint32_t crc;
 } DescriptionSink;

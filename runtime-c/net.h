@@ -122,7 +122,8 @@ typedef struct SmNetPeer {
     PalSocket socket;
     uint8_t state;
     uint16_t n, sent;         // bytes of `bytes`; how many of them have been sent
-    uint64_t since, used;     // tick times: of the connection, or of the attempt; of the last message, or of the connection
+    uint64_t since;           // tick time at which the connection, or the attempt to connect, began
+    uint64_t used;            // tick time of the last message; before the first one, the same as `since`
 } SmNetPeer;
 
 typedef struct SmNetChannel {
@@ -132,7 +133,7 @@ typedef struct SmNetChannel {
     bool is_server;           // waits for connections, instead of making one
     uint8_t peers;            // rows of `peer`: 1 for a client, 1 or more for a server
     SmNetPeer *peer;
-    PalAddress address;       // UDP: of the receiver, or the local address or group of a receiver; client: of the server; server: local
+    PalAddress address;       // UDP: where to send, or the local address or group that receives; client: the server's; server: its local address
     uint8_t interface[4];     // address of the network interface for multicast; 0.0.0.0: the platform chooses
     uint64_t period, timeout; // nanoseconds; period: only of messages that are sent; timeout 0: none
     const SmNetPlace *statistic, *age, *run;      // run: of type U32; NULL if absent

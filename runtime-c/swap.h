@@ -99,7 +99,7 @@ typedef struct SmSwappable {
 // An executor that runs such machines, or any other one.
 typedef struct SmSwapGate {
     struct SmSwaps *swaps;
-    bool is_in_tick;          // belongs to the runtime
+    bool is_in_tick;          // the executor is inside a tick; only the runtime uses it
 } SmSwapGate;
 
 // Serves requests from outside the program (bytecode-vm/target/swap_link.h).  All functions are called by the thread that writes the log.

@@ -12,6 +12,7 @@
 #   2. it skipped nothing and passed fewer tests than floors.txt requires of its name,
 #   3. it does not end within LIMIT seconds,
 #   4. another command has the same name.
+# With STRICT=1 it is a failure as well if the commands leave files in the source tree that git does not know; without, it is only printed.
 floors=${FLOORS:-$(dirname "$0")/floors.txt}
 limit=
 timeout --foreground 1 true 2>/dev/null && limit="timeout --foreground -k 10 ${LIMIT:-3600}"      # in this process group, so that Ctrl-C ends it too
@@ -33,11 +34,18 @@ for name in $(sed 's/^+\{0,1\}\([^:]*\):.*/\1/' "$work/lines" | sort | uniq -d);
 done
 start=$(date +%s)
 
-# run NUMBER LINE: writes the output of the command to NUMBER.out, its exit code and seconds to NUMBER.code
+# list_untracked FILE: writes the names of the files that git neither knows nor ignores
+list_untracked() { git ls-files --others --exclude-standard 2>/dev/null | LC_ALL=C sort >"$1"; }
+list_untracked "$work/untracked"
+
+# run NUMBER LINE: writes the output of the command to NUMBER.out, its exit code and seconds to NUMBER.code, and what `times` says of
+# this worker before and after it to NUMBER.times
 run() {
     began=$(date +%s)
+    times >"$work/$1.times"
     $limit sh -c "${2#*: }" >"$work/$1.out" 2>&1 </dev/null 3>&-
     echo "$? $(($(date +%s) - began))" >"$work/$1.code"
+    times >>"$work/$1.times"
     echo "$1" >&3
 }
 
@@ -71,6 +79,11 @@ run_remaining() {
 # floor_of NAME: the least number of tests that a command of that name must run
 floor_of() { sed -n "s/^$1  *\([0-9][0-9]*\)$/\1/p" "$floors" | tail -n 1 | grep . || echo 1; }
 
+# cpu_of NUMBER: the processor seconds that a command and the processes it waited for took
+cpu_of() {
+    awk '{ for (i = 1; i <= 2; i++) { split($i, t, "m"); sum += (NR > 2 ? 1 : -1) * (60 * t[1] + t[2]) } } END { printf "%.1f", sum }' "$work/$1.times"
+}
+
 # report NUMBER: prints the result of a command and adds it to the totals
 report() {
     out=$work/$1.out name=$(sed -n "$1s/^+\{0,1\}\([^:]*\):.*/\1/p" "$work/lines")
@@ -100,7 +113,7 @@ report() {
         { echo "---- $name"; tail -n 30 "$out"; } >>"$failures"
     fi
     reported=$((reported + 1))
-    printf '[%*d/%d] %-24s %4d s  %s\n' ${#count} "$reported" "$count" "$name" "$seconds" "$last"
+    printf '[%*d/%d] %-24s %4d s %6s cpu  %s\n' ${#count} "$reported" "$count" "$name" "$seconds" "$(cpu_of "$1")" "$last"
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
     add_to_part "$(sed -n "$1p" "$work/parts")" "${p:-0}" "${f:-0}" "${s:-0}"
 }
@@ -124,6 +137,12 @@ while [ "$reported" -lt "$count" ]; do
 done
 
 [ ! -s "$failures" ] || cat "$failures"
+list_untracked "$work/untracked.after"
+LC_ALL=C comm -13 "$work/untracked" "$work/untracked.after" >"$work/left"
+if [ -s "$work/left" ]; then
+    sed 's/^/a new file in the source tree: /' "$work/left"
+    [ "${STRICT:-0}" = 1 ] && failed=$((failed + 1))
+fi
 if [ "$skipped" -ne 0 ]; then
     echo "skipped tests need tools that are not here; on Debian or Ubuntu: apt-get install clang tcc g++ lua5.4 luajit chromium graphviz librsvg2-bin"
     echo "  python3-jsonschema python3-yaml wine wine64 gcc-mingw-w64-x86-64 gcc-mingw-w64-i686; and: make sarif-schema"

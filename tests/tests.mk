@@ -16,12 +16,12 @@ PARTS = quick thorough targets
 #   NEEDS    files that are built first, besides smc
 #   COMMAND  run by sh in this folder; its last line is "N passed, N failed" or "N passed, N failed, N skipped".  It can contain up to
 #            four commas, no $ and no ".  Patterns such as *.smt are expanded by sh, since one argument holds all rows (128 KB).
-# Defines check-NAME, and adds the row to LINES_PART and its needs to NEEDS_PART.
+# Defines check-NAME, and adds the row to LINES_PART and its needs to NEEDS_PART, unless LEFT_OUT names it.
 ,    := ,
 test  = $(eval $(call test_row,$(strip $(1)),$(strip $(2)),$(3),$(strip $(4)$(if $(5),$(,)$(5))$(if $(6),$(,)$(6))$(if $(7),$(,)$(7))$(if $(8),$(,)$(8)))))
 define test_row
-LINES_$(2) += "$(1): $(4)"
-NEEDS_$(2) += $(3)
+LINES_$(2) += $(if $(filter $(LEFT_OUT),$(patsubst +%,%,$(1))),,"$(1): $(4)")
+NEEDS_$(2) += $(if $(filter $(LEFT_OUT),$(patsubst +%,%,$(1))),,$(3))
 check-$(patsubst check-%,%,$(patsubst +%,%,$(1))): all $(3)
 	unset MAKEFLAGS MFLAGS MAKELEVEL; $(4)
 .PHONY: check-$(patsubst check-%,%,$(patsubst +%,%,$(1)))
@@ -255,7 +255,7 @@ $(B)/why/random: $(B)/obj/tests/why/random.o $(GEN_OBJ) $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 # tests/library: libsmc by its public header.  `make library-campaign N=100000 SEED=1` makes random calls under sanitizers.
-LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api broken memory refuse threads random command)
+LIBRARY_TESTS = $(patsubst %,$(B)/library/%,api machines broken memory refuse threads random command)
 $(LIBRARY_TESTS): $(B)/library/%: $(B)/obj/tests/library/%.o $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBRARY_WRAP) -pthread
@@ -542,8 +542,8 @@ $(LIMITS_SET): $(LIMITS_SMB)
 
 # The link between a host and a board, over lines that lose and damage bytes.  `make link-trouble N=100000 SEED=2`: N updates.
 BOARD_SRC = bytecode-vm/target/agent.c bytecode-vm/target/store.c runtime-c/event.c $(filter runtime-c/psl/sim/%,$(PSL_SRC_sim))
-AGENT_SRC = tests/store/agent.c bytecode-vm/target/state_log.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
-$(B)/store/agent: $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
+AGENT_SRC = bytecode-vm/target/state_log.c compiler/device/device.c compiler/device/link_host.c $(BOARD_SRC)
+$(B)/store/agent $(B)/store/agent_log $(B)/store/older: $(B)/store/%: $(B)/obj/tests/store/%.o $(AGENT_SRC:%.c=$(B)/obj/%.o) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 # A board with a key.
@@ -666,7 +666,7 @@ $(B)/runtime/%: tests/runtime/%.c $(B)/runtime/sim.a
 	$(call say,CC)$(CC) $(RUNTIME_C) $(CFLAGS) $(DEPFLAGS) $< -o $@ $(B)/runtime/sim.a $(RUNTIME_LIBS)
 $(B)/runtime/threads: RUNTIME_LIBS = -pthread
 # These tests read logs with the reader of `smc log`.
-RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_linux log_tsan kill_linux kill_tsan)
+RUNTIME_READS = $(patsubst %,$(B)/runtime/%,log log_damage log_linux log_tsan kill_linux kill_tsan)
 $(RUNTIME_READS): RUNTIME_LIBS = $(B)/libsmc.a
 $(RUNTIME_READS): | $(B)/libsmc.a
 .SECONDARY: $(RUNTIME_TSAN_OBJ)
@@ -836,6 +836,7 @@ $(call test, graph-layout,         quick, $(B)/graph/layout, $(B)/graph/layout t
 $(call test, clauses-steps,        quick, $(B)/clauses/steps, $(B)/clauses/steps)
 $(call test, clauses-memory,       quick, $(B)/clauses/memory $(B)/clauses/probe.smb, $(B)/clauses/memory $(B)/clauses/probe.smb)
 $(call test, library-api,          quick, $(B)/library/api, $(B)/library/api)
+$(call test, library-machines,     quick, $(B)/library/machines, $(B)/library/machines)
 $(call test, library-locale,       quick, $(B)/library/api, sh tests/library/locale.sh $(B)/library/api)
 $(call test, library-refuse,       quick, $(B)/library/refuse, $(B)/library/refuse)
 $(call test, library-broken,       quick, $(B)/library/broken, $(B)/library/broken)
@@ -868,7 +869,7 @@ $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f
 $(call test, check-last-return,    quick,, sh tests/check/files.sh code | awk -f tests/check/last_return.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)
-$(call test, check-headers,        quick,, CC='$(CC)' sh tests/check/headers.sh -I$(B)/gen)
+$(call test, check-headers,        quick,, CC='$(CC)' sh tests/check/headers.sh c -I$(B)/gen)
 $(call test, check-names,          quick,, sh tests/check/files.sh product | awk -f tests/check/names.awk tests/check/names.txt -)
 IMPORTS = $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM)) $(STDLIB) $(wildcard runtime-c/*.c bytecode-vm/target/*.c))
 $(call test, check-imports,        quick, $(IMPORTS), sh tests/check/imports.sh $(IMPORTS))
@@ -885,6 +886,7 @@ $(foreach level,$(LEVELS),$(call test,conformance-O$(level),thorough,,$(if $(fil
 $(call test, conformance-c-small,  thorough,, CC='$(CC) -O0 -DSM_ROLL_SMALL=1' $(B)/smc test --engine=ref,c conformance/07-windows)
 $(call test, conformance-c-soft,   thorough,, CC='$(CC) -O0' $(B)/smc test --engine=ref,c-soft conformance)
 $(foreach u,$(UNIT_SLOW),$(call test,$(u),thorough,$(B)/unit/$(u),$(B)/unit/$(u)))
+$(call test, check-headers-targets, thorough,, CC='$(CC)' sh tests/check/headers.sh targets)
 $(call test, ci-pages,             thorough,, sh tests/check/ci_pages.sh $(B)/smc $(B)/ci-pages)
 $(call test, check-docs,           thorough,, sh tests/check/docs.sh $(B)/smc $(B)/docs README.md */README.md docs/*.md)
 $(call test, applications,         thorough, $(RUNTIME_ARCHIVES), sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app))))
@@ -916,7 +918,7 @@ $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, whatif,               thorough, , sh tests/whatif/run.sh $(B)/smc)
-$(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
+$(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check && $(B)/diff/difftest --seed=40012098 --count=1 --no-floors --out=$(B)/diff/check-seed)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
@@ -966,6 +968,9 @@ $(call test, store,                thorough, $(B)/store/cuts $(STORE_SMB), $(B)/
 $(call test, store-parameters,     thorough, $(B)/store/cuts $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/cuts $(LIMITS_SMB) $(LIMITS_SET))
 $(call test, agent,                thorough, $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB), $(B)/store/agent $(STORE_SMB) $(LIMITS_SMB))
 $(call test, agent-parameters,     thorough, $(B)/store/agent $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent $(LIMITS_SET) $(LIMITS_SMB) $(LIMITS_SMB))
+$(call test, agent-log,            thorough, $(B)/store/agent_log $(STORE_SMB), $(B)/store/agent_log $(STORE_SMB))
+$(call test, agent-log-parameters, thorough, $(B)/store/agent_log $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent_log $(LIMITS_SET) $(LIMITS_SMB))
+$(call test, older-boards,         thorough, $(B)/store/older, $(B)/store/older)
 $(call test, auth,                 thorough, $(B)/store/auth $(STORE_SMB), $(B)/store/auth $(STORE_SMB))
 $(call test, device,               thorough, $(B)/device/link $(B)/device/board $(STORE_SMB) $(LIMITS_SMB), $(DEVICE_RUN))
 

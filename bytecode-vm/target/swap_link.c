@@ -24,7 +24,7 @@ typedef struct LinkExchange {
     const uint8_t *body;
     uint16_t n;               // bytes of body
     uint8_t *answer;          // after the result
-    uint16_t length;          // bytes of it
+    uint16_t length;          // number of bytes in `answer`
 } LinkExchange;
 
 static void put_uint(LinkExchange *x, uint32_t value, uint8_t bytes)

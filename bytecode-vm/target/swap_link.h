@@ -47,7 +47,7 @@ typedef enum SmSwapPlace { SM_SWAP_AT_PATH = 1, SM_SWAP_AT_ADDRESS, SM_SWAP_AT_L
 typedef struct SmSwapClient {
     bool is_open;
     PalSocket stream;         // or, at SM_SWAP_AT_LINE, the line of the link
-    uint64_t heard;           // PAL clock time of its last intact frame, or of its beginning
+    uint64_t heard;           // PAL clock time of the last intact frame; before the first one, of the start of the connection
     LinkReceiver in;
     uint8_t received[LINK_ROOM(LINK_BODY_MAX)];
     uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
@@ -64,12 +64,12 @@ typedef struct SmSwapLink {
     PalAddress address;       // at SM_SWAP_AT_ADDRESS
     uint32_t speed;           // bits per second at SM_SWAP_AT_LINE
     const char *key_file;     // 32 hexadecimal digits, read at the start; NULL: swaps need no signature
-    const char *numbers;      // with a key: the non-volatile memory with the highest number
+    const char *number_memory;// with a key: the name of the non-volatile memory that stores `newest`
     const SmMachine *machine; // all machines of the application
     uint16_t machines;
     SmSwapChange *change;     // one for each machine that can be swapped
     uint8_t *buffer;          // for one swap
-    uint32_t room;            // bytes of it
+    uint32_t room;            // size of `buffer` in bytes
     // The fields below belong to the module; initially all zero.
     const char *app_name;
     const SmApp *app;
@@ -80,8 +80,8 @@ typedef struct SmSwapLink {
     PalSerial line;
     uint64_t retry;           // PAL clock time at which a line that has failed is opened again
     uint8_t key[SMVM_KEY];
-    PalNvm memory;            // of `numbers`
-    uint32_t newest;          // the highest number that was used
+    PalNvm memory;            // opened from `number_memory`
+    uint32_t newest;          // with a key: the highest number of a signed swap so far; a swap with this number or a lower one is refused
     uint8_t record;           // the record in `memory` that the next number goes to
     SmSwapClient client[SM_SWAP_CLIENTS];
     uint8_t next;             // the client that is served first

@@ -33,7 +33,7 @@ static SmResult read_key(SmSwapLink *l)
 
 static SmResult read_numbers(SmSwapLink *l)
 {
-    SmResult r = pal_nvm_open(&l->memory, l->numbers, 2 * STRIDE);
+    SmResult r = pal_nvm_open(&l->memory, l->number_memory, 2 * STRIDE);
 
     for (uint8_t i = 0; i < 2 && r == SM_OK; i++) {
         uint8_t record[RECORD];
@@ -53,7 +53,7 @@ SmResult sm_swap_open_numbers(SmSwapLink *l, const char **failed)
     *failed = l->key_file;
     if (r != SM_OK)
         return r;
-    *failed = l->numbers;
+    *failed = l->number_memory;
     return read_numbers(l);
 }
 

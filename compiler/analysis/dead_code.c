@@ -194,6 +194,7 @@ static void forget_earlier_guards(ReachWalk *k)
     k->leaving.n = 0;
 }
 
+// entry_leaves: .entry always makes a transition, so .step never runs.  explained: a finding in .entry already says so.
 static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
 {
     const Stmts *step = &k->state->block[BLOCK_STEP];

@@ -45,7 +45,7 @@ static Quantity invert_if(const Quantity *a, double power)
     out.unit = measure_power(&a->unit, -1);
     out.factor = 1 / a->factor;
     out.shift = 0;
-    out.floats = false;
+    out.zero_unknown = false;
     return out;
 }
 
@@ -64,7 +64,7 @@ Quantity quantity_product(const Quantity *a, const Quantity *b, double power)
         out.shift = 0;
         out.scaled = a->scaled || b->scaled;
         out.constant = a->constant && b->constant;
-        out.floats = false;
+        out.zero_unknown = false;
         return checked(out);
     }
     if (b->kind == QUANTITY_UNIT)
@@ -87,7 +87,7 @@ Quantity quantity_power(const Quantity *a, double power)
     out.unit = measure_power(&a->unit, power);
     out.factor = sm_pow(size_of(a->factor), power);
     out.shift = 0;
-    out.floats = false;
+    out.zero_unknown = false;
     return checked(out);
 }
 
@@ -102,7 +102,7 @@ Quantity quantity_one_of(const Quantity *a, const Quantity *b)
         if (a->scaled && b->scaled && a->factor != b->factor)
             out.factor = not_known();
         out.shift = a->shift == b->shift ? a->shift : 0;
-        out.floats = a->floats || b->floats;
+        out.zero_unknown = a->zero_unknown || b->zero_unknown;
     }
     out.constant = false;
     return out;
@@ -116,11 +116,11 @@ static Quantity add_number(const Quantity *a, const Quantity *number, double sig
     if (number->kind == QUANTITY_NUMBER)
         out.shift += sign * number->factor;
     else if (number->kind == QUANTITY_UNKNOWN && measure_is_temperature(&a->unit))
-        out.floats = true;                            // it can be the 273.15 that leads to another zero
+        out.zero_unknown = true;                            // it can be the 273.15 that leads to another zero
     return out;
 }
 
-static bool has_zero(const Quantity *a) { return a->unit.zero != 0 && !a->floats; }
+static bool has_zero(const Quantity *a) { return a->unit.zero != 0 && !a->zero_unknown; }
 
 Quantity quantity_sum(const Quantity *a, const Quantity *b, bool minus)
 {
@@ -140,7 +140,7 @@ Quantity quantity_sum(const Quantity *a, const Quantity *b, bool minus)
     out.constant = a->constant && b->constant;
     out.shift = a->scaled == b->scaled ? a->shift + sign * b->shift : 0;
     if (measure_is_temperature(&a->unit))                // 20 degC + 5 K, 293 K - 273.15 K, 20 degC - 15 degC; but 20 degC + 15 degC is part of an average
-        out.floats = minus || !has_zero(a) || !has_zero(b);
+        out.zero_unknown = minus || !has_zero(a) || !has_zero(b);
     return out;
 }
 
@@ -196,7 +196,7 @@ QuantityFit quantity_fit(const Quantity *a, const Quantity *b, QuantityUse use)
         return QUANTITY_FITS;
     if (!measure_is_same_kind(&a->unit, &b->unit))
         return a->scaled || b->scaled ? QUANTITY_MAY_DIFFER : QUANTITY_DIFFERS;
-    if (has_zeros && !a->floats && !b->floats && a->unit.zero != b->unit.zero && measure_is_temperature(&a->unit)) {
+    if (has_zeros && !a->zero_unknown && !b->zero_unknown && a->unit.zero != b->unit.zero && measure_is_temperature(&a->unit)) {
         const bool is_same_step = is_near(factor, 1, 1e-9);
         // A difference in K is added to a temperature in degC or subtracted from it; but a temperature in degC is not subtracted from one in K.
         if (use != QUANTITY_COMPARED && is_same_step && !(use == QUANTITY_SUBTRACTED && !has_zero(a) && !b->constant && !b->scaled))

@@ -23,7 +23,7 @@ typedef struct Quantity {
     double factor, shift;         // NUMBER: `factor` is its value; NaN: not known
     bool scaled;                  // UNIT: a number other than 1 and -1 has been multiplied with it
     bool constant;                // UNIT: its value never changes
-    bool floats;                  // UNIT: a temperature whose zero is not known, such as a difference of two
+    bool zero_unknown;                  // UNIT: a temperature for which no zero is known (degC or K), such as a difference of two
 } Quantity;
 
 Quantity quantity_of_kind(QuantityKind kind);

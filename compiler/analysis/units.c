@@ -79,7 +79,7 @@ static void report_difference(UnitCheck *k, QuantityFit fit, const Quantity *a, 
 
 // Values that are compared with each other: each with the first of them that has a unit.
 typedef struct UnitGroup {
-    Quantity all;                 // one of them, whichever it is
+    Quantity all;                 // any one of the values
     Quantity first;               // the first that has a unit
     const char *name;             // of `first`, for messages
     bool any, differs;

@@ -15,8 +15,8 @@ enum { RUNS_MOST = 200000, LATE = 5, DROPPED = 10, SCRIPTS_MOST = 1000 };
 
 // One line of the list: the faults of one kind, of the same inputs and with the same outcome.
 typedef struct FaultLine {
-    const FaultResult *r;     // the first of them
-    uint32_t others;          // how many more triggers
+    const FaultResult *r;     // the result of the first run of this line
+    uint32_t others;          // how many other triggers have the same outcome
     const char *script;       // the file that reproduces it; NULL: none
     const char *text;         // its contents
 } FaultLine;

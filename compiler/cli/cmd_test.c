@@ -217,10 +217,6 @@ static int check_arguments(Cli *c, const Files *f)
         return cli_usage_error(c, TEXT_set_of_case);
     if (f->requirements && !f->machines)
         return cli_usage_error(c, TEXT_test_requirements_alone);
-    if (f->requirements && has_suffix(f->machine, ".app"))
-        return cli_usage_error(c, TEXT_test_requirements_of_app, f->machine);
-    if (test_coverage_is_wanted(c) && has_suffix(f->machine, ".app"))
-        return cli_usage_error(c, TEXT_coverage_of_app, f->machine);
     for (size_t i = 0; i < sizeof other / sizeof *other && c->given[OPT_TAP]; i++)
         if (cli_is_standard_output(c, other[i].id))
             return cli_usage_error(c, TEXT_both_to_stdout, "--tap", other[i].spelling);

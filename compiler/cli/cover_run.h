@@ -24,7 +24,7 @@ typedef struct NewScript {
     const char *path, *goal;  // goal: as in its comment
     const char *text;
     size_t n;
-    const char *also;         // what else it is the first to show; ""
+    const char *also;         // the other goals that this script is the first to reach, as text; "": none
 } NewScript;
 
 // A pair of states without a transition.

@@ -16,6 +16,16 @@ static const OptionInfo option_info[OPT_COUNT] = {
 static bool has_joined_value(const OptionInfo *o) { return o->value && (o->value[0] == '=' || o->value[0] == '?'); }
 static bool has_optional_value(const OptionInfo *o) { return o->value && o->value[0] == '?'; }
 
+// What the help of some subcommands says of an option instead.
+typedef struct OptionInCommand { OptionId id; const char *commands, *value, *sentence; } OptionInCommand;
+
+static const OptionInCommand option_in_command[] = {
+#define OPTION(id, spelling, value, commands, sentence)
+#define OPTION_IN(id, commands, value, sentence) {OPT_##id, commands, value, sentence},
+#include "compiler/cli/options.def"
+#undef OPTION
+};
+
 // Two subcommands with one letter would accept each other's options. These constants make that an error of the C compiler.
 enum {
 #define COMMAND(name, letter, synopsis, sentence) LETTER_##letter,
@@ -171,17 +181,52 @@ bool options_parse(Cli *c, int argc, char **argv)
     return c->given[OPT_HELP] || c->given[OPT_VERSION] || check_values(c);
 }
 
+// Returns what the help of a subcommand says of an option.
+static OptionInfo find_option_help(OptionId id, const Command *command)
+{
+    OptionInfo o = option_info[id];
+
+    for (size_t i = 0; i < sizeof option_in_command / sizeof *option_in_command; i++) {
+        const OptionInCommand *in = &option_in_command[i];
+        if (in->id == id && strchr(in->commands, command->letter[0])) {
+            o.value = in->value;
+            o.sentence = in->sentence;
+        }
+    }
+    return o;
+}
+
+enum { HELP_COLUMN = 27, HELP_WIDTH = 100 };
+
+// Writes a sentence that begins in HELP_COLUMN, with a new line at the last blank before HELP_WIDTH.
+static void write_wrapped(Buf *out, const char *text)
+{
+    const size_t width = HELP_WIDTH - HELP_COLUMN;
+
+    while (strlen(text) > width) {
+        size_t n = width;
+        while (n > 0 && text[n] != ' ')
+            n--;
+        if (n == 0)
+            break;
+        buf_printf(out, "%.*s\n%*s", (int)n, text, HELP_COLUMN, "");
+        text += n + 1;
+    }
+    buf_printf(out, "%s\n", text);
+}
+
 void options_write_help(const Command *command, Buf *out)
 {
     for (size_t i = 0; i < OPT_COUNT; i++) {
-        const OptionInfo *o = &option_info[i];
+        const OptionInfo o = find_option_help((OptionId)i, command);
         char left[64];
-        if (!option_applies(o, command))
+        if (!option_applies(&o, command))
             continue;
-        snprintf(left, sizeof left, "%s%s%s%s", o->spelling,
-                 has_optional_value(o) ? "[=" : !o->value || has_joined_value(o) ? "" : o->spelling[1] == '-' ? "=" : " ",
-                 o->value ? o->value + has_joined_value(o) : "", has_optional_value(o) ? "]" : "");
-        buf_printf(out, "  %-24s %s\n", left, o->sentence);
+        snprintf(left, sizeof left, "%s%s%s%s", o.spelling,
+                 has_optional_value(&o) ? "[=" : !o.value || has_joined_value(&o) ? "" : o.spelling[1] == '-' ? "=" : " ",
+                 o.value ? o.value + has_joined_value(&o) : "", has_optional_value(&o) ? "]" : "");
+        buf_printf(out, "  %-*s ", HELP_COLUMN - 3, left);
+        write_wrapped(out, o.sentence);
     }
 }
 

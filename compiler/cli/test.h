@@ -44,7 +44,7 @@ typedef struct TestRun {      // one call of smc test
     unsigned absent;          // engines that were requested but not available
     const char *why_absent;   // why they are not available, as a sentence
     bool c_was_tried, c_runs; // whether the C compiler runs, once it has been tried
-    int code;                 // an exit code that no result has: of a warning about requirements that -Werror makes an error
+    int code;                 // an exit code that no single result causes: -Werror makes a warning about requirements an error
     size_t left_out;          // runs on absent engines that were omitted from cases
     uint64_t max_steps;
     uint64_t seed;            // the value of --seed

@@ -5,8 +5,10 @@
 #include "compiler/cli/test.h"
 #include "compiler/cover/cover.h"
 
+// The coverage of a machine, or of the machines of an application.
 struct TestCoverage {
-    Cover *cover;
+    Cover **machine;
+    size_t machines;
     const Program *p;
 };
 
@@ -78,12 +80,13 @@ static bool is_too_low(CoverTotal t, Demand d)
 }
 
 // Reports a kind whose coverage is too low, with a note for each place that is missing.
-static void report_too_low(TestRun *t, const Cover *c, int kind, double percent)
+static void report_too_low(TestRun *t, const TestCoverage *v, const Cover *c, int kind, double percent)
 {
     Diags *d = &t->c->session.diags;
     const CoverTotal total = cover_total(c, (CoverKind)kind);
     const CoverGaps gaps = cover_list_gaps(c, 1u << kind);
-    const char *has = format_in(t->arena, "%lu of %lu", (unsigned long)total.covered, (unsigned long)total.possible);
+    const char *of = v->p->joint ? format_in(t->arena, " in '%s'", c->p->name->text) : "";
+    const char *has = format_in(t->arena, "%lu of %lu%s", (unsigned long)total.covered, (unsigned long)total.possible, of);
     Diag *low = NULL;
 
     for (uint32_t i = 0; i < gaps.n && !gaps.at[i].is_impossible; i++) {
@@ -93,7 +96,7 @@ static void report_too_low(TestRun *t, const Cover *c, int kind, double percent)
     }
 }
 
-static void judge(TestRun *t, const Cover *c, const char *machine)
+static void judge(TestRun *t, const TestCoverage *v, const char *machine)
 {
     Demand demand[DEMANDS] = {{false, 0}};
     TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
@@ -101,9 +104,10 @@ static void judge(TestRun *t, const Cover *c, const char *machine)
     if (!t->c->given[OPT_MIN_COVERAGE])
         return;
     read_demands(t->c->value[OPT_MIN_COVERAGE], demand);
-    for (int k = 0; k < COVER_KIND_COUNT; k++)
-        if (is_too_low(cover_total(c, (CoverKind)k), demand[k]))
-            report_too_low(t, c, k, demand[k].percent);
+    for (size_t i = 0; i < v->machines; i++)
+        for (int k = 0; k < COVER_KIND_COUNT; k++)
+            if (is_too_low(cover_total(v->machine[i], (CoverKind)k), demand[k]))
+                report_too_low(t, v, v->machine[i], k, demand[k].percent);
     r.code = test_report_diagnostics(t, &r.message);
     if (r.code != EXIT_OK)
         r.status = TEST_FAILED;
@@ -112,17 +116,32 @@ static void judge(TestRun *t, const Cover *c, const char *machine)
 
 // ---- counts of earlier runs ----
 
-static int add_file(TestRun *t, Cover *c, const char *path)
+static int add_file(TestRun *t, const TestCoverage *v, const char *path)
 {
     const Source *text = cli_read_source(t->c, path);
     const char *wrong;
 
     if (!text)
         return EXIT_ENVIRONMENT;
-    if ((wrong = cover_add_data(c, text->text, text->len)) == NULL)
+    if ((wrong = cover_add_data(v->machine, v->machines, text->text, text->len)) == NULL)
         return EXIT_OK;
     cli_print_error(t->c, TEXT_coverage_refused, cli_printable_name(t->arena, path), wrong);
     return EXIT_PROBLEM;
+}
+
+// Opens the engine that counts: of an application, one for each of its machines.
+static Engine *open_engine(Arena *arena, TestCoverage *v)
+{
+    Engine **e;
+
+    v->machines = engine_machines(v->p);
+    v->machine = ARENA_ARRAY(arena, Cover *, v->machines);
+    e = ARENA_ARRAY(arena, Engine *, v->machines);
+    for (size_t i = 0; i < v->machines; i++) {
+        v->machine[i] = cover_new(arena, v->p->joint ? v->p->joint->member.at[i].program : v->p);
+        e[i] = cover_open_engine(v->machine[i]);
+    }
+    return v->p->joint ? engine_app_open(arena, v->p, e) : e[0];
 }
 
 int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage)
@@ -134,22 +153,46 @@ int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCov
     if (!test_coverage_is_wanted(t->c))
         return EXIT_OK;
     v->p = p;
-    v->cover = cover_new(t->arena, p);
+    engines->at[engines->n++] = open_engine(t->arena, v);
     for (size_t i = 0; i < t->c->files && code == EXIT_OK; i++)
         if (test_is_coverage_data(t->c->file[i]))
-            code = add_file(t, v->cover, t->c->file[i]);
-    engines->at[engines->n++] = cover_open_engine(v->cover);
+            code = add_file(t, v, t->c->file[i]);
     *coverage = v;
     return code;
 }
 
 // ---- the end ----
 
-// Writes the files that options name.
-static int write_files(TestRun *t, const Cover *c)
+static void write_data(const TestCoverage *v, Buf *out)
 {
-    static const struct { OptionId id; void (*write)(const Cover *c, Buf *out); } form[] = {
-        {OPT_COVERAGE_DATA, cover_write_data}, {OPT_COVERAGE_JSON, cover_write_json}, {OPT_COVERAGE_LCOV, cover_write_lcov}};
+    for (size_t i = 0; i < v->machines; i++)
+        cover_write_data(v->machine[i], out);
+}
+
+// Writes the object of a machine; of an application, an object with those of its machines.
+static void write_json(const TestCoverage *v, Buf *out)
+{
+    if (v->p->joint)
+        buf_printf(out, "{\"smc-coverage\":1,\"application\":\"%s\",\"machines\":[\n", v->p->name->text);
+    for (size_t i = 0; i < v->machines; i++) {
+        buf_str(out, i ? "," : "");
+        cover_write_json(v->machine[i], out);
+    }
+    if (v->p->joint)
+        buf_str(out, "]}\n");
+}
+
+static void write_lcov(const TestCoverage *v, Buf *out)
+{
+    for (size_t i = 0; i < v->machines; i++)
+        cover_write_lcov(v->machine[i], out);
+}
+
+// Writes the files that options name.
+static int write_files(TestRun *t, const TestCoverage *v)
+{
+    static const struct { OptionId id; void (*write)(const TestCoverage *v, Buf *out); } form[] = {
+        {OPT_COVERAGE_DATA, write_data}, {OPT_COVERAGE_JSON, write_json}, {OPT_COVERAGE_LCOV, write_lcov}};
     OsOutput file[sizeof form / sizeof *form];
     size_t n = 0;
 
@@ -157,7 +200,7 @@ static int write_files(TestRun *t, const Cover *c)
         if (t->c->given[form[i].id]) {
             Buf out;
             buf_init(&out, t->arena);
-            form[i].write(c, &out);
+            form[i].write(v, &out);
             file[n++] = (OsOutput){t->c->value[form[i].id], buf_text(&out), out.n};
         }
     return cli_write_outputs(t->c, file, n);
@@ -170,14 +213,15 @@ int test_coverage_finish(TestRun *t, TestCoverage *v, const char *machine)
 
     if (!v)
         return EXIT_OK;
-    cover_settle(v->cover);
-    if ((code = write_files(t, v->cover)) != EXIT_OK)
+    for (size_t i = 0; i < v->machines; i++)
+        cover_settle(v->machine[i]);
+    if ((code = write_files(t, v)) != EXIT_OK)
         return code;
     buf_init(&out, t->arena);
-    if (t->c->given[OPT_COVERAGE])
-        cover_write_text(v->cover, &out);
+    for (size_t i = 0; i < v->machines && t->c->given[OPT_COVERAGE]; i++)
+        cover_write_text(v->machine[i], &out);
     if (!test_stdout_is_for_program(t->c) && !cli_print(t->c, test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
-    judge(t, v->cover, machine);
+    judge(t, v, machine);
     return EXIT_OK;
 }

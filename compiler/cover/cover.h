@@ -113,9 +113,10 @@ void cover_write_text(const Cover *c, Buf *out);
 // ---- cover_file.c ----
 
 void cover_write_data(const Cover *c, Buf *out);      // counts, for a later cover_add_data
-void cover_write_json(const Cover *c, Buf *out);
+void cover_write_json(const Cover *c, Buf *out);      // an object and the end of its line
 void cover_write_lcov(const Cover *c, Buf *out);
-// Adds the counts of a file that cover_write_data has written.  Returns NULL, or why the file is refused, as a phrase after its name.
-const char *cover_add_data(Cover *c, const char *text, size_t n);
+// Adds the counts of a file that cover_write_data has written for one or more of these machines.  Returns NULL, or why the file is refused, as a
+// phrase after its name; then nothing is added.
+const char *cover_add_data(Cover *const *machine, size_t machines, const char *text, size_t n);
 
 #endif

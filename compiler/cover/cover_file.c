@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coverage as files: counts that later runs add, JSON, and the tracefile format of lcov.
 //
-// A file of counts has the name and the identity of its machine, and then the count of each place, in the order of Cover.place:
+// A file of counts has the name and the identity of its machine, and then the count of each place, in the order of Cover.place. That of an
+// application has this for each of its machines:
 //
 //     smc-coverage 1
 //     machine tank 0123456789abcdef
@@ -54,43 +55,85 @@ static bool read_number(Reader *r, uint64_t *x)
     return r->at > begin && read_text(r, "\n");
 }
 
-// Reads the line with the machine.  Returns NULL if it is this one, or a phrase.
-static const char *check_machine_line(const Cover *c, Reader *r)
+static const char *list_names(Cover *const *machine, size_t machines)
 {
-    const char *own = format_in(c->arena, "%016" PRIx64 "\n", c->identity), *name = r->at;
-    size_t n = 0;
+    const char *list = format_in(machine[0]->arena, "'%s'", machine[0]->p->name->text);
+
+    for (size_t i = 1; i < machines; i++)
+        list = format_in(machine[0]->arena, "%s or '%s'", list, machine[i]->p->name->text);
+    return list;
+}
+
+// Reads the line with the machine.  Sets *which to its index, or returns a phrase.
+static const char *read_machine_line(Cover *const *machine, size_t machines, Reader *r, size_t *which)
+{
+    Arena *arena = machine[0]->arena;
+    const char *name = r->at;
+    size_t n;
 
     while (r->at < r->end && *r->at != ' ' && *r->at != '\n')
         r->at++;
     n = (size_t)(r->at - name);
     if (!read_text(r, " "))
         return "is damaged: the name of its machine is missing";
-    if (n != c->p->name->len || memcmp(name, c->p->name->text, n) != 0)
-        return format_in(c->arena, "has the coverage of the machine '%.*s', not of '%s'", (int)n, name, c->p->name->text);
-    if (!read_text(r, own))
-        return format_in(c->arena, "has the coverage of another version of '%s': run its scripts again", c->p->name->text);
+    for (*which = 0; *which < machines; ++*which) {
+        const Str own = machine[*which]->p->name;
+        if (n == own->len && memcmp(name, own->text, n) == 0)
+            break;
+    }
+    if (*which == machines)
+        return format_in(arena, "has the coverage of the machine '%.*s', not of %s", (int)n, name, list_names(machine, machines));
+    if (!read_text(r, format_in(arena, "%016" PRIx64 "\n", machine[*which]->identity)))
+        return format_in(arena, "has the coverage of another version of '%.*s': run its scripts again", (int)n, name);
     return NULL;
 }
 
-const char *cover_add_data(Cover *c, const char *text, size_t n)
+// The counts of one machine in a file.
+typedef struct CountsRead { Cover *of; uint64_t *count; } CountsRead;
+
+// Reads the counts of one machine, or returns a phrase.
+static const char *read_counts(Cover *const *machine, size_t machines, Reader *r, CountsRead *out)
 {
-    Reader r = {text, text + n};
-    uint64_t *count = ARENA_ARRAY(c->arena, uint64_t, c->place.n), places;
+    uint64_t places;
+    size_t which;
     const char *wrong;
 
-    if (!read_text(&r, head))
+    if (!read_text(r, head))
         return "is no file that --coverage-data has written";
-    if ((wrong = check_machine_line(c, &r)) != NULL)
+    if ((wrong = read_machine_line(machine, machines, r, &which)) != NULL)
         return wrong;
-    if (!read_text(&r, "places ") || !read_number(&r, &places) || places != c->place.n - 1)
+    out->of = machine[which];
+    out->count = ARENA_ARRAY(out->of->arena, uint64_t, out->of->place.n);
+    if (!read_text(r, "places ") || !read_number(r, &places) || places != out->of->place.n - 1)
         return "is damaged: its number of places is wrong";
-    for (uint32_t i = 1; i < c->place.n; i++)
-        if (!read_number(&r, &count[i]))
+    for (uint32_t i = 1; i < out->of->place.n; i++)
+        if (!read_number(r, &out->count[i]))
             return "is damaged: it has too few counts";
-    if (r.at != r.end)
-        return "is damaged: it has too many counts";
+    return NULL;
+}
+
+static void add_counts(const CountsRead *read)
+{
+    Cover *c = read->of;
+
     for (uint32_t i = 1; i < c->place.n; i++)
-        c->hits[i] = c->hits[i] > UINT64_MAX - count[i] ? UINT64_MAX : c->hits[i] + count[i];
+        c->hits[i] = c->hits[i] > UINT64_MAX - read->count[i] ? UINT64_MAX : c->hits[i] + read->count[i];
+}
+
+const char *cover_add_data(Cover *const *machine, size_t machines, const char *text, size_t n)
+{
+    Reader r = {text, text + n};
+    VEC(CountsRead) read = {NULL, 0, 0};
+
+    do {
+        CountsRead one;
+        const char *wrong = read_counts(machine, machines, &r, &one);
+        if (wrong)
+            return read.n && r.at < r.end && *r.at >= '0' && *r.at <= '9' ? "is damaged: it has too many counts" : wrong;
+        vec_push(machine[0]->arena, &read, one);
+    } while (r.at < r.end);
+    for (uint32_t i = 0; i < read.n; i++)
+        add_counts(&read.at[i]);
     return NULL;
 }
 

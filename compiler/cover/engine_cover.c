@@ -44,15 +44,18 @@ static void count_parameters(const CoverEngine *c)
 static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     CoverEngine *c = e->self;
+    const bool is_first = !((const FlatState *)c->run)->ran;      // a refused step is not the first
 
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t at = c->flat->m->var_of[write[i].var];
         if (at != IR_NONE)
             flat_cells(c->flat, c->run)[at] = write[i].cell;
     }
-    if (c->cover && !((const FlatState *)c->run)->ran)
+    if (!flat_step(c->flat, c->run))
+        return fill_result(c, ENGINE_REFUSED, out);
+    if (c->cover && is_first)
         count_parameters(c);
-    return fill_result(c, flat_step(c->flat, c->run) ? ENGINE_OK : ENGINE_REFUSED, out);
+    return fill_result(c, ENGINE_OK, out);
 }
 
 static EngineStatus cover_init(Engine *e, uint32_t state, EngineStep *out)

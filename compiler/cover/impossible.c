@@ -10,7 +10,7 @@ typedef struct Finder {
     Cover *c;
     FactMachine *facts;
     bool *possible;           // by place
-    uint32_t decision;        // the next decision of the order of the code
+    uint32_t decision;        // index of the next decision, in the order of the code
     const IrFn *fn;           // the current function, and its facts
     FactFlow flow;
 } Finder;

@@ -21,7 +21,7 @@ typedef struct Decision {
     VEC(uint32_t) link;               // by condition: IrNote.link
     VEC(FlatFull) full;               // `window` is the index in Program.window until the IR has been built
     VEC(Span) read;                   // by entry of `full`: the call
-    uint32_t hit;                     // its first place
+    uint32_t hit;                     // index of the first of its places
     uint32_t note;                    // index of its note; UINT32_MAX: no code computes it, because an equal window has been sampled
 } Decision;
 

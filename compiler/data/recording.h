@@ -10,7 +10,7 @@
 // A column to read: value = cell * scale + offset.
 typedef struct RecordingColumn {
     const char *name;         // as the header has it
-    bool is_scaled;           // otherwise the value is the cell
+    bool is_scaled;           // false: value = cell, and the next two are not used
     double scale, offset;
 } RecordingColumn;
 

@@ -17,7 +17,7 @@ typedef struct ApplicationInfo {
     uint32_t room;            // most bytes of a swap
     bool requires_signature;
     uint32_t mark;            // of its key
-    uint32_t newest;          // the highest number that was used
+    uint32_t newest;          // the highest number of a signed swap so far; the application refuses this number and lower ones
     char name[APPLICATION_NAME];
 } ApplicationInfo;
 

@@ -18,11 +18,11 @@
 // One of the two machines.
 typedef struct DiffSide {
     const Program *p;
-    const IrMachine *ir;          // optimised as it flies
+    const IrMachine *ir;          // optimised as for the image that flies
     const Diags *findings;        // what smc check reports about it; or NULL
     const uint8_t *measured;      // an image for cost_of_machine; or NULL: costs are not compared
     size_t image_size;            // of the image that smc build writes
-    uint64_t identity;            // smvm_logic_identity of it
+    uint64_t identity;            // smvm_logic_identity of the image
 } DiffSide;
 
 typedef enum DiffWeight {
@@ -64,7 +64,7 @@ typedef struct DiffRun {
     bool same;                    // states and elements were equal after every step, and so were the results
     uint64_t steps;               // compared
     uint64_t step, g;             // the first step that differs; step 0: only the results differ
-    const char *old_state, *new_state;        // that it ran
+    const char *old_state, *new_state;        // the states that the two machines ran in this step
     DiffValue value[DIFF_VALUES_MAX];         // the first elements that differ after it
     uint32_t values;
     const char *old_result, *new_result;      // "passed after 101 steps"

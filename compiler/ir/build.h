@@ -17,7 +17,7 @@ typedef struct Builder {
     IrFn *f;              // the function being built: a buffer reused for all functions, which build_end_function copies
     IrBlkRef b;           // the current block: the last one of f, to which instructions are appended
     IrNotes *notes;       // the notes of ir_build_noting; or NULL
-    size_t noted;         // how many of them are about earlier functions
+    size_t noted;         // how many of `notes` are about earlier functions
     ListStep list_step[LIST_STEPS_MAX];                   // the call of min, max, median or average being built: here and not on the stack,
     IrRef list_value[SM_LIST_MAX + LIST_STEPS_MAX];       // because expressions are built by recursion
 } Builder;

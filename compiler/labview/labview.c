@@ -61,7 +61,7 @@ static Slot *use_slot(Slot *table, uint32_t most)
 
 // A call in progress.
 typedef struct Call {
-    Slot *of;                 // the session, NULL: there is none
+    Slot *of;                 // the slot of the session; NULL: the handle has no session
     SmcSession *s;
     SmcMachine m;
     char *message;

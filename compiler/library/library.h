@@ -126,8 +126,8 @@ typedef struct LibraryResults {
     Diags shown;                  // the diagnostics that the session shows, selected by the warnings: of smc_compile, smc_emit and runs
     Arena shown_arena, next_shown_arena;
     Arena page[PAGE_COUNT];
-    Diags emitted;                // those of the last smc_emit
-    Arena output_arena;           // of that and of `output`
+    Diags emitted;                // the diagnostics of the last smc_emit
+    Arena output_arena;           // memory of `emitted` and `output`
     LibraryOutput *output;
     uint32_t outputs;
 } LibraryResults;
@@ -141,7 +141,7 @@ struct SmcSession {
     int is_busy;                  // accessed atomically
     bool is_guarded;              // a guarded call that can be cancelled runs, so an allocation may fail because it is cancelled
     bool has_layer;               // library_begin_layer was called
-    Session below;                // `compiler` as it was then
+    Session below;                // the value of `compiler` when library_begin_layer was called
     Session compiler;
     bool has_compiler;
     LibrarySource *source;

@@ -69,7 +69,7 @@ static bool run_row(const ColumnRun *run, uint64_t row)
     const LibraryMachine *m = run->m;
     const Cell *cell = run->cell;
 
-    if (run->g[row] + 1 <= m->vm->next)           // wraps to 0 for the largest G, which is never reached
+    if (run->g[row] + 1 <= m->vm->next)           // refuses the largest G, too, because G + 1 wraps to 0
         return false;
     for (uint32_t k = 0; k < run->inputs; k++, cell++)
         sm_store(cell->type, cell->at, run->from[k][row]);

@@ -18,8 +18,8 @@ static void write_state_link(Buf *out, const char *name, size_t n)
     buf_str(out, "</a>");
 }
 
-// Handles markup: `code` in backticks, ^a state^.
-static void write_marked(Buf *out, const char *text)
+// Writes text with its markup as HTML: `code` in backticks, ^a state^.
+static void write_markup(Buf *out, const char *text)
 {
     while (*text) {
         const size_t n = strcspn(text, "`^");
@@ -59,7 +59,7 @@ static void write_bar(Buf *out, uint64_t n, uint64_t most)
 static void write_cell(Buf *out, const DocCell *c)
 {
     switch (c->kind) {
-    case CELL_TEXT: write_marked(out, c->text); break;
+    case CELL_TEXT: write_markup(out, c->text); break;
     case CELL_PLAIN: xml_write_str(out, c->text); break;
     case CELL_CODE:
         if (*c->text) {
@@ -141,7 +141,7 @@ static void write_table(Buf *out, const DocTable *t)
 
 static void write_item(Buf *out, const DocLine *l)
 {
-    write_marked(out, l->text);
+    write_markup(out, l->text);
     if (l->line) {
         buf_char(out, ' ');
         write_line_link(out, l->line);
@@ -247,7 +247,7 @@ static void write_heading(Buf *out, const DocPart *p)
     if (p->plain)
         xml_write_str(out, p->text);
     else
-        write_marked(out, p->text);
+        write_markup(out, p->text);
     if (p->badge) {
         buf_printf(out, " <span class=\"badge %s\">", p->tone ? p->tone : "note");
         xml_write_str(out, p->badge);
@@ -256,11 +256,11 @@ static void write_heading(Buf *out, const DocPart *p)
     buf_str(out, "</h3>\n");
 }
 
-static void write_element(Buf *out, const char *open, const char *text, bool marked, const char *close)
+static void write_element(Buf *out, const char *open, const char *text, bool has_markup, const char *close)
 {
     buf_str(out, open);
-    if (marked)
-        write_marked(out, text);
+    if (has_markup)
+        write_markup(out, text);
     else
         xml_write_str(out, text);
     buf_str(out, close);

@@ -99,13 +99,13 @@ static bool is_right(const DocTable *t, size_t i)     // whether a column is rig
     return k == CELL_NUMBER || k == CELL_BAR || k == CELL_LINE;
 }
 
-static void write_padded(Buf *out, const char *text, size_t wide, bool right)
+static void write_padded(Buf *out, const char *text, size_t wide, bool align_right)
 {
     const size_t n = columns_in(text, strlen(text)), pad = wide > n ? wide - n : 0;
 
-    buf_spaces(out, right ? pad : 0);
+    buf_spaces(out, align_right ? pad : 0);
     buf_str(out, text);
-    buf_spaces(out, right ? 0 : pad);
+    buf_spaces(out, align_right ? 0 : pad);
 }
 
 // Ends a row without trailing spaces.

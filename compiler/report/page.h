@@ -34,7 +34,7 @@ typedef struct Report {
     size_t image_size;
     ReportRun *run;
     size_t runs;
-    const Cover *cover;           // what the scripts have covered, settled; NULL: it was not measured
+    const Cover *cover;           // what the scripts have covered; NULL: it was not measured
     const Mutation *mutation;     // changes of the machine, tried on the scripts; NULL: none were tried
     const char *not_mutated;      // why none were tried although they were requested, as a phrase; or NULL
     const char *maker;            // program and version: "smc 0.1"

@@ -338,5 +338,5 @@ void assert_report_unevaluated(const ScriptRun *r)
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
         report_all_unevaluated(r);
     if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !r->o->requirements && !has_assert(r->s))
-        diag_report(r->diags, DIAG_script_without_assert, script_first_stop(r->s)->stop_span);
+        diag_report(r->diags, DIAG_script_without_assert, script_stop_span(script_first_stop(r->s)));
 }

@@ -66,7 +66,7 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
     const bool has_app = case_has_part_of_kind(f, ".app");
     const bool vector_is_shared = case_has_part_of_kind(f, ".sm") || case_has_part_of_kind(f, ".io") ||
                                   case_has_part_of_kind(f, ".net");
-    size_t scripts = 0;
+    size_t others = 0;
 
     memset(out, 0, sizeof *out);
     s->finder = (SourceFinder){find_included, find_data, out};
@@ -82,16 +82,16 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
         if (!testfile_is_source(p) || !file_kind(p->name, &kind))
             continue;
         out->src[i] = source_new(&s->arena, p->name, p->text, p->n);
-        if (has_app ? kind != FILE_APP && kind != FILE_SS : vector_is_shared && kind == FILE_SV) {
+        if (has_app ? kind != FILE_APP && kind != FILE_SS && kind != FILE_RQ : vector_is_shared && kind == FILE_SV) {
             if (!has_app && !out->in.vector)
                 out->in.vector = out->src[i];
             continue;
         }
-        out->input[i] = has_app && kind == FILE_SS ? ++scripts : out->in.n;           // the application is the first source
+        out->input[i] = has_app && kind != FILE_APP ? ++others : out->in.n;           // the application is the first source
         out->in.at[out->input[i]] = (CompileSource){.text = out->src[i], .kind = kind};
         out->in.n += !has_app || kind == FILE_APP;
     }
-    out->in.n += scripts;
+    out->in.n += others;
     if (has_app)
         supply_app_files(s, f, out);
 }
@@ -111,9 +111,7 @@ static const char *find_wrong_parts(const TestFile *f)
     const size_t nets = count_parts(f, ".net");
 
     if (case_has_part_of_kind(f, ".app"))
-        return count_parts(f, ".app") > 1             ? "a case has at most one .app"
-               : case_has_part_of_kind(f, ".rq") ? "requirements are judged in scripts of one machine, not of an application"
-                                                 : NULL;
+        return count_parts(f, ".app") > 1 ? "a case has at most one .app" : NULL;
     if (machines > 1 || vectors > 1 || pins > 1 || nets > 1)
         return "a case has at most one .sm, one .sv, one .io and one .net";
     if (nets && !vectors)

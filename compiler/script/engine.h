@@ -31,7 +31,7 @@ typedef struct EngineStep {
     EngineStatus status;
     uint32_t next_state;      // number of the state that the next step runs
     bool next_is_first;       // the next step is a first step: after init and after a transition, even to the same state
-    EngineNext *machine;      // of an application: by machine; it replaces the two above.  Otherwise NULL
+    EngineNext *machine;      // of an application: by machine; replaces next_state and next_is_first.  Otherwise NULL
     uint64_t *cell;           // every variable after the step; program->var.n of them
     uint8_t *stored;          // by variable: 1 for each element that the step stored
     const uint64_t *outside;  // every variable as the script sees it before the next step, if the machine reads other values (docs/faults.md); NULL: `cell`

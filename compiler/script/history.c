@@ -220,7 +220,7 @@ static void add_stop_notes(const ScriptRun *r, Diag *d)
     for (size_t i = 0; i < r->s->section.n; i++) {
         const ScriptSection *section = &r->s->section.at[i];
         for (size_t j = 0; j < section->item.n && shown < STOPS; j++) {
-            const Span stop = section->item.at[j]->stop_span;
+            const Span stop = script_stop_span(section->item.at[j]);
             const uint64_t last = run_last_of_section(r, section);
             if (!section->item.at[j]->stop)
                 continue;

@@ -3,11 +3,11 @@
 
 #include <string.h>
 
-// What a requirement has seen.
+// What the steps so far have shown about a requirement.
 typedef struct Memory {
-    uint64_t since;           // AFTER: G of the last step with b; LEADS_TO: G of the step with a that b has not followed
-    bool seen;                // BEFORE, AFTER: a step has had b
-    bool open;                // AFTER: no step since the last with b has had c; LEADS_TO: undecided
+    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the step in which a was true, while b has not been true since
+    bool seen;                // BEFORE, AFTER: b was true in some step so far
+    bool open;                // AFTER: c has not been true since b was; LEADS_TO: b is still awaited
 } Memory;
 
 // The part of a RefWindow that a step changes, without its samples.
@@ -28,6 +28,7 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     m->what = what;
     m->step = delta_t ? delta_t : 1;
     m->result = arena_alloc(arena, what->at.n);
+    m->ran = what->program->joint ? ARENA_ARRAY(arena, bool, what->program->joint->member.n) : NULL;
     m->samples_at = ARENA_ARRAY(arena, size_t, what->window.n);
     m->size = what->at.n * sizeof(Memory) + what->window.n * sizeof(WindowMemory);
     ref_windows_init_unplaced(&m->windows, arena, &what->window);
@@ -110,15 +111,21 @@ static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool 
     return decide(b && passed <= within);
 }
 
+// Decides condition e, which is number i of its requirement. The state of a machine that did not step in this tick does not count.
+static bool is_true(const Monitor *m, const Requirement *r, int i, const Expr *e, const uint64_t *cell)
+{
+    return e && (r->machine[i] == 0 || m->ran[r->machine[i] - 1]) && ref_true(ref_eval(e, cell, &m->windows));
+}
+
 static MonitorResult judge(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
 {
-    const bool a = r->a && ref_true(ref_eval(r->a, cell, &m->windows)), b = r->b && ref_true(ref_eval(r->b, cell, &m->windows));
+    const bool a = is_true(m, r, 0, r->a, cell), b = is_true(m, r, 1, r->b, cell);
 
     switch (r->kind) {
     case REQUIREMENT_NEVER:    return decide(!a);
     case REQUIREMENT_ALWAYS:   return r->a && !a ? MONITOR_IDLE : decide(b);
     case REQUIREMENT_BEFORE:   return judge_before(mem, a, b);
-    case REQUIREMENT_AFTER:    return judge_after(mem, a, b, ref_true(ref_eval(r->c, cell, &m->windows)), g);
+    case REQUIREMENT_AFTER:    return judge_after(mem, a, b, is_true(m, r, 2, r->c, cell), g);
     case REQUIREMENT_LEADS_TO: return judge_leads_to(m, mem, a, b, r->within, g);
     }
     return MONITOR_IDLE;

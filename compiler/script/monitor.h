@@ -29,6 +29,7 @@ typedef struct Monitor {
     size_t *samples_at;       // by window: offset of its samples in a situation
     RefWindows windows;       // the windows of the situation of the last step
     uint8_t *result;          // by requirement: the MonitorResult of the last step
+    bool *ran;                // of an application: by machine, whether it stepped in this tick; the caller sets it. NULL: one machine
 } Monitor;
 
 // delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.

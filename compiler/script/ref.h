@@ -39,9 +39,9 @@ double ref_hypot(double x, double y);
 typedef struct RefWindow {
     const Window *what;       // its definition in the program
     double *slot;             // what->size samples, a ring buffer; NULL: it stores times
-    uint64_t *time;           // of a window of times: what->size times, a ring buffer; of a run: the first
-    uint64_t last;            // of a run: the time of the last sample
-    bool ran;                 // of a run: there has been a sample
+    uint64_t *time;           // of a window of times: what->size times, a ring buffer; of the window of `held`: when the run of true samples began
+    uint64_t last;            // of the window of `held`: the time of the last sample
+    bool ran;                 // of the window of `held`: there has been a sample
     uint32_t next;            // index of the next sample
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
@@ -52,9 +52,9 @@ enum { REF_DRAWS = 12 };      // random numbers of 32 bits that a call draws in 
 
 // The stream of one call.
 typedef struct RefStream {
-    uint64_t state;           // after the draws of `step`
+    uint64_t state;           // the generator's state after the draws of `step`
     uint64_t step;            // the last step that drew, from 1; 0: none
-    double value;             // in that step
+    double value;             // the value of the call in `step`
 } RefStream;
 
 typedef struct RefRandom {

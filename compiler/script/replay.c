@@ -34,7 +34,7 @@ struct Replay {
     Diags *diags;
     const Script *s;
     const ScriptData *d;
-    Cursor **cursor;          // the first has no delay, and the columns of the script
+    Cursor **cursor;          // one for each delay; the first has no delay and reads the columns that the script writes to inputs
     size_t cursors;
     ReplayCompare *compare;      // by @compare of the script
     double *recorded;         // by @compare: the recorded value at the last step

@@ -19,8 +19,11 @@ void requirement_begin_run(ScriptRun *r)
 
 bool requirement_check_step(ScriptRun *r)
 {
-    const bool violated = monitor_step(r->monitor, r->situation, r->cell);
+    bool violated;
 
+    for (size_t i = 0; r->p->joint && i < r->machines; i++)
+        r->monitor->ran[i] = r->answer[0].machine[i].ran;
+    violated = monitor_step(r->monitor, r->situation, r->cell);
     for (size_t i = 0; i < r->o->requirements->at.n; i++) {
         r->requirement[i].judged += r->monitor->result[i] != MONITOR_IDLE;
         r->requirement[i].violated = r->monitor->result[i] == MONITOR_VIOLATED;

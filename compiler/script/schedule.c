@@ -209,10 +209,19 @@ static size_t count_items_of_all_states(const Script *s)
     return n;
 }
 
+// Whether the entries are in order, as those of a script that is written in order of time are. Some qsorts need as much memory again.
+static bool is_in_order(const Entries *list)
+{
+    for (size_t i = 1; i < list->n; i++)
+        if (compare_entries(&list->at[i - 1], &list->at[i]) > 0)
+            return false;
+    return true;
+}
+
 static void sort_group(Group *g)
 {
     for (int i = 0; i < TIMES; i++) {
-        if (g->by[i].n > 1)
+        if (!is_in_order(&g->by[i]))
             qsort(g->by[i].at, g->by[i].n, sizeof *g->by[i].at, compare_entries);
         set_latest(g->by[i].at, 0, g->by[i].n);
     }

@@ -47,7 +47,7 @@ typedef struct CompareResult {
     bool differs;             // in the last of these steps it was not met
     ComparePoint first, worst;        // if failed > 0
     uint64_t spans;           // number of times at which it was not met
-    CompareSpan span[COMPARE_SPANS_MAX];          // the first of them
+    CompareSpan span[COMPARE_SPANS_MAX];          // the first `spans` of these times, at most COMPARE_SPANS_MAX
 } CompareResult;
 
 // Appends the times at which a @compare was not met: "G = 40 to 80, G = 200".

@@ -73,7 +73,7 @@ typedef struct ScriptRun {
     const ScriptItem *failed_item;    // NULL: a requirement was violated
     uint64_t failed_since;    // of an @expect: G of the step in which it began
     Monitor *monitor;         // of the requirements; NULL: none
-    void *situation;          // that of the monitor
+    void *situation;          // the monitor's copy of its state (monitor.h)
     RequirementRun *requirement;      // by requirement
     const Requirement *violated;      // the first that the last step has violated; or NULL
     const void *pieces;       // of run_point.c; NULL: no point was saved

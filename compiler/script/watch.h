@@ -18,7 +18,7 @@ typedef struct WatchNode {
     const Expr *e;
     WatchKind kind;
     uint8_t depth;            // 0: node 0
-    uint32_t end;             // index of the first node that is no part of this one
+    uint32_t end;             // index after the last node of this expression
 } WatchNode;
 
 typedef struct WatchStmt WatchStmt;
@@ -51,7 +51,7 @@ struct Watch {
     const uint64_t *steps;    // how many steps have run before the current one: a step's number is one more
     uint64_t from;            // the first step in which every statement is recorded; 0: all steps
     uint64_t step, g;         // the last step of the machine, 0: none; and its G
-    uint64_t previous;        // the step of the machine before it
+    uint64_t previous;        // the machine's step before `step`; 0: none
     bool is_first;            // it is the first step of its state
     const State *state;       // the state that it ran
     uint64_t entered, entered_g;      // the first step of that state

@@ -119,7 +119,7 @@ static bool is_tried(const WhyChanges *out, const Var *v)
     return false;
 }
 
-// Tries a value of a variable, unless another one has changed the outcome.
+// Tries a value of variable v, unless another value of v has already changed the outcome.
 static void try_value(Before *b, const Var *v, uint64_t cell, double limit, int side, WhyChanges *out)
 {
     WhyChange c = {.var = v, .cell = cell, .was = engine_ref_view(outcome_of(b)).cell[v->index], .limit = limit, .side = side};

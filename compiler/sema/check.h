@@ -16,6 +16,7 @@ typedef struct CheckContext {
     StrPool *strings;
     Diags *diags;
     bool proposes_guards;     // reports comparisons with G in a script that a guard by time can replace
+    bool has_requirements;    // the machine has files of requirements, and their check reports the definitions that nothing uses
 } CheckContext;
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *sv);

@@ -101,6 +101,8 @@ Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const M
     check_states(&s, p, sm);
     warn_of_skipped_all_states(&s, p);
     check_unused_definitions(&s, &p->define);
+    if (!c->has_requirements)
+        report_unused_definitions(c->diags, &p->define);
     p->has_units = s.has_units;
     check_size_uses(&s);
     propose_definitions(&s, sm);

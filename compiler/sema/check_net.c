@@ -442,7 +442,7 @@ static const char *activity_of(const NetChannel *c)
 
 // Whether a message that `s` sends reaches `r`, a channel of the same computer (config.md 11.13).  The address is that of the side which
 // does not listen; a group has the same one on both sides.
-static bool returns(const NetChannel *s, const NetChannel *r)
+static bool loops_back(const NetChannel *s, const NetChannel *r)
 {
     const uint8_t *ip = net_listens(s) ? r->ip : s->ip;
 
@@ -450,7 +450,7 @@ static bool returns(const NetChannel *s, const NetChannel *r)
            (ip[0] == 127 || memcmp(s->ip, r->ip, 4) == 0);
 }
 
-static void check_pairs(NetCheck *k)
+static void report_conflicting_channels(NetCheck *k)
 {
     const NetChannel *const *c = (const NetChannel *const *)k->net->channel.at;
 
@@ -462,7 +462,7 @@ static void check_pairs(NetCheck *k)
                 diag_note(k->d, diag_report(k->d, DIAG_net_ambiguous, c[i]->where, c[j]->name->text, c[i]->name->text,
                                             activity_of(c[i]), net_address_text(k->c->arena, c[i])),
                           c[j]->where, DIAG_note_first_here);
-            if (returns(c[i], c[j]))
+            if (loops_back(c[i], c[j]))
                 diag_note(k->d, diag_report(k->d, DIAG_net_cycle, c[i]->where, c[i]->name->text, net_address_text(k->c->arena, c[i]),
                                             c[j]->name->text),
                           c[j]->where, DIAG_note_named_here);
@@ -515,7 +515,7 @@ Network *check_net(CheckContext *c, const AstFile *f, const StateVec *sv)
     check_endpoints(&k);
     for (size_t i = 0; i < f->net->channels.n; i++)
         check_channel(&k, &f->net->channels.at[i]);
-    check_pairs(&k);
+    report_conflicting_channels(&k);
     if (f->net->channels.n == 0 && !f->net->lost)
         diag_report(c->diags, DIAG_net_no_channel, (Span){f->src, 0, 0});
     if (net_sockets(k.net) > MOST)

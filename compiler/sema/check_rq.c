@@ -9,15 +9,19 @@
 // ---- conditions ----
 
 // Builds the condition that a step has run the state. S and the number have no position, because the source does not contain them.
-static Expr *new_state_operand(Sema *s, const State *state, Span span)
+// *machine: as in Requirement.
+static Expr *new_state_operand(Sema *s, const State *state, Span span, uint32_t *machine)
 {
+    const Joint *j = s->p->joint;
+    const Member *m = j ? &j->member.at[joint_machine_of(j, state->number)] : NULL;
     Expr *e = expr_new(s, EX_BINARY, span, 2);
 
+    *machine = m ? 1 + (uint32_t)(m - j->member.at) : 0;
     e->op = SM_OP_EQ;
     e->arg[0] = expr_new(s, EX_VAR, (Span){0}, 0);
-    e->arg[0]->var = s->p->s;
+    e->arg[0]->var = m ? m->s : s->p->s;
     e->arg[1] = expr_new(s, EX_NUMBER, (Span){0}, 0);
-    e->arg[1]->number = sm_from_u32(state->number);
+    e->arg[1]->number = sm_from_u32(m ? state->number - m->first : state->number);
     s->knows_a_name = true;
     return e;
 }
@@ -33,8 +37,8 @@ static void report_variable_operand(Sema *s, const AstExpr *name)
 }
 
 // Checks an operand of before, after or without: the name of a state, true in each step that ran it, or an expression in parentheses
-// (requirements.md 13.9).
-static Expr *check_operand(Sema *s, const AstExpr *in)
+// (requirements.md 13.9). *machine: as in Requirement.
+static Expr *check_operand(Sema *s, const AstExpr *in, uint32_t *machine)
 {
     const bool is_variable = in->kind == AST_NAME && (scope_find_variable(s, in->name) || map_find(&s->defines, in->name));
     State *state;
@@ -50,7 +54,7 @@ static Expr *check_operand(Sema *s, const AstExpr *in)
         scope_note_declared(s, diag_report(s->diags, DIAG_requirement_state_or_variable, in->span, in->name->text, in->name->text), in->name);
     if (!state)
         state = scope_find_state(s, s->p, in->name, in->span);
-    return state ? new_state_operand(s, state, in->span) : NULL;
+    return state ? new_state_operand(s, state, in->span, machine) : NULL;
 }
 
 static const AstExpr *without_parens(const AstExpr *e)
@@ -94,9 +98,9 @@ static bool check_conditions(Sema *s, const AstRequirement *in, Requirement *out
         out->within = check_within(s, in->within);
         return out->a && out->b;
     case AST_NEVER_BEFORE: case AST_NEVER_AFTER:
-        out->a = check_operand(s, in->a);
-        out->b = check_operand(s, in->b);
-        out->c = in->c ? check_operand(s, in->c) : NULL;
+        out->a = check_operand(s, in->a, &out->machine[0]);
+        out->b = check_operand(s, in->b, &out->machine[1]);
+        out->c = in->c ? check_operand(s, in->c, &out->machine[2]) : NULL;
         return out->a && out->b && (out->c || !in->c);
     }
     return false;
@@ -166,7 +170,7 @@ static void note_other_machine(Sema *s)
         diag_note(s->diags, s->unknown, (Span){0}, DIAG_note_requirements_of_other_machine, s->p->src->name);
 }
 
-// Checks the requirements of n files, which are those of one machine.
+// Checks the requirements of n files, which are those of one machine or one application.
 Requirements *check_requirements(CheckContext *c, const AstFile *const *file, size_t n, const Program *p)
 {
     const size_t errors = c->diags->errors_seen;
@@ -178,13 +182,15 @@ Requirements *check_requirements(CheckContext *c, const AstFile *const *file, si
     out->program = p;
     out->by_id.arena = c->arena;
     sema_init(&s, c, hidden, p, &out->window);
-    s.in_script = true;
+    s.in_script = s.in_requirements = true;
     s.step = p->step;
     add_definitions_of_machine(&s);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < file[i]->requirements->at.n; k++)
             check_requirement(&s, out, &file[i]->requirements->at.at[k]);
     note_other_machine(&s);
+    if (c->has_requirements)
+        report_unused_definitions(c->diags, &p->define);
     return c->diags->errors_seen > errors ? NULL : out;
 }
 

@@ -224,7 +224,8 @@ static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts 
             break;
         case AST_STOP:
             item->stop = k->has_stop = true;
-            item->stop_span = stmt->span;
+            item->stop_at = stmt->span.at;
+            item->stop_len = stmt->span.len;
             break;
         case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
         }
@@ -426,6 +427,7 @@ static Script *end_check(ScriptCheck *k)
     const Span start = {k->script->src, 0, 0};
 
     check_unused_definitions(&k->s, &k->script->define);
+    report_unused_definitions(diags, &k->script->define);
     k->script->has_units = k->s.has_units;
     if (!k->has_delta_t && !k->s.lost->any)
         diag_report(diags, DIAG_no_delta_t, start);

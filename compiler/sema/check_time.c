@@ -87,12 +87,14 @@ void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *operand)
 
 void warn_of_time_as_guard(Sema *s, const AstExpr *guard)
 {
-    const char *text = sema_quote_source(s, guard->span);
+    const char *text;
     SmF64 value;
 
-    if (is_time_literal(guard) && literal_value(guard, s->p->time_unit, &value))
-        diag_label(s->diags, diag_report(s->diags, DIAG_number_as_condition, guard->span, text, sm_to_bool(value) ? "always" : "never"),
-                   DIAG_label_did_you_mean, format_in(s->arena, "%s %s", s->in_script ? "G ==" : "T >=", text));
+    if (!is_time_literal(guard) || !literal_value(guard, s->p->time_unit, &value))
+        return;
+    text = sema_quote_source(s, guard->span);
+    diag_label(s->diags, diag_report(s->diags, DIAG_number_as_condition, guard->span, text, sm_to_bool(value) ? "always" : "never"),
+               DIAG_label_did_you_mean, format_in(s->arena, "%s %s", s->in_script ? "G ==" : "T >=", text));
 }
 
 // Computes the value of a literal that is a whole number of units from 0 to 2^63. Returns false for anything else.

@@ -125,7 +125,7 @@ static void add_use(Sema *s, Define *d, const AstExpr *use)
 
     if (!s->inside || !s->inside->expanded)
         vec_push(s->arena, &d->use, here);
-    d->used = true;
+    d->used = d->used || !s->inside || s->inside->used;
 }
 
 // Builds the expression of a definition that `use` names. The root has the span of the use, because messages quote what the user wrote there.
@@ -137,6 +137,7 @@ Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
 
     if (own)
         add_use(s, d, use);
+    d->used = d->used || s->in_requirements;
     s->knows_a_name = true;
     if (!check_use(s, d, use))
         return NULL;
@@ -153,7 +154,14 @@ Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
     return out;
 }
 
-// Checks the definitions that nothing uses: reports their errors, and warns of them. Their windows belong to no machine.
+void report_unused_definitions(Diags *diags, const Defines *all)
+{
+    for (size_t i = 0; i < all->n; i++)
+        if (!all->at[i]->used && all->at[i]->value->kind != AST_ERROR)
+            diag_report(diags, DIAG_unused_definition, all->at[i]->span, all->at[i]->name->text);
+}
+
+// Reports the errors of the definitions that nothing uses. Their windows belong to no machine.
 void check_unused_definitions(Sema *s, const Defines *all)
 {
     Windows none = {0}, *used = s->windows;
@@ -163,8 +171,6 @@ void check_unused_definitions(Sema *s, const Defines *all)
         Define *d = all->at[i];
         if (d->used)
             continue;
-        if (d->value->kind != AST_ERROR)
-            diag_report(s->diags, DIAG_unused_definition, d->span, d->name->text);
         s->inside = d;
         if (d->size <= EXPANDED_MAX)
             check_expr(s, d->value);

@@ -81,6 +81,15 @@ static void add_variables_of(Join *k, Member *m)
     }
 }
 
+static void add_marks(Join *k, const Member *m)
+{
+    for (size_t i = 0; i < m->program->mark.n; i++) {
+        RequirementMark mark = m->program->mark.at[i];
+        mark.state = mark.state ? k->p->state.at[m->first + mark.state->number - 1] : NULL;
+        vec_push(k->c->arena, &k->p->mark, mark);
+    }
+}
+
 static void add_member(Join *k, const AppTask *task, const AppRate *rate, const Program *program)
 {
     Member m = {.name = task->machine->name, .program = program, .every = rate->period / k->joint->tick};
@@ -89,6 +98,7 @@ static void add_member(Join *k, const AppTask *task, const AppRate *rate, const 
     m.mode = task->mode ? k->element[task->mode->index] : NULL;
     add_states(k, &m);
     add_variables_of(k, &m);
+    add_marks(k, &m);
     vec_push(k->c->arena, &k->joint->member, m);
 }
 

@@ -32,8 +32,8 @@ typedef enum MeasureFlaw { MEASURE_GOOD, MEASURE_MALFORMED, MEASURE_UNKNOWN } Me
 typedef struct MeasureError {
     uint32_t at, len;             // the wrong part of the text
     const char *expected;         // MALFORMED: what belongs there
-    char near[24];                // UNKNOWN: a unit that the author can have meant; or ""
-    bool is_certain;              // UNKNOWN: it is the only one
+    char near[24];                // UNKNOWN: the unit to suggest, because its name is similar; "": none is similar
+    bool is_certain;              // UNKNOWN: the text can only mean `near`
 } MeasureError;
 
 // Reads a text such as m/s^2.  `text` must outlive *into.

@@ -133,8 +133,8 @@ struct Define {
     uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     const Measure *unit;         // its @unit, or NULL
-    uint32_t names;           // 1 + the number of the definition with a unit that is its whole expression; 0: none
-    bool used;                // another part of its file uses it
+    uint32_t names;           // its expression is only the name of another definition, which has a unit: 1 + `number` of that; 0: it is not
+    bool used;                // another part of its file uses it, or a requirement does
     bool expanded;            // its expression has been checked, so the uses in it are listed
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
@@ -227,7 +227,7 @@ struct AstSection;
 typedef struct AllStates {
     const struct AstSection *section;     // only for the checker
     Span span;                // the whole section
-    bool *excepted;           // by State.number: whether it does not run there
+    bool *excepted;           // by State.number: the section does not run in this state
     bool *proposed;           // by State.number: an edit that excepts the state has been proposed
     uint32_t copies;          // for how many states its statements have been checked
 } AllStates;
@@ -250,7 +250,7 @@ typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
 typedef struct Joint {
     VEC(Member) member;       // in the order in which they step in a tick
     VEC(MemberStart) start;   // the values of [start]
-    uint64_t tick, unit;      // nanoseconds: from tick to tick; 1 in G
+    uint64_t tick, unit;      // in nanoseconds: the time between two ticks; one unit of G
     const struct App *app;
 } Joint;
 
@@ -320,17 +320,19 @@ typedef struct ScriptItem ScriptItem;
 struct ScriptItem {
     Expr *guard;
     const ScriptItem *parent; // the conditional around it; NULL: none
-    bool otherwise;           // it belongs to the `else` of the parent
-    bool by_time;             // the guard is one of check_when
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
+    uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
+    bool otherwise;           // it belongs to the `else` of the parent
+    bool by_time;             // the guard is one of check_when
+    bool stop;                // the item's body ends with @stop
+    uint32_t stop_at, stop_len;       // the position of the @stop, in the source of `span`
     Span span;
     Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
-    bool stop;                // the item's body ends with @stop
-    uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
-    Span stop_span;
 };
+
+static inline Span script_stop_span(const ScriptItem *item) { return (Span){item->span.src, item->stop_at, item->stop_len}; }
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
@@ -375,7 +377,7 @@ typedef struct ScriptData {
     Span file_span, time_span;
     TimeUnit unit;            // of the times
     bool is_linear;           // values between two rows are interpolated; otherwise they are those of the earlier one
-    bool stops_at_bad_time, skips_bad_times;      // `on_bad_time error`; `on_bad_time skip` is written
+    bool stops_at_bad_time, skips_bad_times;      // the section has `on_bad_time error`; it has `on_bad_time skip`
     bool missing_is_nan;
     VEC(ScriptColumn) column; // written to variables
     VEC(ScriptCompare) compare;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typed requirements (docs/requirements.md) of a machine: the checker's output for files without errors.  Conditions are expressions over the
+// Typed requirements (docs/requirements.md) of a machine or of an application: the checker's output for files without errors.  Conditions are expressions over the
 // variables of the machine, and sample after its step.  Nothing changes them after the check.
 #ifndef SMC_REQUIREMENTS_H
 #define SMC_REQUIREMENTS_H
@@ -18,7 +18,9 @@ typedef struct Requirement {
     RequirementKind kind;
     Str id, text;
     Span span;                // position of the id
-    Expr *a, *b, *c;          // as above; those that the kind does not have are NULL
+    Expr *a, *b, *c;          // the conditions that RequirementKind names; those that the kind does not have are NULL
+    uint32_t machine[3];      // of a, b, c: 1 + the number of the machine of an application of which it names a state. It is true only in the
+                              // ticks in which that machine steps. 0: any other condition
     uint64_t within;          // LEADS_TO: in units of G
 } Requirement;
 

@@ -37,7 +37,8 @@ typedef struct Sema {
     const Program *p;         // the machine being checked, or the machine that the script belongs to
     StateVec *sv;             // machine with a .sv: the elements that it can list; else NULL
     Windows *windows;         // destination of roll calls: the machine's list or the script's
-    bool in_script;
+    bool in_script;           // a script, or requirements
+    bool in_requirements;
     Map script_local;         // in a script: the name of a variable in its [local] to Var
     Diag *unknown;            // in a script: the first report of a name that the machine does not have
     bool knows_a_name;        // in a script: at least one name in it, other than G, S and T, exists in the machine
@@ -197,6 +198,8 @@ void declare_definitions(Sema *s, const AstSection *section, Defines *into);
 void add_definitions_of_machine(Sema *s);              // makes the definitions of the machine usable in a script
 Expr *expand_definition(Sema *s, Define *d, const AstExpr *use);      // builds the expression of a definition that `use` names
 void check_unused_definitions(Sema *s, const Defines *all);
+// Warns of the definitions that nothing uses.
+void report_unused_definitions(Diags *diags, const Defines *all);
 
 // ---- check_time.c: the unit of time ----
 

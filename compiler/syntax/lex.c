@@ -142,7 +142,7 @@ static uint32_t skip_member(const Lexer *l, uint32_t end)
 {
     const Str machine = str_intern(l->strings, l->src->text + l->at, end - l->at);
 
-    if (!l->script || lexer_byte(l, end) != '.' || !lex_is_letter(lexer_byte(l, end + 1)) || find_reserved(machine))
+    if (!(l->script || l->requirements) || lexer_byte(l, end) != '.' || !lex_is_letter(lexer_byte(l, end + 1)) || find_reserved(machine))
         return end;
     return lexer_skip_word(l, end + 1);
 }

@@ -68,7 +68,7 @@ typedef struct Lexer {
     bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
     bool addresses;           // a .net: four numbers with dots are an address
-    bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print; deploy.T is one name
+    bool script;              // a .ss: quoted text can follow `include`, @assert, @fail, @expect and @print; deploy.T is one name, as in a .rq
     bool requirements;        // a .rq: one quoted text can follow the name that begins a line
     bool data;                // in a section [data] of a script: texts in quotes can follow anywhere
     bool texts;               // in a script or a .rq: quoted text can follow in this statement

@@ -131,8 +131,8 @@ typedef struct ScriptEdit { uint32_t at, len; const char *text; } ScriptEdit;
 typedef struct Edits {
     Arena *arena;
     const Source *src;
-    const Var *var[FAULTS_MOST];      // the faulty inputs, and the variables with their true values
-    const char *name[FAULTS_MOST];
+    const Var *var[FAULTS_MOST];      // the faulty inputs
+    const char *name[FAULTS_MOST];    // for each of them, the variable of the script that has its true value
     uint32_t vars;
     bool hides_asserts;
     VEC(ScriptEdit) at;
@@ -180,7 +180,8 @@ static void rename_in(Edits *e, const Expr *x)
         rename_in(e, x->arg[i]);
 }
 
-// Renames what an assert samples before the step.  What it reads after the step is what the machine reads.
+// Renames the faulty inputs in the roll calls of an assert: these sample true values, before the step.  Outside roll calls an assert reads the
+// inputs after the step, when they have the faulty values that the machine read.
 static void rename_samples(Edits *e, const Expr *x)
 {
     if (x->kind == EX_ROLL)

@@ -59,6 +59,11 @@ try_applications() {
             apps="$apps $app"
             expect test "$smc" test --engine=all -Werror "$app" "$script"
         done
+        if [ -f "${app%.app}.rq" ]; then
+            requirements=$((requirements + 1))
+            # shellcheck disable=SC2046
+            expect requirements "$smc" test -Werror "$app" $(scripts_of "$app") "${app%.app}.rq"
+        fi
     done
 }
 
@@ -101,6 +106,6 @@ for folder; do
     expect "a script of no machine in $folder" test "$(ls "$folder"/*.ss | wc -l)" -eq "$seen"
 done
 expect "ten machines, seven of them with findings without their marks" test "$machines" -ge 10 -a "$marked" -ge 7
-expect "three machines with requirements" test "$requirements" -ge 3
+expect "four machines and applications with requirements" test "$requirements" -ge 4
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -46,7 +46,7 @@ targets_of() {      # ENGINE
     host) echo "$build/clauses/steps $build/clauses/memory $build/clauses/regions $build/clauses/probe.smb" ;;
     diff) echo "$build/diff/difftest $build/unit/vm_select" ;;
     soft) echo "$build/soft/run" ;;
-    store) echo "$build/store/cuts $build/store/agent $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;;
+    store) echo "$build/store/cuts $build/store/agent $build/store/agent_log $build/store/auth $build/unit/vm_auth $build/store/old.smb $build/store/new.smb" ;;
     ref | vm | c) ;;
     *) command_of "$1" | tr ' ' '\n' | sed -n "s|^\($build/[^*]*[^*/]\).*|\1|p" ;;      # of files that a pattern names, their folder
     esac
@@ -74,7 +74,7 @@ tests_of() {        # CLAUSES ENGINE
     soft) echo "$build/soft/run" ;;
     store)
         images="$build/store/old.smb $build/store/new.smb"
-        echo "$build/store/cuts $images && $build/store/agent $images && $build/store/auth $images && $build/unit/vm_auth" ;;
+        echo "$build/store/cuts $images && $build/store/agent $images && $build/store/agent_log $images && $build/store/auth $images && $build/unit/vm_auth" ;;
     ref | vm | c) echo "$build/smc test --engine=$2 $(cases_of "$1")" ;;
     *) command_of "$2" ;;
     esac

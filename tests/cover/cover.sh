@@ -15,7 +15,7 @@ check() # CODE WHAT COMMAND...: the command exits with this code
     if test "$1" = has; then
         "$@"
     else
-        "$@" >out 2>err
+        "$@" >"$dir/out" 2>"$dir/err"
     fi
     code=$?
     if test $code = "$wanted"; then
@@ -23,10 +23,10 @@ check() # CODE WHAT COMMAND...: the command exits with this code
     else
         failed=$((failed + 1))
         echo "tests/cover: $what: exit code $code, not $wanted" >&2
-        sed 's/^/    /' out err >&2
+        sed 's/^/    /' "$dir/out" "$dir/err" >&2
     fi
 }
-has() { grep -q -- "$1" out || grep -q -- "$1" err; }        # what the last command of `check` has printed
+has() { grep -q -- "$1" "$dir/out" || grep -q -- "$1" "$dir/err"; }        # what the last command of `check` has printed
 
 cat >vent.sm <<'END_OF_FILE'
 [state_vector]

@@ -62,7 +62,7 @@ static bool start(void)
 {
     stage_set_up(&world.plan);
     stage_reach(SM_SWAP_AT_ADDRESS, "", world.flags & FLAG_KEY ? "flash" : NULL);
-    stage.link.numbers = "eeprom";
+    stage.link.number_memory = "eeprom";
     if ((world.flags & (FLAG_NOT_STORED | FLAG_KEY)) == 0)        // the simulation has one memory, either for numbers or for images
         stage_store("eeprom", 400, NULL);
     return stage_start() == SM_OK && (stage.swaps.storage == NULL || stage.store.nvm.id != 0);

@@ -11,8 +11,6 @@ args a.app
 args build nosuch.app
 args check a.app --message-format=json
 args build a.app
-args test a.app a.ss a.rq
-args test a.app a.ss --coverage
 args mutate a.app a.ss
 args cover a.app -o made
 args prove a.app a.rq
@@ -58,9 +56,9 @@ smc: the names in an application's C come from its files: remove --prefix
 Try 'smc build --help'.
 smc: an application becomes several files: name the folder for them with -o
 Try 'smc build --help'.
-smc: an application is checked alone or with its scripts: it names its other files itself
+smc: an application is checked alone or with its scripts and requirements: it names its other files itself
 Try 'smc check --help'.
-smc: an application is checked alone or with its scripts: it names its other files itself
+smc: an application is checked alone or with its scripts and requirements: it names its other files itself
 Try 'smc check --help'.
 smc: a command precedes the file, as in 'smc check a.app'
 Try 'smc --help'.
@@ -83,10 +81,6 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
     7 |     machine m "missing.sm"
       |               ^~~~~~~~~~~~
 4 errors
-smc: requirements are judged in the scripts of one machine, and 'a.app' is an application
-Try 'smc test --help'.
-smc: coverage is measured of one machine, and 'a.app' is an application
-Try 'smc test --help'.
 smc: 'a.app' is an application, and smc mutate is for one machine: name the file of a machine and the state vector, as in 'smc mutate MACHINE.sm --sv a.sv'
 Try 'smc mutate --help'.
 smc: 'a.app' is an application, and smc cover is for one machine: name the file of a machine and the state vector, as in 'smc cover MACHINE.sm --sv a.sv'
@@ -103,4 +97,4 @@ smc: 'a.app' is an application, and smc report is for one machine: name the file
 Try 'smc report --help'.
 smc: cannot read 'nosuch.app': No such file or directory
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 2 2 2 2 2 2 2 2 2 3 0
+2 2 2 2 2 2 2 2 2 3 1 1 2 2 2 2 2 2 2 3 0

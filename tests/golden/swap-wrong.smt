@@ -37,17 +37,21 @@ Options:
   --help                   print help and exit
   --version                print the version and exit
   --sv=FILE                the application's state vector
-  --bind=NAME=ELEMENT      the machine's element NAME is ELEMENT of the state vector; several between commas
+  --bind=NAME=ELEMENT      the machine's element NAME is ELEMENT of the state vector; several
+                           between commas
   --app=FILE               the application, for its state vector and its machines' bindings
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
-  --to=WHERE               swap: where the application listens: the path of its socket, HOST:PORT, or a serial line as /dev/ttyS1; why: the state that the machine did, or did not, go to
+  --to=WHERE               where the application listens: the path of its socket, HOST:PORT, or a
+                           serial line as /dev/ttyS1
   --restart[=STATE]        the new machines start, in this state or in their first one
-  --continue               the new machines continue in the state of the same name, with locals and windows that both have
+  --continue               the new machines continue in the state of the same name, with locals and
+                           windows that both have
   --wait                   end when the trial has ended; an error if the old machines have returned
   --speed=N                bits a second on it (default 115200)
   --confirm                keep what was sent once it runs, without a trial
-  --key=FILE               the key, as 'smc key' makes one; flash sends nothing that is not signed with it, swap and device set sign with it
-  --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads sources
+  --key=FILE               the key to sign with
+  --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads
+                           sources
   --color=WHEN             auto (default), always or never
   -w                       no warnings
   -WNAME                   -Wextra, -Wflight, -Weverything, -Wname, -Wno-name, -Werror, -Werror=name

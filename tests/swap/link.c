@@ -558,8 +558,8 @@ static void test_keys(Arena *arena)
     CHECK(stage.app.reason != NULL);
     // no memory for the numbers
     memcpy(sim_nvm("flash"), right_key, 32);
-    stage.link.numbers = "absent";
-    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.numbers && stage.app.reason == NULL);
+    stage.link.number_memory = "absent";
+    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.number_memory && stage.app.reason == NULL);
     // no file
     stage.link.key_file = "absent";
     CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason != NULL);

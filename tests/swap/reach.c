@@ -39,7 +39,7 @@ static void run_application(SmSwapPlace place, const char *name, uint16_t port, 
 
     stage_set_up(&plan);
     stage_reach(place, name, key);
-    stage.link.numbers = key != NULL ? "numbers" : NULL;
+    stage.link.number_memory = key != NULL ? "numbers" : NULL;
     stage.link.address.port = port;
     if (storage != NULL)
         stage_store(storage, 4096, key != NULL ? stage.link.key : NULL);

@@ -157,7 +157,7 @@ void stage_reach(SmSwapPlace place, const char *name, const char *key_file)
 
     memset(buffer, 0xa5, sizeof buffer);
     stage.link = (SmSwapLink){.service = SM_SWAP_LINK_SERVICE, .swaps = &stage.swaps, .place = place, .name = name, .address = {{127, 0, 0, 1}, 4711},
-                              .speed = 115200, .key_file = key_file, .numbers = key_file != NULL ? "eeprom" : NULL, .machine = machine,
+                              .speed = 115200, .key_file = key_file, .number_memory = key_file != NULL ? "eeprom" : NULL, .machine = machine,
                               .machines = stage.swaps.machines, .change = changes, .buffer = buffer, .room = sizeof buffer,
                               .app_name = "stage", .events = &stage.events};
     stage.swaps.service = &stage.link.service;

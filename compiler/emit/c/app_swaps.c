@@ -96,7 +96,7 @@ static void write_swap_link(const AppEmitter *e, unsigned swappables)
     if (at->place == APP_AT_LINE)
         buf_printf(e->out, "    .speed = %u,\n", (unsigned)at->speed);
     if (at->key)
-        buf_printf(e->out, "    .key_file = \"%s\", .numbers = \"%s.used\",\n", app_escape_string(e, at->key), app_escape_string(e, at->key));
+        buf_printf(e->out, "    .key_file = \"%s\", .number_memory = \"%s.used\",\n", app_escape_string(e, at->key), app_escape_string(e, at->key));
     buf_printf(e->out, "    .machine = machines, .machines = %u, .change = swapChanges, .buffer = swapBuffer, .room = sizeof swapBuffer\n};\n",
                (unsigned)e->app->machine.n);
 }

@@ -122,7 +122,7 @@ static void write_init(CUnit *u, Buf *out)
 typedef struct CRun {
     bool any;                     // at least one state has a block, so the function exists
     bool first;                   // it has the parameter `first`: whether this is the state's first step
-    CSignature as;                // its other parameters and its result
+    CSignature as;                // the signature of the function without `first`
 } CRun;
 
 static CRun describe_run(const CUnit *u, const CStateBlocks *s)

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading and writing files, for os.h on Windows.  An output is written to a temporary file next to its target and then renamed, so that the
+// target always is the old file or the complete new one.  A signal that ends the process removes the temporary files (os_signal.h).
+#include "compiler/base/os.h"
+#include "compiler/base/os_signal.h"
+#include "compiler/base/os_windows.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- reading ----
+
+// Returns the number of bytes read, 0 at the end, -1 after an error.
+static long read_some(HANDLE file, void *bytes, size_t n)
+{
+    DWORD got = 0;
+
+    if (ReadFile(file, bytes, n > 1 << 20 ? 1 << 20 : (DWORD)n, &got, NULL))
+        return (long)got;
+    return GetLastError() == ERROR_BROKEN_PIPE || GetLastError() == ERROR_HANDLE_EOF ? 0 : -1;
+}
+
+static bool read_all(HANDLE file, size_t most, char **text, size_t *len, const char **why)
+{
+    size_t cap = 16384, n = 0;
+    char *buffer = malloc(cap);
+
+    while (buffer) {
+        const long got = read_some(file, buffer + n, cap - n - 1);
+        if (got < 0 || n > most) {
+            *why = got < 0 ? windows_reason(GetLastError()) : "the file is too large";
+            free(buffer);
+            return false;
+        }
+        if (got == 0) {
+            buffer[n] = '\0';
+            *text = buffer;
+            *len = n;
+            return true;
+        }
+        n += (size_t)got;
+        if (cap - n < 2) {
+            char *larger = realloc(buffer, cap *= 2);
+            if (!larger)
+                free(buffer);
+            buffer = larger;
+        }
+    }
+    return windows_set_no_memory(why);
+}
+
+bool os_read_file(const char *path, size_t most, char **text, size_t *len, const char **why)
+{
+    HANDLE file;
+    bool ok;
+
+    if (strcmp(path, "-") == 0 || os_find_descriptor(path) == 0)
+        return read_all(windows_standard_stream(0), most, text, len, why);
+    if (!windows_check_name(path, why))
+        return false;
+    if (os_is_folder(path)) {
+        *why = "it is a folder";
+        return false;
+    }
+    if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
+        return windows_set_reason(why);
+    ok = read_all(file, most, text, len, why);
+    CloseHandle(file);
+    return ok;
+}
+
+// Returns false if no regular file has this name.
+static bool get_information(const char *path, BY_HANDLE_FILE_INFORMATION *information)
+{
+    const HANDLE file = windows_open_existing(path, FILE_READ_ATTRIBUTES);
+    const bool ok = file != INVALID_HANDLE_VALUE && GetFileType(file) == FILE_TYPE_DISK && GetFileInformationByHandle(file, information) &&
+                    !(information->dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY);
+
+    if (file != INVALID_HANDLE_VALUE)
+        CloseHandle(file);
+    return ok;
+}
+
+bool os_read_head(const char *path, char *into, size_t n, size_t *len)
+{
+    BY_HANDLE_FILE_INFORMATION information;
+    HANDLE file;
+    long got;
+
+    *len = 0;
+    if (!get_information(path, &information))
+        return true;
+    if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
+        return false;
+    got = read_some(file, into, n);
+    CloseHandle(file);
+    *len = got > 0 ? (size_t)got : 0;
+    return got >= 0;
+}
+
+bool os_reader_open(OsReader *r, const char *path, const char **why)
+{
+    BY_HANDLE_FILE_INFORMATION information;
+    HANDLE file;
+
+    if (!windows_check_name(path, why))
+        return false;
+    if (os_is_folder(path)) {
+        *why = "it is a folder";
+        return false;
+    }
+    if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
+        return windows_set_reason(why);
+    if (GetFileType(file) != FILE_TYPE_DISK || !GetFileInformationByHandle(file, &information)) {
+        *why = "it is not a regular file";
+        CloseHandle(file);
+        return false;
+    }
+    *r = (OsReader){(intptr_t)file, (uint64_t)information.nFileSizeHigh << 32 | information.nFileSizeLow, 0};
+    return true;
+}
+
+bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why)
+{
+    const long bytes = read_some((HANDLE)r->file, into, n);
+
+    *got = bytes > 0 ? (size_t)bytes : 0;
+    r->done += *got;
+    if (bytes < 0)
+        return windows_set_reason(why);
+    if (bytes == 0 && r->done < r->size)
+        *why = "the file became shorter while it was read";
+    return bytes > 0 || r->done >= r->size;
+}
+
+void os_reader_close(OsReader *r) { CloseHandle((HANDLE)r->file); }
+
+bool os_same_file(const char *a, const char *b)
+{
+    BY_HANDLE_FILE_INFORMATION x, y;
+
+    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0 || !get_information(a, &x) || !get_information(b, &y))
+        return false;
+    return x.dwVolumeSerialNumber == y.dwVolumeSerialNumber && x.nFileIndexHigh == y.nFileIndexHigh && x.nFileIndexLow == y.nFileIndexLow;
+}
+
+bool os_has_other_names(const char *path)
+{
+    BY_HANDLE_FILE_INFORMATION information;
+
+    return get_information(path, &information) && information.nNumberOfLinks > 1;
+}
+
+// ---- writing ----
+
+bool windows_write_all(HANDLE file, const void *bytes, size_t n, const char **why)
+{
+    const char *p = bytes;
+    DWORD put = 0;
+
+    for (; n > 0; p += put, n -= put) {
+        if (!WriteFile(file, p, n > 1 << 20 ? 1 << 20 : (DWORD)n, &put, NULL))
+            return windows_set_reason(why);
+        if (put == 0) {                               // a full disk that is reported as success
+            *why = "No space left on device";
+            return false;
+        }
+    }
+    return true;
+}
+
+// Other messages go to stderr by stdio, which the C runtime buffers where stderr is a file or a pipe: they come first.
+bool os_print(int fd, const void *bytes, size_t n, const char **why)
+{
+    fflush(stderr);
+    return windows_write_all(windows_standard_stream(fd), bytes, n, why);
+}
+
+enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };     // numbers in os_signal.h, as in os_posix.c
+
+bool os_is_special(const char *path)
+{
+    wchar_t *wide;
+    bool is_device;
+    HANDLE file;
+
+    if (os_find_descriptor(path) >= 0)
+        return true;
+    wide = windows_path(path);
+    is_device = wide && wcsncmp(wide, L"\\\\.\\", 4) == 0;
+    free(wide);
+    if (is_device || (file = windows_open_existing(path, FILE_READ_ATTRIBUTES)) == INVALID_HANDLE_VALUE)
+        return is_device;
+    is_device = !os_is_folder(path) && GetFileType(file) != FILE_TYPE_DISK;
+    CloseHandle(file);
+    return is_device;
+}
+
+// Opens a path that is written without a temporary file. *is_own: it is a stream of this process, which stays open.
+static HANDLE open_directly(const char *path, bool *is_own, const char **why)
+{
+    const int fd = strcmp(path, "-") == 0 ? 1 : os_find_descriptor(path);
+    const HANDLE file = fd >= 0 ? windows_standard_stream(fd) : windows_open_existing(path, GENERIC_WRITE);
+
+    *is_own = fd >= 0;
+    if (file == INVALID_HANDLE_VALUE)
+        windows_set_reason(why);
+    return file;
+}
+
+// Returns the file that `path` names after following symbolic links, so that a link remains a link; on the heap.
+static char *resolve_target(const char *path, const char **why)
+{
+    const DWORD a = windows_attributes(path);
+    const bool is_link = a != INVALID_FILE_ATTRIBUTES && (a & FILE_ATTRIBUTE_REPARSE_POINT);
+    char *target = is_link ? os_real_path(path) : strdup(path);
+
+    if (!target)
+        *why = is_link ? "its symbolic link leads to no folder" : "out of memory";
+    return target;
+}
+
+// Returns the name of a temporary file next to `target`, on the heap.
+static char *temporary_name(const char *target)
+{
+    static const char digits[] = "abcdefghijklmnopqrstuvwxyz012345";
+    const size_t n = strlen(target);
+    unsigned char random[6] = {0};
+    char *temp = malloc(n + 8);
+
+    if (!temp)
+        return NULL;
+    SystemFunction036(random, sizeof random);
+    memcpy(temp, target, n);
+    temp[n] = '.';
+    for (size_t i = 0; i < sizeof random; i++)
+        temp[n + 1 + i] = digits[random[i] % 32];
+    temp[n + 7] = '\0';
+    return temp;
+}
+
+HANDLE windows_create_new(const char *path, SECURITY_ATTRIBUTES *security, const char **why)
+{
+    wchar_t *wide = windows_path(path);
+    const HANDLE file = wide ? CreateFileW(wide, GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, security, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, NULL)
+                             : INVALID_HANDLE_VALUE;
+
+    if (file == INVALID_HANDLE_VALUE)
+        *why = windows_reason(wide ? GetLastError() : ERROR_NOT_ENOUGH_MEMORY);
+    free(wide);
+    return file;
+}
+
+// Creates a temporary file next to `target`.  A signal that ends the process removes it from then on.
+static HANDLE open_temporary(const char *target, int number, const char **why)
+{
+    char *temp;
+    HANDLE file;
+
+    if (os_is_folder(target)) {
+        *why = "it is a folder";
+        return INVALID_HANDLE_VALUE;
+    }
+    if ((temp = temporary_name(target)) == NULL) {
+        windows_set_no_memory(why);
+        return INVALID_HANDLE_VALUE;
+    }
+    os_signals_delay();
+    if ((file = windows_create_new(temp, NULL, why)) == INVALID_HANDLE_VALUE)
+        free(temp);
+    else
+        os_set_unfinished(number, temp);
+    os_signals_resume();
+    return file;
+}
+
+// Closes a temporary file.  FlushFileBuffers stores its bytes on the medium before the rename, so that after a power cut either the old
+// file or the complete new one exists.
+static bool close_temporary(HANDLE file, bool ok, const char **why)
+{
+    if (ok && !FlushFileBuffers(file))
+        ok = windows_set_reason(why);
+    if (!CloseHandle(file) && ok)
+        ok = windows_set_reason(why);
+    return ok;
+}
+
+static void forget_temporary(int number)
+{
+    char *temp = os_unfinished_path(number);
+
+    os_set_unfinished(number, NULL);
+    free(temp);
+}
+
+void windows_remove_file(const char *path)
+{
+    wchar_t *wide = windows_path(path);
+
+    if (wide)
+        DeleteFileW(wide);
+    free(wide);
+}
+
+// Puts a complete temporary file in the place of its target.  ReplaceFileW keeps the permissions and attributes of a replaced file; a file
+// system that cannot do that only renames.  A virus scanner can hold a new file for a moment, so the rename is tried for 1 s.
+static bool replace_file(const char *temp, const char *target, const char **why)
+{
+    wchar_t *from = windows_path(temp), *to = windows_path(target);
+    bool ok = false;
+    DWORD error = ERROR_NOT_ENOUGH_MEMORY;
+
+    for (int i = 0; from && to && !ok && i < 20; i++) {
+        if (i > 0)
+            Sleep(50);
+        ok = (GetFileAttributesW(to) != INVALID_FILE_ATTRIBUTES && ReplaceFileW(to, from, NULL, REPLACEFILE_IGNORE_MERGE_ERRORS, NULL, NULL)) ||
+             MoveFileExW(from, to, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH);
+        error = GetLastError();
+        if (error != ERROR_SHARING_VIOLATION && error != ERROR_ACCESS_DENIED)
+            break;
+    }
+    free(from);
+    free(to);
+    if (!ok)
+        *why = windows_reason(error);
+    return ok;
+}
+
+static bool write_directly(const OsOutput *out, const char **why)
+{
+    bool ok, is_own;
+    const HANDLE file = open_directly(out->path, &is_own, why);
+
+    if (file == INVALID_HANDLE_VALUE)
+        return false;
+    ok = windows_write_all(file, out->bytes, out->n, why);
+    if (!is_own)
+        CloseHandle(file);
+    return ok;
+}
+
+// Writes one output to a temporary file, which the caller renames to *target. *target stays NULL if the output was written directly.
+static bool write_temporary(const OsOutput *out, int number, char **target, const char **why)
+{
+    HANDLE file;
+
+    if (!windows_check_name(out->path, why))
+        return false;
+    if (strcmp(out->path, "-") == 0 || os_is_special(out->path))
+        return write_directly(out, why);
+    if ((*target = resolve_target(out->path, why)) == NULL || (file = open_temporary(*target, number, why)) == INVALID_HANDLE_VALUE)
+        return false;
+    return close_temporary(file, windows_write_all(file, out->bytes, out->n, why), why);
+}
+
+bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why)
+{
+    char *target[MOST_OUTPUTS] = {NULL};
+    bool ok = n <= MOST_OUTPUTS;
+
+    *failed_path = n ? out[0].path : "";
+    *why = "too many files";
+    os_signals_begin();
+    for (size_t i = 0; ok && i < n; i++) {
+        *failed_path = out[i].path;
+        ok = write_temporary(&out[i], (int)i, &target[i], why);
+    }
+    os_signals_delay();                               // a signal cannot interrupt the renames
+    for (size_t i = 0; ok && i < n; i++)
+        if (target[i]) {
+            *failed_path = out[i].path;
+            ok = replace_file(os_unfinished_path((int)i), target[i], why);
+        }
+    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
+        if (!ok && os_unfinished_path((int)i))
+            windows_remove_file(os_unfinished_path((int)i));
+        forget_temporary((int)i);
+        free(target[i]);
+    }
+    os_signals_resume();
+    os_signals_end();
+    return ok;
+}
+
+bool os_stream_open(OsStream *s, const char *path, const char **why)
+{
+    HANDLE file;
+
+    if (!windows_check_name(path, why))
+        return false;
+    s->target = NULL;
+    s->is_direct = strcmp(path, "-") == 0 || os_is_special(path);
+    if (s->is_direct) {
+        s->fd = windows_number(file = open_directly(path, &s->is_own, why));
+        return file != INVALID_HANDLE_VALUE;
+    }
+    if ((s->target = resolve_target(path, why)) == NULL)
+        return false;
+    os_signals_begin();
+    atexit(os_remove_unfinished);
+    if ((file = open_temporary(s->target, STREAM, why)) == INVALID_HANDLE_VALUE) {
+        free(s->target);
+        os_signals_end();
+        return false;
+    }
+    s->fd = windows_number(file);
+    return true;
+}
+
+bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why)
+{
+    return windows_write_all(windows_handle(s->fd), bytes, n, why);
+}
+
+bool os_stream_close(OsStream *s, bool keep, const char **why)
+{
+    bool ok;
+
+    if (s->is_direct)
+        return s->is_own || CloseHandle(windows_handle(s->fd)) || windows_set_reason(why);
+    ok = close_temporary(windows_handle(s->fd), true, why);
+    os_signals_delay();
+    if (ok && keep)
+        ok = replace_file(os_unfinished_path(STREAM), s->target, why);
+    if (!ok || !keep)
+        windows_remove_file(os_unfinished_path(STREAM));
+    forget_temporary(STREAM);
+    os_signals_resume();
+    free(s->target);
+    os_signals_end();
+    return ok;
+}
