@@ -4,6 +4,7 @@
 #   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
 #   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover.
+#   make diff-tank OLD=flown.sm: what tank.sm does otherwise than flown.sm, and in its scripts tank.ss and tank-*.ss.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
 #     FROM=channel.sm: the machine is in this file.  SMC_APP has the state vector, and the bindings of the machine.
 # Set before the include: SMC_SV to the application's state vector (app.sv) if there is one, SMC_IO to the pins of its images (app.io),
@@ -71,6 +72,10 @@ swap-%: $(or $(FROM),%.sm) $(SMC_SV)
 cover-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV)) -o cover
+# Compares the machine with an earlier one; it fails if the behaviour differs.
+diff-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) diff $(or $(OLD),$(error OLD=flown.sm says which machine to compare with)) $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV))
 SMC_MACHINES = $(basename $(wildcard *.sm))
 flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))

@@ -129,7 +129,7 @@ static void add_changed(ProgramDiff *d, const Canon canon[2], const char *where,
     } else if (strcmp(a->value, b->value) == 0)
         c.meaning = diff_compare_guards(d, canon, a->when, b->when);
     if (!c.meaning && strcmp(c.old, c.new) == 0)
-        c.meaning = "written as before, but a name in it means something else";
+        c.meaning = diff_describe_defines(d, a->stmt, a->when);
     diff_add(d, c);
 }
 
@@ -550,6 +550,7 @@ ProgramDiff *diff_programs(Arena *arena, const DiffSide *old, const DiffSide *ne
     diff_match(d, canon);
     compare_states(d, canon);
     compare_variables(d);
+    diff_compare_defines(d);
     compare_options(d);
     compare_requirements(d);
     compare_layout(d);

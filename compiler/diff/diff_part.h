@@ -37,6 +37,13 @@ bool diff_same_code(const ProgramDiff *d, const State *old, const State *new);
 // Returns what a changed condition means if that is provable: "weaker: also true when 800 < p <= 825"; NULL: nothing is known.
 const char *diff_compare_guards(const ProgramDiff *d, const Canon canon[2], const Condition *old, const Condition *new);
 
+// ---- diff_define.c ----
+
+// Adds the definitions that were added, removed or changed.
+void diff_compare_defines(ProgramDiff *d);
+// Returns why a statement of the old machine that is written as before means something else: the changed definitions that it uses.
+const char *diff_describe_defines(ProgramDiff *d, const Stmt *stmt, const Condition *when);
+
 // ---- diff.c ----
 
 void diff_add(ProgramDiff *d, DiffChange change);

@@ -142,6 +142,8 @@ no change of behaviour:
   = local count renamed
       - U16 count = 0
       + U16 total = 0
+  - definition high removed
+      - p > LIMIT
 scripts:
   run.ss: equal in 41 steps, passed after 41 steps
 swap without stopping: possible in Fill, Idle, Abort

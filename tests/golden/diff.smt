@@ -206,6 +206,8 @@ no change of behaviour:
   = local count renamed
       - U16 count = 0
       + U16 tries = 0
+  - definition high removed
+      - p > LIMIT
   - @req R1 removed
   + @req R2 added
 scripts:
@@ -262,7 +264,7 @@ swap without stopping: not possible: the layout of the state vector differs
 
 </details>
 
-<details><summary>No change of behaviour (7)</summary>
+<details><summary>No change of behaviour (8)</summary>
 
 | | where | what | before | now | meaning |
 |---|---|---|---|---|---|
@@ -271,6 +273,7 @@ swap without stopping: not possible: the layout of the state vector differs
 | changed |  | element armed | `bool armed` | `bool armed @command` |  |
 | changed |  | local LIMIT | `F64 LIMIT = 800 @read_only` | `F64 LIMIT = 825 @read_only` |  |
 | renamed |  | local count | `U16 count = 0` | `U16 tries = 0` |  |
+| removed |  | definition high | `p > LIMIT` |  |  |
 | removed |  | @req R1 |  |  |  |
 | added |  | @req R2 |  |  |  |
 
@@ -323,6 +326,7 @@ Swap without stopping: not possible: the layout of the state vector differs.
 {"part":"variable","how":"renamed","weight":"note","where":"","what":"local count","old":"U16 count = 0","new":"U16 tries = 0","meaning":null},
 {"part":"variable","how":"changed","weight":"behaviour","where":"","what":"parameter wait","old":"F64 wait = 5 @parameter @range 1 20","new":"F64 wait = 6 @parameter @range 1 30","meaning":null},
 {"part":"variable","how":"added","weight":"interface","where":"","what":"element lamp","old":null,"new":"bool lamp","meaning":null},
+{"part":"variable","how":"removed","weight":"note","where":"","what":"definition high","old":"p > LIMIT","new":null,"meaning":null},
 {"part":"option","how":"changed","weight":"interface","where":"","what":"step","old":"10","new":"20","meaning":"how much G advances from step to step; 0: not declared"},
 {"part":"mark","how":"removed","weight":"note","where":"","what":"@req R1","old":null,"new":null,"meaning":null},
 {"part":"mark","how":"added","weight":"note","where":"","what":"@req R2","old":null,"new":null,"meaning":null},
