@@ -1,5 +1,8 @@
 # The accelerometer delivers nothing, but the rocket rises: the flight goes on.
 
+[options]
+delta_t 10
+
 [all_states]
 at 0: tankPressure = 40
 from 3 s to 6 s {

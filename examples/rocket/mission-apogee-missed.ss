@@ -1,6 +1,7 @@
 # The navigation believes that the rocket rises for ever: the last timer brings the parachute out.
 
 [options]
+delta_t    10
 init_state Coast
 
 [all_states]

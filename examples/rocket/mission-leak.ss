@@ -1,5 +1,8 @@
 # The tank leaks in the countdown: nothing is ever opened.
 
+[options]
+delta_t 10
+
 [all_states]
 at 0: tankPressure = 40
 G > 1000: tankPressure = max(0, 40 - (G - 1000) / 100)

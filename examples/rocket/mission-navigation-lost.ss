@@ -1,6 +1,9 @@
 # The navigation knows nothing of the flight and the tank's sensor sticks: the accelerometer alone keeps the flight from being
 # called off in the air, and both timers bring the parachute out all the same.
 
+[options]
+delta_t 10
+
 [all_states]
 at 0 {
     tankPressure = 40

@@ -1,5 +1,8 @@
 # The valve is opened and nothing happens: a second later it is shut again, and the charge is not fired beside people.
 
+[options]
+delta_t 10
+
 [all_states]
 at 0 {
     tankPressure = 40

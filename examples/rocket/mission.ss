@@ -1,5 +1,8 @@
 # The flight as it should be: ignition after 3 s, the tank is empty at 6 s, the highest point is reached at 14 s.
 
+[options]
+delta_t 10
+
 [all_states]
 at 0 {
     tankPressure = 40
