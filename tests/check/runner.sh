@@ -5,12 +5,13 @@ passed=0 failed=0
 dir=$(mktemp -d "${TMPDIR:-/tmp}/smc-runner.XXXXXX") || exit 1
 trap 'rm -rf "$dir"' EXIT
 echo 'counted 10' >"$dir/floors"
+limit=200               # seconds that a command of a line may take
 
 # ends WANT TEXT LINE…: the runner ends with exit code WANT on these lines, and prints TEXT
 ends() {
     want=$1 text=$2
     shift 2
-    printf '%s\n' "$@" | FLOORS=$dir/floors LIMIT=2 STRICT=0 JOBS=2 sh tests/run.sh >"$dir/out" 2>&1
+    printf '%s\n' "$@" | FLOORS=$dir/floors LIMIT=$limit STRICT=0 JOBS=2 sh tests/run.sh >"$dir/out" 2>&1
     if [ $? -eq "$want" ] && grep -q "$text" "$dir/out"; then
         passed=$((passed + 1))
     else
@@ -35,8 +36,9 @@ ends 0 '^2 passed, 0 failed' "+a: mkdir $dir/make && sleep 1 && rmdir $dir/make 
 ends 1 'a: two commands have this name' 'a: echo 1 passed, 0 failed' '+a: echo 1 passed, 0 failed'
 ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
 ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'
-ends 0 '^\[1/1\] a  *[0-9]* s  *[0-9.]*[1-9][0-9.]* cpu ' 'a: awk "BEGIN { while (i < 3000000) i++ }"; echo 1 passed, 0 failed'
+ends 0 '^\[1/1\] a  *[0-9]* s  *[0-9.]*[1-9][0-9.]* cpu ' 'a: awk "BEGIN { while (i < 30000000) i++ }"; echo 1 passed, 0 failed'
 ends 0 '^1 passed, 0 failed$' 'a: printf "\\377\\000\\n"; echo 1 passed, 0 failed'        # bytes that are no text
+limit=2
 if timeout --foreground 1 true 2>/dev/null; then ends 1 'a: ended with exit code 124' 'a: exec sleep 20'; fi
 # Files that a command leaves in the source tree, which is a repository of git.
 runner=$PWD/tests/run.sh
