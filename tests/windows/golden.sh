@@ -21,8 +21,18 @@ first=$!
 second=$?
 wait $first || second=1
 grep -hv '^golden: ' "$folder/golden.1" "$folder/golden.2"
+# Under load a winedevice.exe of Wine can crash, and prints so on the standard error of a command.  The address is in ntoskrnl.exe of Wine 8.0, which no
+# other process loads (0x31ca90000 to 0x31cbbd000).  Only cases with this line are run again, once.
+again=$(awk '/^tests\/golden\/.*: failed$/ { name = substr($0, 1, length($0) - 8) }
+    /^wine: Unhandled page fault .* at address 000000031C[AB][0-9A-F]*/ && !seen[name]++ { print name }' "$folder/golden.1" "$folder/golden.2")
+: >"$folder/golden.4"
+if [ "$again" ]; then
+    "$build/golden" "$smc" $again >"$folder/golden.4" 2>&1
+    cat "$folder/golden.4"
+fi
 "$build/golden" "$smc" $excepted >"$folder/golden.3" 2>&1
 fit=$(sed -n 's/^golden: \([0-9]*\) passed.*/\1/p' "$folder/golden.3")
 [ "$fit" -eq 0 ] || echo "$fit cases of exceptions.txt pass: remove them there"
-cat "$folder/golden.1" "$folder/golden.2" | awk -v second=$second -v fit="$fit" '/^golden: / { p += $2; f += $4 }
-    END { f += fit; if (second && f == 0) f = 1; printf "windows-golden: %d passed, %d failed\n", p, f; exit f != 0 || p == 0 }'
+fixed=$(sed -n 's/^golden: \([0-9]*\) passed.*/\1/p' "$folder/golden.4")
+cat "$folder/golden.1" "$folder/golden.2" | awk -v second=$second -v fit="$fit" -v fixed="${fixed:-0}" '/^golden: / { p += $2; f += $4 }
+    END { if (second && f == 0) f = 1; p += fixed; f += fit - fixed; printf "windows-golden: %d passed, %d failed\n", p, f; exit f != 0 || p == 0 }'

@@ -12,11 +12,11 @@ done
 $make -s B="$build" BUILD_CC="$cc" CFLAGS='-O2 -Werror' "windows-$machine" >/dev/null || { echo "make windows-$machine failed: 0 passed, 1 failed"; exit 1; }
 files=$(cd "$build/windows-$machine" && pwd)
 folder=$(cd "$build" && pwd)/windows-test-$machine
-mkdir -p "$folder/tmp"
+mkdir -p "$folder/tmp" "$folder/wine"
 export WINEPREFIX="$folder/wine" WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
 unset DISPLAY CC
 # One server of Wine for the whole script.  Debian's wineserver is `wineserver -p0`, which ends with the last program, so that each command would start
-# Wine again: its services, and winedevice.exe, which sometimes crashes then and prints so on the standard error of the command.
+# Wine again.  The server needs the folder.
 wineserver -k 2>/dev/null
 wineserver -w 2>/dev/null
 wineserver -p 2>/dev/null
