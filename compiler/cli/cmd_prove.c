@@ -69,11 +69,31 @@ static bool is_not_interrupted(void *context)
     return !os_signal_waiting();
 }
 
+typedef struct ProveProgress { Cli *c; const Requirements *what; } ProveProgress;
+
+// Shows the requirement that is being decided, on a terminal.  `done` is all of them: removes what was shown.
+static void show_progress(void *context, uint32_t done)
+{
+    const ProveProgress *k = context;
+    Buf out;
+
+    if (!os_is_terminal(2))
+        return;
+    buf_init(&out, &k->c->session.arena);
+    if (done < k->what->at.n)
+        buf_printf(&out, "\r%lu of %lu requirements decided, now %.30s  ", (unsigned long)done, (unsigned long)k->what->at.n, k->what->at.at[done].id->text);
+    else
+        buf_printf(&out, "\r%70s\r", "");
+    cli_print(k->c, 2, &out);
+}
+
 static int prove(Cli *c, const Requirements *what, const CompileOptions *o, uint64_t effort, size_t format)
 {
     const Program *p = what->program;
+    ProveProgress progress = {c, what};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
-                                  .effort = effort * 1000000, .go_on = is_not_interrupted};
+                                  .effort = effort * 1000000, .progress = show_progress, .go_on = is_not_interrupted,
+                                  .context = &progress};
     const Requirement *first, *second;
     const ProveResult *r;
     int code;
@@ -89,6 +109,7 @@ static int prove(Cli *c, const Requirements *what, const CompileOptions *o, uint
     os_signals_begin();
     os_signals_delay();
     r = prove_run(&c->session.arena, what, &options);
+    show_progress(&progress, what->at.n);
     code = write_result(c, format, p, r);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc test --traceability: which requirements the machine and its scripts belong to, as a file; and how many requirements are tested.
 #include "compiler/cli/test.h"
+#include "compiler/prove/prove_text.h"
 
 static bool is_wanted(const Cli *c)
 {
@@ -13,6 +14,8 @@ int test_traceability_check_options(Cli *c, const char *machine, size_t requirem
 {
     double unused;
 
+    if (c->given[OPT_PROVE] && !c->given[OPT_TRACEABILITY])
+        return cli_usage_error(c, TEXT_proof_without_matrix);
     if (c->given[OPT_TRACEABILITY] && !machine)
         return cli_usage_error(c, TEXT_traceability_of_machine);
     if (c->given[OPT_TRACEABILITY] && has_suffix(machine, ".app"))
@@ -74,6 +77,15 @@ static void judge(TestRun *t, const Traceability *matrix, const char *machine, d
     vec_push(t->arena, &t->result, r);
 }
 
+// Stores what proofs find about the requirements of files.
+static void add_proofs(TestRun *t, Traceability *matrix)
+{
+    const ProveResult *r = prove_run(t->arena, matrix->what, &(ProveOptions){.delta_t = 0});
+
+    for (uint32_t i = 0; i < r->n; i++)
+        traceability_set_proof(matrix, r->of[i].what->id, prove_verdict_words(r->of[i].verdict));
+}
+
 int test_traceability_finish(TestRun *t, Traceability *matrix, const char *machine)
 {
     double percent;
@@ -83,6 +95,8 @@ int test_traceability_finish(TestRun *t, Traceability *matrix, const char *machi
     if (!matrix)
         return EXIT_OK;
     traceability_finish(matrix);
+    if (t->c->given[OPT_PROVE] && matrix->what)
+        add_proofs(t, matrix);
     if ((code = write_file(t, matrix)) != EXIT_OK)
         return code;
     buf_init(&out, t->arena);

@@ -258,6 +258,8 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
     for (uint32_t i = 0; i < r->at.n; i++) {
         result->of[i].what = &r->at.at[i];
+        if (o->progress)
+            o->progress(o->context, i);
         decide(&v, &result->of[i]);
     }
     return result;

@@ -85,6 +85,7 @@ typedef struct ProveOptions {
     bool assume_ranges;       // PROVE_RANGES
     uint64_t effort;          // how many steps the search for violations can run; 0: a default
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
+    void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
     bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never
     void *context;
 } ProveOptions;

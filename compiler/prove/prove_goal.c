@@ -8,6 +8,7 @@
 typedef struct GoalMemory {
     bool seen;                // a step has had b
     bool outside;             // an input was outside its range, although ranges are assumed
+    uint64_t set;             // by input with a range, the first 64: it has been other than 0
     bool open;                // AFTER: no step since the last one with b has had c; LEADS_TO: undecided
 } GoalMemory;
 
@@ -15,6 +16,7 @@ typedef struct GoalWatch {
     const GoalSearch *g;
     const Requirement *what;
     Monitor *monitor;
+    bool strict;              // inputs that were never set must be in their ranges, too
     bool premise_seen;
 } GoalWatch;
 
@@ -76,14 +78,23 @@ static double below_one(double d) { return d / (d + 1); }
 
 static bool is_ranged_input(const Program *p, const Var *v) { return v->kind == VAR_ELEMENT && v != p->g && v != p->s && !v->written && v->range; }
 
-// Whether all inputs are in their ranges.  An input that a scenario never sets is 0: hold_in_ranges sets it.
-static bool is_in_ranges(const Program *p, const uint64_t *cell)
+// Whether all inputs are in their ranges.  An input that a scenario has not set yet is 0: hold_in_ranges sets it later.
+static bool is_in_ranges(const GoalWatch *w, GoalMemory *m, const uint64_t *cell)
 {
+    const Program *p = w->g->all->program;
+    uint64_t bit = 1;
+
     for (uint32_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        const double x = is_ranged_input(p, v) ? ref_read(v->type, cell[i]) : 0;
-        if (x != 0 && (x < v->range->lo || x > v->range->hi))
+        double x;
+        if (!is_ranged_input(p, v))
+            continue;
+        x = ref_read(v->type, cell[i]);
+        if (x != 0)
+            m->set |= bit;
+        if ((x < v->range->lo || x > v->range->hi) && (x != 0 || (m->set & bit) || w->strict))
             return false;
+        bit *= 2;
     }
     return true;
 }
@@ -158,7 +169,7 @@ static bool is_premise(const GoalWatch *w, const GoalMemory *before, const uint6
 static void start_goal(void *self, void *situation)
 {
     const GoalWatch *w = self;
-    const GoalMemory none = {false, false, false};
+    const GoalMemory none = {.seen = false};
 
     *(GoalMemory *)situation = none;
     monitor_start(w->monitor, (char *)situation + MEMORY_SIZE);
@@ -175,7 +186,7 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     note_step(w, m, cell);
     premise = is_premise(w, &before, cell);
     w->premise_seen = w->premise_seen || (premise && !m->outside);
-    m->outside = m->outside || (w->g->assume_ranges && !is_in_ranges(w->g->all->program, cell));
+    m->outside = m->outside || (w->g->assume_ranges && !is_in_ranges(w, m, cell));
     reached = m->outside ? false : w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
     *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, cell);
     if (reached)
@@ -214,6 +225,7 @@ uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s)
     Engine *e = engine_ref_open(arena, g->all->program);
     EngineStatus status;
 
+    r.w->strict = true;
     r.situation = arena_alloc(arena, MEMORY_SIZE + r.w->monitor->size);
     start_goal(r.w, r.situation);
     status = scenario_run(arena, g->all->program, s, e, judge_replayed, &r);
@@ -322,12 +334,10 @@ GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g)
     if (found->find[found->places].outcome == SEARCH_REACHED) {
         Scenario *s = ARENA_NEW(arena, Scenario);
         *s = found->chosen[found->find[found->places].scenario].scenario;
-        s->steps = goal_confirm(arena, g, s);
-        out.unconfirmed = s->steps == 0;
-        if (s->steps && g->assume_ranges) {
+        if (g->assume_ranges)
             hold_in_ranges(arena, g->all->program, s);
-            s->steps = goal_confirm(arena, g, s);
-        }
+        s->steps = goal_confirm(arena, g, s);
+        out.unconfirmed = s->steps == 0 && !g->assume_ranges;         // the values in the ranges can prevent it
         if (s->steps)
             out.scenario = s;
         while (s->changes && s->change[s->changes - 1].step > s->steps)

@@ -44,6 +44,8 @@ Options:
                            ends in .json
   --min-coverage=LIST      fail below a percentage, as in transitions:100,conditions:90, and list
                            what is missing
+  --prove                  with --traceability: also decide whether any run can violate a
+                           requirement, as smc prove does
   --message-format=FORMAT  the form of messages: text (default), json, or sarif if the command reads
                            sources
   --message-file=FILE      write the messages to FILE in that form, else as its name ends (.json,
