@@ -234,7 +234,10 @@ $(B)/prove/random: $(B)/obj/tests/prove/random.o $(GEN_OBJ) $(B)/libsmc.a
 
 prove-campaign: $(B)/prove/random
 	$(B)/prove/random $(SEED) $(N) $(or $(STEPS),100000)
-.PHONY: prove-campaign
+# tests/prove/corpus: requirements of the examples that a person has decided.  A minute of processor time.
+prove-corpus: $(B)/smc
+	sh tests/prove/corpus.sh $(B)/smc --effort=2
+.PHONY: prove-campaign prove-corpus
 
 # tests/cover: scripts that are written from random scenarios, and what is called impossible.  `make scripts-campaign N=100000 SEED=1`.
 $(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a

@@ -6,7 +6,7 @@ args prove a.rq
 args prove a.sm a.ss a.rq
 args prove a.sm a.rq --init-state=Flying
 args prove a.sm a.rq --step=20
-args test a.sm a.rq --prove
+args test a.sm a.ss a.rq --prove
 
 -- a.sm --
 [options]
@@ -77,7 +77,7 @@ smc: --init-state: the machine has no state 'Flying'
 Try 'smc prove --help'.
 smc: --step differs from the step of the machine, which is 10
 Try 'smc prove --help'.
-smc: no script is named to test 'a.sm' with, as in 'smc test a.sm SCRIPT.ss'
+smc: --prove requires --traceability
 Try 'smc test --help'.
 -- exit --
 1 1 2 2 2 2 2 2
