@@ -17,10 +17,10 @@ static void add_verdict(DocTable *t, const char *id, const char *title, Verdict 
 }
 
 // Appends "3 met", unless n is 0.
-static void add_count(Buf *out, unsigned long n, const char *what)
+static void add_count(Buf *out, size_t n, const char *what)
 {
     if (n)
-        buf_printf(out, "%s%lu %s", out->n ? ", " : "", n, what);
+        buf_printf(out, "%s%lu %s", out->n ? ", " : "", (unsigned long)n, what);
 }
 
 static void add_requirements(const Report *r, DocTable *t)

@@ -48,7 +48,7 @@ static SearchTurn *allocate_turns(SearchRun *k, uint32_t n)
     if (n == 0)
         return NULL;
     if (t) {
-        memcpy(&k->free_turn[n], t, sizeof(SearchTurn *));
+        memcpy(&k->free_turn[n], t, sizeof(void *));
         return t;
     }
     k->used += n * TURN_BYTES;
@@ -59,7 +59,7 @@ static void free_turns(SearchRun *k, SearchTurn *t, uint32_t n)
 {
     if (n == 0)
         return;
-    memcpy(t, &k->free_turn[n], sizeof(SearchTurn *));
+    memcpy(t, &k->free_turn[n], sizeof(void *));
     k->free_turn[n] = t;
 }
 
