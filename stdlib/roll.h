@@ -67,6 +67,7 @@
 #endif
 #define SM_ROLL_INLINE_FOR_SPEED SM_ROLL_INLINE
 #define SM_ROLL_OUTLINE SM_ROLL_INLINE
+#define SM_ROLL_CONSTANT_SIZE 0
 #ifdef __OPTIMIZE_SIZE__
 #define SM_ROLL_AT_ONCE 1u
 #endif
@@ -82,6 +83,9 @@
 #define SM_ROLL_INLINE_FOR_SPEED static inline
 #elif !defined(SM_ROLL_INLINE_FOR_SPEED)
 #define SM_ROLL_INLINE_FOR_SPEED SM_ROLL_INLINE
+#endif
+#ifndef SM_ROLL_CONSTANT_SIZE
+#define SM_ROLL_CONSTANT_SIZE 1         // the C compiler knows the size of each window: a comparison with it costs no code
 #endif
 #if !defined(SM_ROLL_OUTLINE) && defined(__GNUC__)
 #define SM_ROLL_OUTLINE __attribute__((noinline)) static
@@ -514,7 +518,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t 
     SmF64 sum = sm_roll_value(kind, key);
     if ((partials & 2u) != 0) {
         sum = paired ? sm_add(sum, sm_roll_value(kind, other)) : sum;
-        *all++ = sm_bits(count == n ? sm_roll_update_sums(node, n, i, n, sum) : sm_roll_update_sums(node, n, i, count, sum));
+        *all++ = sm_bits(SM_ROLL_CONSTANT_SIZE && count == n ? sm_roll_update_sums(node, n, i, n, sum) : sm_roll_update_sums(node, n, i, count, sum));
         node += sm_roll_tree_words(n);
     }
     key = sm_roll_order_of_key(kind, key);
@@ -546,7 +550,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32
     const unsigned char *at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     SmF64 part[17], *end = part, sum = sm_from_bits(0);
     SmRollSize i, whole;
-    if (n <= SM_ROLL_AT_ONCE)
+    if (SM_ROLL_CONSTANT_SIZE && n <= SM_ROLL_AT_ONCE)
         return sm_roll_sum_group(at, count, kind);
     for (i = 0; i < count; i = (SmRollSize)(i + SM_ROLL_AT_ONCE), at += (size_t)SM_ROLL_AT_ONCE << sm_roll_shift(kind)) {
         sum = sm_roll_sum_group(at, (uint32_t)(count - i), kind);
@@ -778,9 +782,10 @@ SM_ROLL_INLINE_FOR_SPEED int32_t sm_roll_whole_median(const uint64_t *w, uint32_
 // The mean of a <= b, the two samples in the middle.
 SM_ROLL_OUTLINE SmF64 sm_roll_mean_of_two(SmF64 a, SmF64 b)
 {
-    const SmF64 d = sm_sub(b, a);
+    SmF64 d;
     if (sm_eq(a, b))
         return a;
+    d = sm_sub(b, a);
     if (!sm_lt(d, sm_from_bits(0x7FF0000000000000u)))   // too far apart: the difference is infinite
         return sm_add(sm_div(a, sm_from_i32(2)), sm_div(b, sm_from_i32(2)));
     return sm_add(a, sm_div(d, sm_from_i32(2)));
@@ -788,11 +793,11 @@ SM_ROLL_OUTLINE SmF64 sm_roll_mean_of_two(SmF64 a, SmF64 b)
 // snippet: sm_roll_median
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
+    SmF64 a;
     if (count == 0)
         return sm_from_i32(0);
-    if (count % 2 != 0)
-        return sm_roll_value_of_rank(w, n, kind, count, count / 2u);
-    return sm_roll_mean_of_two(sm_roll_value_of_rank(w, n, kind, count, count / 2u - 1u), sm_roll_value_of_rank(w, n, kind, count, count / 2u));
+    a = sm_roll_value_of_rank(w, n, kind, count, (count - 1u) / 2u);
+    return count % 2 != 0 ? a : sm_roll_mean_of_two(a, sm_roll_value_of_rank(w, n, kind, count, count / 2u));
 }
 // snippet: sm_roll_median_of_3
 // The median of a window of three slots.  It is another function than sm_roll_median, because that is shared when optimizing for size.
