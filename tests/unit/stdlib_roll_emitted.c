@@ -3,6 +3,7 @@
 // three samples are sorted when they are read.
 #define SM_ROLL_BY_VALUE 1
 #define SM_ROLL_LATE_ORDER 1
+#define SM_ROLL_CONSTANT_SIZE 1
 #if defined(__SSE2__) && defined(__GNUC__)
 #define SM_ROLL_VECTORS 1
 #endif
