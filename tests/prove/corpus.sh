@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # Verdicts of smc prove on requirements of the examples, whose truth a person has decided: P1… cannot be violated, V1… can.
 # Fails if a verdict is wrong, or if fewer of them are decided than the table below has.  `make prove-corpus`.
 #
