@@ -7,6 +7,9 @@
 #include <string.h>
 
 #include "compiler/search/search_choose.h"
+#include "compiler/search/search_wish.h"
+
+#define UNUSUAL_SIZE 1e15     // of a value that no sensor has
 
 enum {
     MOST_ROUNDS = 3,
@@ -310,6 +313,23 @@ static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
 
 static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
 
+// Replaces an infinity, or another value far beyond what the machine compares with, by one of a usual size, if that is enough.
+static bool try_usual_size(Chooser *c, Scenario *s, size_t i, const SearchInput *in, const GoalSet *want)
+{
+    ScenarioChange x = s->change[i];
+    const double sign = x.a < 0 ? -1 : 1;
+
+    if (x.a * sign < UNUSUAL_SIZE)
+        return false;
+    for (uint32_t n = 0; n < in->constant.n && chooser_has_effort(c); n++)
+        for (int units = 1; units >= 0; units--) {
+            x.a = in->constant.at[n] + sign * units * search_unit_of(in, in->constant.at[n]);
+            if (x.a * sign < UNUSUAL_SIZE && try_change(c, s, i, x, want))
+                return true;
+        }
+    return false;
+}
+
 // Rounds the values of holds to few digits, and prefers values within the range.
 static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
 {
@@ -325,6 +345,7 @@ static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
             x.a = a < in->range->lo ? in->range->lo : in->range->hi;
             done = try_change(c, s, i, x, want);
         }
+        done = done || try_usual_size(c, s, i, in, want);
         for (size_t u = 0; !done && i < s->changes && u < sizeof unit / sizeof *unit + sizeof per / sizeof *per; u++) {
             const bool is_part = u >= sizeof unit / sizeof *unit;
             const double f = is_part ? per[u - sizeof unit / sizeof *unit] : unit[u];
