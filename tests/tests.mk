@@ -237,7 +237,10 @@ prove-campaign: $(B)/prove/random
 # tests/prove/corpus: requirements of the examples that a person has decided.  A minute of processor time.
 prove-corpus: $(B)/smc
 	sh tests/prove/corpus.sh $(B)/smc --effort=2
-.PHONY: prove-campaign prove-corpus
+# tests/prove/author: requirements of an independent author.  Ten minutes of processor time.
+prove-author: $(B)/smc
+	sh tests/prove/author.sh $(B)/smc
+.PHONY: prove-campaign prove-corpus prove-author
 
 # tests/cover: scripts that are written from random scenarios, and what is called impossible.  `make scripts-campaign N=100000 SEED=1`.
 $(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a
@@ -863,6 +866,8 @@ $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/reg
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
 $(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
 $(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/ignition.sm | cmp - docs/ignition.svg && $(B)/smc graph examples/tank/tank.sm | cmp - docs/tank.svg && echo 2 passed$(,) 0 failed)
+
+$(call test, prove-author-scripts, quick,, sh tests/prove/author.sh --scripts $(B)/smc)
 
 # The house rules.
 $(call test, runner,               quick,, sh tests/check/runner.sh)

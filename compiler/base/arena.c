@@ -15,7 +15,13 @@ struct ArenaChunk {
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif
 
-enum { ALIGN = ARENA_ALIGN, ZERO_AHEAD = 1024, FIRST_CHUNK = ARENA_FIRST_CHUNK, LARGEST_CHUNK = ARENA_LARGEST_CHUNK };
+enum {
+    ALIGN = ARENA_ALIGN,
+    ZERO_AHEAD = 1024,
+    FIRST_CHUNK = ARENA_FIRST_CHUNK,
+    LARGEST_CHUNK = ARENA_LARGEST_CHUNK,
+    SPARES_TRIED = 64     // chunks of `spare` that an allocation compares with its size
+};
 
 #define HEADER ((sizeof(ArenaChunk) + ALIGN - 1) / ALIGN * ALIGN)
 
@@ -27,12 +33,35 @@ void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom)
     a->oom = oom;
 }
 
+// The allocator of an arena within another one.
+static void *alloc_within(void *parent, void *old, size_t size)
+{
+    (void)old;                                        // an arena frees or allocates, it never resizes
+    return size ? arena_alloc_unzeroed(parent, size) : NULL;
+}
+
+// Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.
+void arena_init_within(Arena *a, Arena *parent)
+{
+    arena_init(a, alloc_within, parent, parent->oom);
+}
+
+static void free_chunk(Arena *a, ArenaChunk *c)
+{
+    if (a->alloc == alloc_within) {
+        c->older = a->spare;
+        a->spare = c;
+    } else {
+        a->alloc(a->context, c, 0);
+    }
+}
+
 void arena_free(Arena *a)
 {
     ArenaChunk *c = a->chunk;
     while (c) {
         ArenaChunk *older = c->older;
-        a->alloc(a->context, c, 0);
+        free_chunk(a, c);
         c = older;
     }
     a->chunk = NULL;
@@ -76,14 +105,17 @@ void arena_save(const Arena *a, Arena *into, ArenaCopy *copy)
 
 void arena_restore(Arena *a, const ArenaCopy *copy)
 {
+    ArenaChunk *spare;
     size_t n = 0;
 
     while (a->chunk != copy->was.chunk) {
         ArenaChunk *newest = a->chunk;
         a->chunk = newest->older;
-        a->alloc(a->context, newest, 0);
+        free_chunk(a, newest);
     }
+    spare = a->spare;
     *a = copy->was;
+    a->spare = spare;
     a->zeroed_end = a->next;
     for (ArenaChunk *c = a->chunk; c; c = c->older) {
         memcpy(start_of_chunk(c), copy->bytes + n, used_bytes(a, c));
@@ -91,35 +123,38 @@ void arena_restore(Arena *a, const ArenaCopy *copy)
     }
 }
 
-// The allocator of an arena within another one.  Each chunk is larger than the last, so freed chunks waste at most as much as is used.
-static void *alloc_within(void *parent, void *old, size_t size)
+// Takes a spare chunk with room for `wanted` bytes; NULL: none of the first ones has.
+static ArenaChunk *take_spare(Arena *a, size_t wanted)
 {
-    (void)old;                                        // an arena frees or allocates, it never resizes
-    return size ? arena_alloc_unzeroed(parent, size) : NULL;
-}
+    ArenaChunk **at = &a->spare, *c;
 
-// Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.
-void arena_init_within(Arena *a, Arena *parent)
-{
-    arena_init(a, alloc_within, parent, parent->oom);
+    for (int tries = SPARES_TRIED; *at && (*at)->size < wanted && tries > 0; tries--)
+        at = &(*at)->older;
+    c = *at;
+    if (!c || c->size < wanted)
+        return NULL;
+    *at = c->older;
+    return c;
 }
 
 static void add_chunk(Arena *a, size_t wanted)
 {
     size_t size = a->chunk ? a->chunk->size * 2 : FIRST_CHUNK;
-    ArenaChunk *c;
+    ArenaChunk *c = take_spare(a, wanted);
 
     if (size > LARGEST_CHUNK)
         size = LARGEST_CHUNK;
     if (size < wanted)
         size = wanted;
-    if (size > SIZE_MAX - HEADER || (c = a->alloc(a->context, NULL, HEADER + size)) == NULL)
-        longjmp(*a->oom, 1);
+    if (!c) {
+        if (size > SIZE_MAX - HEADER || (c = a->alloc(a->context, NULL, HEADER + size)) == NULL)
+            longjmp(*a->oom, 1);
+        c->size = size;
+    }
     c->older = a->chunk;
-    c->size = size;
     a->chunk = c;
     a->next = (char *)c + HEADER;
-    a->end = a->next + size;
+    a->end = a->next + c->size;
     a->zeroed_end = a->next;
 }
 

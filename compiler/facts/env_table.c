@@ -17,7 +17,10 @@ struct EnvTable {
     size_t joins;             // number of entries of `join`; 0 or a power of two
 };
 
-enum { FIRST_ROOM = 64 };
+enum {
+    FIRST_ROOM = 64,
+    MOST_JOINS = 1 << 16      // entries of the cache of joins: with more, clearing their memory costs more than they save
+};
 
 EnvTable *env_table_new(Arena *arena)
 {
@@ -143,7 +146,7 @@ bool env_table_find_join(const EnvTable *t, EnvJoin *j)
 
 void env_table_add_join(EnvTable *t, const EnvJoin *j)
 {
-    if (t->joins < t->nodes.room) {
+    if (t->joins < t->nodes.room && t->joins < MOST_JOINS) {
         t->joins = t->nodes.room;
         t->join = ARENA_ARRAY(t->arena, EnvJoin, t->joins);
     }

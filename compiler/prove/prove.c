@@ -15,6 +15,7 @@ static const ProveLimits coarse = {1500, 300000}, fine = {4000, 1500000};
 
 typedef struct ProveRun {
     Arena *arena;
+    Arena work;               // of the current exploration or search
     const Requirements *all;
     const Program *p;
     const IrMachine *m;
@@ -34,7 +35,7 @@ static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, bool is_
 
     if (v->o->visits)
         limits.visits = v->o->visits;
-    *x = prove_explore(v->arena, model, v->result->init_state, assumed, is_fine, &limits);
+    *x = prove_explore(v->arena, &v->work, model, v->result->init_state, assumed, is_fine, &limits);
     of->visits += x->visits;
     of->nodes = x->nodes;
     return x->closed && !x->violated;
@@ -146,7 +147,7 @@ static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t se
 {
     const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
                           .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
-    GoalFound found = goal_search(v->arena, v->cover, &g);
+    GoalFound found = goal_search(v->arena, &v->work, v->cover, &g);
 
     of->steps += found.steps;
     v->result->steps += found.steps;
@@ -250,6 +251,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     ProveResult *result = ARENA_NEW(arena, ProveResult);
     ProveRun v = {.arena = arena, .all = r, .p = r->program, .o = o, .result = result};
 
+    arena_init_within(&v.work, arena);
     v.m = ir_build(arena, v.p);
     v.cover = cover_new(arena, v.p);
     result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : DELTA_T;

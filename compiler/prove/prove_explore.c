@@ -40,7 +40,7 @@ typedef struct ProveTable {
 
 typedef struct Explorer {
     ProveModel *p;
-    Arena *arena;             // freed when the exploration ends or begins again
+    Arena *arena;             // reset when the exploration begins again
     FactMachine *fm;
     unsigned assumed;
     const uint32_t *key;      // the variables that are keys
@@ -514,12 +514,11 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
     return n;
 }
 
-ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
+ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
 {
     ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)p->machine->state.n * p->ir->var.n)};
     Explorer x = {.p = p, .assumed = assumed, .limits = limits, .visits = &out.visits, .out = &out};
     uint32_t *key = ARENA_ARRAY(arena, uint32_t, p->ir->var.n);
-    Arena work;
     ExploreEnd end;
 
     out.reached = ARENA_ARRAY(arena, bool, p->machine->state.n);
@@ -527,8 +526,8 @@ ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state
     x.key = key;
     do {
         uint32_t widest = x.keys;
-        arena_init_within(&work, arena);
-        x.arena = &work;
+        arena_reset(work);
+        x.arena = work;
         out.violated = out.premise = false;
         memset(out.reached, 0, p->machine->state.n * sizeof *out.reached);
         end = explore_once(&x, init_state);
@@ -538,7 +537,6 @@ ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state
             end = EXPLORE_MANY_VISITS;
         else if (end == EXPLORE_MANY_NODES)
             key[widest] = key[--x.keys];
-        arena_free(&work);
     } while (end == EXPLORE_MANY_NODES);
     out.closed = end == EXPLORE_CLOSED;
     return out;

@@ -27,8 +27,9 @@ typedef struct ProveExplored {
     bool *reached;            // by state from 0: a step can run in it
 } ProveExplored;
 
-// `assumed`: 1u << ProveAssumption of each.  `fine`: all variables that change are keys; else only those with few values.
-ProveExplored prove_explore(Arena *arena, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits);
+// `assumed`: 1u << ProveAssumption of each.  `fine`: all variables that change are keys; else only those with few values.  `work` has the memory of the
+// exploration: it is reset first.
+ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits);
 
 // Whether some values of the variables violate the requirement, whatever the machine does.
 bool prove_can_violate(Arena *arena, ProveModel *p);

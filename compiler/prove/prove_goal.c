@@ -311,39 +311,57 @@ static bool may_go_on(void *context, const SearchProgress *progress)
     return !s->g->go_on || s->g->go_on(s->g->context);
 }
 
-GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g)
+static const Scenario *copy_scenario(Arena *arena, const Scenario *s)
 {
-    GoalWatch *w = new_watch(arena, g);
+    Scenario *out = arena_copy(arena, s, sizeof *s);
+
+    out->change = arena_copy(arena, s->change, s->changes * sizeof *s->change);
+    return out;
+}
+
+// Turns what a search has found into a scenario that ends with the goal; NULL: the reference interpreter does not confirm it.
+static Scenario *confirm_found(Arena *arena, const GoalSearch *g, const Scenario *found)
+{
+    Scenario *s = ARENA_NEW(arena, Scenario);
+
+    *s = *found;
+    if (g->assume_ranges)
+        hold_in_ranges(arena, g->all->program, s);
+    s->steps = goal_confirm(arena, g, s);
+    while (s->changes && s->change[s->changes - 1].step > s->steps)
+        s->changes--;
+    if (s->steps == 0)
+        return NULL;
+    simplify(arena, g, s);
+    return s;
+}
+
+GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g)
+{
+    GoalWatch *w;
     const Expr *condition[3];
-    SearchWatch watch = {.self = w, .goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
+    SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch, .go_on = may_go_on,
-                       .context = &stop};
-    const Requirement *r = w->what;
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch,
+                       .specials = g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS, .go_on = may_go_on, .context = &stop};
+    const Requirement *r = &g->all->at.at[g->requirement];
     const Expr *const part[3] = {r->a, r->b, r->c};
     const SearchResult *found;
     GoalFound out = {.scenario = NULL};
 
+    arena_reset(work);
+    watch.self = w = new_watch(work, g);
     watch.size = MEMORY_SIZE + w->monitor->size;
     for (int k = 0; k < 3; k++)
         if (part[k])
             condition[watch.conditions++] = part[k];
-    o.writable = writable_elements(arena, g->all->program);
-    found = search_run(arena, c, &o);
+    o.writable = writable_elements(work, g->all->program);
+    found = search_run(work, c, &o);
     out.steps = found->steps;
     if (found->find[found->places].outcome == SEARCH_REACHED) {
-        Scenario *s = ARENA_NEW(arena, Scenario);
-        *s = found->chosen[found->find[found->places].scenario].scenario;
-        if (g->assume_ranges)
-            hold_in_ranges(arena, g->all->program, s);
-        s->steps = goal_confirm(arena, g, s);
-        out.unconfirmed = s->steps == 0 && !g->assume_ranges;         // the values in the ranges can prevent it
-        if (s->steps)
-            out.scenario = s;
-        while (s->changes && s->change[s->changes - 1].step > s->steps)
-            s->changes--;
-        if (out.scenario)
-            simplify(arena, g, s);
+        const Scenario *s = confirm_found(work, g, &found->chosen[found->find[found->places].scenario].scenario);
+        out.unconfirmed = !s && !g->assume_ranges;        // the values in the ranges can prevent it
+        out.scenario = s ? copy_scenario(arena, s) : NULL;
     }
     out.premise_seen = w->premise_seen;
     return out;

@@ -27,7 +27,8 @@ typedef struct GoalFound {
     bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
 } GoalFound;
 
-GoalFound goal_search(Arena *arena, const Cover *c, const GoalSearch *g);
+// `work` has the memory of the search: it is reset first.
+GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g);
 // Runs a scenario on the reference interpreter.  Returns the first step that violates the requirement (GOAL_PREMISE: that could have violated
 // it); 0: none.
 uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s);

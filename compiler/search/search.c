@@ -11,6 +11,9 @@ enum {
     SEARCH_PART = 4,          // of the effort, one part of so many is for choosing and simplifying
     WALK_PERCENT = 20,        // of the attempts that have no goal
     WALK_LENGTH = 6,          // transitions of a walk
+    SPECIAL_PART = 16,        // of the effort, one part of so many is for special values at the start, before all else
+    SPECIAL_PERCENT = 10,     // of the later attempts try special values, from one entry
+    SPECIAL_RUNS = 20,        // as many times
     ENTRY_PERCENT = 33,       // of the attempts for a goal that begin at an entry of its state
     FOREIGN_PERCENT = 60      // of the attempts that need another state to store a variable: they walk where it is nearest
 };
@@ -162,10 +165,25 @@ static void attempt_goal(SearchRun *k, uint32_t goal)
     g->cost += k->r->steps - before + 100;
 }
 
+static void attempt_specials(SearchRun *k, uint32_t node)
+{
+    for (uint32_t i = 0; i < SPECIAL_RUNS && k->open && search_goes_on(k) && node != SEARCH_NONE && k->node.at[node].copy; i++)
+        search_run_specials(k, node);
+}
+
 static void search(SearchRun *k)
 {
+    const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
+
+    while (specials && k->open && k->r->steps < k->effort / SPECIAL_PART && search_goes_on(k))
+        attempt_specials(k, k->root);
     while (k->open && search_goes_on(k)) {
-        const uint32_t goal = search_chance(k, WALK_PERCENT) ? SEARCH_NONE : choose_goal(k);
+        uint32_t goal;
+        if (specials && search_chance(k, SPECIAL_PERCENT)) {
+            attempt_specials(k, find_any_entry(k));
+            continue;
+        }
+        goal = search_chance(k, WALK_PERCENT) ? SEARCH_NONE : choose_goal(k);
         if (goal == SEARCH_NONE)
             walk_from(k, find_any_entry(k));
         else

@@ -48,6 +48,9 @@ typedef struct SearchProgress {
     uint64_t steps, effort;           // steps that have run, and how many can run
 } SearchProgress;
 
+// Whether short runs try infinities and values beyond ranges, and change several inputs in each step.
+typedef enum SearchSpecials { SEARCH_NO_SPECIALS, SEARCH_SPECIALS, SEARCH_SPECIALS_IN_RANGES } SearchSpecials;
+
 // Every field can be 0.
 typedef struct SearchOptions {
     uint64_t seed;            // of its random numbers
@@ -58,6 +61,7 @@ typedef struct SearchOptions {
     const bool *writable;     // by Var.index: a scenario may set it; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
     bool no_places;           // only goals of the watch are goals
+    SearchSpecials specials;
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;
     uint32_t hints;

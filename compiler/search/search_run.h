@@ -6,6 +6,7 @@
 //     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
 //     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
+//     search_special.c   short runs with infinities, ends of ranges, and changes in each step
 //     search_choose.h    few scenarios with few changes that reach what was reached, in three files
 //     search_missing.c   what blocked the goals that were not found
 //     search.c           the loop
@@ -220,6 +221,9 @@ static inline SearchSetting *search_settings(const SearchRun *k, char *block) { 
 // Find changes for a node, in k->turn.  Return for how many steps to run.
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
+
+// Makes a short run with special values from a node (SearchOptions.specials).
+void search_run_specials(SearchRun *k, uint32_t node);
 
 // Adds a change of a given scenario to k->turn, if it sets an input.
 void search_add_change(SearchRun *k, const ScenarioChange *c);

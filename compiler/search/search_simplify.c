@@ -7,10 +7,16 @@
 #include <string.h>
 
 #include "compiler/search/search_choose.h"
+#include "compiler/search/search_wish.h"
+
+#define UNUSUAL_SIZE 1e15     // of a value that no sensor has
 
 enum {
     MOST_ROUNDS = 3,
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
+    LONG_WAIT = 16,           // steps; skip_wait tries to replace longer waits by one of 1 to SHORTEST_WAITS steps,
+    SHORTEST_WAITS = 2,       // with up to MOST_DELAY steps more after the change
+    MOST_DELAY = 3,
     MOST_JOINS = 64           // entered states from which a shorter beginning is tried, the last ones
 };
 
@@ -251,15 +257,43 @@ static bool prefer_constants(Reducer *r)
 
 // ---- shorter times ----
 
-// Moves the changes from index i on, and the end, by `less` steps towards the start.
-static Attempt move_changes(Chooser *c, const Scenario *s, size_t i, uint64_t less)
+// Moves the changes from index i on, and the end, by `less` steps towards the start, but what follows change i by `more` steps less.
+static Attempt move_changes(Chooser *c, const Scenario *s, size_t i, uint64_t less, uint64_t more)
 {
     Attempt t = begin_attempt(c, s);
 
-    for (; i < t.s.changes; i++)
-        t.change[i].step -= less;
-    t.s.steps -= less;
+    for (size_t j = i; j < t.s.changes; j++)
+        t.change[j].step -= t.change[j].step == s->change[i].step ? less : less - more;
+    t.s.steps -= less - more;
     return t;
+}
+
+static bool has_clash(const Attempt *t)
+{
+    for (size_t j = 0; j < t->s.changes; j++)
+        for (size_t n = 0; n < j; n++)
+            if (t->change[j].var == t->change[n].var && t->change[j].step == t->change[n].step)
+                return true;
+    return false;
+}
+
+// Tries change i `less` steps sooner, and what follows `less - more` steps sooner.
+static bool try_sooner(Chooser *c, Scenario *s, const GoalSet *want, size_t i, uint64_t less, uint64_t more)
+{
+    Attempt t = move_changes(c, s, i, less, more);
+
+    return !has_clash(&t) && accept(c, s, &t, want, NULL);
+}
+
+// A long wait can be for a timer where a change of an input leads to the next state, too, but some steps later.  Halving does not find that: a
+// wait of half the time does not reach the goal.  Tries the shortest waits, with more time after the change.
+static bool skip_wait(Chooser *c, Scenario *s, const GoalSet *want, size_t i, uint64_t gap)
+{
+    for (uint64_t short_gap = 1; gap >= LONG_WAIT && short_gap <= SHORTEST_WAITS; short_gap++)
+        for (uint64_t more = 0; more <= MOST_DELAY && chooser_has_effort(c); more++)
+            if (try_sooner(c, s, want, i, gap - short_gap, more))
+                return true;
+    return false;
 }
 
 // Shortens the time before each change, as far as halving finds.
@@ -268,14 +302,11 @@ static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
     for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
         const uint64_t before = i ? s->change[i - 1].step : 1;
         uint64_t gap = s->change[i].step - before, least = 0;
+        if (skip_wait(c, s, want, i, gap))
+            gap = i < s->changes ? s->change[i].step - before : 0;
         while (least < gap && chooser_has_effort(c) && i < s->changes) {
             const uint64_t middle = least + (gap - least) / 2;
-            Attempt t = move_changes(c, s, i, s->change[i].step - before - middle);
-            bool clash = false;
-            for (size_t j = 0; j < t.s.changes; j++)
-                for (size_t n = 0; n < j; n++)
-                    clash |= t.change[j].var == t.change[n].var && t.change[j].step == t.change[n].step;
-            if (!clash && accept(c, s, &t, want, NULL))
+            if (try_sooner(c, s, want, i, s->change[i].step - before - middle, 0))
                 gap = middle;
             else
                 least = middle + 1;
@@ -310,6 +341,23 @@ static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
 
 static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
 
+// Replaces an infinity, or another value far beyond what the machine compares with, by one of a usual size, if that is enough.
+static bool try_usual_size(Chooser *c, Scenario *s, size_t i, const SearchInput *in, const GoalSet *want)
+{
+    ScenarioChange x = s->change[i];
+    const double sign = x.a < 0 ? -1 : 1;
+
+    if (x.a * sign < UNUSUAL_SIZE)
+        return false;
+    for (uint32_t n = 0; n < in->constant.n && chooser_has_effort(c); n++)
+        for (int units = 1; units >= 0; units--) {
+            x.a = in->constant.at[n] + sign * units * search_unit_of(in, in->constant.at[n]);
+            if (x.a * sign < UNUSUAL_SIZE && try_change(c, s, i, x, want))
+                return true;
+        }
+    return false;
+}
+
 // Rounds the values of holds to few digits, and prefers values within the range.
 static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
 {
@@ -325,6 +373,7 @@ static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
             x.a = a < in->range->lo ? in->range->lo : in->range->hi;
             done = try_change(c, s, i, x, want);
         }
+        done = done || try_usual_size(c, s, i, in, want);
         for (size_t u = 0; !done && i < s->changes && u < sizeof unit / sizeof *unit + sizeof per / sizeof *per; u++) {
             const bool is_part = u >= sizeof unit / sizeof *unit;
             const double f = is_part ? per[u - sizeof unit / sizeof *unit] : unit[u];

@@ -55,6 +55,39 @@ static void test_room_is_not_zeroed(Arena *a)
     }
 }
 
+static size_t counted;
+
+static void *alloc_counted(void *context, void *old, size_t size)
+{
+    counted += size;
+    return alloc_dirty(context, old, size);
+}
+
+// An arena within another one reuses the chunks that it frees: the other one cannot.
+static void test_reused_chunks(jmp_buf *oom)
+{
+    Arena parent, a;
+    size_t after_first = 0;
+
+    arena_init(&parent, alloc_counted, NULL, oom);
+    arena_init_within(&a, &parent);
+    for (int round = 0; round < 40; round++) {
+        for (int i = 0; i < 300; i++) {
+            char *p = arena_alloc(&a, 9000);
+            CHECK(is_zero(p, 9000));
+            memset(p, 'x', 9000);
+        }
+        if (round == 0)
+            after_first = counted;
+        if (round % 2)
+            arena_reset(&a);
+        else
+            arena_free(&a);
+    }
+    CHECK(after_first >= 300 * 9000 && counted == after_first);
+    arena_free(&parent);
+}
+
 // Several lists share one allocation.  Each has room up to the beginning of the next list, and moves when it grows beyond.
 static void test_lists_in_one_piece(Arena *a)
 {
@@ -92,5 +125,6 @@ int main(void)
     test_room_is_not_zeroed(&a);
     test_lists_in_one_piece(&a);
     arena_free(&a);
+    test_reused_chunks(&oom);
     return test_end("arena");
 }

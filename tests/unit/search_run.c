@@ -352,6 +352,50 @@ static void check_watch(void)
     session_free(&s);
 }
 
+// ---- waits ----
+
+// The situation is 1 after a step with `main`.
+typedef struct MainWatch { uint32_t main, altitude; } MainWatch;
+
+static void watch_main(void *self, void *situation, const uint64_t *cell, double *distance)
+{
+    const MainWatch *w = self;
+    uint64_t *was_main = situation;
+    const bool reached = cell[w->main] && !*was_main && sm_cell_to_f64(SM_F64, cell[w->altitude]) >= 50;
+
+    *distance = reached ? 0 : 1;
+    *was_main = cell[w->main];
+}
+
+static uint32_t index_of(Session *s, const Program *p, const char *name)
+{
+    return ((Var *)map_find(&p->by_name, str_intern(&s->strings, name, strlen(name))))->index;
+}
+
+// A long wait for a timer becomes short, although a later change then has to come later.
+static void check_waits(void)
+{
+    Session s;
+    Program *p;
+    SearchResult *r;
+    MainWatch w;
+    SearchWatch watch = {.self = &w, .goals = 1, .size = sizeof(uint64_t), .start = start_watch, .step = watch_main};
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "wait");
+    w = (MainWatch){index_of(&s, p, "main"), index_of(&s, p, "altitude")};
+    {
+        const ScenarioChange change[] = {{1, index_of(&s, p, "armed"), SCENARIO_HOLD, 1, 0, 0}, {1, w.altitude, SCENARIO_HOLD, 110, 0, 0},
+                                         {204, w.altitude, SCENARIO_HOLD, 49, 0, 0}, {205, w.altitude, SCENARIO_HOLD, 100, 0, 0}};
+        const Scenario given = {p->state.at[0], 10, 205, change, 4};
+        r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.effort = EFFORT, .no_places = true, .watch = &watch, .given = &given, .givens = 1});
+    }
+    CHECK(r->find[r->places].outcome == SEARCH_REACHED && r->chosens == 1 && r->chosen[0].scenario.changes == 4);
+    CHECK(r->chosen[0].scenario.steps == 4);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
 int main(void)
 {
     check_machine_of("timer", 0);
@@ -368,5 +412,6 @@ int main(void)
     check_little_memory();
     check_covered();
     check_watch();
+    check_waits();
     return test_end("search_run");
 }
