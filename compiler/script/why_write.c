@@ -52,6 +52,10 @@ static void write_line(const WhyLine *l, Buf *out)
         write_position(l->at, out);
     if (l->e)
         buf_printf(out, ",\"value\":%s", l->truth ? "true" : "false");
+    if (l->has_gap) {
+        buf_str(out, ",\"gap\":");
+        format_number_shortest(out, l->gap);
+    }
     if (l->step)
         buf_printf(out, ",\"%s\":%" PRIu64, l->e ? "since" : "step", l->step);
     if (l->kind == WHY_CHANGE)
