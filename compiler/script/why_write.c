@@ -40,7 +40,7 @@ static void write_change(const WhyChange *c, Buf *out)
     format_cell_shortest(out, c->var->type, c->cell);
     buf_str(out, "\",\"was\":\"");
     format_cell_shortest(out, c->var->type, c->was);
-    buf_str(out, "\",\"transition\":");
+    buf_printf(out, "\",\"whole_run\":%s,\"transition\":", c->var->parameter ? "true" : "false");
     json_put_string(out, c->next ? c->next->name->text : NULL);
 }
 
