@@ -186,11 +186,77 @@ static bool is_meant(const WhyCommand *y, size_t machine)
     return true;
 }
 
+// ---- names that are unknown ----
+
+typedef VEC(const char *) Names;
+
+// Adds the names of the states of a machine, or of its elements and locals.
+static void add_names(const WhyCommand *y, size_t machine, bool states, Names *out)
+{
+    const Program *p = machine_program(y, machine);
+
+    for (size_t i = 0; states && i < p->state.n; i++)
+        vec_push(y->arena, out, p->state.at[i]->name->text);
+    for (size_t i = 0; !states && i < p->var.n; i++) {
+        vec_push(y->arena, out, p->var.at[i]->name->text);
+        if (p->var.at[i]->kind == VAR_ELEMENT)
+            vec_push(y->arena, out, p->var.at[i]->element->name->text);
+    }
+}
+
+static const char *join_names(const WhyCommand *y, const Names *names)
+{
+    Buf out;
+
+    buf_init(&out, y->arena);
+    for (size_t i = 0; i < names->n; i++)
+        buf_printf(&out, "%s%s", i ? ", " : "", names->at[i]);
+    return buf_text(&out);
+}
+
+static const char *const kind_of_name[] = {"element or local", "state"};
+
+// Reports a name that the machine of the question does not have.
+static int report_unknown(WhyCommand *y, bool is_state, const char *word)
+{
+    const char *near, *machine = machine_name(y, y->q.machine);
+    Names names = {0};
+
+    add_names(y, y->q.machine, !is_state, &names);
+    for (size_t i = 0; i < names.n; i++)
+        if (strcmp(names.at[i], word) == 0)
+            return cli_usage_error(y->c, is_state ? TEXT_why_is_variable : TEXT_why_is_state, word, machine, word);
+    names.n = 0;
+    add_names(y, y->q.machine, is_state, &names);
+    near = str_nearest(word, names.at, names.n);
+    if (near)
+        return cli_usage_error(y->c, TEXT_why_no_name_near, machine, kind_of_name[is_state], word, near);
+    if (is_state)
+        return cli_usage_error(y->c, TEXT_why_no_state, machine, word, join_names(y, &names));
+    return cli_usage_error(y->c, TEXT_why_no_name, machine, kind_of_name[is_state], word);
+}
+
+// Reports a name that no machine of an application has.
+static int report_unknown_to_all(WhyCommand *y, bool is_state, const char *word)
+{
+    const char *near;
+    Names names = {0};
+
+    for (size_t i = 0; i < machine_count(y); i++)
+        add_names(y, i, is_state, &names);
+    near = str_nearest(word, names.at, names.n);
+    if (near)
+        return cli_usage_error(y->c, TEXT_why_no_machine_has_near, y->app, kind_of_name[is_state], word, near);
+    return cli_usage_error(y->c, TEXT_why_no_machine_has, y->app, kind_of_name[is_state], word);
+}
+
+// ---- what the question is about ----
+
 // Selects the machine of an application.  Without --machine, the question must be about only one of them.
 static int choose_machine(WhyCommand *y)
 {
     const char *word = y->c->given[OPT_MACHINE] ? y->c->value[OPT_MACHINE] : NULL;
-    const char *asked = y->to ? y->to : y->of ? y->of : "the step";
+    const char *asked = y->to ? y->to : y->of;
     size_t found = 0, n = 0;
 
     if (word && !y->p->joint)
@@ -202,36 +268,24 @@ static int choose_machine(WhyCommand *y)
         }
     if (word && n == 0)
         return cli_usage_error(y->c, TEXT_why_no_machine, y->app, word, list_machines(y));
-    if (n != 1)
+    if (!asked && n != 1)
+        return cli_usage_error(y->c, TEXT_why_which_step, y->app, list_machines(y));
+    if (n == 0)
+        return report_unknown_to_all(y, y->to != NULL, asked);
+    if (n > 1)
         return cli_usage_error(y->c, TEXT_why_which_machine, asked, list_machines(y));
     y->q.machine = (uint32_t)found;
     return EXIT_OK;
 }
 
-static int report_unknown(WhyCommand *y, const char *what, const char *word, const char *const *names, size_t n)
-{
-    const char *near = str_nearest(word, names, n), *name = machine_name(y, y->q.machine);
-
-    if (near)
-        return cli_usage_error(y->c, TEXT_why_no_name_near, name, what, word, near);
-    return cli_usage_error(y->c, TEXT_why_no_name, name, what, word);
-}
-
 // Finds the state and the variable of the question in its machine.
 static int find_names(WhyCommand *y)
 {
-    const Program *p = machine_program(y, y->q.machine);
-    const char **names = ARENA_ARRAY(y->arena, const char *, p->state.n + p->var.n);
-
     y->q.to = find_state(y, y->q.machine);
     y->q.of = find_variable(y, y->q.machine);
-    for (size_t i = 0; i < p->state.n; i++)
-        names[i] = p->state.at[i]->name->text;
     if (y->to && !y->q.to)
-        return report_unknown(y, "state", y->to, names, p->state.n);
-    for (size_t i = 0; i < p->var.n; i++)
-        names[i] = p->var.at[i]->name->text;
-    return y->of && !y->q.of ? report_unknown(y, "element or local", y->of, names, p->var.n) : EXIT_OK;
+        return report_unknown(y, true, y->to);
+    return y->of && !y->q.of ? report_unknown(y, false, y->of) : EXIT_OK;
 }
 
 // ---- the command ----
@@ -267,12 +321,19 @@ static int compile(WhyCommand *y)
 
 static int report_status(WhyCommand *y, const WhyAnswer *a)
 {
+    const char *asked = format_in(y->arena, "%llu", (unsigned long long)(y->q.at_step ? y->q.at_step : y->q.at_g));
+
     switch (a->status) {
     case WHY_ANSWERED: return EXIT_OK;
     case WHY_BETWEEN_STEPS:
-        cli_print_error(y->c, TEXT_why_between, format_in(y->arena, "%llu", (unsigned long long)y->q.at_g), (unsigned long long)a->before, (unsigned long long)a->after);
+        if (a->steps == 1)
+            cli_print_error(y->c, TEXT_why_before, asked, (unsigned long long)a->after);
+        else
+            cli_print_error(y->c, TEXT_why_between, asked, (unsigned long long)a->before, (unsigned long long)a->after);
         break;
-    case WHY_ENDED_BEFORE: cli_print_error(y->c, TEXT_why_ended, (unsigned long long)a->steps, (unsigned long long)a->before); break;
+    case WHY_ENDED_BEFORE:
+        cli_print_error(y->c, y->q.at_step ? TEXT_why_ended_step : TEXT_why_ended, asked, (unsigned long long)a->steps, (unsigned long long)a->before);
+        break;
     case WHY_NO_STEP: cli_print_error(y->c, TEXT_why_never_ran, machine_name(y, y->q.machine)); break;
     case WHY_NOT_RUN: cli_print_error(y->c, TEXT_why_not_run); break;
     }

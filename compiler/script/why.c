@@ -19,6 +19,8 @@ static void note_step(void *context, const ScriptStep *step)
 
     r->g_before = r->last_g;
     r->last_g = step->g;
+    if (r->near && r->watch[r->q.machine]->step == step->number)
+        why_note_near(r->watch[r->q.machine], r->near);
 }
 
 static bool is_there(void *context)
@@ -46,6 +48,8 @@ static void open_engines(WhyRun *r, Engine *(*wrap)(void *context, WhyRun *r, En
         r->watch[i] = watch_new(r->arena, why_program(p, i), &r->run.result.steps, r->q.depth + 2);
         watch_attach(r->watch[i], r->machine[i]);
     }
+    if (r->q.to && !r->q.at_step && !r->q.has_g)
+        r->near = ARENA_ARRAY(r->arena, WhyNear, why_program(p, r->q.machine)->stmts + 1);
     r->engine = p->joint ? engine_app_open(r->arena, p, r->machine) : r->machine[0];
 }
 
@@ -123,6 +127,7 @@ static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
         line = add_line(a, i ? WHY_CONDITION : WHY_GUARD, depth + s->node[i].depth, i ? (Span){0} : s->stmt->span, why_condition(&a->words, s, i, true));
         line->e = s->node[i].e;
         line->truth = watch_truth(s, s->value, i);
+        line->has_gap = !line->truth && s->node[i].kind == WATCH_LEAF && why_gap(s, i, &line->gap);
         line->step = s->since[i];
         line->g = s->since_g[i];
     }
@@ -389,17 +394,98 @@ static const char *outcome_text(const Answer *a, const WhyChange *c)
     return buf_text(&out);
 }
 
-static void add_changes(Answer *a)
+static void add_changes(Answer *a, unsigned depth)
 {
     WhyChanges changes = {0};
 
     if (a->guards)
         why_find_changes(&a->r, a->guard, a->guards, &changes);
     if (changes.n)
-        add_heading(a, "what would have made a difference in this step:");
+        add_line(a, WHY_HEADING, depth, (Span){0}, "what would have made a difference in this step:");
     for (uint32_t i = 0; i < changes.n; i++)
-        add_line(a, WHY_CHANGE, 1, (Span){0}, format_in(a->r.arena, "with %s, %s", why_change_text(&a->r, &changes.at[i]), outcome_text(a, &changes.at[i])))->change =
+        add_line(a, WHY_CHANGE, depth + 1, (Span){0}, format_in(a->r.arena, "with %s, %s", why_change_text(&a->r, &changes.at[i]), outcome_text(a, &changes.at[i])))->change =
             changes.at[i];
+}
+
+// ---- the step that was nearest ----
+
+// Returns the transition to a state that was nearest to being taken.  NULL: no step could take one.  *last: the one that was taken last, or NULL.
+static const WatchStmt *find_nearest(const Answer *a, const State *to, const WatchStmt **last)
+{
+    const WatchStmt *found = NULL;
+    const WhyNear *near = a->r.near;
+
+    *last = NULL;
+    for (uint32_t i = 1; i <= a->p->stmts; i++) {
+        const WatchStmt *t = &a->w->stmt[i];
+        if (near[i].step == 0 || t->stmt->target != to)
+            continue;
+        if (!found || why_is_nearer(&near[i].distance, &near[found->stmt->number].distance))
+            found = t;
+        if (near[i].taken && (!*last || near[i].taken > near[(*last)->stmt->number].taken))
+            *last = t;
+    }
+    return found;
+}
+
+// Explains transition t in the step that was nearest to it, in a run that ends there.
+static void explain_nearest(Answer *a, const WatchStmt *t)
+{
+    Answer *b = ARENA_NEW(a->r.arena, Answer);
+    WhyQuestion q = a->r.q;
+
+    q.at_step = a->r.near[t->stmt->number].step;
+    q.to = t->stmt->target;
+    why_run(&b->r, a->r.arena, a->r.s, a->r.given, &q, NULL, NULL);
+    b->p = a->p;
+    b->w = b->r.watch[q.machine];
+    b->words = (WhyWords){b->r.arena, b->w, engine_ref_view(b->r.machine[q.machine]).windows};
+    b->guard = ARENA_ARRAY(b->r.arena, const WatchStmt *, b->p->stmts + 1);
+    b->out = a->out;
+    explain_transition(b, 1, &b->w->stmt[t->stmt->number]);
+    add_changes(b, 1);
+    a->out = b->out;
+}
+
+// Adds which step was nearest to a transition to `to` that the run never took.  Returns false if no step could take one.
+static bool add_nearest_to(Answer *a, const State *to)
+{
+    const WatchStmt *last, *t = find_nearest(a, to, &last);
+    const char *path;
+    WhyLine *line;
+    WhyDistance now;
+
+    if (last)
+        add_line(a, WHY_REMARK, 0, last->stmt->span, format_in(a->r.arena, "%s -> %s was last taken in %s", last->state->name->text, to->name->text,
+                 why_step(a->r.arena, a->r.near[last->stmt->number].taken, a->r.near[last->stmt->number].taken_g)));
+    if (last || !t)
+        return last != NULL;
+    path = format_in(a->r.arena, "%s -> %s", t->state->name->text, to->name->text);
+    if (a->w->step == a->r.run.result.steps && why_could_take(a->w, t)) {
+        now = why_distance(a->w, t);
+        if (!why_is_nearer(&a->r.near[t->stmt->number].distance, &now)) {
+            line = add_line(a, WHY_NEAREST, 0, t->stmt->span, format_in(a->r.arena, "%s was never taken, and no step was nearer to taking it than this one", path));
+            line->step = a->w->step;
+            return true;
+        }
+    }
+    line = add_line(a, WHY_NEAREST, 0, t->stmt->span, format_in(a->r.arena, "%s was never taken; %s was nearest to taking it:", path,
+                    why_step(a->r.arena, a->r.near[t->stmt->number].step, a->r.near[t->stmt->number].g)));
+    line->step = a->r.near[t->stmt->number].step;
+    explain_nearest(a, t);
+    return true;
+}
+
+// Adds the step that was nearest to taking the machine to `to`, or, if none could, along the path there.
+static void add_nearest(Answer *a, const State *to)
+{
+    if (!a->r.near || (a->w->state == to && !taken(a)) || (taken(a) && taken(a)->target == to))
+        return;
+    if (add_nearest_to(a, to))
+        return;
+    add_remark(a, 0, format_in(a->r.arena, "the machine was never in a state from which a transition leads to %s", to->name->text));
+    if (a->r.q.to != to)
+        add_nearest_to(a, a->r.q.to);
 }
 
 // ---- the answers ----
@@ -466,6 +552,8 @@ static void answer_of(Answer *a)
 
 static void explain(Answer *a)
 {
+    const State *to = a->r.q.to;
+
     a->guard = ARENA_ARRAY(a->r.arena, const WatchStmt *, a->p->stmts + 1);
     add_head(a);
     if (a->r.q.of)
@@ -474,7 +562,8 @@ static void explain(Answer *a)
         answer_to(a);
     else
         explain_step(a);
-    add_changes(a);
+    add_changes(a, 0);
+    add_nearest(a, to);
     add_origins(a);
     add_passages(a);
 }

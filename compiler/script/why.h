@@ -43,6 +43,7 @@ typedef enum WhyStatus {
     KIND(TRANSITION, "transition")    /* in the step that is explained */ \
     KIND(PASSAGE, "passage")          /* a transition before it */ \
     KIND(ORIGIN, "origin")            /* where the value of a variable comes from */ \
+    KIND(NEAREST, "nearest")          /* the step that was nearest to a transition that the run never took; its guards and changes follow */ \
     KIND(CHANGE, "change")            /* what would have been different */ \
     KIND(REMARK, "remark")
 
@@ -70,7 +71,9 @@ typedef struct WhyLine {
     const char *text;
     const Expr *e;            // GUARD, CONDITION: the expression
     bool truth;               // GUARD, CONDITION: its value
-    uint64_t step, g;         // GUARD, CONDITION: since when it had this value; STORE, PASSAGE, ORIGIN, STEP: when.  step 0: unknown
+    bool has_gap;
+    double gap;               // GUARD, CONDITION: by how much a comparison that was false missed
+    uint64_t step, g;         // GUARD, CONDITION: since when it had this value; STORE, PASSAGE, ORIGIN, STEP, NEAREST: when.  step 0: unknown
     WhyChange change;         // CHANGE
 } WhyLine;
 

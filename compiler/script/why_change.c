@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds inputs that would have changed the outcome of a step.  The script runs again to the state of the machine before the step; from there
-// the step runs once for each candidate: an input with a value at the limit of a comparison, just above it or just below it.
+// the step runs once for each candidate: an input with a value at the limit of a comparison, just above it or just below it.  A parameter has
+// one value in a whole run, so the whole script runs again with it.
 #include <string.h>
 
 #include "compiler/script/why_run.h"
+#include "stdlib/convert.h"
 #include "stdlib/math.h"
 
 enum { CHANGES_MOST = 6 };
@@ -86,6 +88,37 @@ static bool is_asked(const Before *b, const WhyChange *c)
     return !q->to || w->state == q->to || (was && was->target == q->to) || c->next == q->to;
 }
 
+// Runs the script with another value of a parameter.  Returns whether the step then runs the same state with another outcome, which c then has.
+static bool try_parameter(const Before *b, WhyChange *c)
+{
+    const WhyRun *r = b->result;
+    const Joint *j = r->s->program->joint;
+    ScriptOptions o = *r->given;
+    ScriptSetting *setting = ARENA_ARRAY(r->arena, ScriptSetting, o.settings + 1);
+    WhyQuestion q = r->q;
+    const Watch *w;
+    const Stmt *taken;
+    WhyRun again;
+
+    for (size_t i = 0; i < o.settings; i++)
+        setting[i] = o.setting[i];
+    setting[o.settings].parameter = j ? j->member.at[q.machine].var[c->var->index] : c->var;
+    if (parameter_judge(c->var, sm_cell_to_f64(c->var->type, c->cell), &setting[o.settings].cell) != SM_REFUSAL_NONE)
+        return false;
+    o.setting = setting;
+    o.settings++;
+    q.at_step = b->step;
+    q.has_g = false;
+    why_run(&again, r->arena, r->s, &o, &q, NULL, NULL);
+    w = again.watch[q.machine];
+    if (w->step != b->step || w->state != r->watch[q.machine]->state)
+        return false;
+    taken = engine_ref_transition(again.machine[q.machine]);
+    c->next = taken ? taken->target : NULL;
+    c->stored = q.of ? engine_ref_view(again.machine[q.machine]).cell[q.of->index] : 0;
+    return is_asked(b, c);
+}
+
 // Runs the step with the change.  Returns whether it then has another outcome, which c then has.
 static bool try_change(Before *b, WhyChange *c)
 {
@@ -93,6 +126,8 @@ static bool try_change(Before *b, WhyChange *c)
     bool is_written = false;
     const Stmt *taken;
 
+    if (c->var->parameter)
+        return try_parameter(b, c);
     for (uint32_t i = 0; i < b->writes; i++) {
         b->tried[i] = b->write[i];
         if (b->write[i].var == c->var->index) {
@@ -212,7 +247,7 @@ const char *why_change_text(const WhyRun *r, const WhyChange *c)
         format_number_shortest(&out, c->limit);
     else
         why_append_cell(c->var, c->cell, &out);
-    buf_str(&out, " (it was ");
+    buf_printf(&out, "%s (it was ", c->var->parameter ? " in the whole run" : "");
     why_append_cell(c->var, c->was, &out);
     buf_char(&out, ')');
     return buf_text(&out);

@@ -5,6 +5,7 @@
 
 #include "compiler/script/script_run.h"
 #include "compiler/script/why.h"
+#include "compiler/script/why_near.h"
 #include "compiler/script/why_words.h"
 
 typedef struct WhyRun {
@@ -18,6 +19,7 @@ typedef struct WhyRun {
     Engine *engine;           // of the whole run
     Engine **machine;         // by machine: what runs it
     Watch **watch;            // by machine; NULL: the run is not watched
+    WhyNear *near;            // by Stmt.number of the machine of the question; NULL: not recorded
     uint64_t last_g;          // G of the last step
     uint64_t g_before;        // G of the step before it
 } WhyRun;

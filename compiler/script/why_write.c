@@ -40,7 +40,7 @@ static void write_change(const WhyChange *c, Buf *out)
     format_cell_shortest(out, c->var->type, c->cell);
     buf_str(out, "\",\"was\":\"");
     format_cell_shortest(out, c->var->type, c->was);
-    buf_str(out, "\",\"transition\":");
+    buf_printf(out, "\",\"whole_run\":%s,\"transition\":", c->var->parameter ? "true" : "false");
     json_put_string(out, c->next ? c->next->name->text : NULL);
 }
 
@@ -52,6 +52,10 @@ static void write_line(const WhyLine *l, Buf *out)
         write_position(l->at, out);
     if (l->e)
         buf_printf(out, ",\"value\":%s", l->truth ? "true" : "false");
+    if (l->has_gap) {
+        buf_str(out, ",\"gap\":");
+        format_number_shortest(out, l->gap);
+    }
     if (l->step)
         buf_printf(out, ",\"%s\":%" PRIu64, l->e ? "since" : "step", l->step);
     if (l->kind == WHY_CHANGE)

@@ -104,7 +104,7 @@ step 3 (G = 20): p = 850
 ]}
 -- stderr --
 smc: no step has G = 95: its neighbours are G = 90 and G = 100
-smc: the script ended before, with step 16 (G = 150)
+smc: no step has G = 4000: the script ended in step 16 (G = 150)
 smc: --at: '0.5ms' is no whole number of ms, in which G counts
 Try 'smc why --help'.
 smc: --at requires a time, as in 400, '4 s' or 250ms, not 'soon'
