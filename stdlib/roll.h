@@ -102,9 +102,9 @@ enum {
     SM_ROLL_OLDEST = 512, SM_ROLL_NEWEST = 1024, SM_ROLL_CHANGE = 2048,
     SM_ROLL_TIMES = 7,         // a window of times or a run, with its own statistics:
     SM_ROLL_ELAPSED = 4096, SM_ROLL_RUN_STEPS = 8192, SM_ROLL_RUN_TIME = 16384,
-    SM_ROLL_ORDER = 480,       // the statistics that compare samples
-    SM_ROLL_MEDIAN_OF_3 = SM_ROLL_MEDIAN | 32768    // the same as SM_ROLL_MEDIAN, of a window of three slots in emitted C
+    SM_ROLL_ORDER = 480        // the statistics that compare samples
 };
+#define SM_ROLL_MEDIAN_OF_3 ((uint32_t)SM_ROLL_MEDIAN | 0x8000u)        // the same as SM_ROLL_MEDIAN, of a window of three slots in emitted C
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
 // SM_ROLL_BLOCK: the number of ordered samples in a block that moves at once.
