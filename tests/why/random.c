@@ -475,7 +475,7 @@ int main(int argc, char **argv)
         printf("too little was met: %" PRIu64 " guards, %" PRIu64 " branches, %" PRIu64 " changes\n", met.guards, met.branches, met.changed);
         failed++;
     }
-    if (5 * met.claims < count || 15 * met.stays < count || 100 * met.stored < count || 60 * met.parameters < count || 20 * met.sides < count ||
+    if (5 * met.claims < count || 15 * met.stays < count || 200 * met.stored < count || 120 * met.parameters < count || 20 * met.sides < count ||
         5 * met.nearest < count || met.never < count / 3 || met.distances < 40 * count || 10 * met.several < count ||
         40 * met.gaps < count) {
         printf("too few answers were checked\n");
