@@ -192,7 +192,7 @@ static void try_around(Before *b, const Var *v, double limit, WhyChanges *out)
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         const double x = sides[i] ? next_value(v->type, limit, sides[i]) : limit;
         const uint64_t cell = ref_convert(v->type, x);
-        if (ref_read(v->type, cell) == x)
+        if (x - x == 0 && ref_read(v->type, cell) == x)            // no input is infinite
             try_value(b, v, cell, limit, sides[i], out);
     }
 }

@@ -19,7 +19,7 @@
 
 enum { STEPS = 60, NODES_MOST = 64 };
 
-static struct { uint64_t guards, branches, changed, claims, stays, stored, parameters, sides, nearest, never, distances, several; } met;
+static struct { uint64_t guards, branches, changed, claims, stays, stored, parameters, sides, nearest, never, distances, several, gaps; } met;
 
 // Returns whether the first statement of a branch was executed in the step.
 static bool was_executed(const Watch *w, const Stmts *branch) { return branch->n && w->stmt[branch->at[0]->number].step == w->step; }
@@ -307,13 +307,50 @@ static const char *check_change(const Told *was, const char *time, uint64_t k, c
     if (c->side == 0 || ref_read(c->var->type, limit) != c->limit || (c->var->parameter && is_refused(c->var, limit)))
         return NULL;
     met.sides++;
-    if (run_changed(was, is, time, k, c->var, limit) && is_asked(was, is, k, q))
+    if (run_changed(was, is, time, k, c->var, limit) && is->state[k] == was->state[k] && is_asked(was, is, k, q))
         return format_in(was->arena, "step %" PRIu64 ": '%s', and with the limit itself too", k, line->text);
     return NULL;
 }
 
-// Checks that no step was nearer to a state than the one that the answer names; 0: it names none.
-static const char *check_nearest(const Told *t, const State *to, uint64_t named)
+static const Expr *without_not(const Expr *e)
+{
+    while (e->kind == EX_UNARY && e->op == SM_OP_NOT)
+        e = e->arg[0];
+    return e;
+}
+
+// Whether a condition is a variable, or compares it.
+static bool depends_on(const Expr *e, const Var *v)
+{
+    if (e->kind == EX_VAR)
+        return e->var == v;
+    for (uint32_t i = 0; watch_is_relation(e) && i < e->n; i++)
+        if (e->arg[i]->kind == EX_VAR && e->arg[i]->var == v)
+            return true;
+    return false;
+}
+
+// Checks the gap of the only condition of an answer that depends on the variable of a change, if it has one: how far the value was from the limit.
+static const char *check_gap(const Told *t, const WhyLine *first, const WhyLine *change)
+{
+    const WhyChange *c = &change->change;
+    const double was = ref_read(c->var->type, c->was), gap = c->limit > was ? c->limit - was : was - c->limit;
+    const WhyLine *found = NULL;
+    size_t n = 0;
+
+    for (const WhyLine *l = first; l < change; l++)
+        if (l->e && depends_on(without_not(l->e), c->var)) {
+            found = l;
+            n++;
+        }
+    if (n != 1 || !found->has_gap || without_not(found->e)->kind != EX_BINARY)
+        return NULL;
+    met.gaps++;
+    return found->gap == gap ? NULL : format_in(t->arena, "'%s' has the gap %g, but '%s'", found->text, found->gap, change->text);
+}
+
+// Checks that no step was nearer to a state than the one that the answer names; 0: it names none.  says_never: it says that no step could go there.
+static const char *check_nearest(const Told *t, const State *to, uint64_t named, bool says_never)
 {
     const uint32_t i = to->number - 1;
     bool taken = false, could = false;
@@ -328,8 +365,23 @@ static const char *check_nearest(const Told *t, const State *to, uint64_t named)
         return format_in(t->arena, "step %" PRIu64 " could not go to %s", named, to->name->text);
     if (t->state[t->steps] != to && (named != 0) != (could && !taken))
         return format_in(t->arena, "step %" PRIu64 " is named as the nearest to %s, but could: %d, taken: %d", named, to->name->text, could, taken);
+    if (t->state[t->steps] != to && t->next[t->steps] != to && says_never == could)
+        return format_in(t->arena, "a step could go to %s: %d", to->name->text, could);
     met.nearest += named != 0;
     met.never += !could;
+    return NULL;
+}
+
+// Returns the second state of "... A -> B -> C; ..." or "A -> B was ...".
+static const State *second_state(const Program *p, const char *path)
+{
+    const char *name = strstr(path, " -> ") + 4;
+
+    for (size_t i = 0; i < p->state.n; i++) {
+        const size_t n = strlen(p->state.at[i]->name->text);
+        if (strncmp(p->state.at[i]->name->text, name, n) == 0 && (name[n] == ' ' || name[n] == ';'))
+            return p->state.at[i];
+    }
     return NULL;
 }
 
@@ -340,6 +392,8 @@ static const char *check_answer(const Told *t, const char *time, const Script *s
     WhyQuestion about = *q;
     const WhyAnswer a = why_ask(t->arena, script, &o, q);
     uint64_t k = q->of ? 0 : a.step, named = 0;
+    const WhyLine *first = a.line.at;
+    bool says_never = false;
     const char *wrong = NULL;
 
     if (a.status != WHY_ANSWERED)
@@ -348,16 +402,20 @@ static const char *check_answer(const Told *t, const char *time, const Script *s
         const WhyLine *l = &a.line.at[i];
         if (l->kind == WHY_STEP && l->step)
             k = l->step;
-        if (l->kind == WHY_NEAREST)
+        if (l->kind == WHY_NEAREST) {
             named = k = l->step;
-        if (l->kind == WHY_REMARK && strstr(l->text, "has no transition to"))
-            about.to = NULL;                          // the answer is about the first transition of a path
-        if (l->kind == WHY_REMARK && strstr(l->text, "was never in a state from which"))
+            first = l;
+            about.to = second_state(t->s->program, l->text);
+        }
+        if (l->kind == WHY_HEADING && strstr(l->text, "the shortest path is "))
+            about.to = second_state(t->s->program, l->text);  // the answer is about the first transition of the path
+        says_never |= l->kind == WHY_REMARK && strstr(l->text, "was never in a state from which");
+        if (says_never)
             break;
-        if (l->kind == WHY_CHANGE)
-            wrong = check_change(t, time, k, &about, l);
+        if (l->kind == WHY_CHANGE && !(wrong = check_change(t, time, k, &about, l)))
+            wrong = check_gap(t, first, l);
     }
-    return wrong || !q->to || q->at_step ? wrong : check_nearest(t, q->to, named);
+    return wrong || !q->to || q->at_step ? wrong : check_nearest(t, q->to, named, says_never);
 }
 
 static const char *check_answers(Subject *s, const Gen *g, Arena *arena)
@@ -417,14 +475,15 @@ int main(int argc, char **argv)
         printf("too little was met: %" PRIu64 " guards, %" PRIu64 " branches, %" PRIu64 " changes\n", met.guards, met.branches, met.changed);
         failed++;
     }
-    if (5 * met.claims < count || 15 * met.stays < count || 100 * met.stored < count || 60 * met.parameters < count || 20 * met.sides < count ||
-        5 * met.nearest < count || met.never < count / 3 || met.distances < 40 * count || met.several < count / 2) {
+    if (5 * met.claims < count || 15 * met.stays < count || 200 * met.stored < count || 120 * met.parameters < count || 20 * met.sides < count ||
+        5 * met.nearest < count || met.never < count / 3 || met.distances < 40 * count || 10 * met.several < count ||
+        40 * met.gaps < count) {
         printf("too few answers were checked\n");
         failed++;
     }
     printf("%" PRIu64 " claims: %" PRIu64 " stay, %" PRIu64 " of values, %" PRIu64 " of parameters, %" PRIu64 " next to a limit; nearest steps: %" PRIu64 ", %" PRIu64 " impossible; distances: %" PRIu64 ", %" PRIu64
-           " of several conditions\n",
-           met.claims, met.stays, met.stored, met.parameters, met.sides, met.nearest, met.never, met.distances, met.several);
+           " of several conditions; gaps: %" PRIu64 "\n",
+           met.claims, met.stays, met.stored, met.parameters, met.sides, met.nearest, met.never, met.distances, met.several, met.gaps);
     printf("%" PRIu64 " passed, %" PRIu64 " failed\n", count - (failed < count ? failed : count), failed);
     return failed > 0;
 }
