@@ -8,6 +8,7 @@ enum {
     DELTA_T = 10,             // of a machine without a step
     EFFORT = 30000000,        // steps of searches for a violation
     FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
+    FEW_CHANGES = 4,          // of inputs in a scenario: with more, other searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
 };
 
@@ -24,6 +25,7 @@ typedef struct ProveRun {
     Cover *cover;
 } ProveRun;
 
+static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
 static bool goes_on(const ProveRun *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
 
 // ---- proofs ----
@@ -143,9 +145,9 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 
 // ---- violations ----
 
-static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, bool usual_values, uint64_t seed, uint64_t effort)
 {
-    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
+    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .usual_values = usual_values, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
                           .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
     GoalFound found = goal_search(v->arena, &v->work, v->cover, &g);
 
@@ -156,22 +158,38 @@ static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t se
     return found;
 }
 
+static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
+
+// Searches for violations with fewer changes: special values change many inputs at once, and not each of them is removed again.
+static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *found)
+{
+    static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many
+
+    for (uint32_t n = 0; n < sizeof share / sizeof *share && found->changes > FEW_CHANGES && goes_on(v); n++) {
+        const Scenario *other = search_for(v, of, GOAL_VIOLATION, true, n + 1, effort_of(v) / share[n]).scenario;
+        if (other && is_simpler(other, found))
+            found = other;
+    }
+    return found;
+}
+
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
-    const GoalFound found = search_for(v, of, GOAL_VIOLATION, seed, effort);
+    const GoalFound found = search_for(v, of, GOAL_VIOLATION, false, seed, effort);
 
     of->premise_seen = of->premise_seen || found.premise_seen || found.scenario;
-    of->scenario = found.scenario;
-    if (found.scenario)
-        of->verdict = PROVE_VIOLATED;
-    return found.scenario != NULL;
+    if (!found.scenario)
+        return false;
+    of->verdict = PROVE_VIOLATED;
+    of->scenario = search_simpler(v, of, found.scenario);
+    return true;
 }
 
 // Proofs that take long, and searches that take long, come last: most requirements are decided before.
 static void decide(ProveRun *v, ProveOf *of)
 {
-    const uint64_t effort = v->o->effort ? v->o->effort : EFFORT;
+    const uint64_t effort = effort_of(v);
     ProveProof proof;
 
     of->verdict = PROVE_UNDECIDED;
@@ -185,7 +203,7 @@ static void decide(ProveRun *v, ProveOf *of)
         }
     }
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
-        of->premise_seen = search_for(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+        of->premise_seen = search_for(v, of, GOAL_PREMISE, false, 1, EFFORT_PREMISE).premise_seen;
 }
 
 // ---- contradictions ----
