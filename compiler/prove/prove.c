@@ -85,13 +85,14 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 }
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { bool is_loose, is_fine; } attempt[] = {{true, false}, {false, false}, {true, true}, {false, true}};
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false},
+                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}};
 
-enum { ATTEMPTS_FIRST = 2, ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 3, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
-    ProveModel *exact, *loose;
+    ProveModel *model[PROVE_LOOSENINGS];
     unsigned assumed[2];      // sets of assumptions, the weaker one first
     uint32_t sets, tried;     // how many there are; how many attempts have been made with each
 } ProveProof;
@@ -101,10 +102,10 @@ static void begin_proof(const ProveRun *v, ProveProof *p, ProveOf *of)
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
 
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
-    p->exact = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, false);
-    p->loose = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, true);
+    for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
+        p->model[loose] = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
     for (uint32_t n = 0; n < v->m->var.n; n++)
-        of->irrelevant += p->exact->var[n].kind == PROVE_IRRELEVANT;
+        of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
 
 // Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.
@@ -117,10 +118,18 @@ static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool i
         return false;
     }
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
-    of->is_loose = model->loosened;
+    of->is_loose = model->loosened > 0;
     of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
     of->invariant = invariants_of(v, model, &x);
     return true;
+}
+
+// Whether a model is the same as one with which the attempt is made, too.
+static bool is_repeated(const ProveProof *p, ProveLoosening loose)
+{
+    const uint32_t n = p->model[loose]->loosened;
+
+    return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 
 // Makes the attempts before number `to` that have not been made.  Returns whether one is a proof.
@@ -131,13 +140,13 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
     p->tried = to;
     for (uint32_t set = 0; set < p->sets; set++)
         for (uint32_t n = from; n < to; n++) {
-            if (attempt[n].is_loose && !p->loose->loosened)
+            if (is_repeated(p, attempt[n].loose))
                 continue;
             if (!goes_on(v)) {
                 of->obstacle = PROVE_INTERRUPTED;
                 return false;
             }
-            if (try_attempt(v, attempt[n].is_loose ? p->loose : p->exact, p->assumed[set], attempt[n].is_fine, of))
+            if (try_attempt(v, p->model[attempt[n].loose], p->assumed[set], attempt[n].is_fine, of))
                 return true;
         }
     return false;
@@ -235,7 +244,7 @@ static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *al
 {
     const Requirement never = {.kind = REQUIREMENT_NEVER, .a = premise ? new_expr(arena, EX_BINARY, SM_OP_AND, (Expr *)premise, condition) : condition};
 
-    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1, false));
+    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1, PROVE_EXACT));
 }
 
 static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
