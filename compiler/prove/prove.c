@@ -8,6 +8,7 @@ enum {
     DELTA_T = 10,             // of a machine without a step
     EFFORT = 30000000,        // steps of searches for a violation
     FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
+    FEW_CHANGES = 4,          // of inputs in a scenario: with more, other searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
 };
 
@@ -24,6 +25,7 @@ typedef struct ProveRun {
     Cover *cover;
 } ProveRun;
 
+static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
 static bool goes_on(const ProveRun *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
 
 // ---- proofs ----
@@ -83,13 +85,14 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 }
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { bool is_loose, is_fine; } attempt[] = {{true, false}, {false, false}, {true, true}, {false, true}};
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false},
+                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}};
 
-enum { ATTEMPTS_FIRST = 2, ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 3, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
-    ProveModel *exact, *loose;
+    ProveModel *model[PROVE_LOOSENINGS];
     unsigned assumed[2];      // sets of assumptions, the weaker one first
     uint32_t sets, tried;     // how many there are; how many attempts have been made with each
 } ProveProof;
@@ -99,10 +102,10 @@ static void begin_proof(const ProveRun *v, ProveProof *p, ProveOf *of)
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
 
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
-    p->exact = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, false);
-    p->loose = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, true);
+    for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
+        p->model[loose] = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
     for (uint32_t n = 0; n < v->m->var.n; n++)
-        of->irrelevant += p->exact->var[n].kind == PROVE_IRRELEVANT;
+        of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
 
 // Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.
@@ -115,10 +118,18 @@ static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool i
         return false;
     }
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
-    of->is_loose = model->loosened;
+    of->is_loose = model->loosened > 0;
     of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
     of->invariant = invariants_of(v, model, &x);
     return true;
+}
+
+// Whether a model is the same as one with which the attempt is made, too.
+static bool is_repeated(const ProveProof *p, ProveLoosening loose)
+{
+    const uint32_t n = p->model[loose]->loosened;
+
+    return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 
 // Makes the attempts before number `to` that have not been made.  Returns whether one is a proof.
@@ -129,13 +140,13 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
     p->tried = to;
     for (uint32_t set = 0; set < p->sets; set++)
         for (uint32_t n = from; n < to; n++) {
-            if (attempt[n].is_loose && !p->loose->loosened)
+            if (is_repeated(p, attempt[n].loose))
                 continue;
             if (!goes_on(v)) {
                 of->obstacle = PROVE_INTERRUPTED;
                 return false;
             }
-            if (try_attempt(v, attempt[n].is_loose ? p->loose : p->exact, p->assumed[set], attempt[n].is_fine, of))
+            if (try_attempt(v, p->model[attempt[n].loose], p->assumed[set], attempt[n].is_fine, of))
                 return true;
         }
     return false;
@@ -143,9 +154,9 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 
 // ---- violations ----
 
-static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, bool usual_values, uint64_t seed, uint64_t effort)
 {
-    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
+    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .usual_values = usual_values, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
                           .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
     GoalFound found = goal_search(v->arena, &v->work, v->cover, &g);
 
@@ -156,22 +167,38 @@ static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t se
     return found;
 }
 
+static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
+
+// Searches for violations with fewer changes: special values change many inputs at once, and not each of them is removed again.
+static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *found)
+{
+    static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many
+
+    for (uint32_t n = 0; n < sizeof share / sizeof *share && found->changes > FEW_CHANGES && goes_on(v); n++) {
+        const Scenario *other = search_for(v, of, GOAL_VIOLATION, true, n + 1, effort_of(v) / share[n]).scenario;
+        if (other && is_simpler(other, found))
+            found = other;
+    }
+    return found;
+}
+
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
-    const GoalFound found = search_for(v, of, GOAL_VIOLATION, seed, effort);
+    const GoalFound found = search_for(v, of, GOAL_VIOLATION, false, seed, effort);
 
     of->premise_seen = of->premise_seen || found.premise_seen || found.scenario;
-    of->scenario = found.scenario;
-    if (found.scenario)
-        of->verdict = PROVE_VIOLATED;
-    return found.scenario != NULL;
+    if (!found.scenario)
+        return false;
+    of->verdict = PROVE_VIOLATED;
+    of->scenario = search_simpler(v, of, found.scenario);
+    return true;
 }
 
 // Proofs that take long, and searches that take long, come last: most requirements are decided before.
 static void decide(ProveRun *v, ProveOf *of)
 {
-    const uint64_t effort = v->o->effort ? v->o->effort : EFFORT;
+    const uint64_t effort = effort_of(v);
     ProveProof proof;
 
     of->verdict = PROVE_UNDECIDED;
@@ -185,7 +212,7 @@ static void decide(ProveRun *v, ProveOf *of)
         }
     }
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
-        of->premise_seen = search_for(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+        of->premise_seen = search_for(v, of, GOAL_PREMISE, false, 1, EFFORT_PREMISE).premise_seen;
 }
 
 // ---- contradictions ----
@@ -217,7 +244,7 @@ static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *al
 {
     const Requirement never = {.kind = REQUIREMENT_NEVER, .a = premise ? new_expr(arena, EX_BINARY, SM_OP_AND, (Expr *)premise, condition) : condition};
 
-    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1, false));
+    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1, PROVE_EXACT));
 }
 
 static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }

@@ -19,7 +19,7 @@
 // computed with the language's own arithmetic, with infinities, NaN and saturation.
 //
 // Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
-// not read.
+// not read: first all of them, then those of more than two samples.
 //
 // What a proof covers:
 //

@@ -14,7 +14,8 @@ enum {
     CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
     NARROWINGS = 3,
-    LIMITS_MOST = 256
+    LIMITS_MOST = 256,
+    BESIDE = 5                        // limits of a constant: itself, and its neighbours
 };
 
 #define KEY_OPEN UINT64_MAX   // the key is not known exactly.  As an F64 it would be a NaN, which no variable has
@@ -372,22 +373,32 @@ static void add_limit(double *limit, size_t *n, double x)
     ++*n;
 }
 
+// Adds a constant with its neighbours, and a negated one: `-5` is the negation of 5.
+static void add_limits_of(double *limit, size_t *n, const IrFn *f, const IrIns *i, const double *beside)
+{
+    const IrIns *negated = i->op == IR_neg ? &f->ins.at[i->a] : NULL;
+
+    for (int k = 0; i->op == IR_const && k < BESIDE; k++)
+        add_limit(limit, n, ir_number(i->type, i->bits) + beside[k]);
+    if (negated && negated->op == IR_const)
+        add_limit(limit, n, -ir_number(negated->type, negated->bits));
+}
+
 // Returns the constants of the machine and of the requirement with their neighbours: guards stop counters and times there.
 static FactLimits find_limits(Arena *arena, const ProveModel *p)
 {
-    const double delta = (double)p->delta_t, beside[] = {0, -1, 1, -delta, delta};
+    const double delta = (double)p->delta_t, beside[BESIDE] = {0, -1, 1, -delta, delta};
     double *limit = ARENA_ARRAY(arena, double, LIMITS_MOST);
     size_t n = 0;
 
     add_limit(limit, &n, 0);
-    for (int k = 0; k < 5; k++)
+    for (int k = 0; k < BESIDE; k++)
         add_limit(limit, &n, (double)p->what->within + beside[k]);
     for (size_t s = 0; s < p->machine->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++) {
             const IrFn *f = p->machine->state.at[s].block[b];
             for (uint32_t i = 0; f && i < f->ins.n; i++)
-                for (int k = 0; f->ins.at[i].op == IR_const && k < 5; k++)
-                    add_limit(limit, &n, ir_number(f->ins.at[i].type, f->ins.at[i].bits) + beside[k]);
+                add_limits_of(limit, &n, f, &f->ins.at[i], beside);
         }
     return (FactLimits){limit, n};
 }

@@ -15,6 +15,7 @@ typedef struct GoalSearch {
     GoalKind kind;
     uint64_t delta_t, seed, effort;
     const State *init_state;
+    bool usual_values;                // no SearchSpecials
     bool assume_ranges;               // elements with @range that the machine does not assign have values in it, in each step
     bool (*go_on)(void *context);     // or NULL
     void *context;

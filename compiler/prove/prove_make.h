@@ -70,8 +70,9 @@ void prove_copy_block(ProveMaker *k, const IrFn *from, const IrBlk *b, IrRef *co
 // ---- windows ----
 
 void prove_merge_windows(ProveMaker *k, const Requirements *all);
-// Finds out which windows can be followed exactly.  `loose`: those of the machine that the requirement does not read are not.
-void prove_find_samples(ProveMaker *k, bool loose);
+// Finds out which windows can be followed exactly.  `loose`: which of the machine's windows are not, of those that the
+// requirement does not read.
+void prove_find_samples(ProveMaker *k, ProveLoosening loose);
 // Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
 bool prove_follows_samples(const MadeWindow *w);
 void prove_add_windows(ProveMaker *k);

@@ -195,7 +195,7 @@ static void add_own_vars(ProveMaker *k)
     p->var[k->sampled].few = p->var[k->seen].few = p->var[k->open].few = true;
 }
 
-ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, bool loose)
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose)
 {
     ProveModel *p = ARENA_NEW(arena, ProveModel);
     ProveMaker *k = ARENA_NEW(arena, ProveMaker);

@@ -52,6 +52,15 @@ typedef struct ProveStep {
     uint32_t blocks;
 } ProveStep;
 
+// Which windows of the machine have any possible value in each step, of those that the requirement does not read.  Then the model has more runs
+// than the machine, but fewer variables.
+typedef enum ProveLoosening {
+    PROVE_EXACT,              // none
+    PROVE_LOOSE_LONG,         // those of more than two samples, and runs: not those of prev, rising and falling
+    PROVE_LOOSE_ALL,
+    PROVE_LOOSENINGS
+} ProveLoosening;
+
 typedef struct ProveModel {
     Arena *arena;
     const IrMachine *machine; // only what is relevant for the requirement (prove_slice)
@@ -59,16 +68,14 @@ typedef struct ProveModel {
     uint64_t delta_t;
     IrMachine *ir;            // the variables: those of the machine, and then others.  It has no states
     ProveVar *var;            // by variable of ir
-    bool loosened;            // some window has any value because of `loose`
+    uint32_t loosened;        // windows that have any value because of `loose`
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement
     ProveStep *(*step)[2];    // by state from 0, and whether it is the first step in the state; made when first asked for
     struct ProveMaker *maker;
 } ProveModel;
 
-// `loose`: windows of the machine that the requirement does not read have any possible value in each step.  Then the model has more runs than
-// the machine, but fewer variables.
-ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, bool loose);
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose);
 // `state` is from 0.  The number of states: the requirement is judged alone, without a step of the machine.
 const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first);
 

@@ -175,20 +175,26 @@ static void find_read_windows(const ProveMaker *k, bool *read)
                 read[k->condition[c]->ins.at[r].var] = true;
 }
 
-void prove_find_samples(ProveMaker *k, bool loose)
+// Whether a model lets a window that the requirement does not read have any value.
+static bool is_loosened(const MadeWindow *w, ProveLoosening loose)
+{
+    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
+}
+
+void prove_find_samples(ProveMaker *k, ProveLoosening loose)
 {
     bool *read = ARENA_ARRAY(k->arena, bool, k->windows + 1u);
 
     find_samples(k, k->m, 0);
     find_samples(k, &k->judge, k->of_machine);
     find_read_windows(k, read);
-    for (uint32_t n = 0; loose && n < k->of_machine; n++) {
+    for (uint32_t n = 0; n < k->of_machine; n++) {
         MadeWindow *w = &k->window[n];
-        if (read[n] || !prove_follows_samples(w))
+        if (read[n] || !is_loosened(w, loose))
             continue;
         w->is_boolean = false;
         w->operand = IR_NONE;
-        k->model->loosened = true;
+        k->model->loosened++;
     }
 }
 
