@@ -122,8 +122,10 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
 {
     const char *script;
 
-    if (!of->premise_seen && (of->verdict == PROVE_PROVED || of->verdict == PROVE_UNDECIDED))
-        buf_printf(out, "%*sno run that was tried came to its premise\n", (int)indent, "");
+    if (!of->premise_seen && of->verdict == PROVE_PROVED)
+        buf_printf(out, "%*sthe proof is about all runs; of those that were tried, none came to its premise\n", (int)indent, "");
+    if (!of->premise_seen && of->verdict == PROVE_UNDECIDED)
+        buf_printf(out, "%*sno run that was tried came to its premise, so this says little: scripts that come there show more\n", (int)indent, "");
     switch (of->verdict) {
     case PROVE_PROVED:
         write_assumptions(of, indent, out);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/syntax/hint_unit.h"
+#include "compiler/syntax/hints.h"
 
 #include <string.h>
 

@@ -7,6 +7,5 @@
 
 // Labels d with what to write instead of the literal `number` followed by `unit`, which together are at `whole`.
 void hint_label_unit(Diags *diags, Diag *d, const char *number, const char *unit, Span whole);
-bool hint_is_time_unit(const char *word);         // whether users write the word for a unit of time
 
 #endif

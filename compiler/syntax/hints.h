@@ -80,6 +80,7 @@ bool hint_report_guard_in_braces(struct Parser *p);
 
 // Whether the token is a word that another language has in place of an operator, with a value after it, as in `state is Burn`.
 bool hint_is_phrase(const struct Parser *p, const Token *word);
+bool hint_is_time_unit(const char *word);         // whether users write the word for a unit of time
 
 // Returns the word of this language for a word of another one, such as I32 for int; NULL if none is known.
 typedef enum HintWords { HINT_TYPES, HINT_LABELS, HINT_OPTIONS, HINT_DIRECTIONS, HINT_UNITS } HintWords;

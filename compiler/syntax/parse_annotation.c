@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Annotations: @read_only and others, after declarations, the headers of states, and pins. annotations.def defines where each is allowed
 // and what it takes. The checker handles their effects.
+#include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_UNIT, TAKES_FINDING } Arguments;
@@ -189,11 +190,13 @@ bool parse_signed_number(Parser *p, AstNumber *into)
 static void parse_bound(Parser *p, AstNumber *into, const char *which)
 {
     Diag *d;
+    bool is_unit;
 
     if (parse_signed_number(p, into))
         return;
+    is_unit = p->tok.kind == TOK_NAME && hint_is_time_unit(p->tok.text->text);
     d = parser_fail(p, DIAG_range_value, parser_missing_span(p), which, parser_describe_found(p));
-    diag_label(p->diags, d, DIAG_label_range_form);
+    diag_label(p->diags, d, is_unit ? DIAG_label_range_of_times : DIAG_label_range_form);
 }
 
 // Parses the argument of an annotation that takes a NUMBER, or a VALUE (`accepts_truth`): also true or false.
