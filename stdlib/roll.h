@@ -196,7 +196,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_ordered(uint32_t kind, SmRollKey sample)
 // Whether a window stores its samples as the integers of sm_roll_ordered.  Otherwise it stores their bits.
 SM_ROLL_INLINE bool sm_roll_stores_order(uint32_t kind)
 {
-    const uint32_t in_order = SM_ROLL_LATE_ORDER ? SM_ROLL_MEDIAN_OF_3 : SM_ROLL_MEDIAN;
+    const uint32_t in_order = SM_ROLL_LATE_ORDER ? SM_ROLL_MEDIAN_OF_3 : (uint32_t)SM_ROLL_MEDIAN;
     if (!SM_ROLL_BY_VALUE)
         return SM_ROLL_SMALL || (kind & SM_ROLL_ORDER) != 0;
     return (kind & in_order) == SM_ROLL_MEDIAN;
