@@ -32,11 +32,11 @@ static bool is_decision(const Expr *e)
     return is_join(e) || watch_is_relation(e) || (e->kind == EX_UNARY && e->op == SM_OP_NOT);
 }
 
+bool watch_is_run(const Expr *e) { return e->kind == EX_ROLL && (1u << e->stat & SM_STATS_OF_RUNS) != 0; }
+
 const Expr *watch_held_run(const Expr *e)
 {
-    const Expr *run = e->kind == EX_BINARY && e->op == SM_OP_GE && is_composed(e) ? e->arg[0] : NULL;
-
-    return run && run->kind == EX_ROLL && (run->stat == SM_STAT_RUN_TIME || run->stat == SM_STAT_RUN_STEPS) ? run : NULL;
+    return e->kind == EX_BINARY && e->op == SM_OP_GE && watch_is_run(e->arg[0]) ? e->arg[0] : NULL;
 }
 
 static bool has_text_of(Span a, Span b)
@@ -63,16 +63,15 @@ static void add_node(Nodes *n, const Expr *e, WatchKind kind, unsigned depth)
 // Adds what explains the value of a leaf: the variables and calls in it, and what it compares; no calls inside another operand.
 static void add_operands(Nodes *n, const Expr *e, unsigned depth, bool is_compared, bool in_call)
 {
-    const bool is_run = e->kind == EX_ROLL && (e->stat == SM_STAT_RUN_TIME || e->stat == SM_STAT_RUN_STEPS);
     const bool is_named = e->kind == EX_NUMBER && e->span.len && !strchr("0123456789.", e->span.src->text[e->span.at]);     // by a definition
-    const bool explains = is_named || e->kind == EX_VAR || e->kind == EX_ROLL || is_compared || (e->kind == EX_CALL && !in_call);
+    const bool explains = is_named || e->kind == EX_VAR || e->kind == EX_ROLL || is_compared || watch_held_run(e) || (e->kind == EX_CALL && !in_call);
 
     if (e->kind == EX_NUMBER && !is_named)
         return;
-    if (is_run || (explains && !is_listed(n, e)))
+    if (watch_is_run(e) || (explains && !is_listed(n, e)))
         add_node(n, e, WATCH_OPERAND, depth);
     for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
-        add_operands(n, e->arg[i], depth, watch_is_relation(e) && !is_composed(e), in_call || e->kind == EX_CALL || is_compared);
+        add_operands(n, e->arg[i], depth, watch_is_relation(e) && !is_composed(e) && !watch_held_run(e), in_call || e->kind == EX_CALL || is_compared);
 }
 
 static void add_leaf(Nodes *n, const Expr *e, unsigned depth)

@@ -82,7 +82,9 @@ bool watch_is_decision(const WatchStmt *s);
 bool watch_is_relation(const Expr *e);
 // Whether two positions are the same.
 bool watch_same_span(Span a, Span b);
-// Whether a leaf is a call of held: returns the statistic of its run, or NULL.
+// Whether e counts how long the condition of a call of held has been true: no part of the source has this value.
+bool watch_is_run(const Expr *e);
+// Whether e is a call of held: returns the statistic of its run, or NULL.
 const Expr *watch_held_run(const Expr *e);
 
 #endif

@@ -68,7 +68,9 @@ static void append_samples(const WhyWords *words, const WatchStmt *s, const Expr
 // Whether an operand is part of what is written as one call, and has no source of its own.
 static bool is_inside_call(const WatchStmt *s, uint32_t leaf, uint32_t operand)
 {
-    return watch_same_span(s->node[leaf].e->span, s->node[operand].e->span);
+    const Expr *e = s->node[operand].e;
+
+    return watch_is_run(e) || watch_same_span(s->node[leaf].e->span, e->span);
 }
 
 void why_append_operands(const WhyWords *words, const WatchStmt *s, const uint64_t *value, uint32_t node, Buf *out)
