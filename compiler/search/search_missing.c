@@ -6,20 +6,6 @@
 #include "compiler/ir/eval.h"
 #include "compiler/search/search_run.h"
 
-static double value_of(const SearchRun *k, uint32_t fn, IrRef ref) { return k->plain->frame[k->plain->fn[fn].slot[ref]]; }
-
-static bool node_value(const SearchRun *k, const SearchDecision *x, uint32_t n)
-{
-    const FlatNode *node = &x->d->node[n];
-
-    switch (node->kind) {
-    case NODE_CONDITION: return value_of(k, x->fn, x->d->condition[node->a]) != 0;
-    case NODE_NOT: return !node_value(k, x, node->a);
-    case NODE_AND: return node_value(k, x, node->a) && node_value(k, x, node->b);
-    default: return node_value(k, x, node->a) || node_value(k, x, node->b);
-    }
-}
-
 // Returns a condition that keeps node n from having a value, which that condition would need to have in *wanted.
 static uint32_t find_culprit(const SearchRun *k, const SearchDecision *x, uint32_t n, bool value, bool *wanted)
 {
@@ -31,7 +17,7 @@ static uint32_t find_culprit(const SearchRun *k, const SearchDecision *x, uint32
     }
     if (node->kind == NODE_NOT)
         return find_culprit(k, x, node->a, !value, wanted);
-    return find_culprit(k, x, node_value(k, x, node->a) != value ? node->a : node->b, value, wanted);
+    return find_culprit(k, x, search_node_value(k, x, node->a) != value ? node->a : node->b, value, wanted);
 }
 
 // By how much a comparison misses the other outcome; SEARCH_UNKNOWN: the condition is no comparison of numbers.
@@ -44,7 +30,7 @@ static double find_miss(const SearchRun *k, uint32_t fn, IrRef ref)
         ref = f->ins.at[ref].a;
     if (ir_op_info[f->ins.at[ref].op].types != IR_T_COMPARE)
         return SEARCH_UNKNOWN;
-    difference = value_of(k, fn, f->ins.at[ref].a) - value_of(k, fn, f->ins.at[ref].b);
+    difference = search_value_of(k, fn, f->ins.at[ref].a) - search_value_of(k, fn, f->ins.at[ref].b);
     return difference - difference != 0 ? SEARCH_UNKNOWN : difference < 0 ? -difference : difference;
 }
 
@@ -88,7 +74,7 @@ static uint32_t find_masking(const SearchRun *k, const SearchDecision *x, uint32
         if (node->kind == NODE_CONDITION || (node->a != n && !(joins && node->b == n)))
             continue;
         *needed = node->kind == NODE_AND;
-        if (joins && node_value(k, x, other) != *needed)
+        if (joins && search_node_value(k, x, other) != *needed)
             return other;
         n = up;
     }
@@ -112,7 +98,7 @@ static void describe_condition(SearchRun *k, const SearchGoal *g, SearchFind *f,
     while (x->d->node[n].kind != NODE_CONDITION || x->d->node[n].a != g->best_condition)
         n++;
     masking = find_masking(k, x, n, &needed);
-    if (node_value(k, x, n) != g->best_elem.value || masking == SEARCH_NONE)
+    if (search_node_value(k, x, n) != g->best_elem.value || masking == SEARCH_NONE)
         describe_culprit(k, f, x, n, g->best_elem.value);
     else
         describe_culprit(k, f, x, masking, needed);
@@ -129,7 +115,7 @@ static void describe_decision(SearchRun *k, const SearchGoal *g, SearchFind *f)
         return;
     if (g->best_condition != SEARCH_NONE)
         describe_condition(k, g, f, x);
-    else if (node_value(k, x, root) != g->best_elem.value)
+    else if (search_node_value(k, x, root) != g->best_elem.value)
         describe_culprit(k, f, x, root, g->best_elem.value);
 }
 

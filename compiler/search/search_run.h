@@ -233,4 +233,8 @@ void search_begin_solving(SearchRun *k);
 void search_choose(SearchRun *k);
 void search_describe_missing(SearchRun *k);
 
+// The value of an instruction in the last step of k->plain, and the truth of node n of a decision there.
+static inline double search_value_of(const SearchRun *k, uint32_t fn, IrRef ref) { return k->plain->frame[k->plain->fn[fn].slot[ref]]; }
+bool search_node_value(const SearchRun *k, const SearchDecision *x, uint32_t n);
+
 #endif

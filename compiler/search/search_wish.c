@@ -12,7 +12,6 @@ typedef enum Rel { REL_GE, REL_GT, REL_LE, REL_LT, REL_EQ, REL_NE } Rel;
 static void wish_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth);
 static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth);
 
-static double value_of(const SearchRun *k, uint32_t fn, IrRef ref) { return k->plain->frame[k->plain->fn[fn].slot[ref]]; }
 
 static bool satisfies(double a, Rel rel, double b)
 {
@@ -120,7 +119,7 @@ static double increment_of(const SearchRun *k, const SearchStore *s, uint32_t va
         while (f->ins.at[of].op == IR_cvt)
             of = f->ins.at[of].a;
         if (f->ins.at[of].op == IR_load && f->ins.at[of].var == var && (side == 0 || i->op == IR_add))
-            return i->op == IR_sub ? -value_of(k, s->fn, other) : value_of(k, s->fn, other);
+            return i->op == IR_sub ? -search_value_of(k, s->fn, other) : search_value_of(k, s->fn, other);
     }
     return 0;
 }
@@ -244,17 +243,17 @@ static bool choose_second(SearchRun *k, uint32_t fn, const IrIns *i)
 static void wish_sum(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     if (!choose_second(k, fn, i))
-        wish_number(k, fn, i->a, rel, i->op == IR_add ? x - value_of(k, fn, i->b) : x + value_of(k, fn, i->b), depth);
+        wish_number(k, fn, i->a, rel, i->op == IR_add ? x - search_value_of(k, fn, i->b) : x + search_value_of(k, fn, i->b), depth);
     else if (i->op == IR_add)
-        wish_number(k, fn, i->b, rel, x - value_of(k, fn, i->a), depth);
+        wish_number(k, fn, i->b, rel, x - search_value_of(k, fn, i->a), depth);
     else
-        wish_number(k, fn, i->b, flip(rel), value_of(k, fn, i->a) - x, depth);
+        wish_number(k, fn, i->b, flip(rel), search_value_of(k, fn, i->a) - x, depth);
 }
 
 static void wish_product(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     const bool second = choose_second(k, fn, i);
-    const double other = value_of(k, fn, second ? i->a : i->b);
+    const double other = search_value_of(k, fn, second ? i->a : i->b);
 
     if (other != 0)
         wish_number(k, fn, second ? i->b : i->a, other < 0 ? flip(rel) : rel, x / other, depth);
@@ -264,7 +263,7 @@ static void wish_product(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, dou
 
 static void wish_quotient(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
-    const double a = value_of(k, fn, i->a), b = value_of(k, fn, i->b);
+    const double a = search_value_of(k, fn, i->a), b = search_value_of(k, fn, i->b);
 
     if (!choose_second(k, fn, i))
         wish_number(k, fn, i->a, b < 0 ? flip(rel) : rel, x * b, depth);
@@ -274,7 +273,7 @@ static void wish_quotient(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, do
 
 static void wish_magnitude(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
-    const bool negative = value_of(k, fn, i->a) < 0 ? search_chance(k, 70) : search_chance(k, 30);
+    const bool negative = search_value_of(k, fn, i->a) < 0 ? search_chance(k, 70) : search_chance(k, 30);
 
     if (rel == REL_LE || rel == REL_LT) {
         wish_number(k, fn, i->a, rel, x, depth);
@@ -298,11 +297,11 @@ static void wish_extreme(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, dou
             wish_number(k, fn, second ? i->a : i->b, is_min ? REL_GE : REL_LE, x, depth);
         return;
     }
-    if (both || satisfies(value_of(k, fn, i->a), rel, x) < satisfies(value_of(k, fn, i->b), rel, x)) {
+    if (both || satisfies(search_value_of(k, fn, i->a), rel, x) < satisfies(search_value_of(k, fn, i->b), rel, x)) {
         wish_number(k, fn, i->b, rel, x, depth);
         if (both)
             wish_number(k, fn, i->a, rel, x, depth);
-    } else if (satisfies(value_of(k, fn, i->a), rel, x) && search_chance(k, 70)) {
+    } else if (satisfies(search_value_of(k, fn, i->a), rel, x) && search_chance(k, 70)) {
         wish_number(k, fn, i->a, rel, x, depth);
     } else {
         wish_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth);
@@ -328,7 +327,7 @@ static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x,
         return;
     switch (i->op) {
     case IR_load: wish_load(k, i->var, rel, x, depth); break;
-    case IR_stat: wish_window(k, i->var, i->stat, rel, x, satisfies(value_of(k, fn, ref), rel, x), depth); break;
+    case IR_stat: wish_window(k, i->var, i->stat, rel, x, satisfies(search_value_of(k, fn, ref), rel, x), depth); break;
     case IR_add: case IR_sub: wish_sum(k, fn, i, rel, x, depth); break;
     case IR_mul: wish_product(k, fn, i, rel, x, depth); break;
     case IR_div: wish_quotient(k, fn, i, rel, x, depth); break;
@@ -386,15 +385,15 @@ static void wish_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool trut
         wish_copy(k, fn, i->b, i->a);
     }
     if (second)
-        wish_number(k, fn, i->b, flip(rel), value_of(k, fn, i->a), depth);
+        wish_number(k, fn, i->b, flip(rel), search_value_of(k, fn, i->a), depth);
     else
-        wish_number(k, fn, i->a, rel, value_of(k, fn, i->b), depth);
+        wish_number(k, fn, i->a, rel, search_value_of(k, fn, i->b), depth);
 }
 
 // Wishes that one of two has the value: one that has it already, mostly.
 static void wish_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
 {
-    const bool has_a = (value_of(k, fn, a) != 0) == truth, has_b = (value_of(k, fn, b) != 0) == truth;
+    const bool has_a = (search_value_of(k, fn, a) != 0) == truth, has_b = (search_value_of(k, fn, b) != 0) == truth;
     const bool second = has_a == has_b || search_chance(k, 30) ? search_chance(k, 50) : has_b;
 
     wish_truth(k, fn, second ? b : a, truth, depth);
@@ -426,15 +425,15 @@ static void wish_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int dep
 
 // ---- decisions ----
 
-static bool node_value(const SearchRun *k, const SearchDecision *x, uint32_t n)
+bool search_node_value(const SearchRun *k, const SearchDecision *x, uint32_t n)
 {
     const FlatNode *node = &x->d->node[n];
 
     switch (node->kind) {
-    case NODE_CONDITION: return value_of(k, x->fn, x->d->condition[node->a]) != 0;
-    case NODE_NOT: return !node_value(k, x, node->a);
-    case NODE_AND: return node_value(k, x, node->a) && node_value(k, x, node->b);
-    default: return node_value(k, x, node->a) || node_value(k, x, node->b);
+    case NODE_CONDITION: return search_value_of(k, x->fn, x->d->condition[node->a]) != 0;
+    case NODE_NOT: return !search_node_value(k, x, node->a);
+    case NODE_AND: return search_node_value(k, x, node->a) && search_node_value(k, x, node->b);
+    default: return search_node_value(k, x, node->a) || search_node_value(k, x, node->b);
     }
 }
 
@@ -450,7 +449,7 @@ void search_wish_node(SearchRun *k, const SearchDecision *x, uint32_t n, bool va
         search_wish_node(k, x, node->a, value);
         search_wish_node(k, x, node->b, value);
     } else {
-        const bool has_a = node_value(k, x, node->a) == value, has_b = node_value(k, x, node->b) == value;
+        const bool has_a = search_node_value(k, x, node->a) == value, has_b = search_node_value(k, x, node->b) == value;
         search_wish_node(k, x, (has_a == has_b || search_chance(k, 30) ? search_chance(k, 50) : has_b) ? node->b : node->a, value);
     }
 }

@@ -206,6 +206,9 @@ static void call_once(SmcSession *s, SmcMachine *machine)
     case 21: if (random_below(4) == 0) smc_machine_close(s, *m); else read_diagnostics(s); break;
     default: use_machine(s, *m, machine[random_below(HANDLES)]); break;
     }
+    n = random_below(4) ? random_below(3) : UINT32_MAX;
+    CHECK(smc_requirement_count(s, n) < 1000 && strlen(smc_requirement_id(s, n, source)) < 1000 && strlen(smc_requirement_text(s, source, n)) < 100000);
+    CHECK(smc_run_requirement(s, source, n) <= SMC_REQUIREMENT_UNDECIDED && smc_run_judged(s, source, n) <= 1000000);
     CHECK(strlen(smc_error_text(s)) < 1000 && strlen(smc_machine_name(s, *m)) < 100000 && strlen(smc_run_report(s, source)) < 1000000 && strlen(smc_run_trace(s, source)) < 10000000);
 }
 
