@@ -475,6 +475,8 @@ static SmcResult emit_outputs(SmcSession *s, void *argument)
         return library_fail(s, SMC_E_STATE, "the sources have errors");
     if ((missing = find_missing_input(s, emit)) != NULL)
         return library_fail(s, SMC_E_STATE, missing);
+    if (in.n == 0)                                            // as for recorded data or messages alone
+        return library_fail(s, SMC_E_STATE, "there is no source of which anything is emitted");
     library_begin_layer(s);
     in.at = arena_copy(&s->compiler.arena, in.at, in.n * sizeof *in.at);
     for (size_t i = 0; i < in.n; i++)

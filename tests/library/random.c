@@ -12,6 +12,8 @@ enum { CALLS = 60, HANDLES = 6 };
 
 static uint64_t state;
 
+static uint64_t asked;        // calls while a machine had requirements
+
 static uint32_t random_below(uint32_t n)
 {
     state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
@@ -26,6 +28,7 @@ static const char *const text_of[] = {
     "[options]\ndelta_t 1\n[A]\np > 5: @assert false\nG > 50: @stop\n",
     "[digital]\no 8 v\n",
     "[options]\nstate_vector \"0.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine m \"1.sm\"\n",
+    "R1 \"p\" always p < 50\nR2 \"v\" never v and p < 1\n",
     "if x then y = 1 else ->", ""};
 enum { TEXTS = sizeof text_of / sizeof *text_of };
 
@@ -57,12 +60,12 @@ static size_t mutate(char *text)
 
 static void add_source(SmcSession *s)
 {
-    static const char *const names[] = {"0.sv", "1.sm", "dir/2.sm", "3.ss", "4.ss", "5.io", "6.app", "a\nb", ""};
+    static const char *const names[] = {"0.sv", "1.sm", "dir/2.sm", "3.ss", "4.ss", "5.io", "6.app", "7.rq", "a\nb", ""};
     const uint32_t i = random_below(sizeof names / sizeof *names);
     char text[2000];
     uint32_t source;
 
-    smc_source_add(s, random_below(8) ? (int32_t)(i == 0 ? 0 : i < 3 ? 1 : i < 5 ? 2 : i == 5 ? 3 : 4) : (int32_t)random_below(8) - 1, names[i], text, mutate(text), &source);
+    smc_source_add(s, random_below(8) ? (int32_t)(i == 0 ? 0 : i < 3 ? 1 : i < 5 ? 2 : i == 5 ? SMC_KIND_IO : i == 7 ? SMC_KIND_RQ : SMC_KIND_APP) : (int32_t)random_below(9) - 1, names[i], text, mutate(text), &source);
 }
 
 static void read_diagnostics(const SmcSession *s)
@@ -207,6 +210,7 @@ static void call_once(SmcSession *s, SmcMachine *machine)
     default: use_machine(s, *m, machine[random_below(HANDLES)]); break;
     }
     n = random_below(4) ? random_below(3) : UINT32_MAX;
+    asked += smc_requirement_count(s, n) > 0;
     CHECK(smc_requirement_count(s, n) < 1000 && strlen(smc_requirement_id(s, n, source)) < 1000 && strlen(smc_requirement_text(s, source, n)) < 100000);
     CHECK(smc_run_requirement(s, source, n) <= SMC_REQUIREMENT_UNDECIDED && smc_run_judged(s, source, n) <= 1000000);
     CHECK(strlen(smc_error_text(s)) < 1000 && strlen(smc_machine_name(s, *m)) < 100000 && strlen(smc_run_report(s, source)) < 1000000 && strlen(smc_run_trace(s, source)) < 10000000);
@@ -241,5 +245,6 @@ int main(int argc, char **argv)
         if (i % 10000 == 9999)
             fprintf(stderr, "seeds up to %" PRIu64 " done\n", seed + i);
     }
+    CHECK(count < 500 || asked > 0);
     return test_end("random");
 }
