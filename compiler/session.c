@@ -250,6 +250,7 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     Network *network = net && sv ? check_net(&c, net, sv) : NULL;
     App *a;
 
+    arena_free(&s->tree);
     check_instances(s, files, sv);
     a = check_app(&c, app, sv, map, network, files);
     if (!a || s->diags.errors_seen > errors) {

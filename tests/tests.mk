@@ -861,6 +861,7 @@ $(call test, library-broken,       quick, $(B)/library/broken, $(B)/library/brok
 $(call test, library-memory,       quick, $(B)/library/memory, $(B)/library/memory)
 $(call test, library-threads,      quick, $(B)/library/threads, $(B)/library/threads)
 $(call test, library-random,       quick, $(B)/library/random, $(B)/library/random 1 500)
+$(call test, library-calls,        quick, , sh tests/library/calls.sh)
 $(call test, swap-clauses,         quick, $(B)/swap/clauses, $(B)/swap/clauses)
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)

@@ -142,11 +142,15 @@ static void recover(SmcSession *s)
         library_drop_results(s);
 }
 
-// Begins a layer: s->compiler allocates in a new arena, for what one call computes from the results of smc_compile.
+// Begins a layer: s->compiler allocates in a new arena, for what one call computes from the results of smc_compile.  Between two calls of the
+// compiler its trees, work and scratch are not needed, so the layer begins without them: what it frees at its end is its own.
 void library_begin_layer(SmcSession *s)
 {
     Session *c = &s->compiler;
 
+    arena_free(&c->tree);
+    arena_free(&c->work);
+    arena_free(&c->scratch);
     c->built = NULL;                              // passes would change it in place
     s->below = *c;
     s->has_layer = true;

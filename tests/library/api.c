@@ -65,7 +65,7 @@ static void test_compiling_together(void)
 static void test_compiling_an_application(void)
 {
     SmcSession *s = open_session();
-    static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime_unit 1 ms\n[executor main]\nevery 10 ms {\n    machine valve \"valve.sm\"\n}\n";
+    static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n";
     const uint32_t of = add(s, SMC_KIND_APP, "rocket.app", app);
 
     (void)of;
@@ -78,6 +78,21 @@ static void test_compiling_an_application(void)
         CHECK(is_text(smc_app_file_name(s, i), is_vector ? "bus.sv" : "valve.sm"));
     }
     smc_close(s);
+}
+
+// An application whose files of pins and messages are complete and whose machine is missing: what the compiler parsed is freed once.
+static void test_emitting_of_an_incomplete_application(void)
+{
+    static const char app[] = "[options]\nstate_vector \"bus.sv\"\ntime G 1 ms\nnet \"bus.net\"\n[main]\nevery 10 ms:\n    machine valve \"valve.sm\"\n";
+    SmcSession *s = open_session();
+
+    add(s, SMC_KIND_APP, "rocket.app", app);
+    add(s, SMC_KIND_SV, "bus.sv", "[Bus]\nU64 G\nF64 p\n");
+    add(s, SMC_KIND_NET, "bus.net", "receive commands on 5001\n{\n    p @hold\n}\n");
+    CHECK(smc_compile(s) == SMC_E_SOURCE);
+    CHECK(smc_emit(s, SMC_EMIT_TOKENS) == SMC_OK);
+    CHECK(smc_emit(s, SMC_EMIT_AST) == SMC_OK);
+    CHECK(smc_compile(s) == SMC_E_SOURCE && smc_close(s) == SMC_OK);
 }
 
 // ---- the structure of machines ----
@@ -550,6 +565,7 @@ int main(void)
     test_compiling();
     test_compiling_together();
     test_compiling_an_application();
+    test_emitting_of_an_incomplete_application();
     test_structure();
     test_structure_of_all_states();
     test_structure_of_an_application();
