@@ -198,7 +198,7 @@ static void read_session(const SmcSession *s)
     CHECK(smc_memory_used(s) <= smc_memory_peak(s));
     CHECK(kind >= -1 && kind <= SMC_KIND_DATA && (kind < 0 || (n < smc_source_count(s) && smc_source_name(s, n)[0] != '\0')));
     CHECK(smc_option(s, (int32_t)random_below(14) - 1) < 100);
-    CHECK((n < smc_app_file_count(s)) == (smc_app_file_kind(s, n) >= 0) && (n < smc_app_file_count(s)) == (smc_app_file_name(s, n)[0] != '\0'));
+    CHECK((n < smc_app_file_count(s)) == (smc_app_file_kind(s, n) >= 0) && (n < smc_app_file_count(s) || smc_app_file_name(s, n)[0] == '\0'));
     CHECK((n < smc_output_count(s)) == (smc_output_name(s, n)[0] != '\0'));
 }
 
