@@ -25,9 +25,9 @@ LINK     = $(wildcard runtime-c/link/*.c)
 EMIT_C   = $(filter-out %/embed_tool.c,$(wildcard compiler/emit/c/*.c))
 LIBSMC   = $(filter-out compiler/base/os_%,$(wildcard compiler/base/*.c)) $(wildcard compiler/data/*.c compiler/diag/*.c compiler/syntax/*.c compiler/sema/*.c compiler/ir/*.c \
              compiler/facts/*.c compiler/passes/*.c compiler/analysis/*.c compiler/budget/*.c) $(EMIT_C) $(wildcard compiler/emit/bytecode/*.c compiler/report/*.c compiler/script/*.c compiler/cover/*.c compiler/whatif/*.c compiler/diff/*.c compiler/search/*.c compiler/prove/*.c compiler/library/*.c compiler/*.c) $(STDLIB) $(VM) $(LINK)
-# The files of the system that smc is built for: os_posix.c and os_*_posix.c, or os_windows.c and os_*_windows.c.
+# os.h on the system that smc is built for: os_files.c, and os_posix.c and os_*_posix.c, or os_windows.c and os_*_windows.c.
 SYSTEM   = $(if $(findstring mingw,$(CC)),windows,posix)
-OS_FILES = $(wildcard compiler/base/os_$(SYSTEM).c compiler/base/os_*_$(SYSTEM).c)
+OS_FILES = compiler/base/os_files.c $(wildcard compiler/base/os_$(SYSTEM).c compiler/base/os_*_$(SYSTEM).c)
 COMMAND  = $(OS_FILES) $(wildcard compiler/device/*.c compiler/cli/*.c)
 
 # `make V=1` shows the commands themselves, `make -s` nothing.

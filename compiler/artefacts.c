@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/emit_app.h"
 #include "compiler/syntax/parse.h"
 
 static Buf *new_buf(Session *s)

@@ -7,7 +7,7 @@
 
 #include "compiler/analysis/analysis.h"
 #include "compiler/emit/bytecode/bytecode.h"
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/emit_app.h"
 #include "compiler/passes/pass.h"
 #include "compiler/script/replay.h"
 #include "compiler/sema/join.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading and writing files, for os.h on Windows.  An output is written to a temporary file next to its target and then renamed, so that the
 // target always is the old file or the complete new one.  A signal that ends the process removes the temporary files (os_signal.h).
-#include "compiler/base/os.h"
-#include "compiler/base/os_signal.h"
+#include "compiler/base/os_files.h"
 #include "compiler/base/os_windows.h"
 
 #include <stdio.h>
@@ -11,43 +10,30 @@
 
 // ---- reading ----
 
-// Returns the number of bytes read, 0 at the end, -1 after an error.
-static long read_some(HANDLE file, void *bytes, size_t n)
+long os_read_some(intptr_t file, void *into, size_t n, const char **why)
 {
     DWORD got = 0;
 
-    if (ReadFile(file, bytes, n > 1 << 20 ? 1 << 20 : (DWORD)n, &got, NULL))
+    if (ReadFile((HANDLE)file, into, n > 1 << 20 ? 1 << 20 : (DWORD)n, &got, NULL))
         return (long)got;
-    return GetLastError() == ERROR_BROKEN_PIPE || GetLastError() == ERROR_HANDLE_EOF ? 0 : -1;
+    if (GetLastError() == ERROR_BROKEN_PIPE || GetLastError() == ERROR_HANDLE_EOF)
+        return 0;
+    windows_set_reason(why);
+    return -1;
 }
 
-static bool read_all(HANDLE file, size_t most, char **text, size_t *len, const char **why)
+// Opens a file for reading; other programs can use it meanwhile.  Returns INVALID_HANDLE_VALUE, and the reason in *why, if that is impossible.
+static HANDLE open_to_read(const char *path, const char **why)
 {
-    size_t cap = 16384, n = 0;
-    char *buffer = malloc(cap);
+    HANDLE file = INVALID_HANDLE_VALUE;
 
-    while (buffer) {
-        const long got = read_some(file, buffer + n, cap - n - 1);
-        if (got < 0 || n > most) {
-            *why = got < 0 ? windows_reason(GetLastError()) : "the file is too large";
-            free(buffer);
-            return false;
-        }
-        if (got == 0) {
-            buffer[n] = '\0';
-            *text = buffer;
-            *len = n;
-            return true;
-        }
-        n += (size_t)got;
-        if (cap - n < 2) {
-            char *larger = realloc(buffer, cap *= 2);
-            if (!larger)
-                free(buffer);
-            buffer = larger;
-        }
-    }
-    return windows_set_no_memory(why);
+    if (!windows_check_name(path, why))
+        return file;
+    if (os_is_folder(path))
+        *why = "it is a folder";
+    else if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
+        windows_set_reason(why);
+    return file;
 }
 
 bool os_read_file(const char *path, size_t most, char **text, size_t *len, const char **why)
@@ -56,16 +42,10 @@ bool os_read_file(const char *path, size_t most, char **text, size_t *len, const
     bool ok;
 
     if (strcmp(path, "-") == 0 || os_find_descriptor(path) == 0)
-        return read_all(windows_standard_stream(0), most, text, len, why);
-    if (!windows_check_name(path, why))
+        return os_read_all((intptr_t)windows_standard_stream(0), most, text, len, why);
+    if ((file = open_to_read(path, why)) == INVALID_HANDLE_VALUE)
         return false;
-    if (os_is_folder(path)) {
-        *why = "it is a folder";
-        return false;
-    }
-    if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
-        return windows_set_reason(why);
-    ok = read_all(file, most, text, len, why);
+    ok = os_read_all((intptr_t)file, most, text, len, why);
     CloseHandle(file);
     return ok;
 }
@@ -85,6 +65,7 @@ static bool get_information(const char *path, BY_HANDLE_FILE_INFORMATION *inform
 bool os_read_head(const char *path, char *into, size_t n, size_t *len)
 {
     BY_HANDLE_FILE_INFORMATION information;
+    const char *why;
     HANDLE file;
     long got;
 
@@ -93,7 +74,7 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
         return true;
     if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
         return false;
-    got = read_some(file, into, n);
+    got = os_read_some((intptr_t)file, into, n, &why);
     CloseHandle(file);
     *len = got > 0 ? (size_t)got : 0;
     return got >= 0;
@@ -104,14 +85,8 @@ bool os_reader_open(OsReader *r, const char *path, const char **why)
     BY_HANDLE_FILE_INFORMATION information;
     HANDLE file;
 
-    if (!windows_check_name(path, why))
+    if ((file = open_to_read(path, why)) == INVALID_HANDLE_VALUE)
         return false;
-    if (os_is_folder(path)) {
-        *why = "it is a folder";
-        return false;
-    }
-    if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
-        return windows_set_reason(why);
     if (GetFileType(file) != FILE_TYPE_DISK || !GetFileInformationByHandle(file, &information)) {
         *why = "it is not a regular file";
         CloseHandle(file);
@@ -119,19 +94,6 @@ bool os_reader_open(OsReader *r, const char *path, const char **why)
     }
     *r = (OsReader){(intptr_t)file, (uint64_t)information.nFileSizeHigh << 32 | information.nFileSizeLow, 0};
     return true;
-}
-
-bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why)
-{
-    const long bytes = read_some((HANDLE)r->file, into, n);
-
-    *got = bytes > 0 ? (size_t)bytes : 0;
-    r->done += *got;
-    if (bytes < 0)
-        return windows_set_reason(why);
-    if (bytes == 0 && r->done < r->size)
-        *why = "the file became shorter while it was read";
-    return bytes > 0 || r->done >= r->size;
 }
 
 void os_reader_close(OsReader *r) { CloseHandle((HANDLE)r->file); }
@@ -176,8 +138,6 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
     fflush(stderr);
     return windows_write_all(windows_standard_stream(fd), bytes, n, why);
 }
-
-enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };     // numbers in os_signal.h, as in os_posix.c
 
 bool os_is_special(const char *path)
 {
@@ -286,15 +246,7 @@ static bool close_temporary(HANDLE file, bool ok, const char **why)
     return ok;
 }
 
-static void forget_temporary(int number)
-{
-    char *temp = os_unfinished_path(number);
-
-    os_set_unfinished(number, NULL);
-    free(temp);
-}
-
-void windows_remove_file(const char *path)
+void os_remove_file(const char *path)
 {
     wchar_t *wide = windows_path(path);
 
@@ -305,7 +257,7 @@ void windows_remove_file(const char *path)
 
 // Puts a complete temporary file in the place of its target.  ReplaceFileW keeps the permissions and attributes of a replaced file; a file
 // system that cannot do that only renames.  A virus scanner can hold a new file for a moment, so the rename is tried for 1 s.
-static bool replace_file(const char *temp, const char *target, const char **why)
+bool os_replace_file(const char *temp, const char *target, const char **why)
 {
     wchar_t *from = windows_path(temp), *to = windows_path(target);
     bool ok = false;
@@ -340,8 +292,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
-// Writes one output to a temporary file, which the caller renames to *target. *target stays NULL if the output was written directly.
-static bool write_temporary(const OsOutput *out, int number, char **target, const char **why)
+bool os_write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     HANDLE file;
 
@@ -352,35 +303,6 @@ static bool write_temporary(const OsOutput *out, int number, char **target, cons
     if ((*target = resolve_target(out->path, why)) == NULL || (file = open_temporary(*target, number, why)) == INVALID_HANDLE_VALUE)
         return false;
     return close_temporary(file, windows_write_all(file, out->bytes, out->n, why), why);
-}
-
-bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why)
-{
-    char *target[MOST_OUTPUTS] = {NULL};
-    bool ok = n <= MOST_OUTPUTS;
-
-    *failed_path = n ? out[0].path : "";
-    *why = "too many files";
-    os_signals_begin();
-    for (size_t i = 0; ok && i < n; i++) {
-        *failed_path = out[i].path;
-        ok = write_temporary(&out[i], (int)i, &target[i], why);
-    }
-    os_signals_delay();                               // a signal cannot interrupt the renames
-    for (size_t i = 0; ok && i < n; i++)
-        if (target[i]) {
-            *failed_path = out[i].path;
-            ok = replace_file(os_unfinished_path((int)i), target[i], why);
-        }
-    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
-        if (!ok && os_unfinished_path((int)i))
-            windows_remove_file(os_unfinished_path((int)i));
-        forget_temporary((int)i);
-        free(target[i]);
-    }
-    os_signals_resume();
-    os_signals_end();
-    return ok;
 }
 
 bool os_stream_open(OsStream *s, const char *path, const char **why)
@@ -399,7 +321,7 @@ bool os_stream_open(OsStream *s, const char *path, const char **why)
         return false;
     os_signals_begin();
     atexit(os_remove_unfinished);
-    if ((file = open_temporary(s->target, STREAM, why)) == INVALID_HANDLE_VALUE) {
+    if ((file = open_temporary(s->target, OS_STREAM_NUMBER, why)) == INVALID_HANDLE_VALUE) {
         free(s->target);
         os_signals_end();
         return false;
@@ -422,10 +344,10 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
     ok = close_temporary(windows_handle(s->fd), true, why);
     os_signals_delay();
     if (ok && keep)
-        ok = replace_file(os_unfinished_path(STREAM), s->target, why);
+        ok = os_replace_file(os_unfinished_path(OS_STREAM_NUMBER), s->target, why);
     if (!ok || !keep)
-        windows_remove_file(os_unfinished_path(STREAM));
-    forget_temporary(STREAM);
+        os_remove_file(os_unfinished_path(OS_STREAM_NUMBER));
+    os_forget_temporary(OS_STREAM_NUMBER);
     os_signals_resume();
     free(s->target);
     os_signals_end();

@@ -3,8 +3,7 @@
 #define _XOPEN_SOURCE 700
 #define _DEFAULT_SOURCE                  // for the declaration of madvise
 
-#include "compiler/base/os.h"
-#include "compiler/base/os_signal.h"
+#include "compiler/base/os_files.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -61,38 +60,15 @@ static bool check_name(const char *path, const char **why)
 
 // ---- reading ----
 
-// Reads to the end of the file into a heap buffer, which doubles when it is full. Returns false and sets *why if reading fails or the file has
-// more than `most` bytes.
-static bool read_all(int fd, size_t most, char **text, size_t *len, const char **why)
+long os_read_some(intptr_t file, void *into, size_t n, const char **why)
 {
-    size_t cap = 16384, n = 0;
-    char *buffer = malloc(cap);
+    ssize_t got;
 
-    while (buffer) {
-        ssize_t got = read(fd, buffer + n, cap - n - 1);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0 || n > most) {
-            *why = got < 0 ? strerror(errno) : "the file is too large";
-            free(buffer);
-            return false;
-        }
-        if (got == 0) {
-            buffer[n] = '\0';
-            *text = buffer;
-            *len = n;
-            return true;
-        }
-        n += (size_t)got;
-        if (cap - n < 2) {
-            char *larger = realloc(buffer, cap *= 2);
-            if (!larger)
-                free(buffer);
-            buffer = larger;
-        }
-    }
-    *why = "out of memory";
-    return false;
+    while ((got = read((int)file, into, n)) < 0 && errno == EINTR)
+        continue;
+    if (got < 0)
+        set_reason(why);
+    return (long)got;
 }
 
 // Reads a whole file or, for "-", standard input, of at most `most` bytes.  The caller frees *text with os_alloc; after false, *why is the
@@ -103,7 +79,7 @@ bool os_read_file(const char *path, size_t most, char **text, size_t *len, const
     int fd;
 
     if (strcmp(path, "-") == 0)
-        return read_all(0, most, text, len, why);
+        return os_read_all(0, most, text, len, why);
     if (!check_name(path, why))
         return false;
     if (os_is_folder(path)) {
@@ -112,7 +88,7 @@ bool os_read_file(const char *path, size_t most, char **text, size_t *len, const
     }
     if ((fd = open(path, O_RDONLY)) < 0)
         return set_reason(why);
-    ok = read_all(fd, most, text, len, why);
+    ok = os_read_all(fd, most, text, len, why);
     close(fd);
     return ok;
 }
@@ -120,8 +96,9 @@ bool os_read_file(const char *path, size_t most, char **text, size_t *len, const
 // Reads up to n bytes from the start of a regular file.  *len is their number, 0 if there is no such file.
 bool os_read_head(const char *path, char *into, size_t n, size_t *len)
 {
+    const char *why;
     struct stat st;
-    ssize_t got;
+    long got;
     int fd;
 
     *len = 0;
@@ -129,8 +106,7 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
         return true;
     if ((fd = open(path, O_RDONLY)) < 0)
         return false;
-    while ((got = read(fd, into, n)) < 0 && errno == EINTR)
-        continue;
+    got = os_read_some(fd, into, n, &why);
     close(fd);
     *len = got > 0 ? (size_t)got : 0;
     return got >= 0;
@@ -152,21 +128,6 @@ bool os_reader_open(OsReader *r, const char *path, const char **why)
     }
     *r = (OsReader){fd, (uint64_t)st.st_size, 0};
     return true;
-}
-
-bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why)
-{
-    ssize_t bytes;
-
-    while ((bytes = read((int)r->file, into, n)) < 0 && errno == EINTR)
-        continue;
-    *got = bytes > 0 ? (size_t)bytes : 0;
-    r->done += *got;
-    if (bytes < 0)
-        return set_reason(why);
-    if (bytes == 0 && r->done < r->size)
-        *why = "the file became shorter while it was read";
-    return bytes > 0 || r->done >= r->size;
 }
 
 void os_reader_close(OsReader *r) { close((int)r->file); }
@@ -194,9 +155,6 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
 {
     return write_all(fd, bytes, n, why);
 }
-
-// Temporary files have numbers in os_signal.h: os_write_files uses 0 to MOST_OUTPUTS - 1, the open stream uses STREAM.
-enum { MOST_OUTPUTS = OS_UNFINISHED - 1, STREAM = MOST_OUTPUTS };
 
 // Returns the mode of the replaced file, or else the default mode of a new file.
 static mode_t mode_for_output(const char *target)
@@ -281,15 +239,6 @@ static bool close_temporary(int fd, const char *target, bool ok, const char **wh
     return ok;
 }
 
-// Unregisters a temporary file, so that a signal no longer removes it, and frees its path.
-static void forget_temporary(int number)
-{
-    char *temp = os_unfinished_path(number);
-
-    os_set_unfinished(number, NULL);
-    free(temp);
-}
-
 // Writes one output without a temporary file. Returns false and sets *why if that fails.
 static bool write_directly(const OsOutput *out, const char **why)
 {
@@ -304,8 +253,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
-// Writes one output to a temporary file, which the caller renames to *target. *target stays NULL if the output was written directly.
-static bool write_temporary(const OsOutput *out, int number, char **target, const char **why)
+bool os_write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;
 
@@ -318,35 +266,8 @@ static bool write_temporary(const OsOutput *out, int number, char **target, cons
     return close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
 }
 
-bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why)
-{
-    char *target[MOST_OUTPUTS] = {NULL};
-    bool ok = n <= MOST_OUTPUTS;
-
-    *failed_path = n ? out[0].path : "";
-    *why = "too many files";
-    os_signals_begin();
-    for (size_t i = 0; ok && i < n; i++) {
-        *failed_path = out[i].path;
-        ok = write_temporary(&out[i], (int)i, &target[i], why);
-    }
-    os_signals_delay();                               // a signal cannot interrupt the renames
-    for (size_t i = 0; ok && i < n; i++)
-        if (target[i]) {
-            *failed_path = out[i].path;
-            if (rename(os_unfinished_path((int)i), target[i]) != 0)
-                ok = set_reason(why);
-        }
-    for (size_t i = 0; i < n && i < MOST_OUTPUTS; i++) {
-        if (!ok && os_unfinished_path((int)i))
-            unlink(os_unfinished_path((int)i));
-        forget_temporary((int)i);
-        free(target[i]);
-    }
-    os_signals_resume();
-    os_signals_end();
-    return ok;
-}
+bool os_replace_file(const char *temp, const char *target, const char **why) { return rename(temp, target) == 0 || set_reason(why); }
+void os_remove_file(const char *path) { unlink(path); }
 
 // ---- a file written incrementally ----
 
@@ -362,7 +283,7 @@ bool os_stream_open(OsStream *s, const char *path, const char **why)
         return false;
     os_signals_begin();
     atexit(os_remove_unfinished);
-    s->fd = open_temporary(s->target, STREAM, why);
+    s->fd = open_temporary(s->target, OS_STREAM_NUMBER, why);
     if (s->fd >= 0)
         return true;
     free(s->target);
@@ -382,11 +303,11 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
     if (s->is_direct)
         return s->is_own || close(s->fd) == 0 || set_reason(why);
     ok = close_temporary(s->fd, s->target, true, why);
-    if (ok && keep && rename(os_unfinished_path(STREAM), s->target) != 0)
-        ok = set_reason(why);
+    if (ok && keep)
+        ok = os_replace_file(os_unfinished_path(OS_STREAM_NUMBER), s->target, why);
     if (!ok || !keep)
-        unlink(os_unfinished_path(STREAM));
-    forget_temporary(STREAM);
+        unlink(os_unfinished_path(OS_STREAM_NUMBER));
+    os_forget_temporary(OS_STREAM_NUMBER);
     free(s->target);
     os_signals_end();
     return ok;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Secrets, for os.h on Windows: random bytes for a key, and files that only this user can read.  The permissions of a file are an access
 // control list; the system and the administrators can read every file, so they do not count as other users.
-#include "compiler/base/os.h"
+#include "compiler/base/os_files.h"
 #include "compiler/base/os_windows.h"
 
 #include <aclapi.h>
@@ -70,7 +70,7 @@ bool os_write_private(const char *path, const void *bytes, size_t n, const char 
     if (!CloseHandle(file) && ok)
         ok = windows_set_reason(why);
     if (!ok)
-        windows_remove_file(path);
+        os_remove_file(path);
     return ok;
 }
 

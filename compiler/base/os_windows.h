@@ -37,7 +37,6 @@ HANDLE windows_open_existing(const char *path, DWORD access);
 // INVALID_HANDLE_VALUE: the reason is in *why.
 HANDLE windows_create_new(const char *path, SECURITY_ATTRIBUTES *security, const char **why);
 bool windows_write_all(HANDLE file, const void *bytes, size_t n, const char **why);
-void windows_remove_file(const char *path);
 
 HANDLE windows_standard_stream(int fd);                           // of stdin, stdout and stderr, 0 to 2
 

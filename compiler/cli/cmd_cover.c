@@ -382,10 +382,7 @@ int cmd_cover(Cli *c)
             r.machine = path_file_name(in.at[i].text->name);
     if ((code = cover_read_folder(&r, &in)) != EXIT_OK)
         return code;
-    o.scripts_later = true;
-    o.skip_analyses = true;
-    compile_sources(&c->session, &in, &o, &made);
-    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+    if ((code = runs_compile(c, &in, &o, &made)) != EXIT_OK)
         return code;
     r.p = runs_find_machine(&in, &made)->scripted;
     return cover(&r, &in, given, &o, &made, &settings);

@@ -271,10 +271,7 @@ int cmd_mutate(Cli *c)
     for (size_t i = 0; i < in.n; i++)
         if (in.at[i].kind == FILE_SM)
             r.machine = path_file_name(in.at[i].text->name);
-    o.scripts_later = true;
-    o.skip_analyses = true;
-    compile_sources(&c->session, &in, &o, &made);
-    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+    if ((code = runs_compile(c, &in, &o, &made)) != EXIT_OK)
         return code;
     r.p = runs_find_machine(&in, &made)->scripted;
     r.requirements = runs_find_machine(&in, &made)->requirements;

@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "compiler/cli/runs.h"
 #include "compiler/cli/setting.h"
 #include "compiler/script/why.h"
 #include "compiler/syntax/time_unit.h"
@@ -304,10 +305,7 @@ static int compile(WhyCommand *y)
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
-    o.scripts_later = true;
-    o.skip_analyses = true;
-    compile_sources(&c->session, &in, &o, &made);
-    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+    if ((code = runs_compile(c, &in, &o, &made)) != EXIT_OK)
         return code;
     while (in.at[machine].kind != FILE_SM && in.at[machine].kind != FILE_APP)
         machine++;

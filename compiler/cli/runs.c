@@ -52,6 +52,14 @@ int runs_check_arguments(Cli *c)
     return EXIT_OK;
 }
 
+int runs_compile(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made)
+{
+    o->scripts_later = true;
+    o->skip_analyses = true;
+    compile_sources(&c->session, in, o, made);
+    return cli_print_diagnostics(c);
+}
+
 // Returns the machine among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made)
 {

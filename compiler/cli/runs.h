@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine and its scripts for smc report and smc graph: their arguments, and the runs of the scripts on the VM.
+// A machine and its scripts, for the commands that run them: their arguments, compiling, and the runs on the VM for smc report and smc graph.
 #ifndef SMC_CLI_RUNS_H
 #define SMC_CLI_RUNS_H
 
@@ -10,6 +10,9 @@
 int runs_check_arguments(Cli *c);
 // Reports that the command is for one machine, and what to name instead of an application.  Returns an exit code.
 int runs_refuse_app(Cli *c, const char *app);
+// Compiles `in` for a command that runs the scripts itself: no analysis runs, and each script still needs session_script.  Returns EXIT_OK, or
+// the exit code after messages.
+int runs_compile(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made);
 // Returns the machine among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made);
 // Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.

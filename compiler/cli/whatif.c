@@ -45,10 +45,7 @@ int whatif_load(Cli *c, WhatIf *w)
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
-    o.scripts_later = true;
-    o.skip_analyses = true;
-    compile_sources(&c->session, &in, &o, &made);
-    if ((code = cli_print_diagnostics(c)) != EXIT_OK)
+    if ((code = runs_compile(c, &in, &o, &made)) != EXIT_OK)
         return code;
     m = runs_find_machine(&in, &made);
     w->p = m->scripted;

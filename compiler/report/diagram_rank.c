@@ -48,14 +48,14 @@ void layout_stub_hubs(Diagram *d)
 
 typedef struct SearchFrame { uint32_t node, next; } SearchFrame;  // next: number of its edges that have been followed
 
-typedef struct CycleSearch {
+typedef struct BackEdgeSearch {
     Layout *l;
     char *state;                  // 0 not visited, 1 on the current path, 2 done
     VEC(SearchFrame) stack;      // the current path
-} CycleSearch;
+} BackEdgeSearch;
 
 // Puts a node on the current path of the depth-first search.
-static void push_node(CycleSearch *s, uint32_t node)
+static void push_node(BackEdgeSearch *s, uint32_t node)
 {
     SearchFrame v = {node, 0};
 
@@ -65,7 +65,7 @@ static void push_node(CycleSearch *s, uint32_t node)
 
 // Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
 // state stays at the top.
-static void search_cycles_from(CycleSearch *s, uint32_t start)
+static void search_cycles_from(BackEdgeSearch *s, uint32_t start)
 {
     const Diagram *d = s->l->d;
 
@@ -86,7 +86,7 @@ static void search_cycles_from(CycleSearch *s, uint32_t start)
 
 static void break_cycles(Layout *l)
 {
-    CycleSearch s = {l, ARENA_ARRAY(l->arena, char, l->d->nodes), {NULL, 0, 0}};
+    BackEdgeSearch s = {l, ARENA_ARRAY(l->arena, char, l->d->nodes), {NULL, 0, 0}};
 
     for (uint32_t n = 0; n < l->d->nodes; n++)
         if (s.state[n] == 0)

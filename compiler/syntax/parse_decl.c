@@ -212,13 +212,13 @@ typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_COUNT, T
 // in: by FileKind, whether a file of this kind can have the option.
 static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
 #define OPTION(name, takes, in_sv, in_sm, in_ss) {#name, TAKES_##takes, {[FILE_SV] = in_sv, [FILE_SM] = in_sm, [FILE_SS] = in_ss}},
-#include "compiler/syntax/options.def"
+#include "compiler/syntax/section_options.def"
 #undef OPTION
 };
 
 static const char *const option_words[] = {
 #define OPTION(name, takes, in_sv, in_sm, in_ss) #name,
-#include "compiler/syntax/options.def"
+#include "compiler/syntax/section_options.def"
 #undef OPTION
 };
 
@@ -229,7 +229,7 @@ static const char *const expected_value[] = {
 
 enum { OPTION_COUNT = sizeof option_words / sizeof *option_words };
 
-// Parses the value of a parameter: a number with or without a sign and a unit of time, true or false. Returns false if there is none.
+// Parses the value of a parameter: a number with or without a sign and a unit of time, true or false. Returns false if no value follows.
 static bool parse_setting_value(Parser *p, AstOption *o)
 {
     const uint32_t at = p->tok.at;

@@ -5,7 +5,7 @@
 // depth.
 #include <string.h>
 
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/emit_app.h"
 #include "compiler/compile.h"
 #include "compiler/syntax/parse.h"
 #include "tests/fuzz/fuzz.h"

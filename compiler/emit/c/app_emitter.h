@@ -3,7 +3,7 @@
 #ifndef SMC_EMIT_C_APP_EMITTER_H
 #define SMC_EMIT_C_APP_EMITTER_H
 
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/emit_app.h"
 #include "compiler/emit/c/unit.h"
 
 // The application and the C names of its parts.
@@ -20,7 +20,7 @@ typedef struct AppEmitter {
     Buf *out;
 } AppEmitter;
 
-// ---- app.c ----
+// ---- emit_app.c ----
 
 // Returns the address of an element's SmElement.
 const char *app_element_address(const AppEmitter *e, const Element *x);

@@ -3,7 +3,7 @@
 // other, names that the user writes, and those static names of the application's own file that begin with the name of a task.  The other
 // static names of that file, such as `executors`, are fixed.  They need no claim: they have no underscore and no capital at the start, and do
 // not end like a name that claim_task claims.
-#include "compiler/emit/c/app.h"
+#include "compiler/emit/c/emit_app.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Emits an application as C on top of runtime-c: NAME_app.h and NAME_app.c (docs/config.md 10).
-#ifndef SMC_EMIT_C_APP_H
-#define SMC_EMIT_C_APP_H
+#ifndef SMC_EMIT_APP_H
+#define SMC_EMIT_APP_H
 
 #include "compiler/base/buf.h"
 #include "compiler/diag/diag.h"
