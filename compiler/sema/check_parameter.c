@@ -40,9 +40,10 @@ static bool store_ends(Sema *s, const Var *v, const AstAnnotation *range, Parame
 }
 
 // Sets the range of a parameter.  Without a valid one the parameter accepts every number, so that nothing else is reported.
-static void set_range(Sema *s, const Var *v, const AstAnnotation *range, Parameter *p)
+static void set_range(Sema *s, const Var *v, const AstDecl *decl, Parameter *p)
 {
     const SmF64 highest = sm_from_bits(0x7FEFFFFFFFFFFFFFu);
+    const AstAnnotation *range = find_annotation(&decl->annotations, AST_RANGE);
 
     if (v->type == SM_BOOL && range)
         diag_report(s->diags, DIAG_range_of_bool, range->span, v->name->text);
@@ -52,7 +53,8 @@ static void set_range(Sema *s, const Var *v, const AstAnnotation *range, Paramet
         p->lo = sm_from_i32(0);
         p->hi = sm_from_i32(1);
     } else if (!range) {
-        diag_label(s->diags, diag_report(s->diags, DIAG_parameter_without_range, p->span, v->name->text), DIAG_label_parameter_range);
+        if (!decl->is_incomplete)
+            diag_label(s->diags, diag_report(s->diags, DIAG_parameter_without_range, p->span, v->name->text), DIAG_label_parameter_range);
     } else if (sm_lt(range->hi.value, range->lo.value)) {
         diag_report(s->diags, DIAG_range_empty, range->span, v->name->text, const_text(s->arena, range->lo.value),
                     const_text(s->arena, range->hi.value));
@@ -75,7 +77,7 @@ const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl)
     p->span = mark->span;
     p->unit = v->unit;
     if (!scope_is_doubtful(s, v->name))
-        set_range(s, v, range, p);
+        set_range(s, v, decl, p);
     return p;
 }
 

@@ -218,50 +218,80 @@ void add_stmt_marks(Sema *s, const AstStmt *in, const Stmt *stmt)
         add_mark(s, in->marks->at.at[i], s->state, stmt, true, in->marks->span.at[i]);
 }
 
-// Warns of an @req whose requirement no file has.
-static void check_mark(CheckContext *c, const Requirements *r, unsigned *guesses, Map *reported, Str id, Span span)
-{
-    Guess g = guess_init(id);
-    Diag *d;
+// The marks whose requirement no file has, each id once.
+typedef struct UnknownIds { Map reported; VEC(const RequirementMark *) at; } UnknownIds;
 
-    if (map_find(&r->by_id, id) || map_find(reported, id))
+static void note_mark(CheckContext *c, const Requirements *r, UnknownIds *unknown, const RequirementMark *m)
+{
+    if (map_find(&r->by_id, m->requirement) || map_find(&unknown->reported, m->requirement))
         return;
-    map_put(reported, id, (void *)id);
-    d = diag_report(c->diags, DIAG_requirement_unknown, span, id->text);
-    if (*guesses == 0)
+    map_put(&unknown->reported, m->requirement, (void *)m->requirement);
+    vec_push(c->arena, &unknown->at, m);
+}
+
+// Reports the unknown ids.  A few are probably misspelt.  Many are in a file of requirements that was not given: one warning lists them.
+static void report_unknown_ids(CheckContext *c, const Requirements *r, const UnknownIds *unknown)
+{
+    enum { FEW = 3, LISTED = 8 };
+    const size_t n = unknown->at.n;
+    Buf others;
+
+    for (size_t i = 0; i < n && n <= FEW; i++) {
+        const RequirementMark *m = unknown->at.at[i];
+        Guess g = guess_init(m->requirement);
+        for (size_t k = 0; k < r->at.n; k++)
+            guess_consider(&g, r->at.at[k].id);
+        guess_add_label(c->diags, diag_report(c->diags, DIAG_requirement_unknown, m->span, m->requirement->text), &g);
+    }
+    if (n <= FEW)
         return;
-    --*guesses;
-    for (size_t i = 0; i < r->at.n; i++)
-        guess_consider(&g, r->at.at[i].id);
-    guess_add_label(c->diags, d, &g);
+    buf_init(&others, c->arena);
+    for (size_t i = 1; i < n && i <= LISTED; i++)
+        buf_printf(&others, "%s'%s'", i == 1 ? "" : i + 1 == n ? " and " : ", ", unknown->at.at[i]->requirement->text);
+    if (n - 1 > LISTED)
+        buf_printf(&others, " and %lu more", (unsigned long)(n - 1 - LISTED));
+    diag_note(c->diags, diag_report(c->diags, DIAG_requirement_unknown, unknown->at.at[0]->span, unknown->at.at[0]->requirement->text), (Span){0},
+              DIAG_note_requirements_unknown, buf_text(&others));
 }
 
 void check_requirement_marks(CheckContext *c, const Requirements *r)
 {
-    Map reported = {c->arena, NULL, NULL, 0, 0};
-    unsigned guesses = 30;
+    UnknownIds unknown = {{c->arena, NULL, NULL, 0, 0}, {0}};
 
     for (size_t i = 0; i < r->program->mark.n; i++)
-        check_mark(c, r, &guesses, &reported, r->program->mark.at[i].requirement, r->program->mark.at[i].span);
+        note_mark(c, r, &unknown, &r->program->mark.at[i]);
+    report_unknown_ids(c, r, &unknown);
+}
+
+// Reports the ids of a script that no file has.  Those that the machine marks, too, have been reported there.
+static void check_marks_of_asserts(CheckContext *c, const Requirements *r, const Script *script)
+{
+    UnknownIds unknown = {{c->arena, NULL, NULL, 0, 0}, {0}};
+
+    for (size_t i = 0; i < r->program->mark.n; i++)
+        map_put(&unknown.reported, r->program->mark.at[i].requirement, (void *)r->program->mark.at[i].requirement);
+    for (size_t i = 0; i < script->section.n; i++)
+        for (size_t k = 0; k < script->section.at[i].item.n; k++) {
+            const ScriptItem *item = script->section.at[i].item.at[k];
+            for (size_t n = 0; n < item->asserts.n; n++) {
+                const ScriptRemark *remark = item->asserts.at[n].remark;
+                if (remark && remark->requirement) {
+                    RequirementMark *m = ARENA_NEW(c->arena, RequirementMark);
+                    m->requirement = remark->requirement;
+                    m->span = remark->span;
+                    note_mark(c, r, &unknown, m);
+                }
+            }
+        }
+    report_unknown_ids(c, r, &unknown);
 }
 
 void check_requirements_of_script(CheckContext *c, const Requirements *r, const Script *script)
 {
-    Map reported = {c->arena, NULL, NULL, 0, 0};
-    unsigned guesses = 30;
-
     for (size_t i = 0; i < r->window.n && script->by_rows && script->program->joint; i++)
         if (r->window.at[i].in_time || r->window.at[i].gap > 0) {
             diag_report(c->diags, DIAG_delta_t_file, script->delta_t_span, "a requirement depends on the time from tick to tick");
             break;
         }
-    for (size_t i = 0; i < script->section.n; i++)
-        for (size_t k = 0; k < script->section.at[i].item.n; k++) {
-            const ScriptItem *item = script->section.at[i].item.at[k];
-            for (size_t n = 0; n < item->asserts.n; n++) {
-                const ScriptRemark *m = item->asserts.at[n].remark;
-                if (m && m->requirement)
-                    check_mark(c, r, &guesses, &reported, m->requirement, m->span);
-            }
-        }
+    check_marks_of_asserts(c, r, script);
 }

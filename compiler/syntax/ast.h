@@ -149,6 +149,7 @@ typedef struct AstDecl {
     Span name_span;
     AstExpr *value;           // the initial value of a local
     AstAnnotations annotations;
+    bool is_incomplete;       // an error was reported after its name, so that the value or an annotation can be missing
 } AstDecl;
 
 // A line of [define]: name = value.

@@ -117,6 +117,7 @@ static void parse_decl(Parser *p, AstSection *s)
                                        : s->kind == AST_LOCAL ? (p->kind == FILE_SS ? AST_ON_SCRIPT_LOCAL : AST_ON_LOCAL)
                                                               : AST_ON_ELEMENT;
     AstDecl d = {0};
+    size_t errors;
 
     if (hint_explain(p, HINT_AT_DECL, NULL) == HINT_SKIPPED)
         return;
@@ -128,6 +129,7 @@ static void parse_decl(Parser *p, AstSection *s)
         return;
     if (!parse_decl_name(p, &d))
         return;
+    errors = p->diags->errors_seen;
     if (s->kind == AST_LOCAL)
         parse_initial_value(p, &d);
     if (!p->failed)
@@ -135,6 +137,7 @@ static void parse_decl(Parser *p, AstSection *s)
     parse_annotations(p, target, d.name, d.name_span, &d.annotations);
     if (!p->failed && !ends_decl(p, s, &d))
         report_after_decl(p, s, &d);
+    d.is_incomplete = p->failed || p->diags->errors_seen > errors;
     vec_push(p->arena, &s->decls, d);
 }
 

@@ -19,10 +19,10 @@ static void *heap(void *context, void *old, size_t size)
 }
 
 static const char machine[] =
-    "[state_vector]\nU64 time @alias G\nU32 mode @alias S\nF64 x\nF64 y\nF32 f\nF64 high\nF64 entries\nF64 seen\nU8 same\nbool never\n"
+    "[state_vector]\nU64 time @alias G\nU32 mode @alias S\nF64 x\nF64 y\nF32 f\nF64 high\nF64 entries\nF64 seen\nbool inA\nU8 same\nbool never\n"
     "[local]\nU32 n = 5\n"
     "[A]\n.entry\n    entries = entries + 1\n"
-    ".step\n    n = n + 1\n    high = roll_max(x, 3)\n    y = 1 / x + 1 / f\n    same = 7\n    seen = S\n"
+    ".step\n    n = n + 1\n    high = roll_max(x, 3)\n    y = 1 / x + 1 / f\n    same = 7\n    seen = S\n    inA = S == A\n"
     "    if x == 99: never = true\n    if x == 5: -> B\n"
     "[B]\n.step\n    seen = S\n    if x == 6: -> A\n";
 
@@ -184,9 +184,10 @@ static void test_stored_elements_are_reported(Rig *r)
 // clause 6.17: a number stored in S from outside is read unchanged, and has no effect on the state.
 static void test_stored_S_does_not_change_the_state(Rig *r)
 {
-    CHECK(step_x(r, 0, 1) == ENGINE_OK);
+    CHECK(step_x(r, 0, 1) == ENGINE_OK && cell(r, "inA") == 1);
     CHECK(step(r, 1, "mode", 2) == ENGINE_OK);
     CHECK(number(r, "seen") == 2 && cell(r, "n") == 7 && r->out.next_state == 1 && cell(r, "mode") == 2);
+    CHECK(cell(r, "inA") == 0);                               // clause 3.33: the comparison with a state's name reads that number
     CHECK(step_x(r, 2, 5) == ENGINE_OK && r->out.next_state == 2);
     CHECK(step(r, 3, "mode", 77) == ENGINE_OK);
     CHECK(cell(r, "mode") == 2 && number(r, "seen") == 2);    // a first step stores it again
