@@ -7,7 +7,6 @@
 static double size_of(double x) { return x < 0 ? -x : x; }
 static bool is_near(double a, double b, double tolerance) { return size_of(a - b) <= tolerance * size_of(b); }
 
-static double not_known(void) { return sm_div(sm_from_i32(0), sm_from_i32(0)); }      // NaN
 
 // ---- building ----
 
@@ -100,7 +99,7 @@ Quantity quantity_one_of(const Quantity *a, const Quantity *b)
         return a->kind == b->kind && a->kind != QUANTITY_NUMBER ? *a : quantity_of_kind(QUANTITY_UNKNOWN);
     if (a->kind == QUANTITY_UNIT && b->kind == QUANTITY_UNIT) {
         if (a->scaled && b->scaled && a->factor != b->factor)
-            out.factor = not_known();
+            out.factor = sm_div(sm_from_i32(0), sm_from_i32(0));      // NaN: not known
         out.shift = a->shift == b->shift ? a->shift : 0;
         out.zero_unknown = a->zero_unknown || b->zero_unknown;
     }
@@ -116,7 +115,7 @@ static Quantity add_number(const Quantity *a, const Quantity *number, double sig
     if (number->kind == QUANTITY_NUMBER)
         out.shift += sign * number->factor;
     else if (number->kind == QUANTITY_UNKNOWN && measure_is_temperature(&a->unit))
-        out.zero_unknown = true;                            // it can be the 273.15 that leads to another zero
+        out.zero_unknown = true;                            // the value can be 273.15, which converts kelvins to degrees Celsius or back
     return out;
 }
 
