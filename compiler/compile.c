@@ -99,6 +99,18 @@ static void read_script_writes_and_step(Compilation *c, size_t m, const Program 
         c->s->step = p->step ? p->step : agree ? step : 0;
 }
 
+static void check_limits(Compilation *c, const CompiledSource *of)
+{
+    const ImageOptions as_sent = {false, NULL};
+    LimitSubject m = {of->program, of->ir, of->measured, 0};
+    Buf image;
+
+    buf_init(&image, &c->s->arena);
+    if (session_image(c->s, &m.ir, 1, &as_sent, &image))
+        m.length = (uint32_t)image.n;
+    limits_check(&c->s->arena, &c->s->diags, &m, &c->o->limits);
+}
+
 // Optimises a machine.  If its costs are needed, also builds an image with line numbers, and checks the limits on that image.
 static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 {
@@ -115,7 +127,7 @@ static void build_ir_and_measure(Compilation *c, CompiledSource *of)
             of->measured = (const uint8_t *)image.at;
     }
     if (is_limited && of->measured)
-        limits_check(&c->s->arena, &c->s->diags, of->program, of->measured, &c->o->limits);
+        check_limits(c, of);
 }
 
 static bool has_requirements(const Compilation *c, size_t m)

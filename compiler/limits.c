@@ -77,20 +77,62 @@ static void check_step(const LimitCheck *x, const Cost *cost, DiagCode code, uin
                   count_text(x, l->units));
 }
 
+// ---- a board ----
+
+// Reports a call of a function that the board lacks.
+static void check_call(const LimitCheck *x, const IrIns *i, const Board *b)
+{
+    const char *name = ir_op_info[i->op].name, *others;
+    Diag *d;
+
+    if (!ir_is_elementary(i->op) || board_has_function(b, name))
+        return;
+    d = diag_report(x->diags, DIAG_limit_function, i->span, name, x->p->name->text, b->mcu, b->name);
+    others = board_list_with_function(x->arena, name);
+    if (others)
+        diag_label(x->diags, d, DIAG_label_board_has_function, others);
+}
+
+// Checks one function of the machine; NULL: it has no code.
+static void check_calls(const LimitCheck *x, const IrFn *f, const Board *b)
+{
+    for (size_t k = 0; f && k < f->blk.n; k++)
+        for (size_t i = 0; i < f->blk.at[k].ins.n; i++)
+            check_call(x, &f->ins.at[f->blk.at[k].ins.at[i]], b);
+}
+
+static void check_board_bytes(const LimitCheck *x, const char *what, uint32_t needed, uint32_t room, const Board *b)
+{
+    if (needed > room)
+        diag_report(x->diags, DIAG_limit_board, (Span){x->p->src, 0, 0}, x->p->name->text, count_text(x, needed), what, b->mcu, b->name,
+                    count_text(x, room));
+}
+
+static void check_board(const LimitCheck *x, const LimitSubject *m, const Cost *cost, const Board *b)
+{
+    check_calls(x, m->ir->sample, b);
+    for (size_t i = 0; i < m->ir->state.n; i++)
+        for (int k = 0; k < BLOCK_COUNT; k++)
+            check_calls(x, m->ir->state.at[i].block[k], b);
+    check_board_bytes(x, "for its image", m->length, b->image, b);
+    check_board_bytes(x, "of RAM", m->p->sv->size + cost->locals + cost->windows_small, b->ram, b);
+}
+
 // ---- all ----
 
-// Reports by how much a machine exceeds the limits.  `image` contains only this machine, compiled from p as it will fly, and line numbers.
-void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l)
+void limits_check(Arena *arena, Diags *d, const LimitSubject *m, const CompileLimits *l)
 {
-    const LimitCheck x = {arena, d, p};
+    const LimitCheck x = {arena, d, m->p};
     Cost cost;
 
-    cost_of_machine(arena, image, 0, COST_INSTRUCTIONS, &cost);
+    cost_of_machine(arena, m->image, 0, COST_INSTRUCTIONS, &cost);
     check_ram(&x, &cost, l->ram);
     check_step(&x, &cost, DIAG_limit_step, l->step);
+    if (l->board)
+        check_board(&x, m, &cost, l->board);
     if (l->cycles == 0)
         return;
-    cost_of_machine(arena, image, 0, COST_CYCLES_EEPROM, &cost);
+    cost_of_machine(arena, m->image, 0, COST_CYCLES_EEPROM, &cost);
     check_step(&x, &cost, DIAG_limit_cycles, l->cycles);
 }
 

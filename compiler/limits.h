@@ -6,7 +6,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "compiler/budget/board.h"
 #include "compiler/diag/diag.h"
+#include "compiler/ir/ir.h"
 #include "compiler/sema/program.h"
 
 // 0: no limit.
@@ -14,12 +16,21 @@ typedef struct CompileLimits {
     uint32_t ram;             // bytes of RAM, windows included
     uint32_t step;            // bytecode instructions of the longest step
     uint32_t cycles;          // processor cycles of the longest step on an ATmega
+    const Board *board;       // whose firmware runs the machine; NULL: any
 } CompileLimits;
 
-static inline bool limits_exist(const CompileLimits *l) { return l->ram || l->step || l->cycles; }
+static inline bool limits_exist(const CompileLimits *l) { return l->ram || l->step || l->cycles || l->board; }
 
-// Reports by how much a machine exceeds the limits.  `image` contains only this machine, compiled from p as it will fly, and line numbers.
-void limits_check(Arena *arena, Diags *d, const Program *p, const uint8_t *image, const CompileLimits *l);
+// A machine that is judged, compiled as it will fly.
+typedef struct LimitSubject {
+    const Program *p;
+    IrMachine *ir;
+    const uint8_t *image;     // contains only this machine, with line numbers
+    uint32_t length;          // bytes of the image without them
+} LimitSubject;
+
+// Reports by how much a machine exceeds the limits.
+void limits_check(Arena *arena, Diags *d, const LimitSubject *m, const CompileLimits *l);
 // Reports that the limits cannot be judged for a machine, because an application compiles it to C.
 void limits_report_c(Diags *d, const Program *p);
 

@@ -3,6 +3,7 @@
 #   tank.smb from tank.sm: bytecode.      tank.c and tank.h from tank.sm: C99.      app_io.c and app_io.h from app.io: C99 for runtime-c;
 #   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
+#   make test-tank: runs the scripts tank.ss and tank-*.ss, with the requirements tank.rq.      tank.proof: the verdicts on these.
 #   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover.
 #   make diff-tank OLD=flown.sm: what tank.sm does otherwise than flown.sm, and in its scripts tank.ss and tank-*.ss.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
@@ -68,6 +69,10 @@ swap-%: $(or $(FROM),%.sm) $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) swap $*=$< $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_APP),--app=$(SMC_APP).app,$(if $(SMC_SV),--sv=$(SMC_SV))) --to=$(or $(TO),$(error TO=stand.sock says where the application listens)) \
 	    --$(or $(MODE),$(error MODE=continue or MODE=restart says how the machine goes on))
+# Runs the scripts of the machine, tank.ss and tank-*.ss, with its requirements.
+test-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) test $< $(or $(wildcard $*.ss $*-*.ss),$(error there is no $*.ss)) $(wildcard $*.rq) $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV))
 # Writes scripts into cover/ for what the scripts of the machine, tank.ss and tank-*.ss, do not test.
 cover-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
@@ -81,11 +86,11 @@ flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))
 
 # Of machines here and in folders within folders.
-SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d $d/*.net.d))))
+SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d $d/*.net.d $d/*.proof.d))))
 -include $(SMC_DEPS)
 
 # Each list of dependencies was written with what it is of.
-SMC_WASTE = $(SMC_DEPS) $(patsubst %.smb.d,%.smb,$(filter %.smb.d,$(SMC_DEPS))) \
+SMC_WASTE = $(SMC_DEPS) $(patsubst %.d,%,$(filter %.smb.d %.proof.d,$(SMC_DEPS))) \
             $(foreach d,$(patsubst %.sm.d,%,$(filter %.sm.d,$(SMC_DEPS))),$d.c $d.h) \
             $(foreach d,$(patsubst %.io.d,%,$(filter %.io.d,$(SMC_DEPS))),$d_io.c $d_io.h) \
             $(foreach d,$(patsubst %.net.d,%,$(filter %.net.d,$(SMC_DEPS))),$d_net.c $d_net.h)

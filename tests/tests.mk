@@ -767,7 +767,10 @@ bench-runtime: $(RUNTIME_MADE)
 # What 10 messages in 1 ms cost, beside the system calls of the same traffic.
 bench-net: $(B)/smc
 	@sh tests/bench/net.sh $(B) '$(CC)' $(B)/smc
-.PHONY: bench-runtime bench-net
+# How many rows of recorded data a script reads a second.
+bench-data: $(B)/smc
+	@sh tests/bench/data.sh $(B)/smc
+.PHONY: bench-runtime bench-net bench-data
 
 # tests/runtime/flights: the example machines as tasks, in the flights of their scripts.
 FLIGHTS        = $(B)/runtime/flights

@@ -203,7 +203,7 @@ static int check_c_options(Cli *c, CompileEmit emit)
         return cli_usage_error(c, TEXT_runtime_needs_c);
     if (c->given[OPT_SOFT] && emit != EMIT_C)
         return cli_usage_error(c, TEXT_soft_needs_c);
-    if ((c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP] || c->given[OPT_MAX_CYCLES]) && !is_image(emit))
+    if ((c->given[OPT_MAX_RAM] || c->given[OPT_MAX_STEP] || c->given[OPT_MAX_CYCLES] || c->given[OPT_MCU]) && !is_image(emit))
         return cli_usage_error(c, TEXT_limits_need_image, emit_name[emit]);
     if (c->given[OPT_PREFIX] && emit_c_prefix_error(c->value[OPT_PREFIX]))
         return cli_usage_error(c, TEXT_bad_prefix, c->value[OPT_PREFIX], emit_c_prefix_error(c->value[OPT_PREFIX]));

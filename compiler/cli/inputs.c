@@ -209,7 +209,7 @@ static bool read_number_option(Cli *c, OptionId id, const char *spelling, uint32
     return false;
 }
 
-// Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
+// Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is invalid.
 bool cli_compile_options(Cli *c, CompileOptions *o)
 {
     uint32_t step;
@@ -222,6 +222,10 @@ bool cli_compile_options(Cli *c, CompileOptions *o)
         !read_number_option(c, OPT_MAX_STEP, "--max-step", &o->limits.step) ||
         !read_number_option(c, OPT_MAX_CYCLES, "--max-cycles", &o->limits.cycles))
         return false;
+    if (c->given[OPT_MCU] && !(o->limits.board = board_find(c->value[OPT_MCU]))) {
+        cli_usage_error(c, TEXT_mcu_values, c->value[OPT_MCU]);
+        return false;
+    }
     o->step = step;
     return true;
 }

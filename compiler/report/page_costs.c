@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Costs: the longest steps with their most expensive lines, and bytes.
+#include "compiler/budget/board.h"
 #include "compiler/budget/cycles.h"
 #include "compiler/report/comment.h"
 #include "compiler/report/describe.h"
@@ -93,23 +94,10 @@ static void add_longest_step(const Report *r, Doc *d)
 
 // ---- a board ----
 
-// Bytes that the firmware of a board has for an image, and for the state vector and the machine together (docs/boards.md).
-typedef struct Board { const char *name; uint32_t image, ram; } Board;
-
-static const Board boards[] = {{"Uno", 960, 960}, {"Mega", 2016, 5056}};
-
-enum { BOARDS = sizeof boards / sizeof *boards };
-
 static uint32_t board_ram(const Report *r) { return r->analysis.p->sv->size + r->cost.locals + r->cost.windows_small; }
 
-// Returns the smallest board that has room for the machine; NULL if it fits none.
-static const Board *find_board(const Report *r)
-{
-    for (size_t i = 0; i < BOARDS; i++)
-        if (board_ram(r) <= boards[i].ram && r->image_size <= boards[i].image)
-            return &boards[i];
-    return NULL;
-}
+// Returns the smallest board whose firmware can run the machine; NULL if there is none.
+static const Board *find_board(const Report *r) { return board_smallest((uint32_t)r->image_size, board_ram(r), r->cost.functions); }
 
 // Returns the smallest board whose firmware has room for the machine, as "On an Arduino Uno"; "On an Arduino" if no board has enough room.
 const char *report_board_name(const Report *r)
@@ -126,7 +114,7 @@ const char *report_board_time(const Report *r)
 
 static void add_board(const Report *r, Doc *d)
 {
-    const Board *board = find_board(r), *limits = board ? board : &boards[BOARDS - 1];
+    const Board *board = find_board(r), *limits = board ? board : board_largest();
     DocTable *t;
 
     doc_add_heading(d, "board", report_board_name(r));

@@ -167,8 +167,8 @@ static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
     return n;
 }
 
-static const DocColumn setting_columns[] = {{"name", "Parameter"}, {"type", "Type"},       {"range", "Range"},  {"default", "Default"},
-                                            {"value", "Value"},    {"comment", "Comment"}, {"read", "Read in"}, {"line", "Line"}};
+static const DocColumn setting_columns[] = {{"name", "Parameter"}, {"type", "Type"}, {"unit", "Unit"},       {"range", "Range"},  {"default", "Default"},
+                                            {"value", "Value"},                      {"comment", "Comment"}, {"read", "Read in"}, {"line", "Line"}};
 
 // Lists what is marked @parameter.
 static void add_settings(const Report *r, Doc *d, VarUse *use)
@@ -187,6 +187,7 @@ static void add_settings(const Report *r, Doc *d, VarUse *use)
             continue;
         doc_add_code_cell(t, v->name->text);
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
+        doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, v->type == SM_BOOL ? "" : numbers_text(r->arena, v->parameter->lo, v->parameter->hi));
         doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->parameter->standard));
         doc_add_plain_cell(t, report_format_cell(r->arena, v->type, v->init));

@@ -24,8 +24,11 @@ time = a * b @unit m^2
 [options]
 delta_t 10
 
+[local]
+F64 gain = 7 @unit m
+
 [all_states]
-G == 0: b = 7
+G == 0: b = gain
 G == 10 {
     @assert a == 7
     @assert c == 7 + 49

@@ -27,11 +27,11 @@ every 10 ms:
     machine m "m.sm" @bytecode
     machine n "n.sm"
 -- stderr --
-n.sm:1:1: error: machine 'n' becomes C in this application, but --max-ram, --max-step and --max-cycles judge only bytecode [E0863]
+n.sm:1:1: error: machine 'n' becomes C in this application, but --mcu, --max-ram, --max-step and --max-cycles judge only bytecode [E0863]
     1 | [state_vector]
       | ^
 1 error
-n.sm:1:1: error: machine 'n' becomes C in this application, but --max-ram, --max-step and --max-cycles judge only bytecode [E0863]
+n.sm:1:1: error: machine 'n' becomes C in this application, but --mcu, --max-ram, --max-step and --max-cycles judge only bytecode [E0863]
     1 | [state_vector]
       | ^
 1 error

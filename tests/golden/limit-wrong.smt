@@ -13,7 +13,7 @@ smc: --max-step requires a whole number from 1, not 'many'
 Try 'smc build --help'.
 smc: --max-ram requires a whole number from 1, not '0'
 Try 'smc check --help'.
-smc: --max-ram, --max-step and --max-cycles apply to bytecode, not to --emit=c
+smc: --mcu, --max-ram, --max-step and --max-cycles apply to bytecode, not to --emit=c
 Try 'smc build --help'.
 -- exit --
 2 2 2

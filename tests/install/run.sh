@@ -99,6 +99,15 @@ cp "$root/examples/tank/tank.sm" "$dir/project/found.sm"
 printf 'export PATH := %s/bin:$(PATH)\ninclude %s/share/smc/smc.mk\n' "$inst" "$inst" >path.mk
 # One goal of the tank is not found, and make ends with an error.
 check "make cover-NAME writes scripts" sh -c "! $make -s -f path.mk cover-tank && ls cover/tank-*.ss && rm -r cover"
+cp "$root/examples/tank/tank.rq" "$root"/examples/tank/tank-*.ss .
+check "make test-NAME runs scripts with their requirements" sh -c "$make -s -f path.mk test-tank >test.txt && grep -q 'R1  *met' test.txt && rm test.txt"
+check "make test-NAME needs a script" sh -c "$make -s -f path.mk test-found 2>&1 | grep -q 'there is no found.ss'"
+sees_proof()
+{
+    "$make" -s -f path.mk tank.proof && grep -q 'R1' tank.proof && "$make" -q -f path.mk tank.proof && sleep 1 && touch tank.rq && stale -f path.mk tank.proof &&
+        "$make" -s -f path.mk smc-clean && test ! -e tank.proof -a ! -e tank.proof.d
+}
+check "NAME.proof has the verdicts on requirements, again if they change, until smc-clean" sees_proof
 sed 's/825/820/; s/+ 25/+ 20/' tank.sm >flown.sm
 check "make diff-NAME compares with an earlier machine" sh -c "! $make -s -f path.mk diff-tank OLD=flown.sm >diff.txt && grep -q '^comparison of flown.sm with tank.sm: behaviour changed' diff.txt && rm diff.txt flown.sm"
 check "the command is found in PATH" sh -c "PATH='$inst/bin:$PATH' $make -s -f own.mk found.smb && rm found.smb"

@@ -377,6 +377,33 @@ static void test_samples(void)
             }
 }
 
+#define STEP "[options]\nstep 10 ms\n" ELEMENTS
+
+// clause 12.59: what held, prev, rising, falling, rate and windows in time keep.
+static void test_functions_that_remember(void)
+{
+    static const char *const same[][2] = {
+        {"held(p > 20, 50 ms)", "held(p > 20, 50 ms)"}, {"held(p > 20, 50 ms)", "held(p > 20, 80 ms)"}, {"held(p > 20, 5 steps)", "held(p > 20, 5 steps)"}, {"prev(p / 3)", "prev(p / 3)"}, {"prev(p / 3)", "rising(p / 3) + prev(p / 3)"}, {"rising(p > 20)", "rising(p > 20)"},
+        {"rising(p > 20)", "falling(p > 20)"}, {"rate(p * p, 70 ms)", "rate(p * p, 8 steps)"}, {"roll_avg(p / 3, 60 ms)", "roll_max(p / 3, 7)"}};
+    char old_text[400], new_text[400];
+
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
+        for (uint32_t at = 1; at < 38; at += 3) {
+            snprintf(old_text, sizeof old_text, STEP "[A]\n.step\nout = %s\n", same[i][0]);
+            snprintf(new_text, sizeof new_text, STEP "[A]\n.step\nout = %s\n", same[i][1]);
+            check_samples(old_text, new_text, at);
+        }
+#define STEPPED(text) STEP "[A]\n.step\nout = " text "\n"
+    CHECK(sample_fate(STEPPED("held(p > 20, 50 ms)"), STEPPED("held(p > 20, 80 ms)"), "run(not (not (p > 20)), 1)") == SMVM_SWAP_KEPT);
+    CHECK(sample_fate(STEPPED("held(p > 20, 50 ms)"), STEPPED("held(p > 21, 50 ms)"), "run(not (not (p > 21)), 1)") == SMVM_SWAP_ADDED);
+    CHECK(sample_fate(STEPPED("held(p > 20, 5 steps)"), STEPPED("held(p > 20, 6 steps)"), "run(not (not (p > 20)), 6)") == SMVM_SWAP_ADDED);
+    CHECK(sample_fate(STEPPED("held(p > 20, 5 steps)"), STEPPED("roll_min(not not (p > 20), 5)"), "roll(not (not (p > 20)), 5)") == SMVM_SWAP_ADDED);
+    CHECK(sample_fate(STEPPED("rate(p, 70 ms)"), STEPPED("rate(p, 8 steps) + roll_avg(p, 70 ms)"), "roll(p, 8)") == SMVM_SWAP_KEPT);
+    CHECK(sample_fate(STEPPED("rate(p, 70 ms)"), STEPPED("rate(p, 8 steps)"), "times(1, 8)") == SMVM_SWAP_KEPT);
+    CHECK(sample_fate(STEPPED("roll_avg(p, 70 ms)"), STEPPED("rate(p, 70 ms)"), "times(1, 8)") == SMVM_SWAP_ADDED);
+    CHECK(sample_fate(STEPPED("prev(p)"), STEPPED("roll_avg(p, 2)"), "roll(p, 2)") == SMVM_SWAP_KEPT);
+}
+
 static void test_removed_window(void)
 {
     SwapMachine old, new;
@@ -472,6 +499,7 @@ int main(void)
     test_locals();
     test_sample_names();
     test_samples();
+    test_functions_that_remember();
     test_removed_window();
     test_outputs();
     test_no_names();
