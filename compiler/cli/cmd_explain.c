@@ -68,11 +68,11 @@ int cmd_explain(Cli *c)
     Buf out;
 
     buf_init(&out, &c->session.arena);
-    if (!c->given[OPT_ALL_PAGES] && c->files == 0)
+    if (!c->given[OPT_ALL] && c->files == 0)
         return cli_usage_error(c, TEXT_explain_what);
-    if (!c->given[OPT_ALL_PAGES])
+    if (!c->given[OPT_ALL])
         code = explain_names(c, &out);
-    for (size_t i = 0; i < DIAG_COUNT && c->given[OPT_ALL_PAGES]; i++)
+    for (size_t i = 0; i < DIAG_COUNT && c->given[OPT_ALL]; i++)
         if (diag_info[i].id) {
             write_page(&diag_info[i], &out);
             buf_char(&out, '\n');

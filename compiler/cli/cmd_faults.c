@@ -7,19 +7,11 @@
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
+#include "compiler/cli/fault_lines.h"
+#include "compiler/cli/progress.h"
 #include "compiler/cli/setting.h"
 #include "compiler/cli/whatif.h"
 #include "compiler/whatif/fault_script.h"
-
-enum { RUNS_MOST = 200000, LATE = 5, DROPPED = 10, SCRIPTS_MOST = 1000 };
-
-// One line of the list: the faults of one kind, of the same inputs and with the same outcome.
-typedef struct FaultLine {
-    const FaultResult *r;     // the result of the first run of this line
-    uint32_t others;          // how many other triggers have the same outcome
-    const char *script;       // the file that reproduces it; NULL: none
-    const char *text;         // its contents
-} FaultLine;
 
 typedef struct FaultsRun {
     Cli *c;
@@ -31,70 +23,11 @@ typedef struct FaultsRun {
     VEC(uint64_t) at;
     FaultOutcome fail_on;     // FAULT_HAS_NONE: no outcome makes the command fail
     Faults *f;
-    VEC(FaultLine) line;
-    uint32_t scripts;         // lines with a script
+    FaultLines lines;
     bool is_interrupted;
 } FaultsRun;
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
-
-// ---- the list ----
-
-static bool is_same_line(const FaultResult *a, const FaultResult *b)
-{
-    if (a->faults != b->faults || a->outcome != b->outcome)
-        return false;
-    for (uint32_t i = 0; i < a->faults; i++)
-        if (a->fault[i].input != b->fault[i].input || a->fault[i].kind != b->fault[i].kind)
-            return false;
-    return true;
-}
-
-static int compare_lines(const void *a, const void *b)
-{
-    const FaultResult *x = ((const FaultLine *)a)->r, *y = ((const FaultLine *)b)->r;
-
-    if (x->faults != y->faults)
-        return x->faults < y->faults ? -1 : 1;
-    if (x->outcome != y->outcome)
-        return x->outcome > y->outcome ? -1 : 1;
-    return x < y ? -1 : x > y;
-}
-
-static int compare_inputs(const void *a, const void *b)
-{
-    const FaultResult *x = *(const FaultResult *const *)a, *y = *(const FaultResult *const *)b;
-    int by = (int)x->faults - (int)y->faults;
-
-    by = by ? by : (int)x->outcome - (int)y->outcome;
-    for (uint32_t i = 0; i < x->faults && by == 0; i++) {
-        by = (int)x->fault[i].input - (int)y->fault[i].input;
-        by = by ? by : (int)x->fault[i].kind - (int)y->fault[i].kind;
-    }
-    return by ? by : x < y ? -1 : x > y;
-}
-
-// Collects the results with an effect in lines; with -v, each in a line of its own.
-static void collect_lines(FaultsRun *r)
-{
-    const uint32_t n = r->f->result.n;
-    const FaultResult **order = arena_array(r->arena, n + 1, sizeof *order);
-    uint32_t shown = 0;
-
-    for (uint32_t i = 0; i < n; i++)
-        if (r->f->result.at[i].outcome != FAULT_HAS_NONE)
-            order[shown++] = &r->f->result.at[i];
-    qsort(order, shown, sizeof *order, compare_inputs);
-    for (uint32_t i = 0; i < shown; i++) {
-        const FaultLine line = {order[i], 0, NULL, NULL};
-        if (!r->c->given[OPT_VERBOSE] && i > 0 && is_same_line(order[i], order[i - 1]))
-            r->line.at[r->line.n - 1].others++;
-        else
-            vec_push(r->arena, &r->line, line);
-    }
-    if (r->line.n > 1)
-        qsort(r->line.at, r->line.n, sizeof *r->line.at, compare_lines);
-}
 
 // ---- text ----
 
@@ -151,29 +84,21 @@ static void write_line(const FaultsRun *r, const FaultLine *line, Buf *out)
 
 static void write_lines(const FaultsRun *r, Buf *out)
 {
-    for (uint32_t i = 0; i < r->line.n; i++) {
-        const FaultResult *x = r->line.at[i].r;
-        if (i == 0 || x->faults != r->line.at[i - 1].r->faults || x->outcome != r->line.at[i - 1].r->outcome)
+    for (uint32_t i = 0; i < r->lines.at.n; i++) {
+        const FaultResult *x = r->lines.at.at[i].r;
+        if (i == 0 || x->faults != r->lines.at.at[i - 1].r->faults || x->outcome != r->lines.at.at[i - 1].r->outcome)
             buf_printf(out, "%s%s:\n", x->faults > 1 ? "two faults, and worse than each alone: " : "", fault_outcome_words[x->outcome]);
-        write_line(r, &r->line.at[i], out);
+        write_line(r, &r->lines.at.at[i], out);
     }
 }
 
-static void write_ranges(const Faults *f, Buf *out)
+static void write_ranges(const FaultsRun *r, Buf *out)
 {
-    for (uint32_t i = 0; i < f->input.n; i++) {
-        const FaultInput *in = &f->input.at[i];
-        if (!in->range_is_seen)
-            continue;
-        buf_printf(out, "note: '%s' has no @range; ", in->var->report_name->text);
-        if (in->has_range) {
-            buf_str(out, "its range in the runs without a fault is ");
-            format_number_shortest(out, in->lo);
-            buf_str(out, " to ");
-            format_number_shortest(out, in->hi);
-        } else
-            buf_str(out, "it never changes, so it has no faults that depend on a range");
-        buf_char(out, '\n');
+    for (uint32_t i = 0; i < r->f->input.n; i++) {
+        Buf range;
+        buf_init(&range, r->arena);
+        if (fault_write_range(&r->f->input.at[i], &range))
+            buf_printf(out, "note: %s\n", buf_text(&range));
     }
 }
 
@@ -200,9 +125,9 @@ static void write_text(const FaultsRun *r, Buf *out)
     if (f->input.n)
         write_matrix(f, out);
     write_lines(r, out);
-    write_ranges(f, out);
+    write_ranges(r, out);
     if (r->c->given[OPT_SCRIPTS])
-        buf_printf(out, "%lu of %lu line%s can be reproduced by a script in %s\n", (unsigned long)r->scripts, (unsigned long)r->line.n, plural(r->line.n),
+        buf_printf(out, "%lu of %lu line%s can be reproduced by a script in %s\n", (unsigned long)r->lines.scripts, (unsigned long)r->lines.at.n, plural(r->lines.at.n),
                    r->c->value[OPT_SCRIPTS]);
 }
 
@@ -267,10 +192,10 @@ static void write_json_result(const FaultsRun *r, const FaultResult *x, Buf *out
         buf_printf(out, ",\"differs\":\"%s\",\"differs_G\":%" PRIu64, x->differs->report_name->text, x->differs_at.g);
     buf_str(out, ",\"effect\":");
     json_put_string(out, buf_text(&effect));
-    for (uint32_t i = 0; i < r->line.n; i++)
-        if (r->line.at[i].r == x && r->line.at[i].script) {
+    for (uint32_t i = 0; i < r->lines.at.n; i++)
+        if (r->lines.at.at[i].r == x && r->lines.at.at[i].script) {
             buf_str(out, ",\"reproduced_by\":");
-            json_put_string(out, path_file_name(r->line.at[i].script));
+            json_put_string(out, path_file_name(r->lines.at.at[i].script));
         }
     buf_char(out, '}');
 }
@@ -292,123 +217,18 @@ static void write_json(const FaultsRun *r, Buf *out)
     buf_str(out, "]}\n");
 }
 
-// ---- the scripts that reproduce ----
-
-// Returns the path from a folder to that of a file, "" or with a separator at its end; NULL: that would need a system call.
-static const char *path_to_folder_of(Arena *arena, const char *folder, const char *file)
-{
-    const size_t to_name = (size_t)(path_file_name(file) - file);
-    const char *at = path_simplify(arena, folder), *up = "";
-
-    if (path_is_absolute(file))
-        return format_in(arena, "%.*s", (int)to_name, file);
-    if (path_is_absolute(folder) || strncmp(at, "..", 2) == 0)
-        return NULL;
-    while (*at) {
-        const size_t n = strcspn(at, "/\\");
-        if (n > 0 && !(n == 1 && at[0] == '.'))
-            up = format_in(arena, "%s../", up);
-        at += n + (at[n] != '\0');
-    }
-    return format_in(arena, "%s%.*s", up, (int)to_name, file);
-}
-
-static const char *name_script(const FaultsRun *r, const FaultLine *line, unsigned long number)
-{
-    const char *folder = r->c->value[OPT_SCRIPTS];
-    const char *name = format_in(r->arena, "%03lu", number);
-
-    for (uint32_t i = 0; i < line->r->faults; i++)
-        name = format_in(r->arena, "%s-%s-%s", name, r->f->input.at[line->r->fault[i].input].var->report_name->text, fault_kind_name[line->r->fault[i].kind]);
-    return format_in(r->arena, "%s%s%s.ss", folder, path_ends_in_separator(folder) ? "" : "/", name);
-}
-
-static const char *command_for(const FaultsRun *r, const char *script)
-{
-    const Cli *c = r->c;
-    const char *command = "smc test";
-
-    for (size_t i = 0; i < c->files; i++)
-        if (!has_suffix(c->file[i], ".ss"))
-            command = format_in(r->arena, "%s %s", command, c->file[i]);
-    if (c->given[OPT_SV])
-        command = format_in(r->arena, "%s --sv %s", command, c->value[OPT_SV]);
-    for (size_t i = 0; i < c->set.n; i++)
-        command = format_in(r->arena, "%s --set=%s", command, c->set.at[i]);
-    if (c->given[OPT_SEED])
-        command = format_in(r->arena, "%s --seed=%s", command, c->value[OPT_SEED]);
-    return format_in(r->arena, "%s %s", command, script);
-}
-
-// Checks and runs the text of a script.  Returns whether it reproduces the fault.
-static bool try_script(FaultsRun *r, const FaultResult *x, const char *path, const Buf *text)
-{
-    Session *session = &r->c->session;
-    Source *src = source_new(r->arena, path, buf_text(text), text->n);
-    const Diags was = session->diags;
-    const Script *s;
-    bool is_good;
-
-    session->diags.muted = true;
-    s = session_script(session, src, r->w.p);
-    is_good = s && session->diags.errors_seen == was.errors_seen && fault_script_reproduces(r->arena, r->f, x, s);
-    session->diags = was;
-    return is_good;
-}
-
-static void make_script(FaultsRun *r, FaultLine *line, unsigned long number)
-{
-    const char *path = name_script(r, line, number), *original = r->w.path.at[r->f->trigger.at[line->r->trigger].script];
-    const FaultScriptPlace place = {path_to_folder_of(r->arena, r->c->value[OPT_SCRIPTS], original), command_for(r, path)};
-    Buf edited, recorded;
-
-    buf_init(&edited, r->arena);
-    buf_init(&recorded, r->arena);
-    line->script = path;
-    line->text = buf_text(&edited);
-    if (!fault_script_write_edited(r->arena, r->f, line->r, &place, &edited) && try_script(r, line->r, path, &edited))
-        line->text = buf_text(&edited);
-    else if (!fault_script_write_recorded(r->arena, r->f, line->r, &place, &recorded) && try_script(r, line->r, path, &recorded))
-        line->text = buf_text(&recorded);
-    else
-        line->script = NULL;
-    r->scripts += line->script != NULL;
-}
-
-// Makes and writes the scripts of all lines.  EXIT_OK, or the exit code after a message.
-static int write_scripts(FaultsRun *r)
-{
-    OsOutput *out = ARENA_ARRAY(r->arena, OsOutput, r->line.n + 1);
-    const char *why;
-    size_t n = 0;
-    int code;
-
-    if (!r->c->given[OPT_SCRIPTS])
-        return EXIT_OK;
-    if (!os_make_folder(r->c->value[OPT_SCRIPTS], &why)) {
-        cli_print_error(r->c, TEXT_cannot_write, r->c->value[OPT_SCRIPTS], why);
-        return EXIT_ENVIRONMENT;
-    }
-    for (uint32_t i = 0; i < r->line.n && i < SCRIPTS_MOST && !os_signal_waiting(); i++) {
-        make_script(r, &r->line.at[i], i + 1);
-        if (r->line.at[i].script)
-            out[n++] = (OsOutput){r->line.at[i].script, r->line.at[i].text, strlen(r->line.at[i].text)};
-    }
-    code = outputs_check(r->c, out, n);
-    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // one by one: their number has no limit
-        code = cli_write_outputs(r->c, &out[i], 1);
-    return code;
-}
-
 // ---- running ----
 
 // Runs the faults, until a signal asks to stop.
 static void run_faults(FaultsRun *r)
 {
+    ProgressLine k = {r->c, 0, false};
+
     os_signals_begin();
     os_signals_delay();
     while (!(r->is_interrupted = os_signal_waiting() != 0) && faults_run_next(r->f))
-        ;
+        fault_lines_show_progress(r->f, &k);
+    progress_end(&k);
 }
 
 static int judge(const FaultsRun *r)
@@ -445,9 +265,10 @@ static int run_and_report(FaultsRun *r, size_t format)
     if (r->f->trigger.n == 0)
         cli_print_warning(r->c, TEXT_faults_no_trigger);
     run_faults(r);
-    collect_lines(r);
+    r->lines = (FaultLines){.c = r->c, .p = r->w.p, .f = r->f};
+    fault_lines_collect(&r->lines, r->c->given[OPT_VERBOSE]);
     buf_init(&out, r->arena);
-    if ((code = write_scripts(r)) == EXIT_OK) {
+    if ((code = fault_lines_write_scripts(&r->lines)) == EXIT_OK) {
         if (format == 0)
             write_text(r, &out);
         else
@@ -558,8 +379,7 @@ static bool read_options(FaultsRun *r, size_t *format)
     Cli *c = r->c;
     FaultSizes *sizes = &r->o.sizes;
 
-    *sizes = (FaultSizes){0.05, 0.02, LATE, DROPPED, 0};
-    r->o.max_runs = RUNS_MOST;
+    fault_lines_set_defaults(&r->o);
     r->o.pairs = c->given[OPT_PAIRS];
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format) || !read_part(c, OPT_FAULT_OFFSET, "--offset", &sizes->offset) ||
         !read_part(c, OPT_FAULT_NOISE, "--noise", &sizes->noise) || !read_steps(c, OPT_LATE, "--late", &sizes->late) ||
@@ -571,8 +391,9 @@ static bool read_options(FaultsRun *r, size_t *format)
     if (r->o.has_seed && (!cli_read_whole(c->value[OPT_SEED], &sizes->seed) || sizes->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]), false;
     if (!c->given[OPT_KINDS])
-        r->o.kinds = (1u << FAULT_KIND_COUNT) - 1;
-    return !c->given[OPT_KINDS] || whatif_read_list(c->value[OPT_KINDS], r, add_kind);
+        return true;
+    r->o.kinds = 0;
+    return whatif_read_list(c->value[OPT_KINDS], r, add_kind);
 }
 
 int cmd_faults(Cli *c)

@@ -159,13 +159,18 @@ static void write_json(const MutateRun *r, Buf *out)
 // Runs the mutants, until a signal asks to stop.
 static void run_mutants(MutateRun *r)
 {
+    ProgressLine k = {r->c, 0, false};
+
     os_signals_begin();
     os_signals_delay();
-    while (!os_signal_waiting() && mutation_run_next(r->u))
+    while (!os_signal_waiting() && mutation_run_next(r->u)) {
         r->tried++;
+        mutate_show_progress(r->u, &k);
+    }
     r->is_searched = r->c->given[OPT_GENERATE] && !os_signal_waiting();
     while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutation_search_next(r->u, MUTATE_SEARCH_STEPS))
-        ;
+        mutate_show_progress(r->u, &k);
+    progress_end(&k);
 }
 
 static int write_result(MutateRun *r, size_t format)

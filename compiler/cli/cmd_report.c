@@ -2,6 +2,7 @@
 // smc report: one page about a machine for a design review. Findings are those of `smc check` with the same files. Costs are
 // those of the image that `smc build` makes. The scripts run on the VM, on an image with names.
 #include "compiler/cli/deps.h"
+#include "compiler/cli/report_parts.h"
 #include "compiler/cli/runs.h"
 
 typedef void WriteReport(const Doc *d, Buf *out);
@@ -10,48 +11,17 @@ static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-// Tries changes of the machine on the scripts of r, if that is wanted.  Nothing is tried if a script fails, which is reported.
-static void run_mutants(Cli *c, Report *r, const Program *p)
+// Prints which scripts have failed, before the parts that take time.  Returns whether one has.
+static bool print_failed(Cli *c, const Report *r)
 {
-    const Script **script = ARENA_ARRAY(&c->session.arena, const Script *, r->runs + 1);
-    Mutation *u;
+    bool failed = false;
 
-    if (!c->given[OPT_MUTATE])
-        return;
-    if (r->runs == 0)
-        r->not_mutated = "there is no script that could notice it";
-    for (size_t i = 0; i < r->runs && !r->not_mutated; i++) {
-        script[i] = r->run[i].script;
-        if (!script[i] || r->run[i].result.outcome != SCRIPT_PASSED)
-            r->not_mutated = format_in(&c->session.arena, "%s fails without one", r->run[i].name);
-    }
-    if (r->not_mutated) {
-        cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
-        return;
-    }
-    u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
-    while (mutation_run_next(u))
-        ;
-    while (mutation_search_next(u, MUTATE_SEARCH_STEPS))
-        ;
-    mutation_end(u);
-    r->mutation = u;
-}
-
-// Decides the requirements, if that is wanted.  Returns false if two of them contradict each other, which is reported.
-static bool run_proofs(Cli *c, Report *r, const CompileOptions *o)
-{
-    const Requirement *first, *second;
-
-    if (!c->given[OPT_PROVE] || !r->requirements)
-        return true;
-    if (prove_find_contradiction(&c->session.arena, r->requirements, &first, &second)) {
-        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
-                  first->span, DIAG_note_first_here);
-        return false;
-    }
-    r->proofs = prove_run(&c->session.arena, r->requirements, &(ProveOptions){.delta_t = o->step});
-    return true;
+    for (size_t i = 0; i < r->runs; i++)
+        if (!r->run[i].script || r->run[i].result.outcome != SCRIPT_PASSED) {
+            cli_print_error(c, TEXT_run_failed, r->run[i].name);
+            failed = true;
+        }
+    return failed;
 }
 
 int cmd_report(Cli *c)
@@ -65,10 +35,12 @@ int cmd_report(Cli *c)
     const Network *net;
     Report r;
     Buf out;
+    bool failed;
     int code;
 
     if ((code = runs_check_arguments(c)) != EXIT_OK)
         return code;
+    report_parts_choose(c);
     if (!cli_choose_format(c, formats, FORMATS, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;
     if (c->given[OPT_IO] && !c->given[OPT_SV])
@@ -99,11 +71,9 @@ int cmd_report(Cli *c)
         cli_print_diagnostics(c);
         return code;
     }
-    run_mutants(c, &r, runs_find_machine(&in, &made)->scripted);
-    if (!run_proofs(c, &r, &o)) {
-        cli_print_diagnostics(c);
-        return EXIT_PROBLEM;
-    }
+    failed = print_failed(c, &r);
+    if ((code = report_parts_run(c, &r, runs_find_machine(&in, &made)->scripted, &o)) != EXIT_OK)
+        return code;
     buf_init(&out, &c->session.arena);
     writer[format](report_build(&r), &out);
     file[0].bytes = buf_text(&out);
@@ -112,10 +82,5 @@ int cmd_report(Cli *c)
         deps_add_rule(c, file, &files, deps_list_inputs(c));
     if ((code = cli_write_outputs(c, file, files)) != EXIT_OK)
         return code;
-    for (size_t i = 0; i < r.runs; i++)
-        if (!r.run[i].script || r.run[i].result.outcome != SCRIPT_PASSED) {
-            cli_print_error(c, TEXT_run_failed, r.run[i].name);
-            code = EXIT_PROBLEM;
-        }
-    return code;
+    return failed ? EXIT_PROBLEM : EXIT_OK;
 }

@@ -5,6 +5,7 @@
 
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
+#include "compiler/cli/progress.h"
 #include "compiler/cli/setting.h"
 #include "compiler/cli/whatif.h"
 #include "compiler/whatif/sweep.h"
@@ -34,37 +35,20 @@ static const char *number_text(const SweepRun *r, double x)
     return buf_text(&b);
 }
 
-static void write_checks(const SweepRun *r, const SweepPoint *p, const char *separator, Buf *out)
-{
-    const char *before = "";
-
-    for (uint32_t c = 0; c < r->s->check.n; c++)
-        if (p->fails[c]) {
-            buf_str(out, before);
-            sweep_write_check(r->s, c, out);
-            before = separator;
-        }
-}
-
-static bool fail_alike(const SweepRun *r, const SweepPoint *a, const SweepPoint *b) { return memcmp(a->fails, b->fails, r->s->check.n) == 0; }
-
 // Writes the points of a line, those in a row with the same result as one.
 static void write_line(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepLine *l = &r->s->line[axis];
-    uint32_t first = 0;
 
     buf_printf(out, "%s:\n", r->s->axis[axis].parameter->name->text);
-    for (uint32_t i = 0; i < l->at.n; i++) {
-        if (i + 1 < l->at.n && fail_alike(r, &l->at.at[i], &l->at.at[i + 1]))
-            continue;
+    for (uint32_t first = 0, last; first < l->at.n; first = last + 1) {
+        last = sweep_find_last_alike(r->s, axis, first);
         buf_printf(out, "  %s", number_text(r, l->at.at[first].value[axis]));
-        if (i > first)
-            buf_printf(out, " to %s", number_text(r, l->at.at[i].value[axis]));
-        buf_str(out, l->at.at[i].failing ? ": fails: " : ": passes");
-        write_checks(r, &l->at.at[i], ", ", out);
+        if (last > first)
+            buf_printf(out, " to %s", number_text(r, l->at.at[last].value[axis]));
+        buf_str(out, l->at.at[last].failing ? ": fails: " : ": passes");
+        sweep_write_failing(r->s, &l->at.at[last], ", ", out);
         buf_char(out, '\n');
-        first = i + 1;
     }
 }
 
@@ -81,18 +65,6 @@ static void write_boundaries(const SweepRun *r, uint32_t axis, Buf *out)
     }
 }
 
-static void write_side(const SweepRun *r, uint32_t axis, bool above, Buf *out)
-{
-    const SweepAxis *a = &r->s->axis[axis];
-    double fails;
-
-    if (sweep_find_margin(r->s, axis, above, &fails))
-        buf_printf(out, "%s %s (%.6g away)", above ? "above, fails at" : "below, fails at", number_text(r, fails),
-                   above ? fails - a->current : a->current - fails);
-    else
-        buf_printf(out, "%s, nothing fails %s %s", above ? "above" : "below", above ? "up to" : "down to", number_text(r, above ? a->hi : a->lo));
-}
-
 static void write_margin(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepAxis *a = &r->s->axis[axis];
@@ -106,9 +78,10 @@ static void write_margin(const SweepRun *r, uint32_t axis, Buf *out)
         buf_str(out, "fails\n");
         return;
     }
-    write_side(r, axis, false, out);
-    buf_str(out, "; ");
-    write_side(r, axis, true, out);
+    buf_str(out, "below, ");
+    sweep_write_side(r->s, axis, false, out);
+    buf_str(out, "; above, ");
+    sweep_write_side(r->s, axis, true, out);
     buf_char(out, '\n');
 }
 
@@ -160,7 +133,7 @@ static void write_csv_point(const SweepRun *r, const SweepPoint *p, Buf *out)
     for (uint32_t i = 0; i < r->o.axes; i++)
         buf_printf(out, "%s,", number_text(r, p->value[i]));
     buf_printf(out, "%lu,\"", (unsigned long)p->failing);
-    write_checks(r, p, " ", out);
+    sweep_write_failing(r->s, p, " ", out);
     buf_str(out, "\"\n");
 }
 
@@ -232,6 +205,7 @@ static void write_svg(const SweepRun *r, Buf *out) { sweep_write_svg(r->arena, r
 static int run_and_report(SweepRun *r, size_t format)
 {
     static void (*const writer[])(const SweepRun *r, Buf *out) = {write_text, write_csv, write_json, write_svg};
+    ProgressLine k = {r->c, 0, false};
     Buf out;
     int code;
 
@@ -239,7 +213,9 @@ static int run_and_report(SweepRun *r, size_t format)
     os_signals_begin();
     os_signals_delay();
     while (!(r->is_interrupted = os_signal_waiting() != 0) && sweep_run_next(r->s))
-        ;
+        if (progress_is_due(&k))
+            progress_show(&k, format_in(r->arena, "sweep: %lu runs", (unsigned long)r->s->runs));
+    progress_end(&k);
     buf_init(&out, r->arena);
     writer[format](r, &out);
     code = whatif_write(r->c, &out);

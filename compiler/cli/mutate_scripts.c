@@ -152,3 +152,17 @@ int mutate_write_scripts(Cli *c, Mutation *u, const Program *p, const char *mach
             code = write_script(&r, order[i]);
     return code;
 }
+
+void mutate_show_progress(const Mutation *u, ProgressLine *k)
+{
+    MutationScore s;
+
+    if (!progress_is_due(k))
+        return;
+    s = mutation_score(u);
+    if (s.of[MUTANT_WAITING])
+        progress_show(k, format_in(&k->c->session.arena, "changes: %lu of %lu tried, %lu not noticed", s.all - s.of[MUTANT_WAITING], s.all, s.of[MUTANT_UNNOTICED]));
+    else
+        progress_show(k, format_in(&k->c->session.arena, "inputs found for %lu of %lu changes that no script notices", s.of[MUTANT_GENERATED],
+                                   s.of[MUTANT_GENERATED] + s.of[MUTANT_UNNOTICED]));
+}

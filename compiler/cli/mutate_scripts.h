@@ -4,7 +4,11 @@
 #define SMC_CLI_MUTATE_SCRIPTS_H
 
 #include "compiler/cli/cli.h"
+#include "compiler/cli/progress.h"
 #include "compiler/cover/mutate.h"
+
+// Shows how many changes have been tried, and how many of those that no script notices have been searched.
+void mutate_show_progress(const Mutation *u, ProgressLine *k);
 
 typedef struct MutateScripts {
     const char **by_mutant;   // by index in mutation_list: the script that fails on the mutant; NULL: none

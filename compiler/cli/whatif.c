@@ -13,10 +13,8 @@ static int check_scripts(Cli *c, WhatIf *w, const CompileInput *in, const Compil
     for (size_t i = 0; i < in->n; i++)
         if (in->at[i].kind == FILE_SS && !made->of[i].is_included) {
             const Script *s = session_script(&c->session, in->at[i].text, w->p);
-            if (!s)
-                continue;
-            vec_push(&c->session.arena, &w->script, s);
-            vec_push(&c->session.arena, &w->path, c->file[i]);
+            if (s)
+                vec_push(&c->session.arena, &w->script, s);
         }
     return cli_print_diagnostics(c);
 }

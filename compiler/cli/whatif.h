@@ -9,7 +9,6 @@ typedef struct WhatIf {
     const Program *p;
     const Requirements *requirements;     // NULL: none
     VEC(const Script *) script;
-    VEC(const char *) path;               // by script, as the argument names it
     uint64_t max_steps;
 } WhatIf;
 

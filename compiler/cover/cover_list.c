@@ -24,6 +24,20 @@ static bool has_named_cause(const Cover *c, uint32_t i, unsigned kinds)
 
 // ---- words ----
 
+static bool is_within(Span inner, Span outer) { return inner.at >= outer.at && inner.at + inner.len <= outer.at + outer.len; }
+
+// Returns a place as written.  One that is part of a definition, and not of the line that is reported, has the name of the definition:
+// "`p > 5` of `tooHot`".
+static const char *quote_place(const Cover *c, const CoverPlace *p)
+{
+    const Defines *all = &c->p->define;
+    const Define *inner = NULL;
+
+    for (uint32_t i = 0; i < all->n && !is_within(p->span, p->where); i++)
+        if (is_within(p->span, all->at[i]->value_span) && (!inner || is_within(all->at[i]->value_span, inner->value_span)))
+            inner = all->at[i];
+    return inner ? format_in(c->arena, "`%s` of `%s`", source_text(c->arena, p->span), inner->name->text) : format_in(c->arena, "`%s`", source_text(c->arena, p->span));
+}
 
 // Returns the states from which a transition of [all_states] was not taken, in the order of the places: "Fill and Hold".
 static const char *list_origins(const Cover *c, uint32_t first, unsigned kinds, bool impossible)
@@ -59,17 +73,17 @@ static const char *describe_parameter_value(const Cover *c, const CoverPlace *p)
 static const char *text_of_place(const Cover *c, uint32_t i, unsigned kinds)
 {
     const CoverPlace *p = &c->place.at[i];
-    const char *text = source_text(c->arena, p->span);
+    const char *text = quote_place(c, p);
 
     switch (p->kind) {
     case COVER_TRANSITION:
-        return format_in(c->arena, "`%s` was never taken from %s", text, p->of_all_states ? list_origins(c, i, kinds, p->impossible) : p->from->name->text);
-    case COVER_STATEMENT: return format_in(c->arena, "`%s` was never executed", text);
-    case COVER_GUARD: return format_in(c->arena, "`%s` was never %s", text, p->value ? "true" : "false");
-    case COVER_CONDITION: return format_in(c->arena, "`%s` was never %s while it decided", text, p->value ? "true" : "false");
-    case COVER_WINDOW: return format_in(c->arena, "`%s` was never full when its value mattered", text);
-    case COVER_STATE: return format_in(c->arena, "state %s was never %s", text, p->value ? "entered" : "left");
-    case COVER_PARAMETER: return format_in(c->arena, "parameter `%s` never had %s", text, describe_parameter_value(c, p));
+        return format_in(c->arena, "%s was never taken from %s", text, p->of_all_states ? list_origins(c, i, kinds, p->impossible) : p->from->name->text);
+    case COVER_STATEMENT: return format_in(c->arena, "%s was never executed", text);
+    case COVER_GUARD: return format_in(c->arena, "%s was never %s", text, p->value ? "true" : "false");
+    case COVER_CONDITION: return format_in(c->arena, "%s was never %s while it decided", text, p->value ? "true" : "false");
+    case COVER_WINDOW: return format_in(c->arena, "%s was never full when its value mattered", text);
+    case COVER_STATE: return format_in(c->arena, "state %s was never %s", source_text(c->arena, p->span), p->value ? "entered" : "left");
+    case COVER_PARAMETER: return format_in(c->arena, "parameter %s never had %s", text, describe_parameter_value(c, p));
     case COVER_KIND_COUNT: break;
     }
     return "";

@@ -29,6 +29,7 @@ struct Mutation {
     const State *state;
     Stmt *stmt;               // NULL: none
     MutantDanger danger;
+    MutantDanger *of_local, *of_window;       // by Var.index, by window: the most dangerous use of its value
 };
 
 // ---- listing ----
@@ -196,23 +197,66 @@ static void list_expression(Mutation *u, Expr *e, const Expr *outer)
 // ---- statements ----
 
 // Returns the most dangerous thing that the statements do.
-static MutantDanger danger_of(const Stmts *list)
+static MutantDanger danger_of(const Mutation *u, const Stmts *list)
 {
     MutantDanger most = DANGER_OTHER;
 
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
-        const MutantDanger then = danger_of(&s->then), otherwise = danger_of(&s->otherwise);
+        const MutantDanger then = danger_of(u, &s->then), otherwise = danger_of(u, &s->otherwise);
         MutantDanger own = DANGER_OTHER;
         if (s->kind == ST_TRANSITION)
             own = s->target->is_abort ? DANGER_ABORT : DANGER_TRANSITION;
-        else if (s->kind == ST_ASSIGN && s->var->kind == VAR_ELEMENT)
-            own = DANGER_OUTPUT;
+        else if (s->kind == ST_ASSIGN)
+            own = s->var->kind == VAR_ELEMENT ? DANGER_OUTPUT : u->of_local[s->var->index];
         own = then > own ? then : own;
         own = otherwise > own ? otherwise : own;
         most = own > most ? own : most;
     }
     return most;
+}
+
+// Notes that an expression is used for something of this danger.  Returns whether a local or a window is more dangerous than before.
+static bool note_use(Mutation *u, const Expr *e, MutantDanger danger)
+{
+    MutantDanger *of = e->kind == EX_ROLL ? &u->of_window[e->window] : e->kind == EX_VAR && e->var->kind == VAR_LOCAL ? &u->of_local[e->var->index] : NULL;
+    const bool is_raised = of && *of < danger;
+    bool any = is_raised;
+
+    if (is_raised)
+        *of = danger;
+    for (uint32_t i = 0; i < e->n; i++)
+        any |= note_use(u, e->arg[i], danger);
+    return any;
+}
+
+static bool note_uses(Mutation *u, const Stmts *list)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < list->n; i++) {
+        const Stmts only = {&list->at[i], 1, 1};
+        if (list->at[i]->value)
+            any |= note_use(u, list->at[i]->value, danger_of(u, &only));
+        any |= note_uses(u, &list->at[i]->then);
+        any |= note_uses(u, &list->at[i]->otherwise);
+    }
+    return any;
+}
+
+// Finds how dangerous locals and windows are: a limit is as dangerous as the guards that compare with it, and a counter as those that read it.
+static void find_dangers(Mutation *u)
+{
+    bool any = true;
+
+    u->of_local = ARENA_ARRAY(u->arena, MutantDanger, u->p->var.n + 1);
+    u->of_window = ARENA_ARRAY(u->arena, MutantDanger, u->p->window.n + 1);
+    while (any) {
+        any = false;
+        for (size_t s = 0; s < u->p->state.n; s++)
+            for (int b = 0; b < BLOCK_COUNT; b++)
+                any |= note_uses(u, &u->p->state.at[s]->block[b]);
+    }
 }
 
 // Adds a transition to another state: the next one of the file that is neither its own state nor its target.
@@ -237,7 +281,7 @@ static void list_statement(Mutation *u, Stmt *s)
     const Stmts only = {&s, 1, 1};
 
     u->stmt = s;
-    u->danger = danger_of(&only);
+    u->danger = danger_of(u, &only);
     switch (s->kind) {
     case ST_ASSIGN:
         list_expression(u, s->value, NULL);
@@ -263,14 +307,15 @@ static void list_statements(Mutation *u, const Stmts *list)
         list_statement(u, list->at[i]);
 }
 
-// What windows sample is computed at every step; the danger of its changes is not known.
+// What windows sample, which is computed at every step.
 static void list_windows(Mutation *u)
 {
     u->stmt = NULL;
     u->state = NULL;
-    u->danger = DANGER_TRANSITION;
-    for (size_t i = 0; i < u->p->window.n; i++)
+    for (size_t i = 0; i < u->p->window.n; i++) {
+        u->danger = u->of_window[i];
         list_expression(u, u->p->window.at[i].sample, NULL);
+    }
 }
 
 static bool sizes_a_window(const Program *p)
@@ -285,9 +330,9 @@ static bool sizes_a_window(const Program *p)
 static void list_initial_values(Mutation *u)
 {
     u->stmt = NULL;
-    u->danger = DANGER_TRANSITION;
     for (size_t i = 0; i < u->p->var.n && !sizes_a_window(u->p); i++) {
         Var *v = u->p->var.at[i];
+        u->danger = u->of_local[v->index];
         if (v->kind == VAR_LOCAL && v->init_value && v->init_value->kind == EX_NUMBER)
             add_numbers(u, v->init_value->span, v->init_value->number, (MutantEdit){.kind = EDIT_INITIAL, .var = v});
     }
@@ -306,6 +351,7 @@ static int compare_mutants(const void *a, const void *b)
 
 static void list_mutants(Mutation *u)
 {
+    find_dangers(u);
     for (size_t s = 0; s < u->p->state.n; s++) {
         u->state = u->p->state.at[s];
         for (int b = 0; b < BLOCK_COUNT; b++)

@@ -158,6 +158,18 @@ void doc_add_badge_cell(DocTable *t, const char *word, const char *tone)
     t->cell.at[t->cell.n - 1].tone = tone;
 }
 
+void doc_add_target_cell(DocTable *t, uint64_t n, const char *id)
+{
+    add_cell(t, CELL_TARGET, NULL, n, 0);
+    t->cell.at[t->cell.n - 1].link = id;
+}
+
+void doc_add_linked_badge_cell(DocTable *t, const char *word, const char *tone, const char *id)
+{
+    doc_add_badge_cell(t, word, tone);
+    t->cell.at[t->cell.n - 1].link = id;
+}
+
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text)
 {
     DocLine one = {depth, text, line, NULL};

@@ -18,6 +18,7 @@ typedef enum DocCellKind {
     CELL_PLAIN,               // plain text, written unchanged
     CELL_CODE,
     CELL_NUMBER,
+    CELL_TARGET,              // a number to which cells with the same `link` lead
     CELL_BAR,                 // a number, with a bar that shows its share of `most`
     CELL_LINE,                // a line number in the source; 0: none
     CELL_STATE,               // a state's name
@@ -29,7 +30,7 @@ typedef struct DocCell {
     DocCellKind kind;
     const char *text;
     uint64_t number, most;
-    const char *link;         // SECTION: the section's id
+    const char *link;         // SECTION: the section's id; TARGET: its own id; BADGE: the id to which it leads, or NULL
     const char *tone;         // BADGE: as in DocPart
 } DocCell;
 
@@ -42,6 +43,7 @@ typedef struct DocTable {
     size_t columns;
     bool facts;               // pairs of name and value: shown without column titles
     bool narrow;              // no wider than necessary
+    bool dense;               // many columns with short words: smaller
     VEC(DocCell) cell;        // the cells, row by row
 } DocTable;
 
@@ -139,6 +141,8 @@ void doc_add_line_cell(DocTable *t, uint32_t line);
 void doc_add_state_cell(DocTable *t, const char *name);
 void doc_add_section_cell(DocTable *t, const char *title, const char *id);
 void doc_add_badge_cell(DocTable *t, const char *word, const char *tone);
+void doc_add_target_cell(DocTable *t, uint64_t n, const char *id);
+void doc_add_linked_badge_cell(DocTable *t, const char *word, const char *tone, const char *id);
 
 void doc_add_list_line(DocList *l, unsigned depth, uint32_t line, const char *text);
 void doc_set_line_comment(DocList *l, const char *plain);  // sets DocLine.comment of the last line

@@ -69,6 +69,7 @@ static void write_cell(Buf *out, const DocCell *c)
         }
         break;
     case CELL_NUMBER: buf_printf(out, "%llu", (unsigned long long)c->number); break;
+    case CELL_TARGET: buf_printf(out, "<span id=\"%s\">%llu</span>", c->link, (unsigned long long)c->number); break;
     case CELL_BAR: write_bar(out, c->number, c->most); break;
     case CELL_LINE: write_line_link(out, (uint32_t)c->number); break;
     case CELL_STATE:
@@ -80,7 +81,9 @@ static void write_cell(Buf *out, const DocCell *c)
         buf_str(out, "</a>");
         break;
     case CELL_BADGE:
-        if (*c->text)
+        if (*c->text && c->link)
+            buf_printf(out, "<a class=\"badge %s\" href=\"#%s\">%s</a>", c->tone, c->link, c->text);
+        else if (*c->text)
             buf_printf(out, "<span class=\"badge %s\">%s</span>", c->tone, c->text);
         break;
     }
@@ -91,7 +94,7 @@ static const char *cell_class(const DocCell *c)
 {
     if (c->kind == CELL_PLAIN && c->text[0] == '-')
         return " class=\"b\"";
-    return c->kind == CELL_NUMBER || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
+    return c->kind == CELL_NUMBER || c->kind == CELL_TARGET || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
 }
 
 static void write_facts(Buf *out, const DocTable *t)
@@ -115,7 +118,7 @@ static void write_table(Buf *out, const DocTable *t)
         write_facts(out, t);
         return;
     }
-    buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>", t->narrow ? " class=\"narrow\"" : "");
+    buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>", t->dense ? " class=\"narrow dense\"" : t->narrow ? " class=\"narrow\"" : "");
     for (size_t i = 0; i < t->columns; i++) {
         if (!used[i])
             continue;

@@ -12,7 +12,7 @@ static void write_key(Buf *out, const char *key)
 
 static void write_cell(Buf *out, const DocCell *c)
 {
-    if (c->kind == CELL_NUMBER || c->kind == CELL_BAR || c->kind == CELL_LINE)
+    if (c->kind == CELL_NUMBER || c->kind == CELL_TARGET || c->kind == CELL_BAR || c->kind == CELL_LINE)
         buf_printf(out, "%llu", (unsigned long long)c->number);
     else
         json_put_string(out, c->kind == CELL_TEXT ? doc_replace_links(out->arena, c->text) : c->text);

@@ -79,7 +79,7 @@ static const char *cell_string(const DocTable *t, size_t i)
 
     if (c->kind == CELL_LINE && c->number == 0)
         return "";
-    if (c->kind == CELL_NUMBER || c->kind == CELL_BAR || c->kind == CELL_LINE)
+    if (c->kind == CELL_NUMBER || c->kind == CELL_TARGET || c->kind == CELL_BAR || c->kind == CELL_LINE)
         return format_in(t->arena, "%llu", (unsigned long long)c->number);
     buf_init(&b, t->arena);
     for (const char *s = c->kind == CELL_TEXT ? doc_replace_links(t->arena, c->text) : c->text; *s;) {
@@ -96,7 +96,7 @@ static bool is_right(const DocTable *t, size_t i)     // whether a column is rig
 {
     const DocCellKind k = t->cell.at[i].kind;
 
-    return k == CELL_NUMBER || k == CELL_BAR || k == CELL_LINE;
+    return k == CELL_NUMBER || k == CELL_TARGET || k == CELL_BAR || k == CELL_LINE;
 }
 
 static void write_padded(Buf *out, const char *text, size_t wide, bool align_right)

@@ -64,6 +64,9 @@ Doc *report_build(Report *r)
     doc_begin_chapter(d, TEXT_WHAT_WAS_TESTED);
     report_add_scripts(r, d);
     report_add_mutation(r, d);
+    doc_begin_chapter(d, TEXT_WHAT_BREAKS_IT);
+    report_add_faults(r, d);
+    report_add_sweep(r, d);
     doc_begin_chapter(d, TEXT_WHAT_IT_COSTS);
     report_add_costs(r, d);
     doc_begin_chapter(d, TEXT_APPENDIX);

@@ -12,6 +12,7 @@
 #include "compiler/report/diagram.h"
 #include "compiler/report/doc.h"
 #include "compiler/report/trace.h"
+#include "compiler/report/whatif_tables.h"
 #include "compiler/script/script.h"
 #include "compiler/sema/network.h"
 
@@ -37,6 +38,8 @@ typedef struct Report {
     const Cover *cover;           // what the scripts have covered; NULL: it was not measured
     const Mutation *mutation;     // changes of the machine, tried on the scripts; NULL: none were tried
     const char *not_mutated;      // why none were tried although they were requested, as a phrase; or NULL
+    const ReportFaults *faults;   // effects of faulty sensors; NULL: none were tried
+    const ReportSweep *sweep;     // parameters at other values; NULL: none were tried
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // those that the runs have judged; or NULL
@@ -63,6 +66,8 @@ void report_add_proofs(Report *r, Doc *d);             // nothing if r->proofs i
 void report_add_traceability(Report *r, Doc *d);       // nothing if neither a file nor a mark names a requirement
 void report_add_mutation(Report *r, Doc *d);
 void report_add_scripts(Report *r, Doc *d);
+void report_add_faults(Report *r, Doc *d);             // nothing if r->faults is NULL
+void report_add_sweep(Report *r, Doc *d);              // nothing if r->sweep is NULL
 
 // Number of findings that count, and of findings that an @allow covers.
 typedef struct FindingCount { size_t open, allowed; } FindingCount;

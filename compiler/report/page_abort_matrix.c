@@ -53,14 +53,51 @@ static const char *dependence_text(const Report *r, const AbortRow *row)
     return buf_text(&b);
 }
 
-static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps)
+// What the condition of a transition waits for before it is true, which the number of steps does not include.
+typedef enum Waiting { WAITS_FOR_NOTHING, WAITS_FOR_WINDOW, WAITS_FOR_HELD } Waiting;
+
+static Waiting waiting_of_expression(const Expr *e)
 {
+    Waiting most = e->kind != EX_ROLL ? WAITS_FOR_NOTHING : 1u << e->stat & SM_STATS_OF_TIMES ? WAITS_FOR_HELD : WAITS_FOR_WINDOW;
+
+    for (uint32_t i = 0; i < e->n; i++) {
+        const Waiting of = waiting_of_expression(e->arg[i]);
+        most = of > most ? of : most;
+    }
+    return most;
+}
+
+static Waiting waiting_of(const AbortPath *path)
+{
+    Waiting most = WAITS_FOR_NOTHING;
+
+    for (const Condition *when = path->first->when; when; when = when->outer) {
+        const Waiting of = waiting_of_expression(when->stmt->value);
+        most = of > most ? of : most;
+    }
+    return most;
+}
+
+// Returns what the paths with the most steps of a row wait for.
+static Waiting waiting_of_row(const AbortRow *row)
+{
+    Waiting most = WAITS_FOR_NOTHING;
+
+    for (size_t i = 0; i < row->path.n; i++)
+        if (row->path.at[i].possible && row->path.at[i].steps == row->steps && waiting_of(&row->path.at[i]) > most)
+            most = waiting_of(&row->path.at[i]);
+    return most;
+}
+
+static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps, Waiting waiting)
+{
+    static const char *const after[] = {"", ", after its window", ", after `held`"};
     const Program *p = r->analysis.p;
     const char *text = steps == 0 ? "" : steps == ABORT_NOT_BOUNDED ? "unbounded" : format_in(r->arena, "%lu", (unsigned long)steps);
 
     if (p->step > 0 && p->step <= UINT32_MAX && steps > 0 && steps != ABORT_NOT_BOUNDED)
         text = format_in(r->arena, "%s (%s)", text, describe_time(r->arena, p, p->step * steps));
-    doc_add_plain_cell(t, text);
+    doc_add_text_cell(t, steps == 0 || steps == ABORT_NOT_BOUNDED ? text : format_in(r->arena, "%s%s", text, after[waiting]));
 }
 
 // Returns the inputs that the path depends on, as text.
@@ -158,7 +195,7 @@ static void add_transitions(const Report *r, Doc *d, const AbortMatrix *x)
         else
             doc_add_plain_cell(t, "always");
         doc_add_text_cell(t, rows.at[i].reads);
-        add_steps_cell(r, t, path->steps);
+        add_steps_cell(r, t, path->steps, waiting_of(path));
         doc_add_line_cell(t, report_line_of(path->first->stmt->span));
     }
 }
@@ -180,7 +217,7 @@ void report_add_abort_matrix(Report *r, Doc *d)
         doc_add_state_cell(t, row->state->name->text);
         doc_add_plain_cell(t, verdict_text(row, true));
         doc_add_plain_cell(t, verdict_text(row, false));
-        add_steps_cell(r, t, row->steps);
+        add_steps_cell(r, t, row->steps, waiting_of_row(row));
         doc_add_text_cell(t, dependence_text(r, row));
     }
     add_transitions(r, d, &x);

@@ -303,6 +303,7 @@ static void add_cover(const Report *r, Doc *d)
     DocTable *t;
 
     doc_add_heading(d, "coverage", "Coverage");
+    doc_add_paragraph(d, TEXT_COVERAGE);
     add_cover_totals(r, d);
     if (gaps.n == 0)
         return;

@@ -45,7 +45,8 @@ const char *const report_style[] = {
     ".wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:.93rem;margin:.4rem 0 1rem}\n",
     "th,td{text-align:left;vertical-align:top;padding:.35rem .6rem;border-bottom:1px solid var(--line)}\n",
     "th{color:var(--dim);font-weight:600;border-bottom:2px solid var(--line)}tbody tr:hover{background:var(--soft)}\n",
-    "table.narrow{width:auto}td "
+    "table.narrow{width:auto}table.dense{font-size:.8rem}.dense td,.dense th{padding:.25rem}.dense .badge{font-size:.7rem;padding:.05rem "
+    ".3rem;border-radius:.3rem}td "
     "code{overflow-wrap:break-word}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-"
     "variant-numeric:tabular-nums}\n",
     ".bar{display:inline-block;width:7rem;height:.7em;background:var(--soft);border:1px solid var(--line);margin-right:.4em}"
@@ -58,7 +59,7 @@ const char *const report_style[] = {
     ".ln{color:var(--dim);font-size:.8rem;font-variant-numeric:tabular-nums}.do .ln::before{content:\"line "
     "\"}.st{font-weight:600}\n",
     ".badge{font-size:.75rem;font-weight:600;padding:.1rem .5rem;border-radius:1rem;border:1px solid currentColor;"
-    "vertical-align:middle;white-space:nowrap}.good{color:var(--good)}.bad{color:var(--bad)}.note{color:var(--note)}\n",
+    "vertical-align:middle;white-space:nowrap}a.badge{color:var(--note)}.good,a.good{color:var(--good)}.bad,a.bad{color:var(--bad)}.note{color:var(--note)}\n",
     "pre{background:var(--soft);border:1px solid var(--line);border-radius:6px;padding:.5rem "
     ".8rem;overflow-x:auto;line-height:1.45;"
     "margin:.4rem 0}pre "

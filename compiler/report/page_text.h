@@ -9,6 +9,7 @@
 #define TEXT_WHAT_IT_DOES         "What it does"
 #define TEXT_WHAT_MUST_NOT_HAPPEN "What must never happen, and how we know"
 #define TEXT_WHAT_WAS_TESTED      "What was tested, and what was not"
+#define TEXT_WHAT_BREAKS_IT       "What breaks it"
 #define TEXT_WHAT_IT_COSTS        "What it costs"
 #define TEXT_APPENDIX             "Appendix"
 
@@ -72,6 +73,25 @@
     "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
     "would not find. The most dangerous ones come first."
 
+// ---- faults and sweeps ----
+
+#define TEXT_FAULTS \
+    "Each input is made faulty in each way, beginning in each state and at each transition that the scripts take, and the scripts run again. " \
+    "The table has the most dangerous outcome of each input and fault, with its number in the lists below. A `-` is a fault without any " \
+    "effect; an empty cell is a fault that the input cannot have. Requirements are judged for what the machine reads and for the true values."
+#define TEXT_FAULTS_SCRIPTS "Each numbered script reproduces its line without `smc faults`. It fails as long as the fault has this effect."
+#define TEXT_FAULTS_NO_SCRIPTS "With `--scripts=DIR`, `smc report` writes a script for each line, which reproduces it."
+#define TEXT_FAULTS_NOTHING "No fault of an input changes an output, a state or a result of the scripts."
+#define TEXT_FAULTS_CUT "Not all faults were tried. `smc faults --max-runs=N` tries more."
+#define TEXT_FAULTS_NO_REQUIREMENTS \
+    "No requirement was judged, because no file of requirements (`.rq`) was named. Asserts of scripts describe a flight without faults, so one " \
+    "that fails with a fault does not mean that the machine did something dangerous."
+#define TEXT_SWEEP \
+    "Each parameter is set to values over its whole range, the others stay as they are, and all scripts run again. A margin is the distance " \
+    "from the current value to the nearest value at which something fails. Between neighbouring values with different results, the boundary was " \
+    "searched by bisection. Where nothing fails, these scripts and requirements do not notice a wrong value of the parameter."
+#define TEXT_SWEEP_NONE "The machine has no parameter that can be set."
+
 // ---- messages ----
 
 #define TEXT_MESSAGES \
@@ -93,6 +113,10 @@
 
 // ---- scripts ----
 
+#define TEXT_COVERAGE \
+    "A place is one outcome that a script can show. A transition is one place for each state from which it can be taken: one of all states " \
+    "is several places, but one row in the tables of transitions. A guard and a condition are two places each, true and false. Places that no " \
+    "run can reach are impossible, and are not counted."
 #define TEXT_SEED "The random numbers have the seed %llu."
 
 // ---- abort matrix ----
@@ -100,7 +124,8 @@
 #define TEXT_ABORT \
     "From which states the machine can abort, and whether it still can if one sensor is dead, stuck or out of range: with commands, " \
     "and without. The steps are the worst case, from the step in which a condition becomes true to the first step of the abort " \
-    "state. They do not include the time that a counter, a timer or a rolling statistic takes until its condition is true."
+    "state. They do not include the time until the condition is true: \"after `held`\" and \"after its window\" mark conditions that `held` or " \
+    "a rolling statistic delays. A counter or a timer delays its condition, too."
 #define TEXT_ABORT_UNDECLARED \
     "No state is marked `@abort`, so the report cannot show how this machine aborts. Put the mark after the header of the state " \
     "that handles failures, as in `[Abort] @abort`."

@@ -88,7 +88,6 @@ static void add_scripts(const Report *r, DocTable *t)
 static void add_coverage(const Report *r, DocTable *t)
 {
     unsigned long covered = 0, possible = 0;
-    CoverTotal transitions;
 
     if (!r->cover)
         return;
@@ -97,10 +96,8 @@ static void add_coverage(const Report *r, DocTable *t)
         covered += of.covered;
         possible += of.possible;
     }
-    transitions = cover_total(r->cover, COVER_TRANSITION);
     add_verdict(t, "scripts", "Coverage", covered < possible ? VERDICT_OPEN : VERDICT_GOOD,
-                format_in(r->arena, "%.0f %% of %lu places, %lu of %lu transitions", possible ? 100 * (double)covered / (double)possible : 100.0, possible,
-                          (unsigned long)transitions.covered, (unsigned long)transitions.possible));
+                format_in(r->arena, "%lu of %lu places (%.0f %%)", covered, possible, possible ? 100 * (double)covered / (double)possible : 100.0));
 }
 
 static void add_mutation(const Report *r, DocTable *t)
@@ -116,6 +113,70 @@ static void add_mutation(const Report *r, DocTable *t)
                 format_in(r->arena, "%.1f %% of %lu", s.percent, s.noticeable));
 }
 
+static void add_faults(const Report *r, DocTable *t)
+{
+    const ReportFaults *f = r->faults;
+    ReportDanger worst = REPORT_HARMLESS;
+    Buf out;
+
+    if (!f)
+        return;
+    if (f->not_run) {
+        add_verdict(t, "faults", "Faults of sensors", VERDICT_OPEN, format_in(r->arena, "not tried, because %s", f->not_run));
+        return;
+    }
+    buf_init(&out, r->arena);
+    for (uint32_t o = f->outcomes; o-- > 0; ) {
+        size_t n = 0;
+        for (uint32_t i = 0; i < f->cell.n; i++)
+            n += f->cell.at[i].applies && f->cell.at[i].outcome == o;
+        add_count(&out, n, o ? f->outcome[o].name : "without effect");
+        if (n && f->outcome[o].danger > worst)
+            worst = f->outcome[o].danger;
+    }
+    for (uint32_t i = 0; i < f->line.n; i++)
+        if (f->line.at[i].is_pair && f->outcome[f->line.at[i].outcome].danger > worst)
+            worst = f->outcome[f->line.at[i].outcome].danger;
+    add_verdict(t, "faults", "Faults of sensors", worst == REPORT_VIOLATION ? VERDICT_BAD : worst == REPORT_OPEN || f->is_cut || !r->requirements ? VERDICT_OPEN : VERDICT_GOOD,
+                out.n ? format_in(r->arena, "of input and kind: %s", buf_text(&out)) : "the machine has no input");
+}
+
+static void add_sweep(const Report *r, DocTable *t)
+{
+    unsigned long failing = 0, limited = 0;
+    Buf out;
+
+    if (!r->sweep)
+        return;
+    if (r->sweep->not_run) {
+        add_verdict(t, "sweep", "Parameters", VERDICT_OPEN, format_in(r->arena, "not changed, because %s", r->sweep->not_run));
+        return;
+    }
+    for (uint32_t i = 0; i < r->sweep->of.n; i++) {
+        failing += r->sweep->of.at[i].fails_now;
+        limited += !r->sweep->of.at[i].fails_now && r->sweep->of.at[i].has_margin;
+    }
+    buf_init(&out, r->arena);
+    add_count(&out, failing, "fail now");
+    add_count(&out, limited, "with a known margin");
+    add_count(&out, r->sweep->of.n - failing - limited, "whose value nothing notices");
+    add_verdict(t, "sweep", "Parameters", failing ? VERDICT_BAD : r->sweep->of.n == 0 ? VERDICT_FACT : limited < r->sweep->of.n ? VERDICT_OPEN : VERDICT_GOOD, out.n ? buf_text(&out) : "none can be set");
+}
+
+// Names what the page does not contain because it was not requested.
+static void add_missing(const Report *r, Doc *d)
+{
+    Buf out;
+
+    buf_init(&out, r->arena);
+    buf_str(&out, r->requirements && !r->proofs ? ", proofs of the requirements (`--prove`)" : "");
+    buf_str(&out, !r->mutation && !r->not_mutated ? ", changes that no script notices (`--mutate`)" : "");
+    buf_str(&out, !r->faults ? ", faults of sensors (`--faults`)" : "");
+    buf_str(&out, !r->sweep ? ", margins of parameters (`--sweep`)" : "");
+    if (out.n)
+        doc_add_paragraph(d, format_in(r->arena, "Not examined: %s. `smc report --all` adds them.", buf_text(&out) + 2));
+}
+
 void report_add_verdicts(Report *r, Doc *d)
 {
     DocTable *t = DOC_ADD_TABLE(d, "verdicts", columns);
@@ -127,6 +188,9 @@ void report_add_verdicts(Report *r, Doc *d)
     add_scripts(r, t);
     add_coverage(r, t);
     add_mutation(r, t);
+    add_faults(r, t);
+    add_sweep(r, t);
     add_verdict(t, "cost", "Longest step", VERDICT_FACT,
                 format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    add_missing(r, d);
 }

@@ -23,6 +23,8 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
 void fault_write_name(const Faults *f, const FaultResult *r, Buf *out);
 // Appends where it begins: "at Boost -> Coast (G = 1200)".
 void fault_write_trigger(const Faults *f, const FaultResult *r, Buf *out);
+// Appends where the range of an input comes from, unless it is declared: "'p' has no @range; …".  Returns whether it has appended anything.
+bool fault_write_range(const FaultInput *in, Buf *out);
 // Appends what happened, in words, without a full stop.
 void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out);
 

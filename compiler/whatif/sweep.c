@@ -341,4 +341,40 @@ bool sweep_find_margin(const Sweep *s, uint32_t axis, bool above, double *fails)
     return found;
 }
 
+uint32_t sweep_find_last_alike(const Sweep *s, uint32_t axis, uint32_t first)
+{
+    const SweepLine *l = &s->line[axis];
+
+    while (first + 1 < l->at.n && memcmp(l->at.at[first].fails, l->at.at[first + 1].fails, s->check.n) == 0)
+        first++;
+    return first;
+}
+
+void sweep_write_failing(const Sweep *s, const SweepPoint *p, const char *separator, Buf *out)
+{
+    const char *before = "";
+
+    for (uint32_t c = 0; c < s->check.n; c++)
+        if (p->fails[c]) {
+            buf_str(out, before);
+            sweep_write_check(s, c, out);
+            before = separator;
+        }
+}
+
+void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out)
+{
+    const SweepAxis *a = &s->axis[axis];
+    double fails;
+
+    if (sweep_find_margin(s, axis, above, &fails)) {
+        buf_str(out, "fails at ");
+        format_number_shortest(out, fails);
+        buf_printf(out, " (%.6g away)", above ? fails - a->current : a->current - fails);
+    } else {
+        buf_str(out, above ? "nothing fails up to " : "nothing fails down to ");
+        format_number_shortest(out, above ? a->hi : a->lo);
+    }
+}
+
 void sweep_end(Sweep *s) { arena_free(&s->runner->run); }

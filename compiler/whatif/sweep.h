@@ -85,6 +85,13 @@ void sweep_end(Sweep *s);
 // Appends the name of a check: "R3", "tank.ss:12", "tank.ss does not end".
 void sweep_write_check(const Sweep *s, uint32_t check, Buf *out);
 
+// Appends the checks that fail at a point.
+void sweep_write_failing(const Sweep *s, const SweepPoint *p, const char *separator, Buf *out);
+// Appends what is below (`above` false) or above the current value: "fails at 20.1 (10.1 away)", "nothing fails up to 41".
+void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out);
+// Returns the last point of the line in a row at which the same checks fail as at the point `first`.
+uint32_t sweep_find_last_alike(const Sweep *s, uint32_t axis, uint32_t first);
+
 // ---- sweep_svg.c ----
 
 // Appends a plot as SVG: of one parameter the intervals in which each check fails, of two the map of their values.

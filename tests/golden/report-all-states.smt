@@ -155,12 +155,12 @@ Transitions that lead to an abort state
 "Unbounded": every path from the target state leads to an abort state, but before that the machine
 can wait for a condition that may never become true.
 
-  State                    To     Condition                           Reads                Worst-case steps  Line
-  all states except Abort  Abort  stop                                a switch or command  1 (20 ms)           23
-  all states except Abort  Abort  high                                `p`                  1 (20 ms)           27
-  Idle                     Fill   p > 5                               `p`                  unbounded           36
-  Fill                     Abort  p > most and roll_max(p, 1 s) > 99  `p`                  1 (20 ms)           39
-  Fill                     Done   T >= burn                           time                 unbounded           40
+  State                    To     Condition                           Reads                Worst-case steps             Line
+  all states except Abort  Abort  stop                                a switch or command  1 (20 ms)                      23
+  all states except Abort  Abort  high                                `p`                  1 (20 ms), after its window    27
+  Idle                     Fill   p > 5                               `p`                  unbounded                      36
+  Fill                     Abort  p > most and roll_max(p, 1 s) > 99  `p`                  1 (20 ms), after its window    39
+  Fill                     Done   T >= burn                           time                 unbounded                      40
 
 What was tested, and what was not
 Transitions taken by the scripts
@@ -175,6 +175,11 @@ No script visits `Done`. No script takes a transition from `Fill` to `Abort` and
 `Done`.
 
 Coverage
+A place is one outcome that a script can show. A transition is one place for each state from which
+it can be taken: one of all states is several places, but one row in the tables of transitions. A
+guard and a condition are two places each, true and false. Places that no run can reach are
+impossible, and are not counted.
+
   Places       Covered  Of  Impossible
   transitions        3   9           0
   statements        11  13           0

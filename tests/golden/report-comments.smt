@@ -108,8 +108,9 @@ Abort matrix
 
 From which states the machine can abort, and whether it still can if one sensor is dead, stuck or
 out of range: with commands, and without. The steps are the worst case, from the step in which a
-condition becomes true to the first step of the abort state. They do not include the time that a
-counter, a timer or a rolling statistic takes until its condition is true.
+condition becomes true to the first step of the abort state. They do not include the time until the
+condition is true: "after `held`" and "after its window" mark conditions that `held` or a rolling
+statistic delays. A counter or a timer delays its condition, too.
 
   State  Can it abort?      Without a command?  Worst-case steps
   Full   yes                yes                 1

@@ -42,8 +42,11 @@ Overview
   Section       Verdict  Details
   Findings      passed   none
   Scripts       failed   0 of 2 passed
-  Coverage      passed   100 % of 6 places, 0 of 0 transitions
+  Coverage      passed   6 of 6 places (100 %)
   Longest step           5 instructions, in Idle
+
+Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
+of parameters (`--sweep`). `smc report --all` adds them.
 
 The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. It never leaves
 `Idle`.
@@ -124,6 +127,11 @@ Not covered by the scripts
 Nothing: the scripts visit every state and take every transition.
 
 Coverage
+A place is one outcome that a script can show. A transition is one place for each state from which
+it can be taken: one of all states is several places, but one row in the tables of transitions. A
+guard and a condition are two places each, true and false. Places that no run can reach are
+impossible, and are not counted.
+
   Places      Covered  Of  Impossible
   statements        1   1           0
   guards            2   2           0

@@ -113,6 +113,6 @@ What no script notices
 
 No change of the machine was tried, because there is no script that could notice it.
 -- stderr --
-smc: --mutate: no change of the machine was tried, because bad.ss fails without one
 smc: bad.ss failed; the report shows why
+smc: --mutate: no change of the machine was tried, because bad.ss fails without one
 smc: --mutate: no change of the machine was tried, because there is no script that could notice it

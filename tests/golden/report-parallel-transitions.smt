@@ -40,6 +40,11 @@ Not covered by the scripts
 Nothing: the scripts visit every state and take every transition.
 
 Coverage
+A place is one outcome that a script can show. A transition is one place for each state from which
+it can be taken: one of all states is several places, but one row in the tables of transitions. A
+guard and a condition are two places each, true and false. Places that no run can reach are
+impossible, and are not counted.
+
   Places       Covered  Of  Impossible
   transitions        3   6           0
   statements         6  12           0
@@ -61,6 +66,11 @@ Not covered by the scripts
 No script visits `Lost`. No script takes a transition from `Done` to `Lost`.
 
 Coverage
+A place is one outcome that a script can show. A transition is one place for each state from which
+it can be taken: one of all states is several places, but one row in the tables of transitions. A
+guard and a condition are two places each, true and false. Places that no run can reach are
+impossible, and are not counted.
+
   Places       Covered  Of  Impossible
   transitions        2   6           0
   statements         4  12           0

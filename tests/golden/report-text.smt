@@ -63,8 +63,11 @@ Overview
   Section       Verdict  Details
   Findings      open     2 open
   Scripts       passed   1 of 1 passed
-  Coverage      open     73 % of 45 places, 2 of 3 transitions
+  Coverage      open     33 of 45 places (73 %)
   Longest step           16 instructions, in Fill
+
+Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
+of parameters (`--sweep`). `smc report --all` adds them.
 
 Fills a tank.
 
@@ -199,8 +202,9 @@ Abort matrix
 
 From which states the machine can abort, and whether it still can if one sensor is dead, stuck or
 out of range: with commands, and without. The steps are the worst case, from the step in which a
-condition becomes true to the first step of the abort state. They do not include the time that a
-counter, a timer or a rolling statistic takes until its condition is true.
+condition becomes true to the first step of the abort state. They do not include the time until the
+condition is true: "after `held`" and "after its window" mark conditions that `held` or a rolling
+statistic delays. A counter or a timer delays its condition, too.
 
   State  Can it abort?      Without a command?  Worst-case steps
   Idle   no                 no
@@ -238,6 +242,11 @@ Not covered by the scripts
 No script visits `Abort`. No script takes a transition from `Fill` to `Abort`.
 
 Coverage
+A place is one outcome that a script can show. A transition is one place for each state from which
+it can be taken: one of all states is several places, but one row in the tables of transitions. A
+guard and a condition are two places each, true and false. Places that no run can reach are
+impossible, and are not counted.
+
   Places       Covered  Of  Impossible
   transitions        2   3           0
   statements        10  13           0

@@ -32,6 +32,11 @@ Not covered by the scripts
 Nothing: the scripts visit every state and take every transition.
 
 Coverage
+A place is one outcome that a script can show. A transition is one place for each state from which
+it can be taken: one of all states is several places, but one row in the tables of transitions. A
+guard and a condition are two places each, true and false. Places that no run can reach are
+impossible, and are not counted.
+
   Places      Covered  Of  Impossible
   statements        1   1           0
   guards            2   2           0

@@ -118,7 +118,7 @@ not covered:
   line 15: `p > 900` was never true
   line 19: `p > 100 or n > 200` was never false
   line 19: `n > 200` was never true while it decided
-  line 20: `held(p > 300, 2 steps)` was never false while it decided
+  line 20: `held(p > 300, 2 steps)` of `high` was never false while it decided
   line 22: state Hold was never left
   line 26: `roll_avg(p, 5) < 50` was never true
   line 28: state Abort was never entered

@@ -34,7 +34,8 @@ page() {
     twin=
     for argument; do
         case $argument in
-            -*) twin="$twin --sv=$out/other/$name/$(basename "${argument#--sv=}")" ;;
+            --sv=*) twin="$twin --sv=$out/other/$name/$(basename "${argument#--sv=}")" ;;
+            -*) twin="$twin $argument" ;;
             *) twin="$twin $out/other/$name/$(basename "$argument")" ;;
         esac
     done
@@ -45,6 +46,7 @@ page() {
 
 examples=$root/examples
 page tank 0 "$examples/tank/tank.sm" "$examples/tank/tank.ss"
+page everything 0 "$examples/tank/tank.sm" "$examples/tank/tank.ss" "$examples/tank/tank.rq" --all
 page chilldown 0 "$examples/chilldown/chilldown.sm" "$examples"/chilldown/chilldown*.ss
 page ignition 0 "$examples/ignition/ignition.sm" "$examples"/ignition/ignition*.ss
 page parachutes 0 "$examples/parachutes/parachutes.sm" "$examples"/parachutes/parachutes*.ss

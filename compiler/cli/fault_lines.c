@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cli/fault_lines.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/base/os_signal.h"
+#include "compiler/base/path.h"
+#include "compiler/whatif/fault_script.h"
+
+enum { RUNS_MOST = 200000, LATE = 5, DROPPED = 10, SCRIPTS_MOST = 1000 };
+
+void fault_lines_set_defaults(FaultOptions *o)
+{
+    o->kinds = (1u << FAULT_KIND_COUNT) - 1;
+    o->max_runs = RUNS_MOST;
+    o->sizes = (FaultSizes){0.05, 0.02, LATE, DROPPED, 0};
+}
+
+void fault_lines_show_progress(const Faults *f, ProgressLine *k)
+{
+    if (progress_is_due(k))
+        progress_show(k, format_in(&k->c->session.arena, "faults: trigger %lu of %lu, %lu runs",
+                                   f->result.n ? f->result.at[f->result.n - 1].trigger + 1UL : 1UL, (unsigned long)f->trigger.n, (unsigned long)f->runs));
+}
+
+// ---- the list ----
+
+static bool is_same_line(const FaultResult *a, const FaultResult *b)
+{
+    if (a->faults != b->faults || a->outcome != b->outcome)
+        return false;
+    for (uint32_t i = 0; i < a->faults; i++)
+        if (a->fault[i].input != b->fault[i].input || a->fault[i].kind != b->fault[i].kind)
+            return false;
+    return true;
+}
+
+static int compare_lines(const void *a, const void *b)
+{
+    const FaultResult *x = ((const FaultLine *)a)->r, *y = ((const FaultLine *)b)->r;
+
+    if (x->faults != y->faults)
+        return x->faults < y->faults ? -1 : 1;
+    if (x->outcome != y->outcome)
+        return x->outcome > y->outcome ? -1 : 1;
+    return x < y ? -1 : x > y;
+}
+
+static int compare_inputs(const void *a, const void *b)
+{
+    const FaultResult *x = *(const FaultResult *const *)a, *y = *(const FaultResult *const *)b;
+    int by = (int)x->faults - (int)y->faults;
+
+    by = by ? by : (int)x->outcome - (int)y->outcome;
+    for (uint32_t i = 0; i < x->faults && by == 0; i++) {
+        by = (int)x->fault[i].input - (int)y->fault[i].input;
+        by = by ? by : (int)x->fault[i].kind - (int)y->fault[i].kind;
+    }
+    return by ? by : x < y ? -1 : x > y;
+}
+
+void fault_lines_collect(FaultLines *l, bool each)
+{
+    Arena *arena = &l->c->session.arena;
+    const uint32_t n = l->f->result.n;
+    const FaultResult **order = arena_array(arena, n + 1, sizeof *order);
+    uint32_t shown = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        if (l->f->result.at[i].outcome != FAULT_HAS_NONE)
+            order[shown++] = &l->f->result.at[i];
+    qsort(order, shown, sizeof *order, compare_inputs);
+    for (uint32_t i = 0; i < shown; i++) {
+        const FaultLine line = {order[i], 0, NULL, NULL};
+        if (!each && i > 0 && is_same_line(order[i], order[i - 1]))
+            l->at.at[l->at.n - 1].others++;
+        else
+            vec_push(arena, &l->at, line);
+    }
+    if (l->at.n > 1)
+        qsort(l->at.at, l->at.n, sizeof *l->at.at, compare_lines);
+}
+
+// ---- the scripts that reproduce ----
+
+// Returns the path from a folder to that of a file, "" or with a separator at its end; NULL: that would need a system call.
+static const char *path_to_folder_of(Arena *arena, const char *folder, const char *file)
+{
+    const size_t to_name = (size_t)(path_file_name(file) - file);
+    const char *at = path_simplify(arena, folder), *up = "";
+
+    if (path_is_absolute(file))
+        return format_in(arena, "%.*s", (int)to_name, file);
+    if (path_is_absolute(folder) || strncmp(at, "..", 2) == 0)
+        return NULL;
+    while (*at) {
+        const size_t n = strcspn(at, "/\\");
+        if (n > 0 && !(n == 1 && at[0] == '.'))
+            up = format_in(arena, "%s../", up);
+        at += n + (at[n] != '\0');
+    }
+    return format_in(arena, "%s%.*s", up, (int)to_name, file);
+}
+
+static const char *name_script(const FaultLines *l, const FaultLine *line, unsigned long number)
+{
+    const char *folder = l->c->value[OPT_SCRIPTS];
+    const char *name = format_in(&l->c->session.arena, "%03lu", number);
+
+    for (uint32_t i = 0; i < line->r->faults; i++)
+        name = format_in(&l->c->session.arena, "%s-%s-%s", name, l->f->input.at[line->r->fault[i].input].var->report_name->text, fault_kind_name[line->r->fault[i].kind]);
+    return format_in(&l->c->session.arena, "%s%s%s.ss", folder, path_ends_in_separator(folder) ? "" : "/", name);
+}
+
+static const char *command_for(const FaultLines *l, const char *script)
+{
+    const Cli *c = l->c;
+    const char *command = "smc test";
+
+    for (size_t i = 0; i < c->files; i++)
+        if (!has_suffix(c->file[i], ".ss"))
+            command = format_in(&l->c->session.arena, "%s %s", command, c->file[i]);
+    if (c->given[OPT_SV])
+        command = format_in(&l->c->session.arena, "%s --sv %s", command, c->value[OPT_SV]);
+    for (size_t i = 0; i < c->set.n; i++)
+        command = format_in(&l->c->session.arena, "%s --set=%s", command, c->set.at[i]);
+    if (c->given[OPT_SEED])
+        command = format_in(&l->c->session.arena, "%s --seed=%s", command, c->value[OPT_SEED]);
+    return format_in(&l->c->session.arena, "%s %s", command, script);
+}
+
+// Checks and runs the text of a script.  Returns whether it reproduces the fault.
+static bool try_script(FaultLines *l, const FaultResult *x, const char *path, const Buf *text)
+{
+    Session *session = &l->c->session;
+    Source *src = source_new(&l->c->session.arena, path, buf_text(text), text->n);
+    const Diags was = session->diags;
+    const Script *s;
+    bool is_good;
+
+    session->diags.muted = true;
+    s = session_script(session, src, l->p);
+    is_good = s && session->diags.errors_seen == was.errors_seen && fault_script_reproduces(&l->c->session.arena, l->f, x, s);
+    session->diags = was;
+    return is_good;
+}
+
+static void make_script(FaultLines *l, FaultLine *line, unsigned long number)
+{
+    const char *path = name_script(l, line, number), *original = l->f->script[l->f->trigger.at[line->r->trigger].script]->src->name;
+    const FaultScriptPlace place = {path_to_folder_of(&l->c->session.arena, l->c->value[OPT_SCRIPTS], original), command_for(l, path)};
+    Buf edited, recorded;
+
+    buf_init(&edited, &l->c->session.arena);
+    buf_init(&recorded, &l->c->session.arena);
+    line->script = path;
+    line->text = buf_text(&edited);
+    if (!fault_script_write_edited(&l->c->session.arena, l->f, line->r, &place, &edited) && try_script(l, line->r, path, &edited))
+        line->text = buf_text(&edited);
+    else if (!fault_script_write_recorded(&l->c->session.arena, l->f, line->r, &place, &recorded) && try_script(l, line->r, path, &recorded))
+        line->text = buf_text(&recorded);
+    else
+        line->script = NULL;
+    l->scripts += line->script != NULL;
+}
+
+int fault_lines_write_scripts(FaultLines *l)
+{
+    OsOutput *out = ARENA_ARRAY(&l->c->session.arena, OsOutput, l->at.n + 1);
+    const char *why;
+    size_t n = 0;
+    int code;
+
+    if (!l->c->given[OPT_SCRIPTS])
+        return EXIT_OK;
+    if (!os_make_folder(l->c->value[OPT_SCRIPTS], &why)) {
+        cli_print_error(l->c, TEXT_cannot_write, l->c->value[OPT_SCRIPTS], why);
+        return EXIT_ENVIRONMENT;
+    }
+    for (uint32_t i = 0; i < l->at.n && i < SCRIPTS_MOST && !os_signal_waiting(); i++) {
+        make_script(l, &l->at.at[i], i + 1);
+        if (l->at.at[i].script)
+            out[n++] = (OsOutput){l->at.at[i].script, l->at.at[i].text, strlen(l->at.at[i].text)};
+    }
+    code = outputs_check(l->c, out, n);
+    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // one by one: their number has no limit
+        code = cli_write_outputs(l->c, &out[i], 1);
+    return code;
+}

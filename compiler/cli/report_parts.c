@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cli/report_parts.h"
+
+#include <inttypes.h>
+
+#include "compiler/base/path.h"
+#include "compiler/cli/fault_lines.h"
+#include "compiler/cli/mutate_scripts.h"
+#include "compiler/report/describe.h"
+#include "compiler/whatif/fault_script.h"
+#include "compiler/whatif/sweep.h"
+
+enum { SWEEP_POINTS = 21 };   // values of each parameter, before the search for boundaries
+
+void report_parts_choose(Cli *c)
+{
+    static const OptionId part[] = {OPT_PROVE, OPT_MUTATE, OPT_FAULTS, OPT_SWEEP};
+
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++)
+        c->given[part[i]] = c->given[part[i]] || c->given[OPT_ALL];
+    c->given[OPT_FAULTS] = c->given[OPT_FAULTS] || c->given[OPT_SCRIPTS] || c->given[OPT_PAIRS];
+}
+
+// Returns the scripts of the runs.  Sets *why to a phrase if one has failed or there is none; otherwise to NULL.
+static const Script **list_scripts(Cli *c, const Report *r, const char **why)
+{
+    const Script **script = ARENA_ARRAY(&c->session.arena, const Script *, r->runs + 1);
+
+    *why = r->runs == 0 ? "there is no script" : NULL;
+    for (size_t i = 0; i < r->runs && !*why; i++) {
+        script[i] = r->run[i].script;
+        if (!script[i] || r->run[i].result.outcome != SCRIPT_PASSED)
+            *why = format_in(&c->session.arena, "%s fails without one", r->run[i].name);
+    }
+    return script;
+}
+
+// ---- proofs ----
+
+typedef struct ProofProgress { ProgressLine line; const Requirements *what; } ProofProgress;
+
+static void show_proofs(void *context, uint32_t done)
+{
+    ProofProgress *k = context;
+
+    if (progress_is_due(&k->line) || (k->line.is_shown && done < k->what->at.n))
+        progress_show(&k->line, format_in(&k->line.c->session.arena, "proofs: %lu of %lu requirements decided, now %.30s", (unsigned long)done,
+                                          (unsigned long)k->what->at.n, done < k->what->at.n ? k->what->at.at[done].id->text : ""));
+}
+
+// Decides the requirements.  EXIT_PROBLEM if two of them contradict each other, which is printed.
+static int run_proofs(Cli *c, Report *r, const CompileOptions *o)
+{
+    ProofProgress k = {{c, 0, false}, r->requirements};
+    const Requirement *first, *second;
+
+    if (!r->requirements)
+        return EXIT_OK;
+    if (prove_find_contradiction(&c->session.arena, r->requirements, &first, &second)) {
+        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
+                  first->span, DIAG_note_first_here);
+        cli_print_diagnostics(c);
+        return EXIT_PROBLEM;
+    }
+    r->proofs = prove_run(&c->session.arena, r->requirements, &(ProveOptions){.delta_t = o->step, .progress = show_proofs, .context = &k});
+    progress_end(&k.line);
+    return EXIT_OK;
+}
+
+// ---- changes of the machine ----
+
+static void run_mutants(Cli *c, Report *r, const Program *p)
+{
+    const Script **script = list_scripts(c, r, &r->not_mutated);
+    ProgressLine k = {c, 0, false};
+    Mutation *u;
+
+    if (r->not_mutated) {
+        r->not_mutated = r->runs ? r->not_mutated : "there is no script that could notice it";
+        cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
+        return;
+    }
+    u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
+    while (mutation_run_next(u))
+        mutate_show_progress(u, &k);
+    while (mutation_search_next(u, MUTATE_SEARCH_STEPS))
+        mutate_show_progress(u, &k);
+    progress_end(&k);
+    mutation_end(u);
+    r->mutation = u;
+}
+
+// ---- faults ----
+
+static const ReportOutcome *list_outcomes(Arena *arena)
+{
+    ReportOutcome *out = ARENA_ARRAY(arena, ReportOutcome, FAULT_OUTCOME_COUNT);
+
+    for (int i = 0; i < FAULT_OUTCOME_COUNT; i++)
+        out[i] = (ReportOutcome){fault_outcome_name[i], fault_outcome_words[i],
+                                 i == FAULT_HAS_VIOLATED ? REPORT_VIOLATION : i <= FAULT_HAS_ABORTED ? REPORT_HARMLESS : REPORT_OPEN};
+    return out;
+}
+
+// Returns the number of the line with the outcome of a cell, from 1; 0: none.
+static uint32_t find_line(const FaultLines *l, uint32_t input, FaultKind kind, FaultOutcome outcome)
+{
+    for (uint32_t i = 0; i < l->at.n; i++) {
+        const FaultResult *x = l->at.at[i].r;
+        if (x->faults == 1 && x->fault[0].input == input && x->fault[0].kind == kind && x->outcome == outcome)
+            return i + 1;
+    }
+    return 0;
+}
+
+// Returns what the machine reads with a kind of fault, with its size.
+static const char *describe_kind(Arena *arena, const FaultSizes *sizes, FaultKind kind)
+{
+    switch ((int)kind) {
+    case FAULT_BELOW: return format_in(arena, "reads too little by %g %% of its range", 100 * sizes->offset);
+    case FAULT_ABOVE: return format_in(arena, "reads too much by %g %% of its range", 100 * sizes->offset);
+    case FAULT_NOISY: return format_in(arena, "a random number is added to each reading; its standard deviation is %g %% of the range", 100 * sizes->noise);
+    case FAULT_LATE: return format_in(arena, "reads the value of %lu steps before", (unsigned long)sizes->late);
+    case FAULT_DROPPED: return format_in(arena, "the last reading before the fault stays for %lu steps", (unsigned long)sizes->dropped);
+    default: return fault_kind_sentence[kind];
+    }
+}
+
+// Fills the matrix with the kinds that some input can have.
+static void fill_matrix(Arena *arena, const FaultLines *l, ReportFaults *out)
+{
+    const Faults *f = l->f;
+    bool is_used[FAULT_KIND_COUNT] = {false};
+
+    for (int k = 0; k < FAULT_KIND_COUNT; k++) {
+        for (uint32_t i = 0; i < f->input.n; i++)
+            is_used[k] |= fault_applies(&f->input.at[i], (FaultKind)k);
+        if (is_used[k])
+            vec_push(arena, &out->kind, ((ReportFaultKind){fault_kind_name[k], describe_kind(arena, &f->options.sizes, (FaultKind)k)}));
+    }
+    for (uint32_t i = 0; i < f->input.n; i++) {
+        vec_push(arena, &out->input, f->input.at[i].var->report_name->text);
+        for (int k = 0; k < FAULT_KIND_COUNT; k++) {
+            const FaultOutcome worst = faults_find_worst(f, i, (FaultKind)k);
+            const ReportFaultCell cell = {fault_applies(&f->input.at[i], (FaultKind)k), worst, find_line(l, i, (FaultKind)k, worst)};
+            if (is_used[k])
+                vec_push(arena, &out->cell, cell);
+        }
+    }
+}
+
+static const char *words_of(Arena *arena, const Faults *f, const FaultResult *x, void (*write)(const Faults *f, const FaultResult *r, Buf *out))
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    write(f, x, &b);
+    return buf_text(&b);
+}
+
+static void fill_lines(Arena *arena, const FaultLines *l, ReportFaults *out)
+{
+    for (uint32_t i = 0; i < l->at.n; i++) {
+        const FaultLine *line = &l->at.at[i];
+        const ReportFaultLine to = {line->r->faults > 1, line->r->outcome, words_of(arena, l->f, line->r, fault_write_name),
+                                    words_of(arena, l->f, line->r, fault_write_trigger), words_of(arena, l->f, line->r, fault_write_effect), line->others,
+                                    line->script ? path_file_name(line->script) : NULL};
+        vec_push(arena, &out->line, to);
+    }
+}
+
+static void fill_faults(Arena *arena, const FaultLines *l, ReportFaults *out)
+{
+    const Faults *f = l->f;
+    unsigned long effects = 0;
+    Buf ranges;
+
+    for (uint32_t i = 0; i < f->result.n; i++)
+        effects += f->result.at[i].faults == 1 && f->result.at[i].outcome != FAULT_HAS_NONE;
+    out->summary = format_in(arena, "%lu of %lu faults have an effect: %s, %s in %s.", effects, (unsigned long)(f->faults - f->pairs),
+                             describe_count(arena, f->input.n, "input", "inputs"), describe_count(arena, f->trigger.n, "trigger", "triggers"),
+                             describe_count(arena, f->scripts, "script", "scripts"));
+    if (f->options.pairs)
+        out->summary = format_in(arena, "%s Of %lu pairs of faults, %lu are worse than each fault alone.", out->summary, (unsigned long)f->pairs, (unsigned long)f->pairs_worse);
+    fill_matrix(arena, l, out);
+    fill_lines(arena, l, out);
+    for (uint32_t i = 0; i < f->input.n; i++) {
+        buf_init(&ranges, arena);
+        if (fault_write_range(&f->input.at[i], &ranges))
+            vec_push(arena, &out->note, format_in(arena, "%s.", buf_text(&ranges)));
+    }
+    out->is_cut = f->is_cut;
+}
+
+static int run_faults(Cli *c, Report *r, const Program *p)
+{
+    FaultOptions o = {.pairs = c->given[OPT_PAIRS], .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements};
+    ReportFaults *out = ARENA_NEW(&c->session.arena, ReportFaults);
+    const Script **script = list_scripts(c, r, &out->not_run);
+    FaultLines l = {.c = c, .p = p};
+    ProgressLine k = {c, 0, false};
+    int code;
+
+    r->faults = out;
+    out->outcome = list_outcomes(&c->session.arena);
+    out->outcomes = FAULT_OUTCOME_COUNT;
+    if (out->not_run) {
+        cli_print_note(c, TEXT_report_no_faults, out->not_run);
+        return EXIT_OK;
+    }
+    fault_lines_set_defaults(&o);
+    l.f = faults_new(&c->session.arena, p, script, (uint32_t)r->runs, &o);
+    while (faults_run_next(l.f))
+        fault_lines_show_progress(l.f, &k);
+    progress_end(&k);
+    fault_lines_collect(&l, false);
+    code = fault_lines_write_scripts(&l);
+    fill_faults(&c->session.arena, &l, out);
+    out->has_scripts = l.scripts > 0;
+    faults_end(l.f);
+    return code;
+}
+
+// ---- other values of parameters ----
+
+static const char *value_text(Arena *arena, const Sweep *s, double x)
+{
+    Buf b;
+
+    if (s->axis[0].parameter->type == SM_BOOL)
+        return x != 0 ? "true" : "false";
+    buf_init(&b, arena);
+    format_number_shortest(&b, x);
+    return buf_text(&b);
+}
+
+// Returns what a check means, in the words of its author; "": there are none.
+static const char *meaning_of(const SweepCheck *c)
+{
+    if (c->requirement)
+        return c->requirement->text->text;
+    return c->assert && c->assert->remark && c->assert->remark->text ? c->assert->remark->text->text : "";
+}
+
+static void fill_spans(Arena *arena, const Sweep *s, ReportSweepOf *out)
+{
+    const SweepLine *l = &s->line[0];
+
+    for (uint32_t first = 0, last; first < l->at.n; first = last + 1) {
+        Buf fails;
+        last = sweep_find_last_alike(s, 0, first);
+        buf_init(&fails, arena);
+        sweep_write_failing(s, &l->at.at[first], ", ", &fails);
+        vec_push(arena, &out->span, ((ReportSweepSpan){value_text(arena, s, l->at.at[first].value[0]), value_text(arena, s, l->at.at[last].value[0]), buf_text(&fails)}));
+    }
+    for (uint32_t i = 0; i < s->boundary.n; i++) {
+        const SweepBoundary *b = &s->boundary.at[i];
+        Buf name;
+        buf_init(&name, arena);
+        sweep_write_check(s, b->check, &name);
+        vec_push(arena, &out->boundary, ((ReportSweepBoundary){buf_text(&name), meaning_of(&s->check.at[b->check]), value_text(arena, s, b->passes), value_text(arena, s, b->fails)}));
+    }
+}
+
+static ReportSweepOf fill_sweep(Arena *arena, const Sweep *s)
+{
+    const SweepAxis *a = &s->axis[0];
+    ReportSweepOf out = {a->parameter->name->text, value_text(arena, s, a->current), value_text(arena, s, a->lo), value_text(arena, s, a->hi), "", "",
+                         sweep_fails_now(s, 0), false, {NULL, 0, 0}, {NULL, 0, 0}, NULL};
+    Buf below, above, svg;
+    double fails;
+
+    buf_init(&below, arena);
+    buf_init(&above, arena);
+    buf_init(&svg, arena);
+    if (!out.fails_now && a->parameter->type != SM_BOOL) {
+        sweep_write_side(s, 0, false, &below);
+        sweep_write_side(s, 0, true, &above);
+    }
+    out.below = buf_text(&below);
+    out.above = buf_text(&above);
+    if (a->parameter->type == SM_BOOL) {
+        out.below = sweep_find_margin(s, 0, false, &fails) ? "fails at false" : "";
+        out.above = sweep_find_margin(s, 0, true, &fails) ? "fails at true" : "";
+    }
+    out.has_margin = sweep_find_margin(s, 0, false, &fails) || sweep_find_margin(s, 0, true, &fails);
+    fill_spans(arena, s, &out);
+    sweep_write_svg(arena, s, &svg);
+    out.svg = buf_text(&svg);
+    return out;
+}
+
+// Sweeps each parameter over its range.
+static void run_sweeps(Cli *c, Report *r, const Program *p)
+{
+    Arena *arena = &c->session.arena;
+    ReportSweep *out = ARENA_NEW(arena, ReportSweep);
+    const Script **script = list_scripts(c, r, &out->not_run);
+    ProgressLine k = {c, 0, false};
+
+    r->sweep = out;
+    if (out->not_run) {
+        cli_print_note(c, TEXT_report_no_sweep, out->not_run);
+        return;
+    }
+    for (size_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        Sweep *s;
+        if (v->kind != VAR_LOCAL || !v->parameter || !(v->parameter->lo < v->parameter->hi))
+            continue;
+        s = sweep_new(arena, p, script, (uint32_t)r->runs, &(SweepOptions){.axis = {{.parameter = v, .lo = v->parameter->lo, .hi = v->parameter->hi, .n = SWEEP_POINTS}},
+                                                                           .axes = 1, .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements});
+        while (sweep_run_next(s))
+            if (progress_is_due(&k))
+                progress_show(&k, format_in(arena, "sweep of '%.40s': %lu runs", v->name->text, (unsigned long)s->runs));
+        vec_push(arena, &out->of, fill_sweep(arena, s));
+        sweep_end(s);
+    }
+    progress_end(&k);
+}
+
+int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *o)
+{
+    int code;
+
+    if (c->given[OPT_PROVE] && (code = run_proofs(c, r, o)) != EXIT_OK)
+        return code;
+    if (c->given[OPT_FAULTS] && (code = run_faults(c, r, p)) != EXIT_OK)
+        return code;
+    if (c->given[OPT_SWEEP])
+        run_sweeps(c, r, p);
+    if (c->given[OPT_MUTATE])
+        run_mutants(c, r, p);
+    return EXIT_OK;
+}

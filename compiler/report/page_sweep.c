@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The section on parameters: how far each is from a value at which something fails, and what fails where.
+#include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
+
+static const DocColumn margin_columns[] = {{"parameter", "Parameter"}, {"verdict", "Verdict"}, {"now", "Now"}, {"below", "Below"}, {"above", "Above"}};
+static const DocColumn span_columns[] = {{"from", "From"}, {"to", "To"}, {"fails", "What fails"}};
+static const DocColumn boundary_columns[] = {{"check", "Check"}, {"meaning", "Meaning"}, {"passes", "Passes at"}, {"fails", "Fails at"}};
+
+static void add_margins(const Report *r, Doc *d)
+{
+    DocTable *t = DOC_ADD_TABLE(d, "margins", margin_columns);
+
+    t->narrow = true;
+    for (uint32_t i = 0; i < r->sweep->of.n; i++) {
+        const ReportSweepOf *s = &r->sweep->of.at[i];
+        doc_add_code_cell(t, s->parameter);
+        doc_add_badge_cell(t, s->fails_now ? "fails now" : s->has_margin ? "has a limit" : "nothing fails", s->fails_now ? "bad" : s->has_margin ? "good" : "note");
+        doc_add_plain_cell(t, s->now);
+        doc_add_plain_cell(t, s->below);
+        doc_add_plain_cell(t, s->above);
+    }
+}
+
+static void add_parameter(const Report *r, Doc *d, const ReportSweepOf *s)
+{
+    DocTable *t;
+
+    doc_add_heading(d, NULL, format_in(r->arena, "`%s` from %s to %s", s->parameter, s->from, s->to));
+    t = doc_add_table(d, format_in(r->arena, "values.%s", s->parameter), span_columns, sizeof span_columns / sizeof *span_columns);
+    t->narrow = true;
+    for (uint32_t i = 0; i < s->span.n; i++) {
+        doc_add_plain_cell(t, s->span.at[i].from);
+        doc_add_plain_cell(t, s->span.at[i].to);
+        doc_add_plain_cell(t, *s->span.at[i].fails ? s->span.at[i].fails : "nothing");
+    }
+    if (s->boundary.n) {
+        t = doc_add_table(d, format_in(r->arena, "boundaries.%s", s->parameter), boundary_columns, sizeof boundary_columns / sizeof *boundary_columns);
+        t->narrow = true;
+    }
+    for (uint32_t i = 0; i < s->boundary.n; i++) {
+        doc_add_plain_cell(t, s->boundary.at[i].check);
+        doc_add_plain_cell(t, s->boundary.at[i].meaning);
+        doc_add_plain_cell(t, s->boundary.at[i].passes);
+        doc_add_plain_cell(t, s->boundary.at[i].fails);
+    }
+    if (s->boundary.n)
+        doc_add_figure(d, s->svg, "Green: the check passes. Red: it fails. The dashed line is the current value.");
+}
+
+void report_add_sweep(Report *r, Doc *d)
+{
+    const ReportSweep *s = r->sweep;
+
+    if (!s)
+        return;
+    doc_add_section(d, "sweep", "Parameters at other values");
+    if (s->not_run) {
+        doc_add_plain(d, format_in(r->arena, "No parameter was changed, because %s.", s->not_run));
+        return;
+    }
+    if (s->of.n == 0) {
+        doc_add_paragraph(d, TEXT_SWEEP_NONE);
+        return;
+    }
+    doc_add_paragraph(d, TEXT_SWEEP);
+    add_margins(r, d);
+    for (uint32_t i = 0; i < s->of.n; i++)
+        add_parameter(r, d, &s->of.at[i]);
+}

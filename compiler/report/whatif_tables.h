@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What faulty sensors and other values of parameters do, as tables for the page.  The command fills them: this layer runs nothing, and does
+// not know how runs are made.  Texts are plain.
+#ifndef SMC_REPORT_WHATIF_TABLES_H
+#define SMC_REPORT_WHATIF_TABLES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "compiler/base/vec.h"
+
+// ---- faults ----
+
+typedef enum ReportDanger { REPORT_HARMLESS, REPORT_OPEN, REPORT_VIOLATION } ReportDanger;
+
+typedef struct ReportOutcome {
+    const char *name;         // one word: "violated"
+    const char *words;        // "a requirement is violated"
+    ReportDanger danger;
+} ReportOutcome;
+
+typedef struct ReportFaultKind { const char *name, *sentence; } ReportFaultKind;
+
+// The most dangerous outcome of one input and one kind of fault.
+typedef struct ReportFaultCell {
+    bool applies;             // the input can have the fault
+    uint32_t outcome;         // index in ReportFaults.outcome
+    uint32_t line;            // number of its line, from 1; 0: it has no effect
+} ReportFaultCell;
+
+// Faults of the same inputs, kinds and outcome.
+typedef struct ReportFaultLine {
+    bool is_pair;             // two faults at once
+    uint32_t outcome;
+    const char *fault;        // "altitude dead"
+    const char *trigger;      // "at Boost -> Coast (G = 1200, chute.ss)": the first one with this outcome
+    const char *effect;
+    uint32_t others;          // how many other triggers have the same outcome
+    const char *script;       // the name of the file that reproduces it; NULL: none
+} ReportFaultLine;
+
+typedef struct ReportFaults {
+    const char *not_run;      // why no fault was tried, as a phrase; the rest is then empty.  NULL: they were tried
+    const char *summary;      // a sentence with the counts
+    const ReportOutcome *outcome;     // the least dangerous first; the first one is no effect
+    uint32_t outcomes;
+    VEC(ReportFaultKind) kind;
+    VEC(const char *) input;
+    VEC(ReportFaultCell) cell;        // by input, then by kind
+    VEC(ReportFaultLine) line;        // in the order of the list
+    VEC(const char *) note;   // sentences
+    bool has_scripts;         // scripts were written
+    bool is_cut;              // not all faults were tried
+} ReportFaults;
+
+// ---- sweeps ----
+
+// Values in a row with the same result.
+typedef struct ReportSweepSpan {
+    const char *from, *to;
+    const char *fails;        // the checks that fail, between commas; "": none
+} ReportSweepSpan;
+
+typedef struct ReportSweepBoundary { const char *check, *meaning, *passes, *fails; } ReportSweepBoundary;
+
+typedef struct ReportSweepOf {
+    const char *parameter, *now, *from, *to;
+    const char *below, *above;        // "fails at 20.1 (10.1 away)", "nothing fails up to 100"
+    bool fails_now, has_margin;       // has_margin: something fails below or above the current value
+    VEC(ReportSweepSpan) span;
+    VEC(ReportSweepBoundary) boundary;
+    const char *svg;
+} ReportSweepOf;
+
+typedef struct ReportSweep {
+    const char *not_run;      // as in ReportFaults
+    VEC(ReportSweepOf) of;    // by parameter
+} ReportSweep;
+
+#endif
