@@ -3,6 +3,7 @@
 // those of the image that `smc build` makes. The scripts run on the VM, on an image with names.
 #include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
+#include "compiler/prove/prove_given.h"
 
 typedef void WriteReport(const Doc *d, Buf *out);
 
@@ -41,7 +42,10 @@ static void run_mutants(Cli *c, Report *r, const Program *p)
 // Decides the requirements, if that is wanted.  Returns false if two of them contradict each other, which is reported.
 static bool run_proofs(Cli *c, Report *r, const CompileOptions *o)
 {
+    ProveGiven *given = ARENA_ARRAY(&c->session.arena, ProveGiven, r->runs + 1);
     const Requirement *first, *second;
+    uint32_t givens = 0;
+    Diags reported;                       // by the runs of the scripts, before
 
     if (!c->given[OPT_PROVE] || !r->requirements)
         return true;
@@ -50,7 +54,11 @@ static bool run_proofs(Cli *c, Report *r, const CompileOptions *o)
                   first->span, DIAG_note_first_here);
         return false;
     }
-    r->proofs = prove_run(&c->session.arena, r->requirements, &(ProveOptions){.delta_t = o->step});
+    diags_init(&reported, &c->session.arena);
+    for (size_t i = 0; i < r->runs; i++)
+        if (r->run[i].script)
+            prove_record_script(&c->session.arena, &reported, r->requirements->program, r->requirements->program, r->run[i].script, &given[givens++]);
+    r->proofs = prove_run(&c->session.arena, r->requirements, &(ProveOptions){.delta_t = o->step, .given = given, .givens = givens});
     return true;
 }
 
