@@ -90,10 +90,10 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 }
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false},
-                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}};
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false},
+                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
 
-enum { ATTEMPTS_FIRST = 3, ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 4, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
@@ -124,6 +124,7 @@ static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool i
     }
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
     of->is_loose = model->loosened > 0;
+    of->is_compared = model->compared > 0;
     of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
     of->invariant = invariants_of(v, model, &x);
     return true;
@@ -134,6 +135,8 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
 {
     const uint32_t n = p->model[loose]->loosened;
 
+    if (loose == PROVE_COMPARED)
+        return p->model[loose]->compared == 0;
     return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 

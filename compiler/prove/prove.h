@@ -19,7 +19,8 @@
 // computed with the language's own arithmetic, with infinities, NaN and saturation.
 //
 // Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
-// not read: first all of them, then those of more than two samples.
+// not read: first all of them, then those of more than two samples.  Where that fails, later attempts know what is
+// true of all samples of a window (prove_threshold.c).
 //
 // What a proof covers:
 //
@@ -84,6 +85,7 @@ typedef struct ProveOf {
     ProveObstacle obstacle;   // UNDECIDED
     uint32_t irrelevant;      // variables that cannot influence the requirement
     bool is_loose;            // PROVED, VACUOUS: with windows of any value (prove_model_new)
+    bool is_compared;         // PROVED, VACUOUS: with samples that are compared with constants of the requirement
     uint32_t nodes;           // abstract states of the last exploration (prove_explore.h)
     uint64_t steps;           // of all runs that were tried
     uint64_t visits;          // paths from block to block that all explorations visited
