@@ -54,10 +54,10 @@ SMC_LOST = $(strip $(foreach f,$(SMC_SV) $(SMC_IO),$(if $(wildcard $f),,$f)))
 	$(error there is no $(SMC_LOST), as SMC_SV or SMC_IO says)
 .PRECIOUS: %.smb
 
-# The verdicts on the requirements tank.rq of tank.sm; it fails if one is violated or undecided.
+# The verdicts on the requirements tank.rq of tank.sm; it fails if one is violated or undecided.  Searches start from tank.ss and tank-*.ss.
 %.proof: %.sm %.rq $(SMC_SV) $(SMC_SET)
 	$(SMC_WANT)
-	$(SMC) prove $< $*.rq $(SMC_ARGS) -o $@ -MD -MP -MF $@.d
+	$(SMC) prove $< $*.rq $(wildcard $*.ss $*-*.ss) $(SMC_ARGS) -o $@ -MD -MP -MF $@.d
 
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb

@@ -81,8 +81,10 @@ static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Co
 {
     Engine *const counting = cover_open_engine(r->given), *e[2] = {NULL, cover_open_engine(r->all)};
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
+    bool *writable = arena_alloc(r->arena, r->p->var.n);
     int code;
 
+    search_default_inputs(r->p, writable);
     for (size_t i = 0; i < given; i++)
         if (in->at[i].kind == FILE_SS && !made->of[i].is_included) {
             const Script *s = session_script(&r->c->session, in->at[i].text, r->p);
@@ -92,7 +94,7 @@ static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Co
     if ((code = cli_print_diagnostics(r->c)) != EXIT_OK)
         return code;
     for (uint32_t i = 0; i < r->script.n; i++) {
-        e[0] = scenario_record_open(r->arena, r->p, counting, r->script.at[i]->delta_t);
+        e[0] = scenario_record_open(r->arena, r->p, counting, r->script.at[i]->delta_t, writable, SCENARIO_FEW_CHANGES);
         if (script_run(r->arena, &r->c->session.diags, r->script.at[i], e, 2, &o).outcome != SCRIPT_PASSED) {
             cli_print_diagnostics(r->c);
             cli_print_error(r->c, TEXT_cover_fails, r->script.at[i]->src->name);

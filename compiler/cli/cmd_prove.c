@@ -5,6 +5,7 @@
 #include "compiler/base/os_signal.h"
 #include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
+#include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_text.h"
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
@@ -16,10 +17,10 @@ static int check_arguments(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         if (has_suffix(c->file[i], ".app"))
             return runs_refuse_app(c, c->file[i]);
-        const bool is_requirements = has_suffix(c->file[i], ".rq");
-        if (!is_requirements && !has_suffix(c->file[i], ".sm"))
+        const bool is_requirements = has_suffix(c->file[i], ".rq"), is_machine = has_suffix(c->file[i], ".sm");
+        if (!is_requirements && !is_machine && !has_suffix(c->file[i], ".ss"))
             return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i], has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
-        machines += !is_requirements;
+        machines += is_machine;
         requirements += is_requirements;
     }
     if (machines != 1)
@@ -87,13 +88,57 @@ static void show_progress(void *context, uint32_t done)
     cli_print(k->c, 2, &out);
 }
 
-static int prove(Cli *c, const Requirements *what, const CompileOptions *o, uint64_t effort, size_t format)
+// ---- scripts ----
+
+// Returns the requirements of the machine without its scripts: they can write locals, which a proof does not allow for.
+static const Requirements *requirements_without_scripts(Cli *c, const CompileInput *in, const CompiledSource *machine)
+{
+    const Source **rq = ARENA_ARRAY(&c->session.arena, const Source *, in->n);
+    const Diags reported = c->session.diags;
+    const Requirements *out;
+    size_t n = 0;
+
+    if (machine->scripted == machine->program)
+        return machine->requirements;
+    for (size_t i = 0; i < in->n; i++)
+        if (in->at[i].kind == FILE_RQ)
+            rq[n++] = in->at[i].text;
+    diags_init(&c->session.diags, &c->session.arena);
+    out = session_requirements(&c->session, rq, n, machine->program);
+    c->session.diags = reported;
+    return out ? out : machine->requirements;
+}
+
+typedef VEC(ProveGiven) Givens;
+
+// Runs the scripts of `in`.  They have to pass.
+static int run_scripts(Cli *c, const CompileInput *in, const Compiled *made, const Program *p, Givens *out)
+{
+    const Program *scripted = runs_find_machine(in, made)->scripted;
+    ProveGiven g;
+
+    for (size_t i = 0; i < in->n; i++) {
+        if (in->at[i].kind != FILE_SS || made->of[i].is_included)
+            continue;
+        if (!prove_record_script(&c->session.arena, &c->session.diags, scripted, p, made->of[i].script, &g)) {
+            cli_print_diagnostics(c);
+            cli_print_error(c, TEXT_cover_fails, g.name);
+            return EXIT_PROBLEM;
+        }
+        vec_push(&c->session.arena, out, g);
+    }
+    return cli_print_diagnostics(c);
+}
+
+// ---- the command ----
+
+static int prove(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, uint64_t effort, size_t format)
 {
     const Program *p = what->program;
     ProveProgress progress = {c, what};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
-                                  .effort = effort * 1000000, .progress = show_progress, .go_on = is_not_interrupted,
-                                  .context = &progress};
+                                  .given = given->at, .givens = given->n, .effort = effort * 1000000, .progress = show_progress,
+                                  .go_on = is_not_interrupted, .context = &progress};
     const Requirement *first, *second;
     const ProveResult *r;
     int code;
@@ -130,6 +175,8 @@ int cmd_prove(Cli *c)
     CompileInput in;
     CompileOptions o;
     Compiled made;
+    const Requirements *what;
+    Givens given = {.at = NULL};
     int code;
 
     if ((code = check_arguments(c)) != EXIT_OK)
@@ -146,5 +193,8 @@ int cmd_prove(Cli *c)
     compile_sources(&c->session, &in, &o, &made);
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
-    return prove(c, runs_find_machine(&in, &made)->requirements, &o, effort, format);
+    what = requirements_without_scripts(c, &in, runs_find_machine(&in, &made));
+    if ((code = run_scripts(c, &in, &made, what->program, &given)) != EXIT_OK)
+        return code;
+    return prove(c, what, &given, &o, effort, format);
 }

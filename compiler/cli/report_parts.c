@@ -6,6 +6,7 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/fault_lines.h"
 #include "compiler/cli/mutate_scripts.h"
+#include "compiler/prove/prove_given.h"
 #include "compiler/report/describe.h"
 #include "compiler/whatif/fault_script.h"
 #include "compiler/whatif/sweep.h"
@@ -48,10 +49,25 @@ static void show_proofs(void *context, uint32_t done)
                                           (unsigned long)k->what->at.n, done < k->what->at.n ? k->what->at.at[done].id->text : ""));
 }
 
+// Records the scripts as starting points of the searches.  What they report is dropped: the report has run them before.
+static void record_scripts(Cli *c, const Report *r, ProveOptions *o)
+{
+    ProveGiven *given = ARENA_ARRAY(&c->session.arena, ProveGiven, r->runs + 1);
+    const Program *p = r->requirements->program;
+    Diags dropped;
+
+    diags_init(&dropped, &c->session.arena);
+    for (size_t i = 0; i < r->runs; i++)
+        if (r->run[i].script)
+            prove_record_script(&c->session.arena, &dropped, p, p, r->run[i].script, &given[o->givens++]);
+    o->given = given;
+}
+
 // Decides the requirements.  EXIT_PROBLEM if two of them contradict each other, which is printed.
 static int run_proofs(Cli *c, Report *r, const CompileOptions *o)
 {
     ProofProgress k = {{c, 0, false}, r->requirements};
+    ProveOptions options = {.delta_t = o->step, .progress = show_proofs, .context = &k};
     const Requirement *first, *second;
 
     if (!r->requirements)
@@ -62,7 +78,8 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o)
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
-    r->proofs = prove_run(&c->session.arena, r->requirements, &(ProveOptions){.delta_t = o->step, .progress = show_proofs, .context = &k});
+    record_scripts(c, r, &options);
+    r->proofs = prove_run(&c->session.arena, r->requirements, &options);
     progress_end(&k.line);
     return EXIT_OK;
 }

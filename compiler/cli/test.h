@@ -49,6 +49,7 @@ typedef struct TestRun {      // one call of smc test
     uint64_t max_steps;
     uint64_t seed;            // the value of --seed
     VEC(const char *) path;   // .smt cases to run, in order
+    VEC(const Script *) script;               // those that ran
     VEC(TestResult) result;
     VEC(TestRequirement) requirement;         // in the order of their files
     const char *traceability; // the line that sums up --traceability; NULL: none

@@ -144,6 +144,7 @@ static void test_script(MachineTest *m, size_t argument)
     if ((s = session_script(&m->t->c->session, src, m->p)) != NULL) {
         if (m->requirements)
             session_check_requirements_of_script(&m->t->c->session, m->requirements, s);
+        vec_push(m->t->arena, &m->t->script, s);
         run_script(m, path, s);
         return;
     }

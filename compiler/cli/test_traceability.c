@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc test --traceability: which requirements the machine and its scripts belong to, as a file; and how many requirements are tested.
 #include "compiler/cli/test.h"
+#include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_text.h"
 
 static bool is_wanted(const Cli *c)
@@ -77,10 +78,18 @@ static void judge(TestRun *t, const Traceability *matrix, const char *machine, d
     vec_push(t->arena, &t->result, r);
 }
 
-// Stores what proofs find about the requirements of files.
+// Stores what proofs find about the requirements of files.  The scripts are starting points of searches.
 static void add_proofs(TestRun *t, Traceability *matrix)
 {
-    const ProveResult *r = prove_run(t->arena, matrix->what, &(ProveOptions){.delta_t = 0});
+    const Program *p = matrix->what->program;
+    ProveGiven *given = ARENA_ARRAY(t->arena, ProveGiven, t->script.n + 1);
+    Diags reported;                               // by their runs, before
+    const ProveResult *r;
+
+    diags_init(&reported, t->arena);
+    for (uint32_t i = 0; i < t->script.n; i++)
+        prove_record_script(t->arena, &reported, p, p, t->script.at[i], &given[i]);
+    r = prove_run(t->arena, matrix->what, &(ProveOptions){.given = given, .givens = t->script.n});
 
     for (uint32_t i = 0; i < r->n; i++)
         traceability_set_proof(matrix, r->of[i].what->id, prove_verdict_words(r->of[i].verdict));

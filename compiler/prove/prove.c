@@ -2,10 +2,11 @@
 #include "compiler/prove/prove.h"
 
 #include "compiler/prove/prove_explore.h"
+#include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_goal.h"
 
 enum {
-    DELTA_T = 10,             // of a machine without a step
+    DELTA_T = 10,             // of a machine without a step, and without given runs
     EFFORT = 30000000,        // steps of searches for a violation
     FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
     FEW_CHANGES = 4,          // of inputs in a scenario: with more, other searches try to find a simpler one
@@ -23,6 +24,10 @@ typedef struct ProveRun {
     const ProveOptions *o;
     ProveResult *result;
     Cover *cover;
+    Scenario *given;          // the given runs that are used, and the first `givens` of ...
+    const ProveGiven **given_of;      // ... where each is from
+    const GivenResult **judged;       // ... what each shows, by requirement
+    uint32_t givens;
 } ProveRun;
 
 static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
@@ -85,10 +90,10 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 }
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false},
-                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}};
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false},
+                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
 
-enum { ATTEMPTS_FIRST = 3, ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 4, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
@@ -119,6 +124,7 @@ static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool i
     }
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
     of->is_loose = model->loosened > 0;
+    of->is_compared = model->compared > 0;
     of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
     of->invariant = invariants_of(v, model, &x);
     return true;
@@ -129,6 +135,8 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
 {
     const uint32_t n = p->model[loose]->loosened;
 
+    if (loose == PROVE_COMPARED)
+        return p->model[loose]->compared == 0;
     return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 
@@ -154,17 +162,28 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 
 // ---- violations ----
 
-static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, bool usual_values, uint64_t seed, uint64_t effort)
+static GoalSearch new_search(const ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
-    const GoalSearch g = {.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .usual_values = usual_values, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
-                          .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .go_on = v->o->go_on, .context = v->o->context};
-    GoalFound found = goal_search(v->arena, &v->work, v->cover, &g);
+    return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
+                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .go_on = v->o->go_on, .context = v->o->context};
+}
+
+static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
+{
+    GoalFound found = goal_search(v->arena, &v->work, v->cover, g);
 
     of->steps += found.steps;
     v->result->steps += found.steps;
     if (found.unconfirmed)
         v->result->bug = "the reference interpreter does not confirm a run that the search has found";
     return found;
+}
+
+static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+{
+    const GoalSearch g = new_search(v, of, kind, seed, effort);
+
+    return search_as(v, of, &g);
 }
 
 static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
@@ -175,7 +194,10 @@ static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *
     static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many
 
     for (uint32_t n = 0; n < sizeof share / sizeof *share && found->changes > FEW_CHANGES && goes_on(v); n++) {
-        const Scenario *other = search_for(v, of, GOAL_VIOLATION, true, n + 1, effort_of(v) / share[n]).scenario;
+        GoalSearch g = new_search(v, of, GOAL_VIOLATION, n + 1, effort_of(v) / share[n]);
+        g.usual_values = true;
+        g.givens = 0;
+        const Scenario *other = search_as(v, of, &g).scenario;
         if (other && is_simpler(other, found))
             found = other;
     }
@@ -185,7 +207,7 @@ static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
-    const GoalFound found = search_for(v, of, GOAL_VIOLATION, false, seed, effort);
+    const GoalFound found = search_for(v, of, GOAL_VIOLATION, seed, effort);
 
     of->premise_seen = of->premise_seen || found.premise_seen || found.scenario;
     if (!found.scenario)
@@ -195,12 +217,75 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
     return true;
 }
 
+// ---- given runs ----
+
+static void judge_givens(ProveRun *v)
+{
+    const ProveOptions *o = v->o;
+
+    v->given = arena_array(v->arena, o->givens + 1u, sizeof *v->given);
+    v->given_of = arena_array(v->arena, o->givens + 1u, sizeof *v->given_of);
+    v->judged = arena_array(v->arena, o->givens + 1u, sizeof *v->judged);
+    for (uint32_t i = 0; i < o->givens && goes_on(v); i++) {
+        if (!prove_uses_given(&o->given[i], v->result->init_state, v->result->delta_t))
+            continue;
+        v->given[v->givens] = o->given[i].run;
+        v->given_of[v->givens] = &o->given[i];
+        v->judged[v->givens++] = prove_judge_given(v->arena, v->all, &o->given[i].run);
+        v->result->steps += o->given[i].run.steps;
+    }
+}
+
+// Returns the number of the given run that violates the requirement after the fewest steps; `givens`: none does.  *confirmed receives the run
+// up to there.
+static uint32_t find_violating_given(ProveRun *v, const ProveOf *of, const Scenario **confirmed)
+{
+    const GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, 1);
+    uint32_t best = v->givens;
+
+    *confirmed = NULL;
+    for (uint32_t i = 0; i < v->givens; i++) {
+        const Scenario *s = v->judged[i][g.requirement].violated ? goal_end_scenario(v->arena, &g, &v->given[i]) : NULL;
+        if (!s || (*confirmed && s->steps >= (*confirmed)->steps))
+            continue;
+        *confirmed = s;
+        best = i;
+    }
+    return best;
+}
+
+// Whether a given run violates the requirement.  If so, the scenario of the result is a simpler one.
+static bool is_violated_by_given(ProveRun *v, ProveOf *of)
+{
+    GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
+    const Scenario *given, *simpler;
+    const uint32_t n = find_violating_given(v, of, &given);
+
+    for (uint32_t i = 0; i < v->givens; i++) {
+        of->premise_seen |= v->judged[i][g.requirement].premise_seen;
+        of->steps += v->given[i].steps;
+    }
+    if (!given)
+        return false;
+    of->verdict = PROVE_VIOLATED;
+    of->given = v->given_of[n];
+    of->given_step = v->judged[n][g.requirement].violated;
+    of->premise_seen = true;
+    g.given = given;
+    g.givens = 1;
+    simpler = search_as(v, of, &g).scenario;
+    of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, given) ? simpler : given);
+    return true;
+}
+
 // Proofs that take long, and searches that take long, come last: most requirements are decided before.
 static void decide(ProveRun *v, ProveOf *of)
 {
     const uint64_t effort = effort_of(v);
     ProveProof proof;
 
+    if (is_violated_by_given(v, of))
+        return;
     of->verdict = PROVE_UNDECIDED;
     begin_proof(v, &proof, of);
     if (!try_proofs(v, &proof, of, ATTEMPTS_FIRST)) {
@@ -212,7 +297,7 @@ static void decide(ProveRun *v, ProveOf *of)
         }
     }
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
-        of->premise_seen = search_for(v, of, GOAL_PREMISE, false, 1, EFFORT_PREMISE).premise_seen;
+        of->premise_seen = search_for(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
 }
 
 // ---- contradictions ----
@@ -281,9 +366,12 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     arena_init_within(&v.work, arena);
     v.m = ir_build(arena, v.p);
     v.cover = cover_new(arena, v.p);
-    result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : DELTA_T;
+    result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : o->givens ? o->given[0].run.delta_t : DELTA_T;
     result->init_state = o->init_state ? o->init_state : v.p->state.at[0];
     result->n = r->at.n;
+    result->given = o->given;
+    result->givens = o->givens;
+    judge_givens(&v);
     result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
     for (uint32_t i = 0; i < r->at.n; i++) {
         result->of[i].what = &r->at.at[i];

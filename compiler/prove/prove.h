@@ -19,7 +19,8 @@
 // computed with the language's own arithmetic, with infinities, NaN and saturation.
 //
 // Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
-// not read: first all of them, then those of more than two samples.
+// not read: first all of them, then those of more than two samples.  Where that fails, later attempts know what is
+// true of all samples of a window (prove_threshold.c).
 //
 // What a proof covers:
 //
@@ -64,25 +65,38 @@ typedef enum ProveObstacle {
     PROVE_INTERRUPTED         // go_on has stopped it
 } ProveObstacle;
 
+// The run of a script: a starting point of searches for violations (prove_given.h).
+typedef struct ProveGiven {
+    const char *name;         // of the script
+    Scenario run;             // as far as a search could have made it: it sets only elements that the machine does not assign
+    uint64_t ran;             // steps of the script
+    const Var *ended_by;      // what it sets then, and no search does: G, S, a local or an element that the machine assigns; NULL: `run` is all of it
+} ProveGiven;
+
 typedef struct ProveOf {
     const Requirement *what;
     ProveVerdict verdict;
     unsigned assumed;         // PROVED, VACUOUS: 1u << ProveAssumption of each that the proof needs
     const ProveInvariant *invariant;  // PROVED, VACUOUS: by state from 0
     const Scenario *scenario; // VIOLATED
+    const ProveGiven *given;  // VIOLATED: a given run that violates it, too; or NULL
+    uint64_t given_step;      // in this step
     bool premise_seen;        // some run that was tried could have violated the requirement; always true if VIOLATED
     ProveObstacle obstacle;   // UNDECIDED
     uint32_t irrelevant;      // variables that cannot influence the requirement
     bool is_loose;            // PROVED, VACUOUS: with windows of any value (prove_model_new)
+    bool is_compared;         // PROVED, VACUOUS: with samples that are compared with constants of the requirement
     uint32_t nodes;           // abstract states of the last exploration (prove_explore.h)
     uint64_t steps;           // of all runs that were tried
     uint64_t visits;          // paths from block to block that all explorations visited
 } ProveOf;
 
 typedef struct ProveOptions {
-    uint64_t delta_t;         // used if the machine declares no step; 0: 10
+    uint64_t delta_t;         // used if the machine declares no step; 0: that of the first given run, or 10
     const State *init_state;  // NULL: the first state
     bool assume_ranges;       // PROVE_RANGES
+    const ProveGiven *given;  // `givens` of them; those that begin in another state, or have another step, are not used
+    uint32_t givens;
     uint64_t effort;          // how many steps the search for violations can run; 0: a default
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
@@ -93,6 +107,8 @@ typedef struct ProveOptions {
 typedef struct ProveResult {
     ProveOf *of;              // by requirement
     uint32_t n;
+    const ProveGiven *given;  // as in the options
+    uint32_t givens;
     uint64_t delta_t;
     const State *init_state;
     uint64_t steps;           // steps of all runs that were tried

@@ -85,7 +85,7 @@ void prove_branch_if_above(ProveMaker *k, uint32_t var, double x, IrBlkRef then,
 // ---- copies of functions ----
 
 // Returns the temporary of the current block with the value of `r` of the function `from`.  `copy`: by temporary; IR_NONE: not emitted yet.
-// `first`: index in k->window of window 0 of `from`.
+// `first`: index in k->same of window 0 of `from`.
 IrRef prove_copy_value(ProveMaker *k, const IrFn *from, IrRef r, IrRef *copy, uint32_t first)
 {
     IrIns i;
@@ -96,7 +96,7 @@ IrRef prove_copy_value(ProveMaker *k, const IrFn *from, IrRef r, IrRef *copy, ui
     i.a = prove_copy_value(k, from, i.a, copy, first);
     i.b = prove_copy_value(k, from, i.b, copy, first);
     if (i.op == IR_stat)
-        i = (IrIns){.op = IR_load, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .var = k->window[first + i.var].var[i.stat]};
+        i = (IrIns){.op = IR_load, .type = SM_F64, .a = IR_NONE, .b = IR_NONE, .var = k->window[k->same[first + i.var]].var[i.stat]};
     if (i.op == IR_store)
         k->model->var[i.var].stored = true;
     return copy[r] = ir_emit(k->arena, k->f, k->b, i);

@@ -325,6 +325,8 @@ static void visit_block(Explorer *x, IrBlkRef b)
     const ProveBlock *block = &x->step->block[b];
     FactEnds ends = no_ends;
 
+    if (block->end == PROVE_END_IMPOSSIBLE)
+        return;
     ends.visit = visit_edge;
     ends.context = x;
     ends.all = true;

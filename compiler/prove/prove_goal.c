@@ -235,8 +235,7 @@ uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s)
 
 // ---- searching ----
 
-// A scenario can set each element that the machine never stores, except G and S.
-static bool *writable_elements(Arena *arena, const Program *p)
+const bool *goal_inputs(Arena *arena, const Program *p)
 {
     bool *writable = ARENA_ARRAY(arena, bool, p->var.n);
 
@@ -319,8 +318,7 @@ static const Scenario *copy_scenario(Arena *arena, const Scenario *s)
     return out;
 }
 
-// Turns what a search has found into a scenario that ends with the goal; NULL: the reference interpreter does not confirm it.
-static Scenario *confirm_found(Arena *arena, const GoalSearch *g, const Scenario *found)
+Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *found)
 {
     Scenario *s = ARENA_NEW(arena, Scenario);
 
@@ -330,10 +328,7 @@ static Scenario *confirm_found(Arena *arena, const GoalSearch *g, const Scenario
     s->steps = goal_confirm(arena, g, s);
     while (s->changes && s->change[s->changes - 1].step > s->steps)
         s->changes--;
-    if (s->steps == 0)
-        return NULL;
-    simplify(arena, g, s);
-    return s;
+    return s->steps == 0 ? NULL : s;
 }
 
 GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g)
@@ -342,7 +337,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     const Expr *condition[3];
     SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch,
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch, .given = g->given, .givens = g->givens,
                        .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS, .go_on = may_go_on, .context = &stop};
     const Requirement *r = &g->all->at.at[g->requirement];
     const Expr *const part[3] = {r->a, r->b, r->c};
@@ -355,11 +350,13 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     for (int k = 0; k < 3; k++)
         if (part[k])
             condition[watch.conditions++] = part[k];
-    o.writable = writable_elements(work, g->all->program);
+    o.writable = goal_inputs(work, g->all->program);
     found = search_run(work, c, &o);
     out.steps = found->steps;
     if (found->find[found->places].outcome == SEARCH_REACHED) {
-        const Scenario *s = confirm_found(work, g, &found->chosen[found->find[found->places].scenario].scenario);
+        Scenario *s = goal_end_scenario(work, g, &found->chosen[found->find[found->places].scenario].scenario);
+        if (s)
+            simplify(work, g, s);
         out.unconfirmed = !s && !g->assume_ranges;        // the values in the ranges can prevent it
         out.scenario = s ? copy_scenario(arena, s) : NULL;
     }

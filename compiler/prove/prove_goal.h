@@ -16,6 +16,8 @@ typedef struct GoalSearch {
     uint64_t delta_t, seed, effort;
     const State *init_state;
     bool usual_values;                // no SearchSpecials
+    const Scenario *given;            // starting points; `givens` of them
+    uint32_t givens;
     bool assume_ranges;               // elements with @range that the machine does not assign have values in it, in each step
     bool (*go_on)(void *context);     // or NULL
     void *context;
@@ -28,10 +30,15 @@ typedef struct GoalFound {
     bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
 } GoalFound;
 
+// Returns the inputs: elements that the machine never stores, except G and S, by Var.index.
+const bool *goal_inputs(Arena *arena, const Program *p);
 // `work` has the memory of the search: it is reset first.
 GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g);
 // Runs a scenario on the reference interpreter.  Returns the first step that violates the requirement (GOAL_PREMISE: that could have violated
 // it); 0: none.
 uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s);
+// Returns a scenario that ends with the goal: as s, but with inputs in their ranges from the first step on if ranges are assumed.  NULL: the
+// reference interpreter does not confirm it.
+Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *s);
 
 #endif

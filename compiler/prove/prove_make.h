@@ -3,6 +3,7 @@
 //
 //     prove_emit.c      variables and instructions of the step that is being made
 //     prove_window.c    rolling windows as variables, and their samples
+//     prove_threshold.c the samples of windows compared with constants, as windows of booleans
 //     prove_slice.c     removes from the machine what cannot influence the requirement
 //     prove_judge.c     the judgement of the requirement at the end of a step
 //     prove_branch.c    the branches of a block
@@ -11,7 +12,7 @@
 
 #include "compiler/prove/prove_model.h"
 
-// A rolling window of the machine or of the requirement.
+// A rolling window of the machine or of the requirement, or one of comparisons.
 typedef struct MadeWindow {
     uint32_t size, stats;
     bool used;                        // a relevant value reads it (prove_slice)
@@ -22,17 +23,21 @@ typedef struct MadeWindow {
     uint32_t last;                    // KEPT variable: the newest sample; or IR_NONE
     const IrFn *sample;               // the sample function that contains it, and the operand of its sample
     IrRef operand;
+    uint32_t first;                   // index in ProveMaker.same of window 0 of that function
+    uint32_t base;                    // of comparisons (prove_threshold.c): the window whose samples are compared; else IR_NONE
+    Fact samples;                     // what is known about them
 } MadeWindow;
 
 typedef struct ProveMaker {
     ProveModel *model;
     Arena *arena;
     const IrMachine *m;               // once sliced: the slice
-    const IrMachine *whole;           // the machine before it is sliced
     IrMachine judge;                  // the windows of the requirement, and their sample function
     uint32_t *window_of;              // by window of the requirements: index into `window`
-    MadeWindow *window;               // those of the machine, then those of the requirement
-    uint32_t windows, of_machine;
+    uint32_t *same;                   // by index into `window`: itself, or the window of the machine that has the same samples
+    MadeWindow *window;               // those of the machine, then those of the requirement, then those of comparisons
+    uint32_t windows, of_machine;     // how many there are; of the machine
+    uint32_t of_both;                 // of the machine and the requirement; the others are of comparisons
     IrFn *condition[3];               // a, b, c of the requirement; NULL: it has none
     uint32_t sampled;                 // variable: a step has run
     uint32_t seen, open, age, offset; // variables: what the requirement has seen (judge_leads_to)
@@ -61,7 +66,7 @@ void prove_branch_from(ProveMaker *k, IrBlkRef from, IrRef cond, IrBlkRef then, 
 void prove_branch_if_above(ProveMaker *k, uint32_t var, double x, IrBlkRef then, IrBlkRef otherwise);
 
 // Returns the temporary of the current block with the value of `r` of the function `from`.  `copy`: by temporary; IR_NONE: not emitted yet.
-// `first`: index in k->window of window 0 of `from`.
+// `first`: index in k->same of window 0 of `from`.
 IrRef prove_copy_value(ProveMaker *k, const IrFn *from, IrRef r, IrRef *copy, uint32_t first);
 IrRef *prove_new_copies(ProveMaker *k, const IrFn *from);
 // Copies the instructions of a block to the current block.
@@ -76,8 +81,12 @@ void prove_find_samples(ProveMaker *k, ProveLoosening loose);
 // Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
 bool prove_follows_samples(const MadeWindow *w);
 void prove_add_windows(ProveMaker *k);
-// Emits the sample of a window, and makes the block after it the current one.
-void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first);
+// Adds windows that compare the samples of others.
+void prove_compare_samples(ProveMaker *k);
+// Emits that the minimum and the maximum of a window agree with its comparison w.
+void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w);
+// Emits the samples of the windows `from` to `to` - 1, and those of their comparisons, and makes the block after them the current one.
+void prove_sample_windows(ProveMaker *k, uint32_t from, uint32_t to);
 
 // ---- the slice ----
 

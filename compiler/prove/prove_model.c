@@ -119,9 +119,7 @@ static void run_machine(ProveMaker *k, const IrState *s, bool first)
 {
     IrBlkRef judge, leave, step, sampled;
 
-    for (uint32_t w = 0; w < k->of_machine; w++)
-        if (k->window[w].used)
-            prove_sample_window(k, &k->window[w], 0);
+    prove_sample_windows(k, 0, k->of_machine);
     sampled = k->b;
     judge = prove_new_block(k);
     leave = copy_function(k, s->block[BLOCK_EXIT], judge, judge);
@@ -137,9 +135,7 @@ static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
     k->b = prove_new_block(k);
     if (state < k->m->state.n)
         run_machine(k, &k->m->state.at[state], first);
-    for (uint32_t w = k->of_machine; w < k->windows; w++)
-        if (k->window[w].used)
-            prove_sample_window(k, &k->window[w], k->of_machine);
+    prove_sample_windows(k, k->of_machine, k->of_both);
     prove_judge_requirement(k);
     return finish_step(k);
 }
@@ -204,7 +200,7 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     p->step = arena_array(arena, m->state.n + 1, sizeof *p->step);
     k->model = p;
     k->arena = arena;
-    k->m = k->whole = m;
+    k->m = m;
     p->ir->g = m->g;
     p->ir->s = m->s;
     p->ir->t = m->t;
@@ -212,6 +208,8 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     prove_merge_windows(k, all);
     build_conditions(k);
     prove_find_samples(k, loose);
+    if (loose == PROVE_COMPARED)
+        prove_compare_samples(k);
     slice_machine(k);
     prove_add_windows(k);
     add_own_vars(k);

@@ -37,7 +37,7 @@ typedef struct ProveBranch {
     IrBlkRef then;            // the block of the step to which the edge to block 1 leads; the edge to block 2 is never taken
 } ProveBranch;
 
-typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED } ProveEnd;
+typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED, PROVE_END_IMPOSSIBLE } ProveEnd;       // IMPOSSIBLE: no run comes here
 
 typedef struct ProveBlock {
     ProveEnd end;             // not PROVE_END_NONE: the step ends here
@@ -56,6 +56,7 @@ typedef struct ProveStep {
 // than the machine, but fewer variables.
 typedef enum ProveLoosening {
     PROVE_EXACT,              // none
+    PROVE_COMPARED,           // none; and samples are compared with constants of the requirement (prove_threshold.c)
     PROVE_LOOSE_LONG,         // those of more than two samples, and runs: not those of prev, rising and falling
     PROVE_LOOSE_ALL,
     PROVE_LOOSENINGS
@@ -68,6 +69,7 @@ typedef struct ProveModel {
     uint64_t delta_t;
     IrMachine *ir;            // the variables: those of the machine, and then others.  It has no states
     ProveVar *var;            // by variable of ir
+    uint32_t compared;        // windows of comparisons
     uint32_t loosened;        // windows that have any value because of `loose`
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement

@@ -30,7 +30,7 @@ static void need_value(Slicer *s, const IrFn *f, IrRef r, bool *needed, uint32_t
     need_value(s, f, i->a, needed, first);
     need_value(s, f, i->b, needed, first);
     if (i->op == IR_stat)
-        need_window(s, first + i->var);
+        need_window(s, s->k->same[first + i->var]);
     if (i->op != IR_load || s->relevant[i->var])
         return;
     s->relevant[i->var] = true;
@@ -46,7 +46,10 @@ static void need_window(Slicer *s, uint32_t window)
         return;
     w->used = true;
     if (prove_follows_samples(w))
-        need_value(s, w->sample, w->operand, ARENA_ARRAY(s->k->arena, bool, w->sample->ins.n), window < s->k->of_machine ? 0 : s->k->of_machine);
+        need_value(s, w->sample, w->operand, ARENA_ARRAY(s->k->arena, bool, w->sample->ins.n), w->first);
+    for (uint32_t n = s->k->of_both; n < s->k->windows; n++)
+        if (s->k->window[n].base == window)
+            need_window(s, n);
 }
 
 // ---- functions ----

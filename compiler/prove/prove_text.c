@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/base/json.h"
+#include "compiler/prove/prove_given.h"
 #include "compiler/search/script_writer.h"
 
 static const char *const assumption_text[PROVE_ASSUMPTIONS] = {
@@ -137,6 +138,8 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
         write_invariants(arena, p, of, indent, out);
         break;
     case PROVE_VIOLATED:
+        if (of->given)
+            buf_printf(out, "%*sthe script %s violates it in its step %llu\n", (int)indent, "", of->given->name, (unsigned long long)of->given_step);
         buf_printf(out, "%*safter %lu steps\n", (int)indent, "", (unsigned long)of->scenario->steps);
         script = prove_script(arena, p, of);
         if (script)
@@ -146,6 +149,26 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
         buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
         buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
         break;
+    }
+}
+
+// Writes which part of each given script was a starting point of the searches.
+static void write_givens(const Program *p, const ProveResult *r, Buf *out)
+{
+    for (uint32_t i = 0; i < r->givens; i++) {
+        const ProveGiven *g = &r->given[i];
+        const bool used = prove_uses_given(g, r->init_state, r->delta_t);
+        buf_printf(out, "  script %s: ", g->name);
+        if (!used && g->run.init_state != r->init_state)
+            buf_printf(out, "not used, because it begins in state %s\n", g->run.init_state->name->text);
+        else if (!used && g->run.delta_t != r->delta_t)
+            buf_printf(out, "not used, because it has a step every %llu\n", (unsigned long long)g->run.delta_t);
+        else if (!g->ended_by)
+            buf_printf(out, "%llu steps\n", (unsigned long long)g->run.steps);
+        else
+            buf_printf(out, "the first %llu of %llu steps, because then it %s '%s'%s\n", (unsigned long long)g->run.steps, (unsigned long long)g->ran,
+                       g->ended_by == p->g ? "changes the step of" : "sets", g->ended_by->name->text,
+                       g->ended_by == p->g || g->ended_by->kind != VAR_ELEMENT ? "" : ", which the machine assigns");
     }
 }
 
@@ -159,6 +182,7 @@ void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf 
     if (p->uses_time_unit)
         buf_printf(out, " %s", time_unit_name(p->time_unit));
     buf_str(out, ":\n");
+    write_givens(p, r, out);
     for (uint32_t i = 0; i < r->n; i++) {
         const ProveOf *of = &r->of[i];
         buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, prove_verdict_words(of->verdict), of->what->text->text);
@@ -224,6 +248,11 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     if (of->verdict == PROVE_VIOLATED) {
         buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps, (unsigned long)of->scenario->changes);
         json_put_string(out, prove_script(arena, p, of));
+        if (of->given) {
+            buf_str(out, ",\"violated_by\":");
+            json_put_string(out, of->given->name);
+            buf_printf(out, ",\"violated_by_step\":%llu", (unsigned long long)of->given_step);
+        }
     }
     buf_char(out, '}');
 }
@@ -234,7 +263,15 @@ void prove_write_json(Arena *arena, const Program *p, const ProveResult *r, Buf 
     json_put_string(out, p->name->text);
     buf_str(out, ",\"state\":");
     json_put_string(out, r->init_state->name->text);
-    buf_printf(out, ",\"delta_t\":%llu,\"requirements\":[\n", (unsigned long long)r->delta_t);
+    buf_printf(out, ",\"delta_t\":%llu,\"scripts\":[", (unsigned long long)r->delta_t);
+    for (uint32_t i = 0; i < r->givens; i++) {
+        const ProveGiven *g = &r->given[i];
+        buf_str(out, i ? ",{\"name\":" : "{\"name\":");
+        json_put_string(out, g->name);
+        buf_printf(out, ",\"steps\":%llu,\"used\":%llu}", (unsigned long long)g->ran,
+                   (unsigned long long)(prove_uses_given(g, r->init_state, r->delta_t) ? g->run.steps : 0));
+    }
+    buf_str(out, "],\"requirements\":[\n");
     for (uint32_t i = 0; i < r->n; i++) {
         write_json_verdict(arena, p, &r->of[i], out);
         buf_str(out, i + 1 < r->n ? ",\n" : "\n");

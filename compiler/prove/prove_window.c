@@ -51,26 +51,41 @@ static bool is_exact(const MadeWindow *w, SmStat stat)
     }
 }
 
-static Fact fact_of_choice(const ProveMaker *k, const MadeWindow *w, SmStat stat, Fact sample)
+static Fact fact_of_choice(const ProveMaker *k, const MadeWindow *w, SmStat stat)
 {
     if (stat == SM_STAT_ELAPSED) {
         const IrIns *event = &w->sample->ins.at[w->operand];
         const bool each_step = event->op == IR_const && event->bits == sm_bits(1.0);
         return whole_between(0, each_step ? (double)k->model->delta_t * (w->size - 1) : TIME_LIMIT);
     }
-    return fact_of_stat(stat, sample);
+    return fact_of_stat(stat, w->samples);
 }
 
-static void add_window_vars(ProveMaker *k, MadeWindow *w, Fact sample)
+// Only a minimum or a run requires how many samples have been true, only a maximum how many false.  Before the first sample nothing has been false,
+// and nothing true.
+static void add_counts(ProveMaker *k, MadeWindow *w)
+{
+    const bool run = is_run(w->stats);
+
+    w->trues = w->falses = IR_NONE;
+    if (run || w->stats >> SM_STAT_MIN & 1)
+        w->trues = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(run ? 0 : w->size));
+    if (w->stats >> SM_STAT_MAX & 1)
+        w->falses = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(w->size));
+    if (w->trues != IR_NONE)
+        k->model->var[w->trues].few = true;
+    if (w->falses != IR_NONE)
+        k->model->var[w->falses].few = true;
+}
+
+static void add_window_vars(ProveMaker *k, MadeWindow *w)
 {
     for (int s = 0; s < SM_STAT_COUNT; s++)
         if (w->stats >> s & 1)
-            w->var[s] = is_exact(w, (SmStat)s) ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : prove_add_var(k, SM_F64, PROVE_CHOICE, fact_of_choice(k, w, (SmStat)s, sample));
+            w->var[s] = is_exact(w, (SmStat)s) ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : prove_add_var(k, SM_F64, PROVE_CHOICE, fact_of_choice(k, w, (SmStat)s));
     w->last = !prove_follows_samples(w) ? IR_NONE : w->stats >> SM_STAT_NEWEST & 1 ? w->var[SM_STAT_NEWEST] : w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : IR_NONE;
-    if (w->is_boolean) {              // before the first sample nothing has been false, and nothing true
-        w->trues = prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(is_run(w->stats) ? 0 : w->size));
-        w->falses = is_run(w->stats) ? w->trues : prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(w->size));
-        k->model->var[w->trues].few = k->model->var[w->falses].few = true;
+    if (w->is_boolean) {
+        add_counts(k, w);
         for (int stat = 0; stat < SM_STAT_COUNT; stat++)
             if (w->stats >> stat & 1)
                 k->model->var[w->var[stat]].few = true;
@@ -112,7 +127,7 @@ static void find_longest(ProveMaker *k, const IrFn *f, uint32_t first)
             double limit = TIME_LIMIT;
             if (!from || from->op != IR_stat || from->stat != SM_STAT_RUN_TIME)
                 continue;
-            w = &k->window[first + from->var];
+            w = &k->window[k->same[first + from->var]];
             if (i->op == IR_ge && side == 0 && f->ins.at[i->b].op == IR_const)
                 limit = ir_number(f->ins.at[i->b].type, f->ins.at[i->b].bits);
             if (limit > w->longest)
@@ -152,16 +167,20 @@ void prove_merge_windows(ProveMaker *k, const Requirements *all)
     program.window = all->window;
     build_windows(&b);
     k->of_machine = k->m->window.n;
-    k->windows = k->m->window.n + k->judge.window.n;
+    k->windows = k->of_both = k->m->window.n + k->judge.window.n;
     k->window = ARENA_ARRAY(k->arena, MadeWindow, k->windows + 1u);
     for (uint32_t n = 0; n < k->windows; n++) {
         const IrWindow *from = n < k->of_machine ? &k->m->window.at[n] : &k->judge.window.at[n - k->of_machine];
-        k->window[n] = (MadeWindow){.size = from->size, .stats = from->stats, .operand = IR_NONE};
+        k->window[n] = (MadeWindow){.size = from->size, .stats = from->stats, .operand = IR_NONE, .first = n < k->of_machine ? 0 : k->of_machine, .base = IR_NONE};
     }
+    k->same = ARENA_ARRAY(k->arena, uint32_t, k->windows + 1u);
+    for (uint32_t n = 0; n < k->windows; n++)
+        k->same[n] = n;
     k->window_of = ARENA_ARRAY(k->arena, uint32_t, all->window.n + 1u);
     for (uint32_t n = 0; n < all->window.n; n++) {
         const uint32_t same = same_window(k, &all->window.at[n]);
         k->window_of[n] = same == IR_NONE ? k->of_machine + b.window[n] : same;
+        k->same[k->of_machine + b.window[n]] = k->window_of[n];
         k->window[k->window_of[n]].stats |= 1u << all->window.at[n].stat;
     }
 }
@@ -181,9 +200,25 @@ static bool is_loosened(const MadeWindow *w, ProveLoosening loose)
     return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
 }
 
+// Computes what is known about the samples of all windows.
+static void find_facts(ProveMaker *k)
+{
+    IrMachine judge = *k->m;
+    FactMachine *of_machine = facts_of_machine(k->arena, k->m), *of_judge;
+
+    judge.window = k->judge.window;
+    judge.sample = k->judge.sample;
+    judge.state.n = 0;
+    of_judge = facts_of_machine(k->arena, &judge);
+    for (uint32_t n = 0; n < k->windows; n++)
+        k->window[n].samples = n < k->of_machine ? facts_of_window(of_machine, n) : facts_of_window(of_judge, n - k->of_machine);
+}
+
 void prove_find_samples(ProveMaker *k, ProveLoosening loose)
 {
     bool *read = ARENA_ARRAY(k->arena, bool, k->windows + 1u);
+
+    find_facts(k);
 
     find_samples(k, k->m, 0);
     find_samples(k, &k->judge, k->of_machine);
@@ -207,13 +242,6 @@ bool prove_follows_samples(const MadeWindow *w)
 
 void prove_add_windows(ProveMaker *k)
 {
-    IrMachine judge = *k->m;
-    FactMachine *of_machine = facts_of_machine(k->arena, k->whole), *of_judge;
-
-    judge.window = k->judge.window;
-    judge.sample = k->judge.sample;
-    judge.state.n = 0;
-    of_judge = facts_of_machine(k->arena, &judge);
     for (size_t s = 0; s < k->m->state.n; s++)
         for (int block = 0; block < BLOCK_COUNT; block++)
             find_longest(k, k->m->state.at[s].block[block], 0);
@@ -223,7 +251,7 @@ void prove_add_windows(ProveMaker *k)
         find_longest(k, k->condition[c], 0);
     for (uint32_t n = 0; n < k->windows; n++)
         if (k->window[n].used)
-            add_window_vars(k, &k->window[n], n < k->of_machine ? facts_of_window(of_machine, n) : facts_of_window(of_judge, n - k->of_machine));
+            add_window_vars(k, &k->window[n]);
 }
 
 // ---- samples ----
@@ -232,10 +260,11 @@ void prove_add_windows(ProveMaker *k)
 static void sample_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
 {
     const uint32_t counts = value ? w->trues : w->falses, ends = value ? w->falses : w->trues;
-    const IrRef more = prove_emit(k, IR_min, prove_emit(k, IR_add, prove_emit_load(k, counts), prove_emit_number(k, 1)), prove_emit_number(k, w->size));
 
-    prove_emit_store(k, counts, more);
-    prove_emit_set(k, ends, 0);
+    if (counts != IR_NONE)
+        prove_emit_store(k, counts, prove_emit(k, IR_min, prove_emit(k, IR_add, prove_emit_load(k, counts), prove_emit_number(k, 1)), prove_emit_number(k, w->size)));
+    if (ends != IR_NONE)
+        prove_emit_set(k, ends, 0);
     for (int s = SM_STAT_MIN; s <= SM_STAT_MAX; s++)
         if (w->stats >> s & 1) {
             const bool all = s == SM_STAT_MIN ? value : !value;       // all samples may be equal: then they decide
@@ -321,15 +350,14 @@ static void sample_known(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRe
     sample_ends(k, w, prove_emit_number(k, value), next);
 }
 
-// Emits the sample of a window, and makes the block after it the current one.
-void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first)
+static void sample_window(ProveMaker *k, const MadeWindow *w)
 {
     IrBlkRef next, yes, no;
     IrRef value;
 
     if (!prove_follows_samples(w))
         return;                                   // its statistics are choices
-    value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), first);
+    value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first);
     next = prove_new_block(k);
     if (w->is_boolean) {
         yes = prove_new_block(k);
@@ -343,4 +371,18 @@ void prove_sample_window(ProveMaker *k, const MadeWindow *w, uint32_t first)
         sample_ends(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
     }
     k->b = next;
+}
+
+void prove_sample_windows(ProveMaker *k, uint32_t from, uint32_t to)
+{
+    for (uint32_t n = from; n < to; n++) {
+        if (!k->window[n].used)
+            continue;
+        sample_window(k, &k->window[n]);
+        for (uint32_t c = k->of_both; c < k->windows; c++)
+            if (k->window[c].base == n) {
+                sample_window(k, &k->window[c]);
+                prove_agree_with_comparison(k, &k->window[c]);
+            }
+    }
 }

@@ -4,8 +4,6 @@
 #include "compiler/search/search.h"
 #include "stdlib/convert.h"
 
-enum { MOST_CHANGES = 32 };
-
 typedef struct ScenarioRecorder {
     Engine engine;
     Engine *inner;
@@ -14,25 +12,36 @@ typedef struct ScenarioRecorder {
     VEC(ScenarioChange) change;
     uint64_t *last;           // by variable: the cell of its last change
     bool *is_set;
-    bool *writable;           // by variable: a search can set it
+    const bool *writable;     // by variable: a search can set it
+    size_t most;              // changes
     uint64_t step;
     bool has_ended;           // the rest of the run is no scenario
+    const Var *ended_by;      // the variable of the write that ended it
 } ScenarioRecorder;
+
+static void end_scenario(ScenarioRecorder *k, const Var *by)
+{
+    k->has_ended = true;
+    k->ended_by = by;
+}
 
 static void record_write(ScenarioRecorder *k, const EngineWrite *w)
 {
     const Program *p = k->engine.program;
-    const double x = sm_cell_to_f64(p->var.at[w->var]->type, w->cell);
+    const Var *var = p->var.at[w->var];
+    const double x = sm_cell_to_f64(var->type, w->cell);
 
-    if (p->var.at[w->var] == p->g) {
-        k->has_ended |= w->cell != (k->step - 1) * k->s.delta_t;
+    if (var == p->g) {
+        if (w->cell != (k->step - 1) * k->s.delta_t)
+            end_scenario(k, var);
         return;
     }
     if (k->is_set[w->var] && k->last[w->var] == w->cell)
         return;
-    k->has_ended |= !k->writable[w->var] || k->change.n == MOST_CHANGES || x != x;
-    if (k->has_ended)
+    if (!k->writable[w->var] || k->change.n == k->most || sm_cell_from_f64(var->type, x) != w->cell) {
+        end_scenario(k, var);
         return;
+    }
     k->is_set[w->var] = true;
     k->last[w->var] = w->cell;
     vec_push(k->arena, &k->change, ((ScenarioChange){k->step, w->var, SCENARIO_HOLD, x, 0, 0}));
@@ -60,7 +69,7 @@ static EngineStatus recorder_init(Engine *e, uint32_t state, EngineStep *out)
 
 static void recorder_close(Engine *e) { (void)e; }    // all its memory belongs to the arena
 
-Engine *scenario_record_open(Arena *arena, const Program *p, Engine *inner, uint64_t delta_t)
+Engine *scenario_record_open(Arena *arena, const Program *p, Engine *inner, uint64_t delta_t, const bool *writable, size_t most)
 {
     ScenarioRecorder *k = ARENA_NEW(arena, ScenarioRecorder);
 
@@ -74,8 +83,8 @@ Engine *scenario_record_open(Arena *arena, const Program *p, Engine *inner, uint
     k->s.delta_t = delta_t;
     k->last = ARENA_ARRAY(arena, uint64_t, p->var.n);
     k->is_set = arena_alloc(arena, p->var.n);
-    k->writable = arena_alloc(arena, p->var.n);
-    search_default_inputs(p, k->writable);
+    k->writable = writable;
+    k->most = most;
     return &k->engine;
 }
 
@@ -88,4 +97,12 @@ Scenario scenario_recorded(Engine *recorder)
     k->s.change = k->change.at;
     k->s.changes = k->change.n;
     return k->s;
+}
+
+uint64_t scenario_recorded_steps(const Engine *recorder, const Var **ended_by)
+{
+    const ScenarioRecorder *k = recorder->self;
+
+    *ended_by = k->ended_by;
+    return k->step;
 }

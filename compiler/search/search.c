@@ -9,6 +9,7 @@
 
 enum {
     SEARCH_PART = 4,          // of the effort, one part of so many is for choosing and simplifying
+    GIVEN_PART = 2,           // of the effort, one part of so many is for given scenarios: one that begins before is run to its end
     WALK_PERCENT = 20,        // of the attempts that have no goal
     WALK_LENGTH = 6,          // transitions of a walk
     SPECIAL_PART = 16,        // of the effort, one part of so many is for special values at the start, before all else
@@ -216,7 +217,7 @@ static void begin_result(SearchRun *k)
 // Runs scenarios of the caller, so that the snapshots along them are known.
 static void run_given(SearchRun *k)
 {
-    for (uint32_t i = 0; i < k->o->givens && search_goes_on(k); i++) {
+    for (uint32_t i = 0; i < k->o->givens && search_goes_on(k) && k->r->steps < k->stop_at / GIVEN_PART; i++) {
         const Scenario *s = &k->o->given[i];
         uint64_t at = 0;
         uint32_t node = k->root;
@@ -230,7 +231,7 @@ static void run_given(SearchRun *k)
             for (; c < s->changes && s->change[c].step <= at + 1; c++)
                 search_add_change(k, &s->change[c]);
             end = c < s->changes && s->change[c].step <= s->steps ? s->change[c].step - 1 : s->steps;
-            next = search_run_segment(k, node, k->turn.at, k->turn.n, end - at, SEARCH_NONE);
+            next = search_run_exactly(k, node, k->turn.at, k->turn.n, end - at);
             search_drop(k, node);
             node = next;
             at = end;

@@ -221,6 +221,7 @@ typedef struct Segment {
     uint32_t from;
     const SearchTurn *turn;
     uint32_t turns;
+    bool is_exact;            // all its steps run: a part of a given run
 } Segment;
 
 // Adds the current step of a segment as a node with one user.  Without room for its copy it has none, so it only shows how a goal was reached.
@@ -528,7 +529,7 @@ static bool is_measured(uint64_t since, uint64_t left) { return since < LEAP_AFT
 static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t goal, bool measures)
 {
     const FlatState *s = (const FlatState *)(void *)k->now;
-    const bool stays = search_chance(k, STAY_PERCENT);
+    const bool stays = seg->is_exact || search_chance(k, STAY_PERCENT);
     uint64_t since = 0;
 
     for (; left-- > 0 && k->r->steps < k->stop_at; since++) {
@@ -551,22 +552,35 @@ static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t 
     }
 }
 
-uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal)
+static uint32_t run_segment(SearchRun *k, const Segment *seg, uint64_t steps, uint32_t goal)
 {
-    const Segment seg = {from, turn, turns};
     uint32_t node;
 
-    k->node.at[from].users++;
-    begin_run(k, &seg);
+    k->node.at[seg->from].users++;
+    begin_run(k, seg);
     for (uint32_t d = 0; d < k->decisions; d++)
         k->decision[d].is_known = false;
-    run_steps(k, &seg, steps, goal, !(k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85)));
-    node = goal == SEARCH_NONE ? add_node(k, &seg) : SEARCH_NONE;
-    store_near(k, &seg);
-    drop_node(k, from);
+    run_steps(k, seg, steps, goal, seg->is_exact || !(k->r->steps - k->progress > STALE_STEPS && search_chance(k, 85)));
+    node = goal == SEARCH_NONE ? add_node(k, seg) : SEARCH_NONE;
+    store_near(k, seg);
+    drop_node(k, seg->from);
     if (k->done_since > k->open / 8)
         search_build_flat(k);
     return node;
+}
+
+uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal)
+{
+    const Segment seg = {from, turn, turns, false};
+
+    return run_segment(k, &seg, steps, goal);
+}
+
+uint32_t search_run_exactly(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps)
+{
+    const Segment seg = {from, turn, turns, true};
+
+    return run_segment(k, &seg, steps, SEARCH_NONE);
 }
 
 void search_drop(SearchRun *k, uint32_t node) { drop_node(k, node); }
@@ -576,7 +590,7 @@ void search_drop(SearchRun *k, uint32_t node) { drop_node(k, node); }
 void search_begin_nodes(SearchRun *k)
 {
     const size_t machine = round_up(k->plain->size), situation = k->o->watch ? round_up(k->o->watch->size) : 0;
-    const Segment seg = {SEARCH_NONE, NULL, 0};
+    const Segment seg = {SEARCH_NONE, NULL, 0, false};
 
     k->settings = machine + situation;
     k->block = k->settings + round_up((k->inputs + 1) * sizeof(SearchSetting));

@@ -211,6 +211,8 @@ void search_begin_nodes(SearchRun *k);
 // Runs `steps` steps from a node with changes of inputs, and stores what is worth it.  Stops early if it reaches `goal`.  Without a goal
 // (SEARCH_NONE) returns the node after the last step, which the caller drops.
 uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal);
+// The same without a goal, and with all steps whatever happens: a part of a given run.
+uint32_t search_run_exactly(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps);
 void search_drop(SearchRun *k, uint32_t node);
 bool search_goes_on(SearchRun *k);            // whether effort is left and the caller wants to go on
 void search_load(SearchRun *k, uint32_t node, char *to);

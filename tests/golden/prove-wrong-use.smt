@@ -3,7 +3,7 @@ args prove a.sm other.rq
 args prove a.sm contradict.rq
 args prove a.sm
 args prove a.rq
-args prove a.sm a.ss a.rq
+args prove a.sm a.csv a.rq
 args prove a.sm a.rq --init-state=Flying
 args prove a.sm a.rq --step=20
 args test a.sm a.ss a.rq --prove
@@ -71,7 +71,7 @@ smc: requirements are required, as in 'smc prove M.sm R.rq'
 Try 'smc prove --help'.
 smc: prove requires a machine, as in 'smc prove tank.sm'
 Try 'smc prove --help'.
-smc: 'a.ss' is neither a machine (.sm) nor requirements (.rq)
+smc: 'a.csv' is neither a machine (.sm) nor requirements (.rq) nor a script (.ss)
 Try 'smc prove --help'.
 smc: --init-state: the machine has no state 'Flying'
 Try 'smc prove --help'.

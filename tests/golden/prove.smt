@@ -132,7 +132,7 @@ requirements of a, from state Idle, with a step every 10 ms:
       in Fill: T is at most 2000
       in Hold: count is at least 1
       in Never: it is never reached
-{"smc-proofs":1,"machine":"a","state":"Hold","delta_t":10,"requirements":[
+{"smc-proofs":1,"machine":"a","state":"Hold","delta_t":10,"scripts":[],"requirements":[
 {"id":"Q1","text":"nothing after Never","verdict":"violated","premise_seen":true,"steps":[..],"abstract_states":[..],"paths":[..],"assumptions":[],"violated_after":6,"changes":2,"script":"# Violates Q1 (nothing after Never).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Hold\u000a\u000a[all_states]\u000aat 0:     arm = true\u000aat 0:     @assert state Hold and not valve and count == 1\u000aat 10 ms: @assert state Hold and not valve and count == 2\u000aat 20 ms: @assert state Hold and not valve and count == 3\u000aat 30 ms: @assert state Idle and not valve and count == 3\u000aat 40 ms: p = [..]\u000aat 40 ms: @assert state Fill and not valve and count == 0\u000aat 50 ms: @assert state Never and not valve and count == 0\u000aat 50 ms: @stop\u000a"}
 ]}
 requirements of a, from state Hold, with a step every 10 ms:

@@ -34,7 +34,7 @@ typedef struct Test {
     uint64_t *cell;           // by Program.var
 } Test;
 
-static struct { uint64_t programs, verdict[4], judged[5], sliced, loose, steps, layers, exhausted; } met;
+static struct { uint64_t programs, verdict[4], judged[5], sliced, loose, windows, compared, steps, layers, exhausted; } met;
 
 // ---- values ----
 
@@ -86,6 +86,22 @@ static uint64_t any_cell(Test *t, SmType type)
 
 // ---- requirements as text ----
 
+// A condition on a rolling window of the machine, which can have the same samples in the requirement.
+static void print_window(Test *t, const char *relation, const char *number, Buf *out)
+{
+    const Window *w = &t->p->window.at[rng_below(&t->rng, t->p->window.n)];
+    const bool held = rng_percent(&t->rng, 40);
+    const Span span = held ? w->sample->span : w->span;
+
+    buf_str(out, held ? "(held(" : rng_percent(&t->rng, 40) ? "(prev(" : "((");
+    buf_put(out, span.src->text + span.at, span.len);
+    if (held)
+        buf_printf(out, " %s %s, %lu steps))", relation, number, (unsigned long)(w->size > 1 ? w->size - rng_below(&t->rng, 2) : 1));
+    else
+        buf_printf(out, ") %s %s)", relation, number);
+    met.windows++;
+}
+
 static void print_condition(Test *t, unsigned depth, Buf *out)
 {
     static const char *const relation[] = {"<", "<=", ">", ">=", "==", "!="};
@@ -108,6 +124,10 @@ static void print_condition(Test *t, unsigned depth, Buf *out)
         buf_char(out, ')');
         return;
     }
+    if (t->p->window.n && rng_percent(&t->rng, 10)) {
+        print_window(t, relation[rng_below(&t->rng, 6)], number, out);
+        return;
+    }
     switch (rng_below(&t->rng, 8)) {
     case 0: buf_printf(out, "(%s)", v->name->text); break;
     case 1: case 2: case 3: buf_printf(out, "(%s == %u)", t->p->s->name->text, 1 + (unsigned)rng_below(&t->rng, t->p->state.n)); break;
@@ -124,6 +144,44 @@ static void print_condition(Test *t, unsigned depth, Buf *out)
     }
 }
 
+// What two conditions on the same samples have in common.
+typedef struct Samples { const char *of, *number; uint32_t size; } Samples;
+
+static void print_samples(Test *t, const Samples *s, Buf *out)
+{
+    static const char *const relation[] = {"<", "<=", ">", ">="};
+    const char *r = relation[rng_below(&t->rng, 4)], *prev = rng_percent(&t->rng, 15) ? "prev" : "", *bound = rng_percent(&t->rng, 50) ? "min" : "max";
+    const unsigned size = s->size + (rng_percent(&t->rng, 30) ? rng_below(&t->rng, 2) : 0);
+
+    switch (rng_below(&t->rng, 4)) {
+    case 0: buf_printf(out, "%s(held(%s %s %s, %u steps))", prev, s->of, r, s->number, size); break;
+    case 1: buf_printf(out, "%s(%s %s %s)", prev, s->of, r, s->number); break;
+    case 2: buf_printf(out, "(%s(roll_%s(%s, %u)) %s %s)", prev, bound, s->of, size, r, s->number); break;
+    default: buf_printf(out, "(roll_%s(%s, %u) %s %s)", bound, s->of, size, r, s->number);
+    }
+}
+
+// A requirement on the samples of one window, compared in two ways with a number.
+static void print_samples_requirement(Test *t, Buf *out)
+{
+    const Var *v = t->p->var.at[rng_below(&t->rng, t->p->var.n)], *w = t->p->var.at[rng_below(&t->rng, t->p->var.n)];
+    const Window *of = t->p->window.n && rng_percent(&t->rng, 60) ? &t->p->window.at[rng_below(&t->rng, t->p->window.n)] : NULL;
+    const bool always = rng_percent(&t->rng, 50);
+    Samples s = {.number = "1", .size = of ? of->size : 1 + rng_below(&t->rng, 4)};
+
+    s.of = of ? format_in(t->arena, "(%.*s)", (int)of->sample->span.len, of->sample->span.src->text + of->sample->span.at)
+         : rng_percent(&t->rng, 70) ? v->name->text : format_in(t->arena, "(%s - %s)", v->name->text, w->name->text);
+    if (rng_percent(&t->rng, 50))
+        s.number = const_text(t->arena, t->pool[rng_below(&t->rng, t->pooled)]);
+    if (strchr(s.number, 'i') || strchr(s.number, 'n'))
+        s.number = "0";
+    buf_str(out, always ? "always " : "never ");
+    print_samples(t, &s, out);
+    buf_str(out, always ? " implies " : " and ");
+    print_samples(t, &s, out);
+    buf_char(out, '\n');
+}
+
 static void print_operand(Test *t, Buf *out)
 {
     if (rng_percent(&t->rng, 60))
@@ -137,7 +195,8 @@ static void print_operand(Test *t, Buf *out)
 
 static void print_requirement(Test *t, Buf *out)
 {
-    switch (rng_below(&t->rng, 5)) {
+    switch (rng_below(&t->rng, 6)) {
+    case 5: print_samples_requirement(t, out); return;
     case 0:
         buf_str(out, "never not (");
         print_condition(t, DEPTH, out);
@@ -354,6 +413,7 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     met.judged[of->what->kind]++;
     met.sliced += of->irrelevant > 0;
     met.loose += of->is_loose;
+    met.compared += of->is_compared;
     for (uint64_t done = 0, length = 64; !wrong && done < steps; done += length, length = length < steps / 4 ? length * 2 : length)
         wrong = run_randomly(t, of, length);
     if (!wrong)
@@ -427,9 +487,9 @@ int main(int argc, char **argv)
         arena_free(&arena);
     }
     printf("%" PRIu64 " programs: %" PRIu64 " proved, %" PRIu64 " vacuous, %" PRIu64 " violated, %" PRIu64 " undecided; %" PRIu64 " steps, %" PRIu64 " layers, %" PRIu64
-           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
-           met.sliced, met.loose);
-    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count)
+           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
+           met.sliced, met.loose, met.windows, met.compared);
+    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 20 < count)
         failed++;
     printf("verdicts on random requirements: %" PRIu64 " passed, %" PRIu64 " failed\n", met.programs, failed);
     return failed > 0;

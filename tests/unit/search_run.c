@@ -396,6 +396,57 @@ static void check_waits(void)
     session_free(&s);
 }
 
+// ---- given scenarios ----
+
+// The situation is a hash of the altitudes of all steps.  `wanted`: after all of the given scenario.
+typedef struct RunWatch { uint32_t altitude, state; uint64_t wanted; } RunWatch;
+
+static uint64_t hash_of(uint64_t h, uint64_t cell) { return (h ^ cell) * UINT64_C(0x100000001b3); }
+
+static void watch_run(void *self, void *situation, const uint64_t *cell, double *distance)
+{
+    const RunWatch *w = self;
+    uint64_t *h = situation;
+
+    *h = hash_of(hash_of(*h, cell[w->altitude]), cell[w->state]);
+    *distance = *h == w->wanted ? 0 : 1;
+}
+
+static void hash_given(void *context, uint64_t step, const EngineStep *r)
+{
+    RunWatch *w = context;
+
+    (void)step;
+    w->wanted = hash_of(hash_of(w->wanted, r->cell[w->altitude]), r->cell[w->state]);
+}
+
+// A given scenario runs exactly, also the long waits after its transitions: nothing else comes to its last step.
+static void check_given(uint64_t seed)
+{
+    Session s;
+    Program *p;
+    Engine *e;
+    SearchResult *r;
+    RunWatch w;
+    SearchWatch watch = {.self = &w, .goals = 1, .size = sizeof(uint64_t), .start = start_watch, .step = watch_run};
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "wait");
+    w = (RunWatch){index_of(&s, p, "altitude"), p->s->index, 0};
+    {
+        const ScenarioChange change[] = {{1, index_of(&s, p, "armed"), SCENARIO_HOLD, 1, 0, 0}, {1, w.altitude, SCENARIO_HOLD, 110.75, 0, 0},
+                                         {2204, w.altitude, SCENARIO_HOLD, 49.125, 0, 0}, {2900, w.altitude, SCENARIO_HOLD, 100, 0, 0}};
+        const Scenario given = {p->state.at[0], 10, 3500, change, 4};
+        e = engine_ref_open(&s.arena, p);
+        CHECK(scenario_run(&s.arena, p, &given, e, hash_given, &w) == ENGINE_OK);
+        e->close(e);
+        r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.seed = seed, .effort = 40000, .no_places = true, .watch = &watch, .given = &given, .givens = 1});
+    }
+    CHECK(r->find[r->places].outcome == SEARCH_REACHED && r->chosens == 1 && r->chosen[0].scenario.steps == 3500);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
 int main(void)
 {
     check_machine_of("timer", 0);
@@ -413,5 +464,7 @@ int main(void)
     check_covered();
     check_watch();
     check_waits();
+    for (uint64_t seed = 0; seed < 8; seed++)
+        check_given(seed);
     return test_end("search_run");
 }
