@@ -116,7 +116,7 @@ static SmvmAt find_auth_section(SmvmBytes image)
     return 0;
 }
 
-// Reads the number and the mark in the AUTH section of an image.  Returns false, and both are 0, if it has none.
+// Reads the number and the mark in the AUTH section of an image.  Returns false, and both are 0, if the image has no AUTH section.
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
 {
     const SmvmAt at = find_auth_section(image);

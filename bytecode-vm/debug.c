@@ -18,7 +18,7 @@ static bool read_debug_u24(const SmvmMachine *m, uint32_t at, uint32_t *value)
     return true;
 }
 
-// Reads the name whose offset in the section is the number at `at`.  Returns an empty name if there is none.
+// Reads the name whose offset in the section is the number at `at`.  Returns an empty name if the section has no name at that offset.
 static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)
 {
     SmvmName none = {0, 0}, n;
@@ -33,7 +33,7 @@ static SmvmName read_debug_name(const SmvmMachine *m, uint32_t at)
 // Returns the name of the machine or of its source: `which` is SMVM_NAME_MACHINE or SMVM_NAME_SOURCE.
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which) { return read_debug_name(m, 3 * which); }
 
-// Returns the name of a state (1 to m->states); size 0: it has none.
+// Returns the name of a state (1 to m->states); size 0: the image does not name the state.
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state) { return read_debug_name(m, 3 * (SMVM_DEBUG_NUMBERS + state - 1)); }
 
 // Copies the name of a state to `to`, at most size - 1 characters and a 0.  Returns the length of the name; 0 if the image has no names.
@@ -118,7 +118,7 @@ static bool is_variable_before(const SmvmMachine *m, uint32_t index, SmvmVariabl
     return p.type != location->type ? p.type < location->type : p.offset < location->offset;
 }
 
-// Returns the name of the variable at a location, which is ignored for T; size 0: it has none.
+// Returns the name of the variable at a location, which is ignored for T; size 0: the image does not name the variable.
 SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation *location)
 {
     uint32_t from = 0, end = smvm_variables(m), count = end;

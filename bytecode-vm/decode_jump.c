@@ -13,7 +13,7 @@ static unsigned relation_between(SmF64 x, SmF64 y)
     return sm_lt(y, x) ? SMVM_GREATER : sm_eq(x, y) ? SMVM_EQUAL : SMVM_UNORDERED;
 }
 
-// The families of instructions that test a condition, indexed by its relations; 0: there is none.  `with` compares F with y, `pair` two
+// The families of instructions that test a condition, indexed by its relations; 0: no family tests it.  `with` compares F with y, `pair` two
 // values of one type in memory, `number` a value in memory with a constant, `whole` an integer in memory with an integer constant.  The
 // operands of `pair` and `whole` are never NaN.
 typedef struct JumpVariants { uint16_t with, pair, number, whole; } JumpVariants;

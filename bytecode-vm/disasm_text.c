@@ -84,7 +84,7 @@ static void print_decimal(DisasmOutput *o, uint64_t m, uint8_t places)
     smvm_print_unsigned(o, m);
 }
 
-// Prints x >= 0 as a decimal of at most 15 places whose nearest F64 is x.  Returns false, and prints nothing, if there is none.  The
+// Prints x >= 0 as a decimal of at most 15 places whose nearest F64 is x.  Returns false, and prints nothing, if no such decimal exists.  The
 // decimal is m / unit, both exact, and their quotient is rounded like a decimal that is read.
 static bool print_short_decimal(DisasmOutput *o, SmF64 x)
 {

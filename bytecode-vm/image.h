@@ -191,7 +191,7 @@ typedef struct SmvmSection {  // a section as its table entry describes it; not 
 void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s);
 uint8_t smvm_section_count(SmvmBytes image);          // how many sections the image has
 
-// Finds the first section of this id, in its known version, and sets r to it.  Returns false if there is none.
+// Finds the first section of this id, in its known version, and sets r to it.  Returns false if the image has no such section.
 bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r);
 
 // Reads the properties of machine `number` into *m.  Returns 0, or the rule that its MACHINE section breaks; SMVM_R_GROUP: no such machine.
@@ -275,7 +275,7 @@ void smvm_store(SmF64 x, uint8_t type, void *at);
 // Whether a state is marked in section `id` of the machine: SMVM_S_SWAP or SMVM_S_ABORT.
 bool smvm_is_marked(const SmvmMachine *m, uint8_t id, uint32_t state);
 
-typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // where a name is in the image; size 0: it has none
+typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // where a name is in the image; size 0: no name
 
 enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
 SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which`: SMVM_NAME_MACHINE or SMVM_NAME_SOURCE

@@ -297,7 +297,7 @@ SMVM_INLINE uintptr_t read_varint(SmvmBytes *at)
     return read_long_varint(*at - 3, b);
 }
 
-// Ends a function.  Returns the state of its transition, or 0 if it has none.
+// Ends a function.  Returns the target state of its transition, or 0 if it made no transition.
 SMVM_INLINE SmvmAt finish_function(Interpreter *r, uint64_t stored, uintptr_t to)
 {
     r->stored = stored;
@@ -371,7 +371,7 @@ SMVM_INLINE SmvmAt finish_function(Interpreter *r, uint64_t stored, uintptr_t to
 #define STORE_OUTPUT store_at(&x, (uint8_t)j, sv, (SmvmAt)n)
 #endif
 
-// Runs a function's code from `at` to `end` or `goto`.  Returns the state of its transition, or 0 if it has none.
+// Runs a function's code from `at` to `end` or `goto`.  Returns the target state of its transition, or 0 if it made no transition.
 static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 {
     uint8_t *const sv = r->sv, *const locals = r->locals;
@@ -481,7 +481,7 @@ SMVM_NOINLINE static bool is_jump_taken(const Interpreter *r, uint8_t op)  // op
     }
 }
 
-// Runs a function's code from `at` to `end` or `goto`.  Returns the state of its transition, or 0 if it has none.
+// Runs a function's code from `at` to `end` or `goto`.  Returns the target state of its transition, or 0 if it made no transition.
 SMVM_NOINLINE static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 {
     for (;;) {
@@ -546,7 +546,7 @@ static SmvmAt read_function_end(const Interpreter *r, SmvmBytes at)  // reads th
 #endif
 }
 
-// Runs a function by its number (smvm_function_end).  Returns the state of its transition, or 0 if it has none.
+// Runs a function by its number (smvm_function_end).  Returns the target state of its transition, or 0 if it made no transition.
 static SmvmAt run_function(Interpreter *r, SmvmAt function)
 {
     SmvmBytes at = r->vm->image + r->t->functions;

@@ -132,7 +132,7 @@ void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s)
     memset(&s->kind, 0, sizeof s->kind);
 }
 
-// Sets r to the first section of this id, in its known version.  Returns false if there is none.
+// Sets r to the first section of this id, in its known version.  Returns false if the image has no such section.
 bool smvm_find_section(SmvmBytes image, uint8_t id, SmvmReader *r)
 {
     SmvmSection s;
@@ -203,7 +203,7 @@ static uint8_t read_machine(SmvmMachine *m)
            && skip_table(&r, &m->f32s_at, m->f32s, 4) && skip_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
 }
 
-// Reads the machine that runs at vm again, except for its INIT, DEBUG and SAFE sections.
+// Sets *m to the machine that vm runs.  Its image is parsed again, except for the INIT, DEBUG and SAFE sections.
 void smvm_reread_machine(const SmVm *vm, SmvmMachine *m)
 {
     m->image = vm->image;

@@ -43,7 +43,7 @@ void smvm_confirm_code(uint32_t number, uint32_t checksum, const uint8_t *key, u
     smvm_mac_end(&m, key, code);
 }
 
-// Copies the permit of an image that the verifier accepts.  Returns false if it has none.
+// Copies the permit of an image that the verifier accepts.  Returns false if the image has no permit.
 bool smvm_permit_read(SmvmBytes image, uint8_t *permit)
 {
     SmvmReader r, auth;

@@ -20,7 +20,7 @@ enum { SMVM_PERMIT = 4 + SMVM_CODE, SMVM_PERMIT_AT = 9 };
 
 void smvm_permit_code(uint32_t number, uint32_t length, const uint8_t *key, uint8_t *code);
 
-// Copies the permit of an image that the verifier accepts.  Returns false if it has none.
+// Copies the permit of an image that the verifier accepts.  Returns false if the image has no permit.
 bool smvm_permit_read(SmvmBytes image, uint8_t *permit);
 
 // Whether the body of a BEGIN, of n bytes and at least SMVM_PERMIT_AT, permits to stop the image that runs.  SM_E_UNSIGNED: it has no

@@ -80,7 +80,7 @@ typedef struct SmvmMachine {
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: the section is absent
     SmvmAt safe_at, safe_size;        // a bit for each state: whether it is marked @safe; safe_at 0: the machine marks no state
 #if SMVM_PARAMETERS
-    SmvmAt parameters_at, parameters_size;    // its parameters (smvm_parameter); size 0: it has none
+    SmvmAt parameters_at, parameters_size;    // its parameters (smvm_parameter); size 0: no parameters
 #endif
     SmvmBytes image;
     uint32_t layout;          // layout hash of the state vector that the machine was compiled for
@@ -152,7 +152,7 @@ typedef struct SmvmTables {
 // A running machine.  It is at the start of the memory passed to smvm_init.  Read it through the functions below.
 typedef struct SmVm {
     SmvmBytes image;
-    uint64_t start, next;     // start: G + 1 at the first step of `state`.  next: G + 1 at the last step that ran; 0: none has run
+    uint64_t start, next;     // start: G + 1 at the first step of `state`.  next: G + 1 at the last step that ran; 0: no step has run
     uint8_t stored[8];        // one bit for each of the first 64 outputs; the bits of further outputs follow the locals
     SmvmAt machine, code;     // offsets in the image of MACHINE and CODE, which are read again at each step
     SmvmAt local;             // offset of the locals from this structure
@@ -246,9 +246,9 @@ typedef struct SmvmParameter {
     SmF64 standard, value;    // its default, and the value with which the machine starts
 } SmvmParameter;
 
-// Reads parameter `number` of a machine, counted from 0.  Returns false if there is none.
+// Reads parameter `number` of a machine, counted from 0.  Returns false if the machine has no such parameter.
 bool smvm_parameter(const SmvmMachine *m, uint32_t number, SmvmParameter *p);
-// Finds a parameter by its name, of `size` bytes.  Returns false if the machine has none of that name.
+// Finds a parameter by its name, of `size` bytes.  Returns false if no parameter has that name.
 bool smvm_find_parameter(const SmvmMachine *m, const char *name, uint32_t size, uint32_t *number);
 
 // Returns 0 if the parameter can have the value x; else why not, as a number for smvm_refusal_text.

@@ -50,7 +50,7 @@ static uint32_t hash_name(SmvmBytes image, SmvmName n)
 static bool is_name(SmvmName n) { return n.size > 0 && n.size <= SWAP_NAME_MAX; }
 
 #if SMVM_PARAMETERS
-// Returns the end of the parameters among the locals; 0: there are none.
+// Returns the end of the parameters among the locals; 0: the machine has no parameters.
 static uint32_t end_of_parameters(const SmvmMachine *m)
 {
     SmvmReader r = smvm_parameters(m);
@@ -252,7 +252,7 @@ static void match_names(SmvmSwap *plan, SwapName *to, SwapName *from)
     }
 }
 
-// Moves the names that only `from` has to the front; returns how many there are.
+// Moves the names of SMVM_SWAP_REMOVED, which only `from` has, to the front.  Returns their number.
 static uint32_t select_removed(SwapName *from, uint32_t count)
 {
     uint32_t n = 0;

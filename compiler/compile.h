@@ -23,8 +23,10 @@ typedef struct CompileApp {
     AppFiles files;
 } CompileApp;
 
-// The sources of one call, in the order that the user named them.  A script, and a file of requirements, is one of its CompileSource.machine, or of
-// the only machine.  If it has neither, it is only parsed, and so are pins and messages if `vector` is NULL and an application if `app` is NULL.
+// The sources of one call, in the order that the user named them.  Some are only parsed, because what their check needs is missing:
+// - a script or a file of requirements, if CompileSource.machine is 0 and `at` does not contain exactly one machine;
+// - pins and messages, if `vector` is NULL;
+// - an application, if `app` is NULL.
 typedef struct CompileInput {
     CompileSource *at;
     size_t n;

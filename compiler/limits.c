@@ -16,7 +16,7 @@ static const char *count_text(const LimitCheck *x, uint32_t n) { return format_i
 
 // ---- RAM ----
 
-// Returns the window that takes the most bytes; NULL if there is none.
+// Returns the window that takes the most bytes; NULL if the machine has no windows.
 static const CostWindow *largest_window(const Cost *cost)
 {
     const CostWindow *most = NULL;

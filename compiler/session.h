@@ -21,7 +21,7 @@ typedef enum SessionLocals {
 // Finds the files that scripts include.
 typedef struct SourceFinder {
     // Returns the source that `from` includes as `name`, a path that is relative to the folder of `from`; the same pointer for the same file.
-    // Returns NULL and sets *problem to a phrase if there is none.  The source lives as long as the session.  NULL: no file can be included.
+    // Returns NULL and sets *problem to a phrase if no such source exists.  The source lives as long as the session.  NULL: no file can be included.
     const Source *(*find)(void *context, const Source *from, const char *name, const char **problem);
     // Returns the file with recorded data that `from` names, a path as in `find`.  Returns NULL and sets *problem if there can be none.  The file
     // lives as long as the session; it is read when the script is compiled, and again in each run.  NULL: there can be no such files.

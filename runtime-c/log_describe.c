@@ -82,7 +82,7 @@ static void put_layout(DescriptionSink *s, const SmNames *names)
     }
 }
 
-// Returns the index of a machine's element S in the layout; 0xFFFF if there is none at its offset.
+// Returns the index of a machine's element S in the layout; 0xFFFF if no element is at its offset.
 static uint16_t state_element_index(const SmLayout *l, const SmMachine *m)
 {
     const SmRange at = m->type->state_number(m->self);

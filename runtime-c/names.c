@@ -19,7 +19,7 @@ static uint16_t find_name(const char *const *names, uint16_t n, const char *name
     return i;
 }
 
-// Finds an element by name; NULL if there is none.
+// Finds an element by name; NULL if no element has it.
 const SmElement *sm_find_element(const SmNames *names, const char *name)
 {
     uint16_t i;

@@ -91,7 +91,7 @@ void sm_leave(SmStateVec *sv);
 
 // ---- elements ----
 
-// Finds an element by name; NULL if there is none.  Takes linear time, so call it at start.
+// Finds an element by name; NULL if no element has it.  Takes linear time, so call it at start.
 const SmElement *sm_find_element(const SmNames *names, const char *name);
 
 // Read or write any element as a number, converted by the rules of the language (language.md 2): NaN is read and stored as 0,
@@ -109,7 +109,7 @@ SmResult sm_write_number(SmStateVec *sv, const SmElement *e, SmF64 value);
 
 // ---- regions, and the whole vector ----
 
-// Finds a region by name; "*" is the whole vector.  NULL if there is none.
+// Finds a region by name; "*" is the whole vector.  NULL if no region has it.
 const SmRegion *sm_find_region(const SmNames *names, const char *name);
 
 // Copy r->size bytes in their memory layout, in one critical section.  (The padding between elements must be written as zero, as it

@@ -22,7 +22,7 @@ enum { TRIES = 1000 };        // after this many ticks without a common boundary
 static void *running_slot(const SmSwappable *w) { return w->slot[w->running]; }
 static void *other_slot(const SmSwappable *w) { return w->slot[w->running ^ 1]; }
 
-// Returns the index of the first concerned machine from `from` on; s->machines if there is none.
+// Returns the index of the first concerned machine from `from` on; s->machines if no concerned machine follows.
 static uint16_t next_concerned(const SmSwaps *s, uint16_t from)
 {
     while (from < s->machines && !s->machine[from].concerned)
@@ -287,7 +287,7 @@ bool sm_swap_adds_writer(const SmSwaps *s, const SmSwappable *w, const void *fro
     return false;
 }
 
-// Returns the first concerned machine that would be a second writer; s->machines if there is none.  All of them are prepared.
+// Returns the first concerned machine that would be a second writer; s->machines if no machine would be one.  All of them are prepared.
 static uint16_t find_second_writer(const SmSwaps *s)
 {
     uint16_t i = next_concerned(s, 0);

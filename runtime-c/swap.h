@@ -73,7 +73,7 @@ typedef struct SmSwapType {
     bool (*is_aborting)(const void *slot);
     // The checksum of the image; 0: the preparation has not yet accepted an image.
     uint32_t (*identity)(const void *slot);
-    // Sets *range to output i of the machine; the last one is S.  Returns false if there is none, or no accepted image.
+    // Sets *range to output i of the machine; the last one is S.  Returns false if the machine has fewer outputs, or no accepted image.
     bool (*output)(const void *slot, uint32_t i, SmRange *range);
 } SmSwapType;
 
@@ -180,7 +180,7 @@ SmResult sm_swap_confirm(SmSwaps *s);
 // started.  SM_E_MISSING: there is no such machine.
 SmResult sm_swap_machine(SmSwaps *s, uint16_t machine, SmSwapMachineState *out);
 
-// Returns the machine of this name; NULL if there is none that can be swapped.
+// Returns the machine of this name; NULL if no machine that can be swapped has it.
 SmSwappable *sm_swap_find_machine(const SmSwaps *s, const char *name);
 
 // Returns the machine that was refused; NULL if no swap was, or if the application has no such machine.

@@ -349,7 +349,7 @@ SMVM_NOINLINE static void start_board(void)
 // because the interrupt of the clock cannot change it during the read.
 static bool has_run_for_a_while(void) { return ((const volatile uint8_t *)&now_g.low)[1] >= 40; }
 
-// Processes a received byte; returns false if there is none.
+// Processes a received byte; returns false if no byte has arrived.
 static bool serve_line(void)
 {
     uint8_t byte;

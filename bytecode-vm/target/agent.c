@@ -269,7 +269,7 @@ static SmResult dispatch_request(Agent *a, uint8_t message)
     return SM_E_UNSUPPORTED;
 }
 
-// Processes a received byte.  Returns the length of the answer in a->frame, or 0 if there is none to send.
+// Processes a received byte.  Returns the length of the answer in a->frame, or 0 if no answer is to be sent.
 uint16_t smvm_agent_receive(Agent *a, uint8_t byte)
 {
     uint8_t *const frame = a->frame;

@@ -61,7 +61,7 @@ typedef struct Agent {
 // the payload of DATA that fits into a body, rounded down to the write unit.
 void smvm_agent_init(Agent *a, Store *store, const AgentBoard *board, SmEvents *events, uint8_t *frame, uint8_t body);
 
-// Processes a received byte.  Returns the length of the answer in a->frame, or 0 if there is none to send.  The caller must send the answer
+// Processes a received byte.  Returns the length of the answer in a->frame, or 0 if no answer is to be sent.  The caller must send the answer
 // before it passes the next byte.
 uint16_t smvm_agent_receive(Agent *a, uint8_t byte);
 

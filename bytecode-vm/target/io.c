@@ -15,7 +15,7 @@ SMVM_NOINLINE void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
     row->safe = sm_bits(p->safe);
 }
 
-// Fills `row` and *n with the pins of a verified image, in the order of the .io file; *n is 0 if it has none.
+// Fills `row` and *n with the pins of a verified image, in the order of the .io file; *n is 0 if the image has no pins.
 SmResult smvm_target_pins(SmvmBytes image, const SmStateVec *sv, SmIoPin *row, uint16_t room, uint16_t *n)
 {
     SmvmPins all;

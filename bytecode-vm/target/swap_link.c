@@ -68,7 +68,7 @@ static uint16_t find_swappable(const SmSwaps *s, const SmMachine *m)
     return i;
 }
 
-// Appends the identity of an image; zeros if it has none.
+// Appends the identity of an image; zeros if the image has no identity.
 static void put_identity(LinkExchange *x, const SmvmSlot *slot)
 {
     SmvmReader r;

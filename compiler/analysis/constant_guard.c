@@ -62,7 +62,7 @@ static bool reads_initial_value(const ReachWalk *k, const Expr *e, const Env *en
 
 // ---- the facts at the guard ----
 
-// Returns the first expression that the guard compares, or the bool that it reads; NULL if there is none.
+// Returns the first expression that the guard compares, or the bool that it reads; NULL if the guard contains neither.
 static const Expr *find_compared_expr(const Expr *e)
 {
     const bool comparison = comparison_count(e) > 0;
@@ -221,7 +221,7 @@ static GuardVerdict judge_always_true(ReachWalk *k, const Stmt *s, const Earlier
     return v;
 }
 
-// Returns an enclosing guard that is true at s and implies the guard of s, as in `a > b { a > b: … }`; NULL if there is none.
+// Returns an enclosing guard that is true at s and implies the guard of s, as in `a > b { a > b: … }`; NULL if no enclosing guard implies it.
 static const Stmt *find_implying_guard(const ReachWalk *k, const Stmt *s, const Branch *branch)
 {
     for (unsigned n = 0; branch && n < EARLIER_MAX; branch = branch->outer, n++)

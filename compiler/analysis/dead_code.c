@@ -50,7 +50,7 @@ static void mark_reported_from(ReachWalk *k, const Stmts *list, size_t first, Di
     mark_transitions_dead(k, list, first, add_dead_code(k, CAUSE_REPORTED, list->at[first], NULL, finding));
 }
 
-// Returns the section [all_states] that contains the position; NULL if none does.
+// Returns the section [all_states] that contains the position; NULL if no section contains it.
 static const AllStates *find_section(const Program *p, uint32_t at)
 {
     for (size_t i = 0; i < p->all_states.n; i++)
@@ -194,7 +194,7 @@ static void forget_earlier_guards(ReachWalk *k)
     k->leaving.n = 0;
 }
 
-// entry_leaves: .entry always makes a transition, so .step never runs.  explained: a finding in .entry already says so.
+// entry_leaves: .entry always makes a transition, so .step never runs.  explained: a finding in .entry already explains that.
 static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
 {
     const Stmts *step = &k->state->block[BLOCK_STEP];

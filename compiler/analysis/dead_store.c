@@ -57,7 +57,7 @@ static const Stmt *find_stmt(const Stmts *block, uint32_t number)
 
 // ---- the overwriting store ----
 
-// Returns the first store to var at or after ins.at[at] of block blk; NULL if there is none.
+// Returns the first store to var at or after ins.at[at] of block blk; NULL if the block has no such store.
 static const IrIns *find_store_in_block(const IrFn *f, size_t blk, size_t at, uint32_t var)
 {
     for (size_t k = at; k < f->blk.at[blk].ins.n; k++) {
@@ -68,7 +68,7 @@ static const IrIns *find_store_in_block(const IrFn *f, size_t blk, size_t at, ui
     return NULL;
 }
 
-// Returns the first store to var in f that can be reached from ins.at[at] of block blk; NULL if there is none.
+// Returns the first store to var in f that can be reached from ins.at[at] of block blk; NULL if no store can be reached.
 static const IrIns *find_store_after(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var)
 {
     const IrIns *found = NULL;
@@ -87,7 +87,7 @@ static const IrIns *find_store_after(DeadStores *k, const IrFn *f, IrBlkRef blk,
     return found;
 }
 
-// Returns the first store to var in the state's functions from `block` (such as BLOCK_STEP) on; NULL if there is none.
+// Returns the first store to var in the state's functions from `block` (such as BLOCK_STEP) on; NULL if these functions have no such store.
 static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, uint32_t var)
 {
     const IrIns *found = NULL;

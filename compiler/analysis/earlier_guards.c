@@ -75,7 +75,7 @@ static bool is_excluded_by_facts(const ReachWalk *k, const Expr *guard, const Ea
            !assume_guard(k->a, &env, b->stmt->value, !b->holds);
 }
 
-// Returns the first earlier guard for which f is true; NULL if there is none.
+// Returns the first earlier guard for which f is true; NULL if f is false for all of them.
 static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b,
                                       bool (*f)(const ReachWalk *k, const Expr *guard, const EarlierGuard *b))
 {
@@ -85,7 +85,7 @@ static const EarlierGuard *find_guard(const ReachWalk *k, const Expr *guard, con
     return NULL;
 }
 
-// Returns an earlier guard whose outcome on every path to here contradicts `guard`, so that `guard` is never true; NULL if there is none.
+// Returns an earlier guard whose outcome on every path to here contradicts `guard`, so that `guard` is never true; NULL if no outcome does.
 // Only compares the two expressions.
 const EarlierGuard *find_excluding_guard(const ReachWalk *k, const Expr *guard, const EarlierGuards *b)
 {

@@ -215,7 +215,7 @@ InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e)
     return out;
 }
 
-// Returns the innermost of `when` and its outer conditions whose own guard depends on the sensor; NULL if none does.
+// Returns the innermost of `when` and its outer conditions whose own guard depends on the sensor; NULL if no guard depends on it.
 const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor)
 {
     for (; when; when = when->outer) {

@@ -36,7 +36,7 @@ bool is_sensor(const InputDepsTable *s, const Var *v);
 InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when);
 InputDeps input_deps_of_expr(const InputDepsTable *s, const Expr *e);
 bool input_deps_include(const InputDeps *l, const Var *sensor);
-// Returns the innermost of `when` and its outer conditions whose own guard depends on the sensor; NULL if none does.
+// Returns the innermost of `when` and its outer conditions whose own guard depends on the sensor; NULL if no guard depends on it.
 const Condition *input_deps_find_condition(const InputDepsTable *s, const Condition *when, const Var *sensor);
 // If e depends on the sensor only through locals, returns an assignment to such a local.  Returns NULL if e reads the sensor directly, or
 // does not depend on the sensor.

@@ -116,7 +116,7 @@ static Quantity add_number(const Quantity *a, const Quantity *number, double sig
     if (number->kind == QUANTITY_NUMBER)
         out.shift += sign * number->factor;
     else if (number->kind == QUANTITY_UNKNOWN && measure_is_temperature(&a->unit))
-        out.zero_unknown = true;                            // it can be the 273.15 that leads to another zero
+        out.zero_unknown = true;                            // the value can be 273.15, which converts kelvins to degrees Celsius or back
     return out;
 }
 

@@ -109,7 +109,7 @@ static const Stmt *find_store(const Stmts *stmts, const Var *v)
     return found;
 }
 
-// Finds the store in the nearest state after the current one, or in the .exit of the current one.  Returns NULL if there is none.
+// Finds the store in the nearest state after the current one, or in the .exit of the current one.  Returns NULL if neither has such a store.
 static const Stmt *find_later_store(StoreOrder *o, const Var *v, const State **later)
 {
     const Analysis *a = o->a;

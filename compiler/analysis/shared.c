@@ -23,7 +23,7 @@ static void record_first_assignment(const Stmt *stmt, void *context)
         first[stmt->var->index] = stmt->span;
 }
 
-// Returns for each variable (Var.index) its first assignment in the file; src is NULL if there is none.
+// Returns for each variable (Var.index) its first assignment in the file; src is NULL if no statement assigns it.
 static const Span *first_assignments(Arena *arena, const Program *p)
 {
     Span *first = ARENA_ARRAY(arena, Span, p->var.n);

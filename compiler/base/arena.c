@@ -123,7 +123,7 @@ void arena_restore(Arena *a, const ArenaCopy *copy)
     }
 }
 
-// Takes a spare chunk with room for `wanted` bytes; NULL: none of the first ones has.
+// Takes a spare chunk with room for `wanted` bytes; NULL: none of the first spare chunks has that room.
 static ArenaChunk *take_spare(Arena *a, size_t wanted)
 {
     ArenaChunk **at = &a->spare, *c;

@@ -192,7 +192,7 @@ static wchar_t *command_line(const char *const *argv)
 }
 
 // Returns the file of a program: of a name without folder, that in PATH. Neither the current folder nor batch files are searched, and .exe
-// is added where it is missing.  On the heap; NULL, with the last error set, if there is none.
+// is added where it is missing.  On the heap; NULL, with the last error set, if no such program exists.
 static wchar_t *find_program(const char *name)
 {
     const bool has_folder = path_file_name(name) > name;

@@ -23,7 +23,7 @@ typedef struct CostLine {
 
 typedef struct StateCost {
     uint32_t first;               // the cost of the longest first step of the state: samples, .entry, .step, .exit
-    uint32_t later;               // the cost of the longest of its other steps; 0: it has none
+    uint32_t later;               // the cost of the longest of its other steps; 0: no other step
     uint32_t worst;               // the larger of `first` and `later`
     VEC(CostLine) path;           // the path through the worst step, in order
 } StateCost;

@@ -294,7 +294,7 @@ static void write_json(const FaultsRun *r, Buf *out)
 
 // ---- the scripts that reproduce ----
 
-// Returns the path from a folder to that of a file, "" or with a separator at its end; NULL: there is none that needs no system call.
+// Returns the path from a folder to that of a file, "" or with a separator at its end; NULL: that would need a system call.
 static const char *path_to_folder_of(Arena *arena, const char *folder, const char *file)
 {
     const size_t to_name = (size_t)(path_file_name(file) - file);

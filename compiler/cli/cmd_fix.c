@@ -36,7 +36,7 @@ static size_t count_code(const Diags *d, DiagCode code)
     return n;
 }
 
-// Returns the position of the first error of a file; UINT32_MAX if there is none.
+// Returns the position of the first error of a file; UINT32_MAX if the file has no error.
 static uint32_t first_error(const Diags *d, const Source *src)
 {
     for (size_t i = 0; i < d->list.n; i++)

@@ -92,7 +92,7 @@ static int read_surroundings(Cli *c, Surroundings *out)
     return cli_read_bindings(c, c->files, &out->bindings);
 }
 
-// Finds the bindings that the application has for machine `name`; *out is NULL if there are none.
+// Finds the bindings that the application has for machine `name`; *out is NULL if the application has no bindings for it.
 static int find_bindings(Cli *c, const Surroundings *around, const char *name, const MachineInstance **out)
 {
     const AppFiles *files = around->app ? &around->app->files : NULL;

@@ -73,7 +73,7 @@ int cover_read_folder(CoverRun *r, CompileInput *in)
 
 // ---- running ----
 
-static bool run_on(CoverRun *r, const Script *s, Engine *e, bool is_silent)
+static bool run_script(CoverRun *r, const Script *s, Engine *e, bool is_silent)
 {
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = is_silent};
 
@@ -108,7 +108,7 @@ static void judge(CoverRun *r, OldScript *old)
         old->why = "the machine no longer fits it";
     } else {
         Cover *alone = cover_new(r->arena, r->p);
-        if (!run_on(r, s, cover_open_engine(alone), true))
+        if (!run_script(r, s, cover_open_engine(alone), true))
             old->why = "it fails";
         cover_settle(alone);
         if (!old->why && !is_pair && !reaches(r, alone, goal, &is_known))
@@ -117,7 +117,7 @@ static void judge(CoverRun *r, OldScript *old)
     if (old->why)
         return;
     old->verdict = OLD_VALID;
-    run_on(r, s, cover_open_engine(r->all), true);
+    run_script(r, s, cover_open_engine(r->all), true);
 }
 
 // Runs an edited script as if it were given.

@@ -24,7 +24,7 @@ typedef struct TestResult {
     int code;                 // the exit code of the command that this result requires
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
-    const char *seed;         // of its random numbers; "" or NULL: it has none
+    const char *seed;         // of its random numbers; "" or NULL: it draws no random numbers
     const char *requirements; // the requirements that it has tested, with spaces between them; "" or NULL: none
 } TestResult;
 

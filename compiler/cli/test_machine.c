@@ -72,7 +72,7 @@ static int exit_code_of(ScriptOutcome o)
     return EXIT_INTERNAL;
 }
 
-// Returns the requirements that the script has tested, each once: "R7 R8"; "" if there is none. First those of its asserts, then those of `what`,
+// Returns the requirements that the script has tested, each once: "R7 R8"; "" if it tested none of them. First those of its asserts, then those of `what`,
 // which can be NULL.
 static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r, const Requirements *what)
 {

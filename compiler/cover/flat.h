@@ -88,7 +88,7 @@ typedef struct FlatMachine {
     uint8_t *stored;                  // by IR variable: the last step stored it
     const FlatProbes *probes;         // NULL: nothing is counted
     uint64_t *hits;                   // by counter
-    FlatSeen *seen;                   // by decision: what was last seen, which needs no second count
+    FlatSeen *seen;                   // by decision: the last evaluation that was counted; an equal one changes no counter
     uint32_t **decision_at, *value_at;        // by decision: where in the frame its conditions and its value are
     bool *scratch;                    // room to judge the largest decision
     uint32_t taken;                   // Stmt.number of the transition that the last step took; 0: none

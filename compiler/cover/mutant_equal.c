@@ -84,8 +84,8 @@ static void change(const Probe *k, const Expr *original, Expr *e)
     }
 }
 
-// Returns e as the mutant has it.
-static Expr *changed(const Probe *k, const Expr *e)
+// Returns a copy of e with the edits of the mutant.
+static Expr *copy_with_edits(const Probe *k, const Expr *e)
 {
     Expr *copy = make(k->arena, e->kind, e->op, e->n);
     Expr **arg = copy->arg;
@@ -93,7 +93,7 @@ static Expr *changed(const Probe *k, const Expr *e)
     *copy = *e;
     copy->arg = arg;
     for (uint32_t i = 0; i < e->n; i++)
-        arg[i] = e->kind == EX_ROLL ? e->arg[i] : changed(k, e->arg[i]);
+        arg[i] = e->kind == EX_ROLL ? e->arg[i] : copy_with_edits(k, e->arg[i]);
     if (e->kind == EX_CHAIN)
         memcpy(expr_ops(copy), expr_ops(e), (e->n - 1) * sizeof(SmOperator));
     change(k, e, copy);
@@ -123,7 +123,7 @@ static void add_condition(Probe *k, const Expr *e)
 // Splits a chain: returns the comparison that contains the change, and adds the others as conditions.  Returns e itself if two of them do.
 static const Expr *split_chain(Probe *k, const Expr *e, const MutantEdit *d, const Expr **new)
 {
-    const Expr *copy = changed(k, e);
+    const Expr *copy = copy_with_edits(k, e);
     uint32_t link = d->link, arg = 0;
 
     if (d->kind != EDIT_LINK || d->e != e) {
@@ -159,7 +159,7 @@ static const Expr *find_condition(Probe *k, const Expr *e, const MutantEdit *d, 
             break;
         }
     }
-    *new = changed(k, e);
+    *new = copy_with_edits(k, e);
     return e->kind == EX_CHAIN ? split_chain(k, e, d, new) : e;
 }
 
@@ -180,7 +180,7 @@ static Stmt *make_if(Arena *a, const Expr *guard)
     return s;
 }
 
-static Var *find_written(const Program *p)
+static Var *find_assigned(const Program *p)
 {
     for (size_t i = 0; i < p->var.n; i++)
         if (p->var.at[i]->written && !p->var.at[i]->read_only)
@@ -221,7 +221,7 @@ static bool may_differ(Probe *k, Stmt *s, const Expr *const *extra, size_t n)
 
     probe->kind = ST_ASSIGN;
     probe->number = s->number;
-    probe->var = find_written(k->p);
+    probe->var = find_assigned(k->p);
     probe->value = make_number(k->arena, 0);
     if (!probe->var || k->is_full)
         return true;
@@ -330,11 +330,11 @@ static bool has_same_expression(Probe *k, const MutantEdit *d, bool is_only, uin
     const Expr *new = NULL, *old = d->stmt->value;
 
     if (!is_only)
-        new = changed(k, old);
+        new = copy_with_edits(k, old);
     else if (d->stmt->kind == ST_IF || is_truth(old))
         old = find_condition(k, old, d, &new);
     else
-        new = changed(k, old);
+        new = copy_with_edits(k, old);
     if (same_at_steps(k->p, old, new, step))
         return true;
     return d->stmt->kind == ST_IF || is_truth(d->stmt->value) ? has_same_truth(k, d->stmt, old, new) : has_same_value(k, d->stmt, old, new);

@@ -298,8 +298,8 @@ const Scenario *mutant_runs_scenario(const MutantRuns *u, Arena *arena, uint32_t
 
 // ---- running mutants ----
 
-// A mutant in the run of a script.
-typedef struct Race {
+// A mutant that is compared with the recorded run of a script.
+typedef struct MutantReplay {
     MutantRuns *u;
     Record *r;
     FlatMachine *mutant;
@@ -307,9 +307,9 @@ typedef struct Race {
     bool same_start;          // no initial value was changed
     const uint32_t *stmt;     // what was changed
     uint32_t stmts;
-} Race;
+} MutantReplay;
 
-static bool includes_any(const Race *c, const uint8_t *executed)
+static bool includes_any(const MutantReplay *c, const uint8_t *executed)
 {
     for (uint32_t i = 0; i < c->stmts; i++)
         if (c->stmt[i] == MUTANT_EACH_STEP || c->stmt[i] == MUTANT_START || executed[c->stmt[i]])
@@ -318,13 +318,13 @@ static bool includes_any(const Race *c, const uint8_t *executed)
 }
 
 // Whether what was changed is executed between a point and the next one.
-static bool is_executed(const Race *c, uint32_t point)
+static bool is_executed(const MutantReplay *c, uint32_t point)
 {
     return includes_any(c, c->r->executed.at[point]);
 }
 
-// Returns the first point from `point` on after which what was changed is executed; the number of points if there is none.
-static uint32_t find_executed(const Race *c, uint32_t point)
+// Returns the first point from `point` on after which what was changed is executed; the number of points if no such point follows.
+static uint32_t find_executed(const MutantReplay *c, uint32_t point)
 {
     while (point < c->r->point.n && !is_executed(c, point))
         point++;
@@ -341,7 +341,7 @@ static void write_cells(const FlatMachine *f, void *state, const EngineWrite *wr
 }
 
 // Whether the script sees that the cells of the mutant are not those of a recorded step.
-static bool has_other_cells(const Race *c, const uint64_t *recorded)
+static bool has_other_cells(const MutantReplay *c, const uint64_t *recorded)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state);
     const uint32_t *var_of = c->mutant->m->var_of;
@@ -353,7 +353,7 @@ static bool has_other_cells(const Race *c, const uint64_t *recorded)
 }
 
 // Runs the mutant from a point to the next one.  Returns whether the script sees a difference to the recorded run.
-static bool run_to_next_point(Race *c, uint32_t point)
+static bool run_to_next_point(MutantReplay *c, uint32_t point)
 {
     const Record *r = c->r;
     const FlatState *s = c->u->state;
@@ -370,10 +370,10 @@ static bool run_to_next_point(Race *c, uint32_t point)
     return false;
 }
 
-static void go_to_point(Race *c, uint32_t point) { memcpy(c->u->state, c->r->point.at[point].machine, c->u->original->size); }
+static void go_to_point(MutantReplay *c, uint32_t point) { memcpy(c->u->state, c->r->point.at[point].machine, c->u->original->size); }
 
 // Whether the script can see an initial value that was changed, before the first step.
-static bool sees_start(const Race *c)
+static bool sees_start(const MutantReplay *c)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state), *original = flat_cells(c->u->original, c->r->point.at[0].machine);
     const uint32_t *var_of = c->mutant->m->var_of;
@@ -386,10 +386,10 @@ static bool sees_start(const Race *c)
 }
 
 // Whether the recorded run can be used.
-static bool can_replay(Race *c) { return c->r->is_complete && c->same_layout && (c->same_start || !sees_start(c)); }
+static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !sees_start(c)); }
 
 // Returns the point before the first difference that the script sees; the number of points if it sees none.
-static uint32_t find_difference(Race *c)
+static uint32_t find_difference(MutantReplay *c)
 {
     const size_t size = c->u->original->size;
     uint32_t point = find_executed(c, 0);
@@ -415,7 +415,7 @@ static uint32_t find_difference(Race *c)
 }
 
 // Runs the script on the mutant from a point on.  Returns whether it passes.
-static bool passes_from(Race *c, uint32_t point)
+static bool passes_from(MutantReplay *c, uint32_t point)
 {
     ScriptRun *run = &c->r->run;
 
@@ -428,7 +428,7 @@ static bool passes_from(Race *c, uint32_t point)
 }
 
 // Runs the script on the mutant.  Returns whether it passes.
-static bool passes(Race *c, Arena *work)
+static bool passes(MutantReplay *c, Arena *work)
 {
     uint64_t steps;
     uint32_t point;
@@ -463,7 +463,7 @@ static void move_up(MutantRuns *u, uint32_t i)
 
 uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated)
 {
-    Race c = {u, NULL, mutant, flat_have_same_layout(u->p, u->original, mutant), true, stmt, n};
+    MutantReplay c = {u, NULL, mutant, flat_have_same_layout(u->p, u->original, mutant), true, stmt, n};
 
     *violated = NULL;
     for (uint32_t i = 0; i < n; i++)

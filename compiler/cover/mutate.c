@@ -156,15 +156,16 @@ static void add_operators(Mutation *u, Expr *e, uint32_t link, SmOperator was, S
 
 static bool same_span(Span a, Span b) { return a.at == b.at && a.len == b.len; }
 
-// Whether a binary operator is in the source as it is in the program: its operands are on both sides of it.
-static bool is_written(const Expr *e, uint32_t i) { return e->arg[i]->span.at < e->arg[i + 1]->span.at && e->arg[i]->span.src == e->arg[i + 1]->span.src; }
+// Whether the source contains operator i of e: its operands are on both sides of it.  The checker composes others, as
+// those of a median (list.h).
+static bool is_in_source(const Expr *e, uint32_t i) { return e->arg[i]->span.at < e->arg[i + 1]->span.at && e->arg[i]->span.src == e->arg[i + 1]->span.src; }
 
-static bool is_join(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR); }
+static bool is_and_or(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR); }
 
-// Whether the source has parentheses around e, or e is the whole of `outer`.  `and` and `or` in a row would be grouped in another way.
-static bool has_other_join(const Expr *e, const Expr *outer)
+// Whether e contains, or is an operand of, another `and` or `or`.  To replace the operator of e would then group the operands in another way.
+static bool is_beside_and_or(const Expr *e, const Expr *outer)
 {
-    return (outer && is_join(outer)) || is_join(e->arg[0]) || is_join(e->arg[1]);
+    return (outer && is_and_or(outer)) || is_and_or(e->arg[0]) || is_and_or(e->arg[1]);
 }
 
 static void list_expression(Mutation *u, Expr *e, const Expr *outer)
@@ -178,12 +179,12 @@ static void list_expression(Mutation *u, Expr *e, const Expr *outer)
             add_mutant(u, (Span){e->span.src, e->span.at, 3}, "", (MutantEdit){.kind = EDIT_DROP_NOT, .e = e});
         break;
     case EX_BINARY:
-        if (is_written(e, 0))
-            add_operators(u, e, 0, e->op, e->arg[0]->span, e->arg[1]->span, !has_other_join(e, outer));
+        if (is_in_source(e, 0))
+            add_operators(u, e, 0, e->op, e->arg[0]->span, e->arg[1]->span, !is_beside_and_or(e, outer));
         break;
     case EX_CHAIN:
         for (uint32_t i = 0; i + 1 < e->n; i++)
-            if (is_written(e, i))
+            if (is_in_source(e, i))
                 add_operators(u, e, i, expr_ops(e)[i], e->arg[i]->span, e->arg[i + 1]->span, true);
         break;
     case EX_VAR: case EX_CALL: case EX_ROLL: case EX_EVERY: case EX_RANDOM: break;

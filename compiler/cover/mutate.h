@@ -53,9 +53,10 @@ typedef struct Mutation Mutation;
 Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
 // Returns the index of a script that fails without any change, or violates a requirement; `scripts` if all pass.
 uint32_t mutation_find_failing(const Mutation *u);
-// Runs the next mutant.  Returns false if there is none.
+// Runs the next mutant.  Returns false if no mutant is left.
 bool mutation_run_next(Mutation *u);
-// Searches a scenario for the next mutant that no script notices, for at most `steps` steps (mutant_search.h).  Returns false if there is none.
+// Searches a scenario for the next mutant that no script notices, for at most `steps` steps (mutant_search.h).  Returns false
+// if no such mutant is left.
 bool mutation_search_next(Mutation *u, uint64_t steps);
 // Returns the machine of a mutant, allocated in `arena`.
 FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m);
@@ -67,7 +68,7 @@ const Mutant **mutation_order(const Mutation *u, Arena *arena, MutantVerdict ver
 typedef struct MutationScore {
     unsigned long all, of[MUTANT_VERDICT_COUNT];      // how many mutants; by MutantVerdict
     unsigned long noticeable; // those that a script can notice, as far as is known
-    double percent;           // how many of these are noticed; 100 if there are none
+    double percent;           // how many of these are noticed; 100 if none of them is counted
 } MutationScore;
 
 MutationScore mutation_score(const Mutation *u);

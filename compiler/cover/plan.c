@@ -94,7 +94,7 @@ static uint32_t push_place(Plan *k, CoverPlace p)
     return (uint32_t)k->c->place.n - 1;
 }
 
-// Returns the place with this key; adds `p` if there is none.  Sets *is_new.
+// Returns the place with this key; adds `p` if no place has it.  Sets *is_new.
 static uint32_t add_place(Plan *k, Key key, CoverPlace p, bool *is_new)
 {
     uint32_t i;

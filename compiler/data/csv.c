@@ -38,7 +38,7 @@ static bool fill(Csv *c) { return c->at < c->end || (!c->error && read_buffer(c)
 
 static bool starts_with(const Csv *c, const char *bytes, size_t n) { return c->end >= n && memcmp(c->buffer, bytes, n) == 0; }
 
-// Returns the character of , ; and tab that the first line contains most often outside quotes; a comma if it has none.
+// Returns the character of , ; and tab that the first line contains most often outside quotes; a comma if the line contains none of them.
 static char find_delimiter(const Csv *c)
 {
     static const char choice[] = {',', ';', '\t'};
@@ -126,7 +126,7 @@ static void end_cell(Csv *c)
 }
 
 // Consumes the line end at the next byte, which is LF or CR.
-static void end_line(Csv *c)
+static void consume_line_end(Csv *c)
 {
     const bool is_cr = c->buffer[c->at++] == '\r';
 
@@ -182,7 +182,7 @@ static bool read_cell(Csv *c, bool *is_last)
             return true;
         }
         if (byte == '\n' || byte == '\r') {
-            end_line(c);
+            consume_line_end(c);
             break;
         }
         if (byte == '\0')

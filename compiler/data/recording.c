@@ -158,7 +158,7 @@ static size_t distance_of(const char *name, const char *cell, size_t most)
     return *cell && is_equal_without_case(name, cell) ? 0 : *cell ? str_distance(name, cell, most + 1) : most + 1;
 }
 
-// Returns the names in the header that are most similar to `name`: "'P1' or 'P2'"; NULL if there is none.
+// Returns the names in the header that are most similar to `name`: "'P1' or 'P2'"; NULL if no name is similar.
 static const char *find_near_names(Recording *r, const char *name)
 {
     const size_t most = strlen(name) / 3;

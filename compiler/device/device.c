@@ -118,7 +118,7 @@ static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const Dev
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, is_on_trial, image); }
 
-// Finds the image whose trial has ended.  False with SM_OK if there is none.
+// Finds the image whose trial has ended.  False with SM_OK if no trial of an image has ended.
 bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image) { return find_image(h, info, has_ended_trial, image); }
 
 // Sends a request whose body is the checksum of an image: CONFIRM or ERASE.  Returns whether the board answered SM_OK.

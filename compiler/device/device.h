@@ -62,7 +62,7 @@ bool device_erase_image(LinkHost *h, uint32_t checksum);
 bool device_read_image(LinkHost *h, const DeviceInfo *info, const DeviceImage *image, uint8_t *bytes);
 // Finds the image on trial, whether it already runs or will run from the next start on.  False with SM_OK if no image is on trial.
 bool device_find_trial_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
-// Finds the image whose trial has ended.  False with SM_OK if there is none.
+// Finds the image whose trial has ended.  False with SM_OK if no trial of an image has ended.
 bool device_find_ended_trial(LinkHost *h, const DeviceInfo *info, DeviceImage *image);
 // Reads the transitions that the board has stored in the slot of this image, the oldest first; *n: their number.  Bytes that are no record
 // of the image are skipped.
@@ -84,7 +84,7 @@ typedef enum DeviceStep {
 typedef struct Update {
     const uint8_t *bytes;
     uint32_t length, checksum;
-    const uint8_t *permit;    // DEVICE_PERMIT bytes: the number of the image and its permit (smvm_permit_read); NULL: it has none
+    const uint8_t *permit;    // DEVICE_PERMIT bytes: the number of the image and its permit (smvm_permit_read); NULL: the image has no permit
     uint16_t session;         // a number other than 0 that is different for each update
     uint16_t period;          // milliseconds between its steps; 0: the board's default
     void (*progress)(void *context, uint32_t done);

@@ -70,7 +70,7 @@ static bool split_words(Arena *a, const char *text, CommandWords *words)
     return true;
 }
 
-// Returns the diagnostics of the C compiler, cut off after MESSAGE_MAX bytes; a sentence with its exit code if there are none.
+// Returns the diagnostics of the C compiler, cut off after MESSAGE_MAX bytes; a sentence with its exit code if the compiler wrote no diagnostics.
 static const char *read_compiler_output(Arena *arena, const char *log, int exit_code)
 {
     char *text;

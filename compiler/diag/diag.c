@@ -348,7 +348,7 @@ const DiagFlag *diag_find_flag(const char *name)
     return NULL;
 }
 
-// Returns the row whose id, or warning name, is `id`; case does not matter.  NULL if there is none.
+// Returns the row whose id, or warning name, is `id`; case does not matter.  NULL if no row has it.
 const DiagInfo *diag_find(const char *id)
 {
     for (int i = 0; i < DIAG_COUNT; i++) {

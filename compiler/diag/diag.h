@@ -185,7 +185,7 @@ typedef struct DiagFingerprint {
 
 const DiagFingerprint *diags_fingerprints(const Diags *d, Arena *arena);  // one for each of d->list, then of d->allowed
 
-// Returns the row whose id, or warning name, is `id`; case does not matter. NULL if there is none.
+// Returns the row whose id, or warning name, is `id`; case does not matter. NULL if no row has it.
 const DiagInfo *diag_find(const char *id);
 
 // Appends the text of src with the proposed edits applied. Edits that touch each other are skipped; those of one diagnostic are applied

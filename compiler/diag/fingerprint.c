@@ -16,7 +16,7 @@ static uint64_t hash_text(uint64_t h, const char *s, size_t n)         // FNV-1a
     return h;
 }
 
-// Returns the length of the line up to its comment; n if it has none.
+// Returns the length of the line up to its comment; n if the line has no comment.
 static size_t length_without_comment(const char *s, size_t n)
 {
     bool quoted = false;

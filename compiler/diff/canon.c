@@ -24,7 +24,7 @@ static const State *named_state(const Canon *c, const Expr *e)
 
 static bool is_s(const Program *p, const Expr *e) { return e->kind == EX_VAR && e->var == p->s; }
 
-// Writes a comparison of S with the name of a state.  Returns false if e is none.
+// Writes a comparison of S with the name of a state.  Returns false if e is no such comparison.
 static bool canon_state_comparison(const Canon *c, const Expr *e, Buf *out)
 {
     const State *s = NULL;

@@ -29,7 +29,7 @@ typedef struct EnvJoin {
 } EnvJoin;
 
 EnvTable *env_table_new(Arena *arena);
-// Each returns the stored fact or node that equals its argument.  If there is none, stores a copy first.
+// Each returns the stored fact or node that equals its argument.  If the table contains no equal one, stores a copy first.
 const Fact *env_table_intern_fact(EnvTable *t, Fact f);
 const Env *env_table_intern_node(EnvTable *t, const Env *e);
 // Looks up the join that j describes.  If it is stored, sets j->joined and returns true.

@@ -41,7 +41,7 @@ static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
 
 static uint32_t slot_of(const FlowWalk *w, uint32_t var) { return w->has_slots ? w->fm->slot_of[var].slot : var; }
 
-// Returns the slot of a variable that the function uses, a new one if it has none.
+// Returns the slot of a variable that the function uses, a new one if the variable has no slot yet.
 static uint32_t find_or_add_slot(FlowWalk *w, uint32_t var)
 {
     FactMachine *fm = w->fm;

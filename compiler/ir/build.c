@@ -102,7 +102,7 @@ static void build_arm(Builder *b, const Stmts *list, OpenBlocks *ends)
         vec_push(b->arena, ends, b->b);
 }
 
-// Returns the conditional that is the only statement of the `else` arm of s; NULL if there is none.
+// Returns the conditional that is the only statement of the `else` arm of s; NULL if the arm is missing or contains anything else.
 static const Stmt *find_else_if(const Stmt *s)
 {
     return s->otherwise.n == 1 && s->otherwise.at[0]->kind == ST_IF ? s->otherwise.at[0] : NULL;

@@ -248,7 +248,7 @@ static bool read_ins(IrReader *r, Str name, Str op)
 
 // ---- jumps and blocks ----
 
-// Sets *kind to the kind of jump that w names; returns false if there is none.
+// Sets *kind to the kind of jump that w names; returns false if no kind has this name.
 static bool find_jump_kind(Str w, IrJumpKind *kind)
 {
     static const char *const name[] = {"ret", "jmp", "br", "goto"};       // in the order of IrJumpKind

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// Sets the error if there is none yet; always returns false.
+// Sets the error unless an earlier error is set; always returns false.
 bool scan_fail(IrScan *s, const char *format, ...)
 {
     va_list args;
@@ -145,7 +145,7 @@ bool scan_quoted(IrScan *s, Str *out)
 
 // ---- numbers ----
 
-// Parses a number, decimal, or after 0x hexadecimal.  Returns false, without an error, if the text is none.
+// Parses a number, decimal, or after 0x hexadecimal.  Returns false, without an error, if the text is no number.
 bool scan_try_parse_number(const char *text, uint64_t *out)
 {
     uint64_t base = 10, v = 0;

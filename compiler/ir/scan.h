@@ -17,7 +17,7 @@ typedef struct IrScan {
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-bool scan_fail(IrScan *s, const char *format, ...);             // sets the error if there is none yet; always returns false
+bool scan_fail(IrScan *s, const char *format, ...);             // sets the error unless an earlier error is set; always returns false
 bool scan_next_line(IrScan *s);                                 // skips to the next nonempty line; false at the end of the input
 bool scan_at_line_end(IrScan *s);                               // whether only whitespace and a comment are left on the line
 

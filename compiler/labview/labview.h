@@ -34,7 +34,7 @@ int32_t smclv_clear(int32_t session, char *message, int32_t message_size);
 // Sets an option: SMC_OPTION_… of smc.h.
 int32_t smclv_option(int32_t session, int32_t option, uint64_t value, char *message, int32_t message_size);
 
-// Compiles all sources.  `diagnostics` receives errors and warnings as text, also if there are none (length 0).
+// Compiles all sources.  `diagnostics` receives errors and warnings as text, also if the sources have neither (length 0).
 int32_t smclv_compile(int32_t session, uint8_t *diagnostics, int32_t size, int32_t *length, char *message, int32_t message_size);
 // Stores the image of what was compiled (.smb), with names.
 int32_t smclv_image(int32_t session, uint8_t *image, int32_t size, int32_t *length, char *message, int32_t message_size);

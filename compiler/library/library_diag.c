@@ -140,7 +140,7 @@ static uint32_t utf16_column(const Source *src, LineCol at)
     return units + 1;
 }
 
-// Returns the session's number of a source; -1 if it is none of the session.
+// Returns the session's number of a source; -1 if the session has no such source.
 static int64_t number_of_source(const SmcSession *s, const Source *src)
 {
     return src->number < s->of.sources && s->of.text[src->number] == src ? (int64_t)src->number : -1;

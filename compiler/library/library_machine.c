@@ -76,7 +76,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(((const LibraryVariable *)a)->name, ((const LibraryVariable *)b)->name);
 }
 
-// Returns the number, from 1, of the output at an offset in the state vector; 0 if there is none.
+// Returns the number, from 1, of the output at an offset in the state vector; 0 if no output is stored there.
 static uint32_t output_at(const SmvmMachine *m, uint32_t offset)
 {
     for (uint32_t i = 0; i < m->outputs; i++)
@@ -466,7 +466,7 @@ SmcResult smc_machine_get(const SmcSession *s, SmcMachine m, uint32_t variable, 
     return SMC_OK;
 }
 
-// Returns the number of the parameter that a variable is; UINT32_MAX: it is none.
+// Returns the number of the parameter that a variable is; UINT32_MAX: the variable is no parameter.
 uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v)
 {
     SmvmParameter p;

@@ -206,7 +206,7 @@ uint64_t smc_run_asserts(const SmcSession *s, uint32_t script)
 
 // ---- requirements ----
 
-// Returns a requirement of a compiled machine; NULL if there is none of this number.
+// Returns a requirement of a compiled machine; NULL if no requirement has this number.
 static const Requirement *find_requirement(const SmcSession *s, uint32_t machine, uint32_t requirement)
 {
     const CompiledSource *m = library_is_open(s) && s->of.is_compiled ? library_compiled(s, machine) : NULL;
@@ -237,7 +237,7 @@ const char *smc_requirement_text(const SmcSession *s, uint32_t machine, uint32_t
     return r ? r->text->text : "";
 }
 
-// Returns what a run has found about a requirement; NULL if there is none of this number.
+// Returns what a run has found about a requirement; NULL if no requirement has this number.
 static const RequirementRun *find_requirement_run(const SmcSession *s, uint32_t script, uint32_t requirement)
 {
     const LibraryRun *run = done_run(s, script);

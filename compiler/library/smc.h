@@ -188,7 +188,7 @@ const char *smc_explain(const char *code);
 // SMC_E_STATE: the sources do not fit together (two applications, two state vectors, or two .io files); smc_error_text has the reason.
 SmcResult smc_compile(SmcSession *s);
 
-// The files that the compiled application names: those that it needs as sources, also if the session has none of that name.  So compile an
+// The files that the compiled application names: those that it needs as sources, also those of which the session has no source.  So compile an
 // application alone, add these files, and compile again.  The name is written as in the application.  SMC_KIND_…; -1: there is no such file.
 uint32_t smc_app_file_count(const SmcSession *s);
 const char *smc_app_file_name(const SmcSession *s, uint32_t file);
@@ -283,7 +283,7 @@ enum SmcRequirement {
     SMC_REQUIREMENT_UNDECIDED = 3 // it was still open when the run ended
 };
 
-// The requirements of a compiled machine, in the order of their files.  0, or "", if there are none.
+// The requirements of a compiled machine, in the order of their files.  0, or "", if the machine has no requirements.
 uint32_t smc_requirement_count(const SmcSession *s, uint32_t machine);
 const char *smc_requirement_id(const SmcSession *s, uint32_t machine, uint32_t requirement);
 const char *smc_requirement_text(const SmcSession *s, uint32_t machine, uint32_t requirement);
@@ -339,7 +339,7 @@ uint32_t smc_model_transition_from(const SmcSession *s, uint32_t machine, uint32
 uint32_t smc_model_transition_to(const SmcSession *s, uint32_t machine, uint32_t transition);        // 0: there is no such transition
 int32_t smc_model_transition_block(const SmcSession *s, uint32_t machine, uint32_t transition);      // SMC_BLOCK_…; -1: no such transition
 uint32_t smc_model_transition_line(const SmcSession *s, uint32_t machine, uint32_t transition);      // 0: there is no such transition
-// The conditions around it, as diagrams show them: "pressure > 800 and not (valveOpen)"; "" if there is none.  At most the four innermost.
+// The conditions around it, as diagrams show them: "pressure > 800 and not (valveOpen)"; "" if it is unconditional.  At most the four innermost.
 const char *smc_model_transition_guard(const SmcSession *s, uint32_t machine, uint32_t transition);
 
 // The variables, without T.  A machine that smc_machine_open starts has the same ones with the same numbers, except for constants, which follow.
@@ -460,7 +460,7 @@ enum SmcSwapFate {
 };
 
 // The list of the last smc_swap_compare or smc_machine_continue that returned SMC_OK: states, locals and windows of `to`, then those that only
-// `from` has.  Elements of the state vector are not listed, because all are kept.  It stays when the machines are closed.
+// `from` has.  Elements of the state vector are not listed, because all are kept.  The list remains valid after the machines are closed.
 uint32_t smc_swap_item_count(const SmcSession *s);
 int32_t smc_swap_item_kind(const SmcSession *s, uint32_t item);           // -1: there is no such item
 int32_t smc_swap_item_fate(const SmcSession *s, uint32_t item);           // -1: there is no such item

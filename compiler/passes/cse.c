@@ -79,7 +79,7 @@ static size_t hash_key(const CseKey *k)
     return (size_t)((h ^ h >> 32 ^ k->var) * UINT64_C(0x94d049bb133111eb) >> 32);
 }
 
-// Returns the first operation of the block with the same key as `ref`.  If there is none, adds `ref` to the table and returns it.
+// Returns the first operation of the block with the same key as `ref`.  If no operation has that key, adds `ref` to the table and returns it.
 static IrRef find_or_add_operation(Cse *c, IrRef ref)
 {
     CseKey k = key_of(c, ins_at(c, ref)), other;

@@ -107,7 +107,7 @@ static bool is_bool_const(const Identity *d, IrRef ref, bool value)
     return identity_at(d, ref)->op == IR_const && identity_at(d, ref)->bits == value;
 }
 
-// Returns a temporary whose value always equals the result of instruction i; IR_NONE if there is none.
+// Returns a temporary whose value always equals the result of instruction i; IR_NONE if no such temporary is known.
 static IrRef find_equal_operand(const Identity *d, const IrIns *i)
 {
     const SmF64 one = sm_from_i32(1);

@@ -59,7 +59,7 @@ static const PassInfo *find_pass(const char *name, size_t n)
     return NULL;
 }
 
-// Returns the pass of this name; NULL if there is none.
+// Returns the pass of this name; NULL if no pass has it.
 const PassInfo *pass_find(const char *name)
 {
     return find_pass(name, strlen(name));
@@ -69,7 +69,7 @@ const PassInfo *pass_find(const char *name)
 
 void notes_begin_block(VarNotes *n) { n->block++; }
 
-// Returns the current block's note about a variable; an empty one (IR_NONE, false) if there is none yet.
+// Returns the current block's note about a variable; an empty one (IR_NONE, false) if the block has stored no note.
 VarNote *find_variable_note(VarNotes *n, uint32_t var)
 {
     VarNote *note = &n->at[var];

@@ -29,7 +29,7 @@ typedef struct VarNotes {
 } VarNotes;
 
 void notes_begin_block(VarNotes *n);
-VarNote *find_variable_note(VarNotes *n, uint32_t var);  // an empty note (IR_NONE, false) if the block has none yet
+VarNote *find_variable_note(VarNotes *n, uint32_t var);  // an empty note (IR_NONE, false) if the block has stored no note
 
 typedef struct Facts {
     unsigned valid;       // which facts are valid: FACT_USES or nothing

@@ -2,7 +2,7 @@
 // Finds comments by lines of the source.
 #include "compiler/report/comment.h"
 
-// Finds the start of a line's comment; false: it has none.
+// Finds the start of a line's comment; false: the line has no comment.
 bool comment_find_start(const char *line, uint32_t len, uint32_t *at)
 {
     bool quoted = false;              // position i is inside the quoted reason of an @allow
@@ -29,7 +29,7 @@ static void append_comment(Buf *out, const char *line, uint32_t len, uint32_t at
 
 static const char *buf_text_or_null(const Buf *b) { return b->n ? buf_text(b) : NULL; }
 
-// Returns the comment of a line; NULL if it has none.
+// Returns the comment of a line; NULL if the line has no comment.
 static const char *comment_of_line(Arena *arena, const Source *src, uint32_t number)
 {
     uint32_t len, at;
@@ -43,7 +43,7 @@ static const char *comment_of_line(Arena *arena, const Source *src, uint32_t num
     return buf_text_or_null(&out);
 }
 
-// Returns the comment after the code on the first line of `span`; NULL if there is none.
+// Returns the comment after the code on the first line of `span`; NULL if that line has no comment.
 const char *comment_after(Arena *arena, Span span)
 {
     return span.src ? comment_of_line(arena, span.src, source_position(span.src, span.at).line) : NULL;
@@ -78,7 +78,7 @@ static bool is_comment_line(const Source *src, uint32_t number)
     return comment_find_start(line, len, &at) && at == i;
 }
 
-// Whether only whitespace and '{' precede the line's comment or, if it has none, its end.  `len`: length of the line in bytes.
+// Whether only whitespace and '{' precede the line's comment or, if the line has no comment, its end.  `len`: length of the line in bytes.
 static bool has_no_code(const char *line, uint32_t len)
 {
     uint32_t i = 0;
@@ -128,7 +128,7 @@ static void join_paragraph(Buf *out, size_t before, bool indented)
     buf_put(out, line.at, line.n);
 }
 
-// Returns the comment on the lines from `from` to `to`; NULL if there is none.
+// Returns the comment on the lines from `from` to `to`; NULL if these lines have no comment.
 static const char *comment_of_lines(Arena *arena, const Source *src, uint32_t from, uint32_t to)
 {
     Buf out;
@@ -171,7 +171,7 @@ const char *comment_of_file(Arena *arena, const Source *src)
     return comment_of_lines(arena, src, 1, to);
 }
 
-// Returns the comment at the variable's declaration in the machine, otherwise the one in the state vector; NULL if there is none.
+// Returns the comment at the variable's declaration in the machine, otherwise the one in the state vector; NULL if neither has a comment.
 const char *comment_of_variable(Arena *arena, const Var *v)
 {
     const char *comment = comment_after(arena, v->span);

@@ -18,6 +18,6 @@ const char *comment_of_file(Arena *arena, const Source *src);     // on the firs
 const char *comment_of_variable(Arena *arena, const Var *v);       // at its declaration in the machine, otherwise in the state vector
 // Returns the start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
 Span comment_else_line(Span first);
-bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // finds the start of a line's comment; false: it has none
+bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // finds the start of a line's comment; false: the line has no comment
 
 #endif

@@ -25,7 +25,7 @@ static bool should_be_straight(const Layout *l, const LayoutLink *k)
     return l->spine[k->edge] || (l->item.at[k->above].kind != ITEM_NODE && l->item.at[k->below].kind != ITEM_NODE);
 }
 
-// Returns, by item, the first link above (or below) that should be straight; NULL if there is none.
+// Returns, by item, the first link above (or below) that should be straight; NULL if no such link should be straight.
 static const LayoutLink **find_straight_links(const Layout *l, const LayoutLinks *links)
 {
     const LayoutLink **out = ARENA_ARRAY(l->arena, const LayoutLink *, l->item.n);

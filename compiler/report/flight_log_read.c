@@ -202,7 +202,7 @@ static LogSession *following_session(const LogReader *r)
     return i < r->sessions.n ? r->sessions.at[i] : NULL;
 }
 
-// Processes the undamaged block at pos and returns its size, or 0 if there is none.
+// Processes the undamaged block at pos and returns its size, or 0 if no undamaged block begins there.
 static uint32_t read_block(LogReader *r, uint32_t pos)
 {
     uint32_t length;

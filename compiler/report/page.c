@@ -5,7 +5,7 @@
 #include "compiler/base/path.h"
 #include "compiler/report/page_text.h"
 
-// Returns the line in the source, from 1; 0 if there is none.
+// Returns the line in the source, from 1; 0 if the position is in no source.
 uint32_t report_line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 
 const char *report_format_number(Arena *arena, double x)

@@ -111,7 +111,7 @@ static const Board *find_board(const Report *r)
     return NULL;
 }
 
-// Returns the smallest board whose firmware has room for the machine, as "On an Arduino Uno"; "On an Arduino" if there is none.
+// Returns the smallest board whose firmware has room for the machine, as "On an Arduino Uno"; "On an Arduino" if no board has enough room.
 const char *report_board_name(const Report *r)
 {
     const Board *board = find_board(r);

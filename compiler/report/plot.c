@@ -64,7 +64,7 @@ void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x,
     buf_str(p->out, "</text>\n");
 }
 
-// Returns a round step size of which about `about` multiples are between lo and hi; 0 if there is none.
+// Returns a round step size of which about `about` multiples are between lo and hi; 0 if no such size exists.
 double plot_round_step(double lo, double hi, int about)
 {
     const double wanted = (hi - lo) / about;

@@ -24,7 +24,7 @@ void plot_draw_rect(Plot *p, const char *class_name, long x, long y, long wide, 
 // Writes text of a class; `anchor` aligns its start, middle or end at x.
 void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x, long y, const char *text);
 
-// Returns a round step size of which about `about` multiples are between lo and hi; 0 if there is none.
+// Returns a round step size of which about `about` multiples are between lo and hi; 0 if no such size exists.
 double plot_round_step(double lo, double hi, int about);
 const char *plot_label(Arena *arena, double x);       // x as text with at most five digits, unless it is a whole number below 10^7
 

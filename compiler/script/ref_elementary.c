@@ -69,6 +69,7 @@ static double first_bits(double x)
 
 typedef struct Sum { double big, small; } Sum;
 
+// Fast2Sum (Dekker): big + small is exactly a + b.  Requires |a| >= |b|, or a = 0.
 static Sum sum_of(double a, double b)
 {
     Sum s;

@@ -24,7 +24,7 @@ bool replay_advance(Replay *r, uint64_t g, void (*write)(void *context, const Va
 bool replay_compare(Replay *r, uint64_t g, const uint64_t *cell);
 // Returns the recorded values of the last replay_compare, by @compare; NaN: the variable was not compared.
 const double *replay_recorded(const Replay *r);
-// Stores the time of the first row after g.  Returns false if there is none.
+// Stores the time of the first row after g.  Returns false if no row follows.
 bool replay_find_next_time(const Replay *r, uint64_t *g);
 // Whether a @compare was not met.
 bool replay_differs(const Replay *r);

@@ -187,7 +187,7 @@ static uint64_t read_number(const char *text)
     return *text ? 0 : n;
 }
 
-// Returns the line number of the first header with this key; 0 if there is none.
+// Returns the line number of the first header with this key; 0 if no header has it.
 static uint32_t find_header_line(const TestFile *f, const char *key)
 {
     for (size_t i = 0; i < f->header.n; i++)
@@ -268,7 +268,7 @@ TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_
     return f;
 }
 
-// Returns the value of the first header with this key; NULL if there is none.
+// Returns the value of the first header with this key; NULL if no header has it.
 const char *testfile_header(const TestFile *f, const char *key)
 {
     for (size_t i = 0; i < f->header.n; i++)

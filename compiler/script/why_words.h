@@ -34,7 +34,7 @@ const char *why_condition(const WhyWords *words, const WatchStmt *s, uint32_t no
 const WatchStmt *why_obstacle(const Watch *w, const WatchStmt *s);
 // Whether the guard of the parent of an obstacle is the reason; otherwise an earlier transition came first.
 bool why_is_blocked(const WatchStmt *obstacle);
-// Returns why a transition was taken: "`p > 825` was true: p = 850", for each guard around it.  "" if there is none.
+// Returns why a transition was taken: "`p > 825` was true: p = 850", for each guard around it.  "" if no guard is around it.
 const char *why_guards(const WhyWords *words, const WatchStmt *s, const uint64_t *value);
 // Returns what a statement has stored: "`x = y + 1` stored 3: y = 2".
 const char *why_store(const WhyWords *words, const WatchStmt *s);

@@ -12,7 +12,7 @@ typedef struct AppCheck {
     App *app;
     const AppFiles *files;
     const StateVec *sv;           // NULL if it has errors; then elements are not looked up
-    const IoMap *pins;            // NULL if there are none, or they have errors
+    const IoMap *pins;            // NULL if the application has no pins, or they have errors
     const Network *net;           // likewise
     unsigned guesses;             // how many more unknown names may be compared with all known ones
     Map machine_file;             // the file name as written of a machine without bindings, to the Span of its first use

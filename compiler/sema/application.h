@@ -76,7 +76,7 @@ struct App {
     Str io, log, keep;        // file names as written; NULL if absent
     Str io_name;              // the stem of io: "rocket" of pins/rocket.io
     const IoMap *pins;        // the pins of io, or NULL
-    Str net_name;             // the stem of the .net; NULL if there is none
+    Str net_name;             // the stem of the .net; NULL if the application has no .net
     const Network *net;       // the messages of net, or NULL
     uint32_t log_room;        // capacity in bytes
     uint32_t swap_room;       // bytes of each of the two slots of a machine that can be swapped

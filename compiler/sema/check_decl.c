@@ -106,7 +106,7 @@ static void check_range_limit(const CheckContext *c, const AstAnnotation *a, SmF
                     const_text(c->arena, stored));
 }
 
-// Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
+// Returns the @range among the annotations of an element; NULL if no annotation is a @range, or if the range is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type)
 {
     Range *r = NULL;

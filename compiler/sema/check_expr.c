@@ -386,7 +386,7 @@ static void report_previous_state(Sema *s, const AstExpr *e)
     diag_edit(s->diags, d, e->span, text);
 }
 
-// Reports an unknown name beside S in a comparison as that of a state. Returns false if the name is known, or there is none.
+// Reports an unknown name beside S in a comparison as that of a state. Returns false if the name is known, or if neither side compares S with a name.
 static bool report_unknown_state(Sema *s, const AstExpr *e)
 {
     const bool is_equality = operator_class(e) == SM_CLASS_EQUALITY, first = is_equality && machine_of_state(s, e->a);

@@ -58,7 +58,7 @@ static const char *source_text(const NetCheck *k, Span s)
 
 // ---- addresses ----
 
-// Reads a whole number of at most `most` at *s, and moves *s past it.  Returns false if there is none, or it is too large.
+// Reads a whole number of at most `most` at *s, and moves *s past it.  Returns false if *s is at no number, or if the number is too large.
 static bool read_number(const char **s, uint32_t most, uint32_t *out)
 {
     const char *from = *s;

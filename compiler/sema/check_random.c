@@ -51,13 +51,13 @@ void number_random_definitions(Sema *s, const AstFile *ss)
 
 // ---- calls ----
 
-static Expr *report_place(Sema *s, const AstExpr *e)
+static Expr *report_misplaced(Sema *s, const AstExpr *e)
 {
     diag_report(s->diags, DIAG_random_place, e->span, e->name->text, s->at == EXPR_IN_INITIAL ? "an initial value" : "the size of a window");
     return NULL;
 }
 
-static Expr *report_arguments(Sema *s, const AstExpr *e)
+static Expr *report_argument_count(Sema *s, const AstExpr *e)
 {
     Diag *d = diag_report(s->diags, DIAG_argument_count, ast_op_span(e), e->name->text, is_noise(e->name) ? "1 argument" : "2 arguments",
                           format_in(s->arena, "%lu", (unsigned long)e->args->n));
@@ -93,10 +93,10 @@ Expr *check_random_call(Sema *s, const AstExpr *e)
     Expr *out;
 
     if (s->at != EXPR_IN_STEP)
-        return report_place(s, e);
+        return report_misplaced(s, e);
     number = number_call(s, ast_op_span(e));
     if (e->args->n != arguments)
-        return report_arguments(s, e);
+        return report_argument_count(s, e);
     for (size_t i = 0; i < arguments; i++)
         good &= check_argument(s, e, e->args->at[i], &value[i]);
     if (!good)

@@ -171,7 +171,7 @@ static uint64_t check_within(ScriptCheck *k, const AstExpr *in)
     return sm_to_u64(x);
 }
 
-// Checks what follows an item's condition.  Returns NULL if nothing does.
+// Checks the text, the time and the values that can follow an item's condition (AstRemark).  Returns NULL if the condition is alone.
 static const ScriptRemark *check_remark(ScriptCheck *k, const AstStmt *in)
 {
     const AstRemark *from = in->remark;

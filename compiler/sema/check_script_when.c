@@ -188,7 +188,7 @@ static const char *format_when(Sema *s, const AstExpr *time)
     return format_in(s->arena, "%llu.%0*u %s", (unsigned long long)whole, digits, part, larger[s->p->time_unit]);
 }
 
-// Returns the guard by time that means the same as the bounds; NULL if there is none, or if no step is in it.
+// Returns the guard by time that means the same as the bounds; NULL if no guard by time means the same, or if no step is in it.
 static const char *format_guard(Sema *s, const Bound *b, int n, uint64_t delta_t)
 {
     if (n == 1 && b[0].op == SM_OP_EQ)

@@ -56,7 +56,7 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
     return false;
 }
 
-// Returns the state that the value of `S = Vent` or `S = 2` refers to; NULL if there is none.
+// Returns the state that the value of `S = Vent` or `S = 2` refers to; NULL if no state is meant.
 static const State *state_named_by(const Sema *s, const AstExpr *e)
 {
     if (e->kind == AST_NUMBER && sm_le(sm_from_i32(1), e->number) && sm_le(e->number, sm_from_u32((uint32_t)s->p->state.n)))

@@ -174,7 +174,7 @@ bool check_window_time(Sema *s, const AstExpr *size, const char *name, SmF64 tim
 
 // ---- the options of a machine ----
 
-// Returns the last option with this name in the [options] of a machine; NULL if there is none. Reports an option that is given twice.
+// Returns the last option with this name in the [options] of a machine; NULL if they do not contain it. Reports an option that is given twice.
 static const AstOption *find_option(Sema *s, const AstFile *sm, const char *name)
 {
     const AstOption *found = NULL;

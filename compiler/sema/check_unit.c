@@ -14,7 +14,7 @@ static void warn_of_unknown(const CheckContext *c, const AstAnnotation *a, const
         diag_edit(c->diags, d, span, error->near);
 }
 
-// Returns the @unit among the annotations; NULL if there is none, or it is no unit, which is reported. `is_bool`: what has it is a bool.
+// Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the annotations.
 const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool)
 {
     for (size_t i = 0; i < all->n; i++) {

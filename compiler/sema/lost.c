@@ -20,7 +20,7 @@ static size_t sections_up_to(const AstFile *f, uint32_t at)
     return low;
 }
 
-// Returns the last declaration of the section that begins at or before a position; NULL if there is none.
+// Returns the last declaration of the section that begins at or before a position; NULL if all of them begin after it.
 static const AstDecl *decl_at(const AstSection *section, uint32_t at)
 {
     size_t low = 0, high = section->decls.n;

@@ -59,7 +59,7 @@ static const MeasureRow *find_row(const char *name, size_t n)
     return NULL;
 }
 
-// Sets *into to the unit with this name, which can have a prefix. Returns false if there is none.
+// Sets *into to the unit with this name, which can have a prefix. Returns false if no unit has this name.
 static bool find_unit(const char *name, size_t n, Measure *into)
 {
     const MeasureRow *row = find_row(name, n);

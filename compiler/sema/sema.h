@@ -137,12 +137,12 @@ const char *sema_quote_source(Sema *s, Span span);     // part of the source for
 void check_size_uses(Sema *s);
 
 bool has_annotation(const AstAnnotations *all, AstAnnotationKind kind);
-// Returns the @range among the annotations of an element; NULL if there is none or it is invalid, which is reported.
+// Returns the @range among the annotations of an element; NULL if no annotation is a @range, or if the range is invalid, which is reported.
 const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str name, SmType type);
 
 // ---- check_measure.c: units of measurement ----
 
-// Returns the @unit among the annotations; NULL if there is none, or it is no unit, which is reported. `is_bool`: what has it is a bool.
+// Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the annotations.
 const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool);
 // Sets the unit of v, which a machine lists, to that of the .sv if the machine gives none. Warns if they differ.
 void set_listed_unit(Sema *s, Var *v, const AstDecl *decl, bool from_machine);

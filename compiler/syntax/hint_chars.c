@@ -36,7 +36,7 @@ static bool is_quote(uint32_t code)
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
 }
 
-// Returns the length of the letter of another alphabet at p; 0 if there is none.
+// Returns the length of the letter of another alphabet at p; 0 if another character is there.
 static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
 {
     uint32_t code = 0;
@@ -118,7 +118,7 @@ uint32_t hint_report_non_ascii(Lexer *l, uint32_t at)
 
 // ---- text that begins no token ----
 
-// Returns the position of the quote that closes the text from p on, and its length in *len; the end of the line and 0 if there is none.
+// Returns the position of the quote that closes the text from p on, and its length in *len; the end of the line and 0 if no quote closes it.
 // `plain`: only a " can close the text.
 static uint32_t find_closing_quote(const Lexer *l, uint32_t p, bool plain, uint32_t *len)
 {

@@ -212,7 +212,7 @@ typedef struct LineStatements {
     size_t n;
     uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];  // gap: start of the separator before each statement; begin: its first byte
     uint32_t end;             // end of the last statement
-    uint32_t trailing;        // end of a ';' after the last statement; 0 if there is none
+    uint32_t trailing;        // end of a ';' after the last statement; 0 if no ';' follows it
     bool clear;               // several statements, all of them executed, and nothing else follow
 } LineStatements;
 

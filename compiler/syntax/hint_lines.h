@@ -22,7 +22,7 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
 bool hint_is_first_of_several(const Source *src, uint32_t at);
 
 // Called if a line ends after a condition's colon. If the lines below are indented more, they are probably the condition's statements, and
-// the function proposes braces around them. Returns the end of these statements; 0 if there are none.
+// the function proposes braces around them. Returns the end of these statements; 0 if no such statements follow.
 uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon);
 
 #endif

@@ -9,7 +9,7 @@
 
 // ---- the rest of the line ----
 
-// Returns the word or number after spaces at *at, and moves *at to its end; returns "" if there is none.
+// Returns the word or number after spaces at *at, and moves *at to its end; returns "" if neither follows.
 static const char *read_word_at(const Parser *p, uint32_t *at)
 {
     const char *text = p->lex.src->text;
@@ -391,7 +391,7 @@ static bool is_used_as_foreign(const Parser *p, HintEffect effect)
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
-// Returns the initial value, as in "= 3", that follows the name of a declaration at `at`; "" if there is none.
+// Returns the initial value, as in "= 3", that follows the name of a declaration at `at`; "" if no initial value follows.
 static const char *find_decl_value(const Parser *p, uint32_t at)
 {
     const char *text = p->lex.src->text;

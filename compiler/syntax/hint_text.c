@@ -109,7 +109,7 @@ bool hint_is_declared(const Lexer *l, uint32_t from, uint32_t end)
     return word && (word->declared || strcmp(word->text, "T") == 0);
 }
 
-// Returns the end of the identifier at p; p if there is none or it is a reserved word.
+// Returns the end of the identifier at p; p if no identifier begins there or it is a reserved word.
 uint32_t hint_skip_name(const Lexer *l, uint32_t p)
 {
     uint32_t end = lexer_skip_word(l, p);
@@ -232,7 +232,7 @@ HintResult hint_read_include(Lexer *l, Token *t)
 
 // ---- ranges ----
 
-// Returns the end of the number at p, with or without a sign; p if there is none. A point belongs to the number only if a digit follows:
+// Returns the end of the number at p, with or without a sign; p if no number begins there. A point belongs to the number only if a digit follows:
 // in 0..5 the number is 0.
 static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
 {
@@ -246,7 +246,7 @@ static uint32_t skip_plain_number(const Lexer *l, uint32_t p)
     return end > at ? end : p;
 }
 
-// Returns the end of the separator that other languages have between two numbers: 0, 5 or 0..5 or 0 to 5. Returns `p` if there is none.
+// Returns the end of the separator that other languages have between two numbers: 0, 5 or 0..5 or 0 to 5. Returns `p` if no separator is there.
 static uint32_t skip_range_separator(const Lexer *l, uint32_t p)
 {
     const char *s = l->src->text + p;                              // terminated by a NUL

@@ -19,7 +19,7 @@ enum { HINT_FAR = 200 };      // bytes; no hint reads further, so that hostile t
 
 uint32_t hint_skip_spaces(const Lexer *l, uint32_t p);         // skips spaces, tabs and \r
 bool hint_ends_line(const Lexer *l, uint32_t p);            // whether a line end, a comment or the end of the source is at p
-uint32_t hint_skip_name(const Lexer *l, uint32_t p);        // end of the identifier at p; p if there is none or it is a reserved word
+uint32_t hint_skip_name(const Lexer *l, uint32_t p);        // end of the identifier at p; p if no identifier begins there or it is a reserved word
 
 // ---- what is known about a word or a token ----
 

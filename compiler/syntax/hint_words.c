@@ -30,7 +30,7 @@ static uint32_t skip_words(const char *text, uint32_t p, const char *words)
     return lexer_is_word(text[p]) ? 0 : p;
 }
 
-// Returns the longest operator in words that begins at `at`, and its end in *end; NULL if there is none.
+// Returns the longest operator in words that begins at `at`, and its end in *end; NULL if no operator begins there.
 const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end)
 {
     for (size_t i = 0; i < sizeof phrases / sizeof *phrases; i++)
@@ -70,7 +70,7 @@ static uint32_t skip_number(const char *text, uint32_t p)
     return p;
 }
 
-// Returns the end of the operand at `at`; `at` if there is none.
+// Returns the end of the operand at `at`; `at` if no operand begins there.
 uint32_t hint_skip_operand(const char *text, uint32_t at)
 {
     uint32_t p = skip_spaces(text, at), end;
@@ -127,7 +127,7 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
     return adds_another_value(text, end);
 }
 
-// Returns the position of the ( that encloses `at`; `at` if there is none within PARENS_MAX bytes on the line.
+// Returns the position of the ( that encloses `at`; `at` if no ( encloses it within PARENS_MAX bytes on the line.
 static uint32_t find_open_paren(const char *text, uint32_t at)
 {
     uint32_t depth = 0;

@@ -13,10 +13,10 @@ typedef struct HintPhrase {
     TokenKind kind;
 } HintPhrase;
 
-// Returns the longest operator in words that begins at `at`, and its end in *end; NULL if there is none.
+// Returns the longest operator in words that begins at `at`, and its end in *end; NULL if no operator begins there.
 const HintPhrase *hint_find_phrase(const char *text, uint32_t at, uint32_t *end);
 
-// Returns the end of the operand at `at`; `at` if there is none. Spaces and a + or - can precede the operand.
+// Returns the end of the operand at `at`; `at` if no operand begins there. Spaces and a + or - can precede the operand.
 uint32_t hint_skip_operand(const char *text, uint32_t at);
 
 // Whether the word at `at` continues or ends a condition: and, or, then, do, is, gt and others; case does not matter.

@@ -316,7 +316,7 @@ static bool lex_text(Lexer *l, Token *t)
     return true;
 }
 
-// Reads the text after @unit on its line, up to a blank, a comment or another annotation. Returns false if there is none.
+// Reads the text after @unit on its line, up to a blank, a comment or another annotation. Returns false if the line has no such text.
 static bool lex_unit(Lexer *l, Token *t)
 {
     const char *s = l->src->text;
@@ -333,7 +333,7 @@ static bool lex_unit(Lexer *l, Token *t)
 
 // ---- punctuators ----
 
-// Returns the punctuator at the current position; NULL if there is none. Among the rows with one first character, the longest comes first.
+// Returns the punctuator at the current position; NULL if none begins there. Among the rows with one first character, the longest comes first.
 static const Punctuator *find_punctuator(const Lexer *l)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL, which no punctuator contains

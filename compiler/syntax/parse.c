@@ -195,7 +195,7 @@ static int find_label(const char *word)
 }
 
 // Returns the block that the current label begins; NULL after reporting a repeated label. Reports an unknown label, and returns the block
-// that the user probably meant; NULL if there is none or the state already has that block.
+// that the user probably meant; NULL if no block has a similar name or the state already has that block.
 static AstBlock *open_block(Parser *p, AstSection *s)
 {
     const char *word = p->tok.text->text;

@@ -71,7 +71,7 @@ enum { ITEMS_AT_ONCE = 256 };         // how many items of a script are parsed b
 // Parses statements up to }, a label, a header or the end.
 void parse_block(Parser *p, AstStmts *into)
 {
-    bool lost_body = p->lost_body;
+    const bool outer_lost_body = p->lost_body;
     bool claimed;                               // the statement probably belongs to a condition that is already reported
     size_t errors;
     uint32_t at;
@@ -102,7 +102,7 @@ void parse_block(Parser *p, AstStmts *into)
             parser_visit_items(p);
     }
     report_allow_of_nothing(p, into);
-    p->lost_body = lost_body;
+    p->lost_body = outer_lost_body;
 }
 
 static void parse_braces(Parser *p, AstStmts *into, Span *span)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An engine whose sensors can be faulty (docs/faults.md).  It stands between a run of a script and the engine that runs the machine: what
+// An engine whose sensors can be faulty (docs/faults.md).  It is between a run of a script and the engine that runs the machine: what
 // the script writes to an input is the *true value*, and before each step the machine receives the *reading* of the sensor instead.  Between
 // the steps the script sees the true values, so a fault changes no plant.
 #ifndef SMC_FAULT_ENGINE_H

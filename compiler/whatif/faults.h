@@ -99,7 +99,7 @@ typedef struct Faults {
 Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const FaultOptions *o);
 // Returns a script that fails without a fault; `scripts` if all pass.
 uint32_t faults_find_failing(const Faults *f);
-// Runs the next fault.  Returns false if there is none.
+// Runs the next fault.  Returns false if no fault is left.
 bool faults_run_next(Faults *f);
 // Returns the most dangerous outcome of a fault of one input; of single faults only.
 FaultOutcome faults_find_worst(const Faults *f, uint32_t input, FaultKind kind);

@@ -74,7 +74,7 @@ typedef struct Sweep {
 } Sweep;
 
 Sweep *sweep_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const SweepOptions *o);
-// Runs all scripts at the next point, or one boundary.  Returns false if there is none left.
+// Runs all scripts at the next point, or one boundary.  Returns false if no point or boundary is left.
 bool sweep_run_next(Sweep *s);
 // Finds the value nearest to the current one at which something fails, below (`above` false) or above it.  Returns false if nothing fails there, or
 // if the current value is outside or fails itself.

@@ -11,7 +11,7 @@ function complain(what) {
 FILENAME ~ /flags\.def$/ && /^FLAG\("/ {
     split($0, word, "\"")
     if (word[2] in flag)
-        complain("flags.def:" FNR ": " word[2] " stands twice")
+        complain("flags.def:" FNR ": " word[2] " appears twice")
     flag[word[2]] = FNR
 }
 
@@ -25,7 +25,7 @@ FILENAME ~ /codes\.def$/ && /^DIAG\("/ {
     }
     id = substr($0, 7, 5)
     if (id in row)
-        complain("codes.def:" FNR ": " id " stands twice")
+        complain("codes.def:" FNR ": " id " appears twice")
     row[id] = FNR
 }
 

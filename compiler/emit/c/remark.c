@@ -26,7 +26,7 @@ static const char *trim_remark(Arena *a, const char *text, size_t n)
     return can_be_in_comment(text, n) ? format_in(a, "%.*s", (int)n, text) : "";
 }
 
-// Returns the source comment at the end of the line of `s`; "" if there is none or it cannot be copied into a C comment.
+// Returns the source comment at the end of the line of `s`; "" if the line has no comment, or if the comment cannot be copied into a C comment.
 const char *remark_of_line(Arena *a, Span s)
 {
     const char *line, *hash;

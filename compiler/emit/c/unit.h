@@ -130,7 +130,7 @@ void native_write(CUnit *u, const char *text, Buf *out);
 
 // ---- remark.c ----
 
-// Returns the source comment at the end of the line of `s`; "" if there is none or it cannot be copied into a C comment.
+// Returns the source comment at the end of the line of `s`; "" if the line has no comment, or if the comment cannot be copied into a C comment.
 const char *remark_of_line(Arena *a, Span s);
 // Returns the name of the constant local whose name is the source at `s`; "" if `s` is not such a name.
 const char *remark_constant_name(CUnit *u, Span s);

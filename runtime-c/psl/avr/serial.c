@@ -75,7 +75,7 @@ SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *se
     return SM_OK;
 }
 
-// Removes the oldest received byte from the ring.  Returns false if there is none.
+// Removes the oldest received byte from the ring.  Returns false if the ring is empty.
 static bool pop_byte(uint8_t *byte)
 {
     if (head == tail)

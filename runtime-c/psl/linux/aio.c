@@ -25,7 +25,7 @@ static AioEntry entries[PAL_AIOS];
 
 // ---- sysfs values ----
 
-// Parses a decimal number at the start of `text`, independent of the locale; 0 if there is none.
+// Parses a decimal number at the start of `text`, independent of the locale; 0 if the text begins with no number.
 static double parse_number(const char *text)
 {
     double x = 0, unit = 1;

@@ -36,7 +36,7 @@ void sim_log_power_on(void)
         logs[i].open = false;
 }
 
-// Returns the index of the log with that name; SIM_LOGS if there is none.
+// Returns the index of the log with that name; SIM_LOGS if no log has it.
 static uint8_t find_log(const char *name)
 {
     uint8_t i = 0;
@@ -46,7 +46,7 @@ static uint8_t find_log(const char *name)
     return i;
 }
 
-// Returns the content of the log of that name, *n bytes, valid until sim_reset; NULL if there is none.
+// Returns the content of the log of that name, *n bytes, valid until sim_reset; NULL if no log has it.
 const uint8_t *sim_log(const char *name, size_t *n)
 {
     uint8_t i = find_log(name);

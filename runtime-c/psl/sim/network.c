@@ -85,7 +85,7 @@ bool sim_reaches(const PalAddress *to, const PalAddress *local)
     return to->port == local->port && (memcmp(local->ip, any, 4) == 0 || memcmp(local->ip, to->ip, 4) == 0);
 }
 
-// Returns the datagram for a socket at that address that arrives first; NULL if there is none.
+// Returns the datagram for a socket at that address that arrives first; NULL if no datagram waits for it.
 static SimDatagram *find_earliest(const PalAddress *at)
 {
     SimDatagram *next = NULL;

@@ -54,7 +54,7 @@ static size_t dequeue(SerialQueue *q, void *bytes, size_t room)
 
 // ---- the far end ----
 
-// Returns the index of the line, or LINES if there is none of that name.
+// Returns the index of the line, or LINES if no line has that name.
 static uint8_t find_line(const char *name)
 {
     return strcmp(name, "serial0") == 0 ? 0 : strcmp(name, "serial1") == 0 ? 1 : LINES;

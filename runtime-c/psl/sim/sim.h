@@ -131,7 +131,7 @@ void sim_stick(const char *name, uint32_t at, uint8_t bits, uint8_t value);
 #define SIM_LOG_SIZE 1048576u
 #endif
 
-// sim_log returns the content of the log with that name, *n bytes, valid until sim_reset; NULL if there is none.  sim_log_synced
+// sim_log returns the content of the log with that name, *n bytes, valid until sim_reset; NULL if no log has it.  sim_log_synced
 // returns how many of its bytes were appended before the last sync.
 const uint8_t *sim_log(const char *name, size_t *n);
 size_t sim_log_synced(const char *name);

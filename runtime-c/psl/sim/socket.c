@@ -127,7 +127,7 @@ SmResult pal_socket_listen_local(PalSocket *s, const char *path)
     return s && path && *path != '\0' && strlen(path) <= PAL_SOCKET_PATH ? SM_E_UNSUPPORTED : SM_E_ARGUMENT;
 }
 
-// Returns the handle number of the socket that listens at the address; 0 if there is none.
+// Returns the handle number of the socket that listens at the address; 0 if no socket listens there.
 static uint8_t find_listening(const PalAddress *to)
 {
     for (uint8_t i = 0; i < PAL_SOCKETS; i++)
