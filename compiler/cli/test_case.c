@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "compiler/cli/test.h"
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 
 struct TestCase {
     TestRun *t;

@@ -8,7 +8,7 @@
 // no other code has any.
 #include <string.h>
 
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 #include "tests/check/fixes_meaning.h"
 #include "tests/unit/host.h"
 

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 #include "tests/test.h"
 
 // ---- a host that refuses the N-th request ----

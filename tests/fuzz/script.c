@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fuzz target: an .smt case, whose machine is compiled and whose scripts run on every engine in lock step.  Nothing may crash or hang, and the
 // engines must agree.  Any conformance case is a seed.
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 #include "tests/fuzz/fuzz.h"
 
 enum { STEPS_MOST = 1000, MEMORY_MOST = 256 << 20 };

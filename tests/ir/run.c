@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "compiler/passes/pass.h"
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 #include "tests/test.h"
 
 static const char preamble[] =

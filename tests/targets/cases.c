@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 #include "tests/diff/batch.h"
 #include "tests/diff/subject.h"
 

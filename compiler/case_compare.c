@@ -2,7 +2,7 @@
 // Compares reports and traces with those that a case expects, line by line.
 #include <string.h>
 
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 
 typedef struct LineCursor { const char *at, *end; } LineCursor;
 typedef struct ReportLine { const char *at; size_t n; } ReportLine;

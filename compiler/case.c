@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/script/case.h"
+#include "compiler/case.h"
 
 #include <string.h>
 
