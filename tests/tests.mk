@@ -8,6 +8,7 @@
 # make check-targets    the part `targets`: other compilers, emulated boards, sizes
 # make check-NAME       the test of one row
 # make list-tests       every row: its part in brackets before the first, then NAME: COMMAND
+# make list-files       every module of the product with its purpose
 
 PARTS = quick thorough targets
 
@@ -891,6 +892,8 @@ $(call test, check-last-return,    quick,, sh tests/check/files.sh code | awk -f
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)
 $(call test, check-headers,        quick,, CC='$(CC)' sh tests/check/headers.sh c -I$(B)/gen)
+$(call test, check-purposes,       quick,, sh tests/check/files.sh product | awk -f tests/check/purposes.awk)
+$(call test, check-folders,        quick,, sh tests/check/folders.sh)
 $(call test, check-names,          quick,, sh tests/check/files.sh product | awk -f tests/check/names.awk tests/check/names.txt -)
 IMPORTS = $(patsubst %.c,$(B)/obj/%.o,$(filter-out $(VM_TEXT),$(VM)) $(STDLIB) $(wildcard runtime-c/*.c bytecode-vm/target/*.c))
 $(call test, check-imports,        quick, $(IMPORTS), sh tests/check/imports.sh $(IMPORTS))
@@ -1043,9 +1046,11 @@ check-thorough: all $(NEEDS_thorough)
 	$(call run_parts,thorough)
 check-targets: all $(NEEDS_targets)
 	$(call run_parts,targets)
+list-files:
+	@sh tests/check/files.sh product | awk -v list=1 -f tests/check/purposes.awk
 list-tests:
 	@printf '%s\n' $(foreach part,$(PARTS),"[$(part)]" $(LINES_$(part)))
-.PHONY: quick check check-thorough check-targets list-tests
+.PHONY: quick check check-thorough check-targets list-tests list-files
 
 # All tests of a folder.
 check-graph: check-graph-layout check-graph-read check-graph-docs

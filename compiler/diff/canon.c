@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writes statements and expressions as text that is equal if they mean the same, however the source spells them (diff_part.h).
 #include <inttypes.h>
 #include <string.h>
 
