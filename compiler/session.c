@@ -323,13 +323,6 @@ static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
     return good ? f : NULL;
 }
 
-// Parses all files of a script with their errors, so that the checker has their whole trees.
-static void parse_whole(Session *s, const ScriptFiles *files, const AstFile **tree)
-{
-    for (size_t i = 0; i < files->n; i++)
-        tree[i] = parse(s, files->at[i], FILE_SS);
-}
-
 // Finds the file with recorded data of a checked script, and reads its header.  Returns false after a report.
 static bool find_data(Session *s, Script *script)
 {
@@ -360,8 +353,8 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
 
     for (size_t i = 0; i < files.n && good; i++)
         good = (tree[i] = parse_silently(s, files.at[i], &unused)) != NULL;
-    if (!good)
-        parse_whole(s, &files, tree);
+    for (size_t i = 0; i < files.n && !good; i++)
+        tree[i] = parse(s, files.at[i], FILE_SS);
     if (good)
         out = check_script_source(&c, &s->tree, &s->work, tree, files.n, p);
     else if (is_whole)

@@ -47,12 +47,6 @@ static SmResult read_pin(SmIo *io, uint16_t i)
 
 static SmResult write_pin(SmIo *io, uint16_t i, SmF64 x) { return sm_pin_write(&io->pin[i], io->handle[i], x); }
 
-static void close_pin(SmIo *io, uint16_t i)
-{
-    sm_pin_close(&io->pin[i], io->handle[i]);
-    io->handle[i] = 0;
-}
-
 // ---- opening ----
 
 static bool is_finite(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
@@ -80,8 +74,10 @@ static SmResult open_pin(SmIo *io, uint16_t i)
 static void close_pins(SmIo *io, uint16_t n, uint8_t direction)
 {
     for (uint16_t i = 0; i < n; i++)
-        if (has_direction(io, i, direction))
-            close_pin(io, i);
+        if (has_direction(io, i, direction)) {
+            sm_pin_close(&io->pin[i], io->handle[i]);
+            io->handle[i] = 0;
+        }
 }
 
 static SmResult open_pins(SmIo *io, uint8_t direction)

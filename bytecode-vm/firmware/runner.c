@@ -13,8 +13,6 @@ enum { KIND_OUTPUT = 1, KIND_DIGITAL = 2 };           // bits of SmvmPin.kind an
 
 // ---- memory needed ----
 
-static uint16_t time_offset(const SmvmMachine *m) { return (uint16_t)m->g; }
-
 static uint16_t round_up_8(uint32_t n) { return (uint16_t)(((uint16_t)n + 7u) & ~7u); }
 
 // Subtracts bytes, rounded up to 8, from the memory that is left.  Returns false if there are too few.  The verifier has checked that
@@ -77,7 +75,7 @@ static SmResult start_machine(SmvmRunner *r, uint8_t number, const SmvmMachine *
     const SmvmVector v = {r->memory, m->sv_size, m->layout};
 
     r->vm[number] = (SmVm *)(void *)((uint8_t *)r->memory + at);
-    r->g[number] = time_offset(m);
+    r->g[number] = (uint16_t)m->g;
     return smvm_init(r->vm[number], r->size - at, m, &v, 1);
 }
 

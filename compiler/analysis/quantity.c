@@ -7,7 +7,6 @@
 static double size_of(double x) { return x < 0 ? -x : x; }
 static bool is_near(double a, double b, double tolerance) { return size_of(a - b) <= tolerance * size_of(b); }
 
-static double not_known(void) { return sm_div(sm_from_i32(0), sm_from_i32(0)); }      // NaN
 
 // ---- building ----
 
@@ -100,7 +99,7 @@ Quantity quantity_one_of(const Quantity *a, const Quantity *b)
         return a->kind == b->kind && a->kind != QUANTITY_NUMBER ? *a : quantity_of_kind(QUANTITY_UNKNOWN);
     if (a->kind == QUANTITY_UNIT && b->kind == QUANTITY_UNIT) {
         if (a->scaled && b->scaled && a->factor != b->factor)
-            out.factor = not_known();
+            out.factor = sm_div(sm_from_i32(0), sm_from_i32(0));      // NaN: not known
         out.shift = a->shift == b->shift ? a->shift : 0;
         out.zero_unknown = a->zero_unknown || b->zero_unknown;
     }

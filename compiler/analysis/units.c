@@ -236,14 +236,9 @@ static Quantity infer_statistic(UnitCheck *k, const Expr *e)
 
 // ---- values ----
 
-static Measure time_unit_of(const Program *p)
-{
-    return measure_named(time_unit_name(p->time_unit));
-}
-
 static Quantity quantity_of_time(const Program *p)
 {
-    const Measure unit = time_unit_of(p);
+    const Measure unit = measure_named(time_unit_name(p->time_unit));
 
     return quantity_of_unit(&unit);
 }

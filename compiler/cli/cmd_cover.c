@@ -336,11 +336,6 @@ static int finish(CoverRun *r, const CoverSettings *s)
     return r->was_interrupted || t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
 }
 
-static void choose_step(CoverRun *r, CoverSettings *s, const CompileOptions *o)
-{
-    s->delta_t = o->step ? o->step : r->script.n ? r->script.at[0]->delta_t : SEARCH_DELTA_T;
-}
-
 static int cover(CoverRun *r, CompileInput *in, size_t given, const CompileOptions *o, const Compiled *made, CoverSettings *s)
 {
     int code;
@@ -350,7 +345,7 @@ static int cover(CoverRun *r, CompileInput *in, size_t given, const CompileOptio
     r->text = goal_texts_new(r->arena, r->all);
     if ((code = run_given(r, in, given, made)) != EXIT_OK || (code = cover_run_folder(r)) != EXIT_OK)
         return code;
-    choose_step(r, s, o);
+    s->delta_t = o->step ? o->step : r->script.n ? r->script.at[0]->delta_t : SEARCH_DELTA_T;
     cover_settle(r->given);
     cover_settle(r->all);
     if ((code = search_and_write(r, s)) == EXIT_OK && (code = write_dependencies(r)) == EXIT_OK)

@@ -233,12 +233,6 @@ static int find_machines(BoardLine *b, const Changes *all, Target *t)
 
 // ---- what is kept ----
 
-static void write_items(Buf *line, const char *fate, const Buf *items)
-{
-    if (items->n > 0)
-        buf_printf(line, "  %-8s %s\n", fate, buf_text(items));
-}
-
 // Lists what machine `number` took over, and what it did not.
 static bool describe_kept(BoardLine *b, uint16_t number, Buf *out)
 {
@@ -252,7 +246,8 @@ static bool describe_kept(BoardLine *b, uint16_t number, Buf *out)
         if (item.kind < 3 && item.fate < 4)
             buf_printf(&items[item.fate], "%s%s %s", items[item.fate].n ? ", " : "", kind[item.kind], item.name);
     for (int i = 0; i < 4; i++)
-        write_items(out, fate[i], &items[i]);
+        if (items[i].n > 0)
+            buf_printf(out, "  %-8s %s\n", fate[i], buf_text(&items[i]));
     return b->host.answered && b->host.result == SM_E_MISSING;
 }
 

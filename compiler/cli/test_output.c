@@ -122,7 +122,6 @@ static void write_time(Buf *out, double seconds)
     buf_printf(out, " time=\"%lu.%06lu\"", us / 1000000, us % 1000000);
 }
 
-static bool is_case(const char *path) { return has_suffix(path, ".smt"); }
 
 // Writes a machine or a folder as a Java class name, because readers show Java packages as a tree: "flight.tank" for "flight/tank.sm".
 static void write_classname(Buf *out, Arena *arena, const char *suite)
@@ -188,7 +187,7 @@ static void write_testcase(Buf *out, const TestResult *r)
 {
     static const char *const elements[] = {NULL, "failure", "error", "skipped"};          // by TestStatus
     const char *element = elements[r->status];
-    const char *name = is_case(r->path) ? path_file_name(r->path) : r->path;
+    const char *name = has_suffix(r->path, ".smt") ? path_file_name(r->path) : r->path;
 
     buf_str(out, "    <testcase");
     write_attribute(out, "name", name, strlen(name));

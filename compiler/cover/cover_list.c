@@ -24,7 +24,6 @@ static bool has_named_cause(const Cover *c, uint32_t i, unsigned kinds)
 
 // ---- words ----
 
-static const char *quote(const Cover *c, Span span) { return source_text(c->arena, span); }
 
 // Returns the states from which a transition of [all_states] was not taken, in the order of the places: "Fill and Hold".
 static const char *list_origins(const Cover *c, uint32_t first, unsigned kinds, bool impossible)
@@ -60,7 +59,7 @@ static const char *describe_parameter_value(const Cover *c, const CoverPlace *p)
 static const char *text_of_place(const Cover *c, uint32_t i, unsigned kinds)
 {
     const CoverPlace *p = &c->place.at[i];
-    const char *text = quote(c, p->span);
+    const char *text = source_text(c->arena, p->span);
 
     switch (p->kind) {
     case COVER_TRANSITION:

@@ -309,7 +309,8 @@ typedef struct MutantReplay {
     uint32_t stmts;
 } MutantReplay;
 
-static bool includes_any(const MutantReplay *c, const uint8_t *executed)
+// Whether a statement that the mutant changes is among those that a part of the run executes, given by Stmt.number.
+static bool includes_change(const MutantReplay *c, const uint8_t *executed)
 {
     for (uint32_t i = 0; i < c->stmts; i++)
         if (c->stmt[i] == MUTANT_EACH_STEP || c->stmt[i] == MUTANT_START || executed[c->stmt[i]])
@@ -317,16 +318,10 @@ static bool includes_any(const MutantReplay *c, const uint8_t *executed)
     return false;
 }
 
-// Whether what was changed is executed between a point and the next one.
-static bool is_executed(const MutantReplay *c, uint32_t point)
-{
-    return includes_any(c, c->r->executed.at[point]);
-}
-
 // Returns the first point from `point` on after which what was changed is executed; the number of points if no such point follows.
 static uint32_t find_executed(const MutantReplay *c, uint32_t point)
 {
-    while (point < c->r->point.n && !is_executed(c, point))
+    while (point < c->r->point.n && !includes_change(c, c->r->executed.at[point]))
         point++;
     return point;
 }
@@ -433,7 +428,7 @@ static bool passes(MutantReplay *c, Arena *work)
     uint64_t steps;
     uint32_t point;
 
-    if (!includes_any(c, c->r->reached))
+    if (!includes_change(c, c->r->reached))
         return true;
     if (can_replay(c)) {
         point = find_difference(c);

@@ -335,17 +335,6 @@ static bool read_value(Recording *r, size_t i, const RecordingRow *before, doubl
     return true;
 }
 
-static bool fail_cells(Recording *r)
-{
-    return fail(r, RECORDING_FILE, r->csv.line,
-                format_in(r->arena, "the row has %lu cells, and the header has %lu", (unsigned long)r->csv.cells, (unsigned long)r->header_cells));
-}
-
-static bool fail_bad_time(Recording *r)
-{
-    return fail(r, RECORDING_TIME, r->csv.line, "the time is missing, or not later than in the row before");
-}
-
 bool recording_next(Recording *r, const RecordingRow *before, RecordingRow *row)
 {
     bool is_bad = true;
@@ -355,13 +344,14 @@ bool recording_next(Recording *r, const RecordingRow *before, RecordingRow *row)
         if (result != CSV_RECORD)
             return result == CSV_ERROR && fail_csv(r);
         if (r->csv.cells != r->header_cells)
-            return fail_cells(r);
+            return fail(r, RECORDING_FILE, r->csv.line,
+                        format_in(r->arena, "the row has %lu cells, and the header has %lu", (unsigned long)r->csv.cells, (unsigned long)r->header_cells));
         if (!read_time(r, &row->time, &is_bad))
             return false;
         r->rows++;
         r->bad_rows += is_bad;
         if (is_bad && r->format->stop_at_bad_time)
-            return fail_bad_time(r);
+            return fail(r, RECORDING_TIME, r->csv.line, "the time is missing, or not later than in the row before");
         if (is_bad && r->first_bad_line == 0)
             r->first_bad_line = r->csv.line;
     }

@@ -75,8 +75,6 @@ static Items list_items(ProgramDiff *d, const Canon *c, Place place)
     return out;
 }
 
-static const char *block_label(BlockKind b) { return b == BLOCK_ENTRY ? ".entry" : b == BLOCK_EXIT ? ".exit" : ".step"; }
-
 // Returns how an item is written: the condition of a transition, an assignment with its condition.
 static const char *item_text(Arena *arena, const Item *i)
 {
@@ -91,7 +89,8 @@ static const char *item_name(Arena *arena, const Item *i)
 {
     if (i->stmt->kind == ST_TRANSITION)
         return format_in(arena, "-> %s%s", i->stmt->target->name->text, i->block == BLOCK_ENTRY ? " in .entry" : "");
-    return format_in(arena, "%s in %s", i->stmt->var->name->text, block_label(i->block));
+    return format_in(arena, "%s in %s", i->stmt->var->name->text,
+                     i->block == BLOCK_ENTRY ? ".entry" : i->block == BLOCK_EXIT ? ".exit" : ".step");
 }
 
 static DiffChange item_change(ProgramDiff *d, const char *where, const Item *old, const Item *new)

@@ -58,6 +58,7 @@ bool ir_is_elementary(IrOp op);                   // whether it is a function of
 bool ir_op_allows_type(IrOp op, SmType type);     // whether a SAME operation may work on this type
 IrOp ir_op_of_operator(SmOperator op);            // the operation of an operator; IR_OP_COUNT for unary plus, which has none
 
+static inline bool ir_is_rounding(IrOp op) { return op == IR_floor || op == IR_ceil || op == IR_trunc || op == IR_round; }
 static inline bool ir_is_float(SmType t) { return sm_type_info[t].kind == SM_KIND_FLOAT; }
 static inline bool ir_is_integer(SmType t) { return sm_type_info[t].kind == SM_KIND_SIGNED || sm_type_info[t].kind == SM_KIND_UNSIGNED; }
 

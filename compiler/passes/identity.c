@@ -68,8 +68,6 @@ static IrRef operand_equal_to_extreme(const Identity *d, const IrIns *i)
     return identity_is_const(d, i->a, neutral) ? i->b : IR_NONE;
 }
 
-static bool is_rounding(IrOp op) { return op == IR_floor || op == IR_ceil || op == IR_trunc || op == IR_round; }
-
 // ---- conversions ----
 
 static unsigned bit_width(SmType type) { return 8u * sm_type_info[type].bytes; }
@@ -128,7 +126,7 @@ static IrRef find_equal_operand(const Identity *d, const IrIns *i)
     case IR_abs: return identity_at(d, i->a)->op == IR_abs ? i->a : IR_NONE;
     case IR_floor: case IR_ceil: case IR_trunc: case IR_round:
         from = identity_at(d, i->a);
-        return is_rounding(from->op) || (from->op == IR_cvt && !is_float(identity_at(d, from->a)->type)) ? i->a : IR_NONE;
+        return ir_is_rounding(from->op) || (from->op == IR_cvt && !is_float(identity_at(d, from->a)->type)) ? i->a : IR_NONE;
     case IR_min:
     case IR_max: return operand_equal_to_extreme(d, i);
     case IR_cvt: return operand_equal_to_cvt(d, i);

@@ -14,8 +14,6 @@ typedef struct KnownPass {
     IrRef *same;          // by temporary: another with the same value, or itself
 } KnownPass;
 
-static bool is_rounding(const IrIns *i) { return i->op == IR_floor || i->op == IR_ceil || i->op == IR_trunc || i->op == IR_round; }
-
 static bool is_never_negative(Fact a) { return a.lo >= 0 && !a.minus_zero; }
 
 // Returns the operand that a min or max always returns, or IR_NONE.  Neither operand may be NaN, and the bounds must not be equal, because
@@ -38,7 +36,7 @@ static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
 
     if (i->op == IR_cvt)
         return i->type == SM_F64 && k->f->ins.at[i->a].type == SM_F64 && !a.nan ? i->a : IR_NONE;
-    if (is_rounding(i))
+    if (ir_is_rounding(i->op))
         return a.whole ? i->a : IR_NONE;                         // rounding does not change NaN and -0, either
     if (i->op == IR_abs)
         return is_never_negative(a) ? i->a : IR_NONE;            // the sign of a NaN is not observable

@@ -112,8 +112,6 @@ static const char *names_of_element(Arena *arena, const Var *v)
     return v->element->name != v->name ? format_in(arena, "%s = %s", name, v->element->name->text) : name;
 }
 
-static const char *range_text(Arena *arena, const Var *v) { return v->range ? numbers_text(arena, v->range->lo, v->range->hi) : ""; }
-
 static void add_elements(const Report *r, Doc *d, const VarUse *use)
 {
     const Program *p = r->analysis.p;
@@ -127,7 +125,7 @@ static void add_elements(const Report *r, Doc *d, const VarUse *use)
         doc_add_plain_cell(t, sm_type_info[v->type].spelling);
         doc_add_plain_cell(t, unit_of(v->unit));
         doc_add_plain_cell(t, role_text(p, v));
-        doc_add_plain_cell(t, range_text(r->arena, v));
+        doc_add_plain_cell(t, v->range ? numbers_text(r->arena, v->range->lo, v->range->hi) : "");
         doc_add_plain_cell(t, comment_of_variable(r->arena, v));
         doc_add_plain_cell(t, buf_text(&use[i].readers));
         doc_add_plain_cell(t, buf_text(&use[i].writers));

@@ -9,7 +9,6 @@
 #include "compiler/report/comment.h"
 #include "compiler/report/xml.h"
 
-
 // ---- helpers ----
 
 // Writes 123 as 12.3.
@@ -326,14 +325,12 @@ static void draw_strip(Plot *p, const TraceSeries *s, long top)
 
 // ---- the whole plot ----
 
-static bool is_strip(const TraceSeries *s) { return s->v->type == SM_BOOL; }
-
 // Draws the rows of bools (strips) or of numbers from y on, or only measures them if !draw.  Returns the y of their end.
 static long draw_rows(Plot *p, bool strips, bool draw, long y)
 {
     for (size_t i = 0; i < p->t->series.n; i++) {
         const TraceSeries *s = p->t->series.at[i];
-        if ((!s->changes && !has_recorded(p->t, s->v)) || is_strip(s) != strips)
+        if ((!s->changes && !has_recorded(p->t, s->v)) || (s->v->type == SM_BOOL) != strips)
             continue;
         if (draw && strips)
             draw_strip(p, s, y);

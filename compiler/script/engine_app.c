@@ -53,13 +53,6 @@ static void take_results(AppEngine *a, const MachineOfApp *m)
     }
 }
 
-static bool is_enabled(const AppEngine *a, const Member *m)
-{
-    enum { ENABLED = 2 };             // SM_ENABLED of runtime-c/task.h
-
-    return !m->mode || a->cell[m->mode->index] == ENABLED;
-}
-
 // Fills the writes of a machine with the elements that it lists.
 static void give_elements(const AppEngine *a, MachineOfApp *m)
 {
@@ -81,7 +74,7 @@ static EngineStatus fail(AppEngine *a, const MachineOfApp *m, const char *why)
 static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
 {
     m->ran = false;
-    if (m->wait > 0 || !is_enabled(a, m->member))
+    if (m->wait > 0 || (m->member->mode && a->cell[m->member->mode->index] != MODE_ENABLED))
         return ENGINE_OK;
     give_elements(a, m);
     m->answer.status = m->engine->step(m->engine, m->write, m->elements + m->writes, &m->answer);

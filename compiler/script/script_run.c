@@ -27,14 +27,6 @@ static void write_input(ScriptRun *r, const Var *v, uint64_t cell)
         vec_push(r->arena, &r->write, w);
 }
 
-// Whether the mode of a machine lets it run when a step begins.
-static bool is_enabled(const ScriptRun *r, const ScriptMachine *m)
-{
-    enum { ENABLED = 2 };             // config.md 10.16
-
-    return !m->mode || r->cell[m->mode->index] == ENABLED;
-}
-
 // Sets S and T of a machine to their values in the step that it is about to run.
 static void update_machine(ScriptRun *r, ScriptMachine *m, EngineNext next)
 {
@@ -54,8 +46,9 @@ static void update_time_and_state(ScriptRun *r)
     r->actives = 0;
     write_input(r, r->p->g, r->g);
     for (size_t i = 0; i < r->machines; i++) {
-        r->machine[i].is_due = r->machine[i].wait == 0 && is_enabled(r, &r->machine[i]);
-        update_machine(r, &r->machine[i], engine_next(&r->answer[0], i));
+        ScriptMachine *m = &r->machine[i];
+        m->is_due = m->wait == 0 && (!m->mode || r->cell[m->mode->index] == MODE_ENABLED);
+        update_machine(r, m, engine_next(&r->answer[0], i));
     }
 }
 
@@ -267,18 +260,13 @@ static void advance_time(ScriptRun *r)
         r->g = next;
 }
 
-// Returns to what the script sees between steps, if the machine reads other values.  What it judged after the last step was the machine's.
-static void look_outside(ScriptRun *r)
-{
-    if (r->answer[0].outside)
-        memcpy(r->cell, r->answer[0].outside, r->p->var.n * sizeof *r->cell);
-}
-
 static void run_step(ScriptRun *r)
 {
     bool violated;
 
-    look_outside(r);
+    // Between steps the script sees the true values.  What it judged after the last step were those that the machine reads.
+    if (r->answer[0].outside)
+        memcpy(r->cell, r->answer[0].outside, r->p->var.n * sizeof *r->cell);
     r->write.n = 0;
     r->noted.n = 0;
     r->random.step = r->result.steps + 1;

@@ -232,6 +232,8 @@ typedef struct AllStates {
     uint32_t copies;          // for how many states its statements have been checked
 } AllStates;
 
+enum { MODE_ENABLED = 2 };    // a machine steps while the element of its @mode has this value (config.md 10.16): SM_ENABLED of runtime-c/task.h
+
 // A machine of an application, in the Program that joins all of them for a script.
 typedef struct Member {
     Str name;

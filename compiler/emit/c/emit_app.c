@@ -69,12 +69,6 @@ static void write_title(const AppEmitter *e)
 
 // ---- the header ----
 
-static void write_header_includes(const AppEmitter *e)
-{
-    buf_printf(e->out, "#include \"runtime-c/sm.h\"\n%s#include \"%s.h\"\n", app_has_swaps(e->app) ? "#include \"runtime-c/swap.h\"\n" : "",
-               e->app->sv->name->text);
-}
-
 // Writes the prototypes of the functions that the user writes for a task.
 static void write_task_prototypes(const AppEmitter *e, const AppTask *t, uint64_t period)
 {
@@ -104,7 +98,8 @@ static void write_header(const AppEmitter *e)
 
     write_title(e);
     buf_printf(e->out, "#ifndef %s_APP_H_INCLUDED\n#define %s_APP_H_INCLUDED\n\n", macro, macro);
-    write_header_includes(e);
+    buf_printf(e->out, "#include \"runtime-c/sm.h\"\n%s#include \"%s.h\"\n", app_has_swaps(e->app) ? "#include \"runtime-c/swap.h\"\n" : "",
+               e->app->sv->name->text);
     buf_str(e->out, "\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     buf_printf(e->out, "extern SmApp %s_app;\n", e->prefix);
     if (app_has_swaps(e->app))

@@ -17,7 +17,6 @@ static const char *choose_prefix(Arena *a, const char *wanted, Str name)
     return c_identifier(a, wanted ? wanted : name->text, wanted ? strlen(wanted) : name->len);
 }
 
-static const char *direction(bool is_send) { return is_send ? "send" : "receive"; }
 
 static size_t count_channels(const Network *net, bool is_send)
 {
@@ -175,7 +174,7 @@ static void write_channel_row(const NetChannel *c, unsigned n, Buf *out)
 
 static void write_direction(const NetUnit *u, bool is_send, Buf *out)
 {
-    const char *what = direction(is_send);
+    const char *what = is_send ? "send" : "receive";
     const size_t n = count_channels(u->net, is_send);
 
     if (n == 0) {
