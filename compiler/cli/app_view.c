@@ -5,34 +5,6 @@
 
 // ---- messages ----
 
-// What to print about a refusal of an application, where it can say more than sm_result_text.
-static const struct { SmResult result; const char *text; } refusals[] = {
-    {SM_E_BUSY, "another swap is in progress, or another host sends one; wait for its end, or confirm it"},
-    {SM_E_SPACE, "the swap is larger than the application has room for"},
-    {SM_E_IMAGE, "the swap arrived damaged"},
-    {SM_E_ARGUMENT, "the application does not understand the swap; it and this smc may have different versions"},
-    {SM_E_HANDLE, "another swap has taken its place, or the application has restarted"},
-    {SM_E_UNSIGNED, "it is not signed with the key of the application"},
-    {SM_E_REPLAY, "its number was used before; send it again"},
-    {SM_E_UNSUPPORTED, "the application does not know this request"},
-    {SM_E_DEVICE, "the application cannot store it: the medium of its 'swap_key' or 'swap_store' fails"},
-};
-
-int app_report_failure(BoardLine *b, const char *what)
-{
-    const char *why = sm_result_text(b->host.result);
-
-    if (!b->host.answered) {
-        cli_print_error(b->c, b->host.gone ? TEXT_application_gone : TEXT_application_quiet, what);
-        return EXIT_ENVIRONMENT;
-    }
-    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++)
-        if (refusals[i].result == b->host.result)
-            why = refusals[i].text;
-    cli_print_error(b->c, TEXT_board_refuses, what, why);
-    return EXIT_PROBLEM;
-}
-
 const char *app_trial_end(uint8_t end)
 {
     return end == SM_SWAP_WAS_CONFIRMED   ? "it was confirmed"
@@ -74,7 +46,7 @@ static int describe_last_swap(BoardLine *b, Buf *out)
     ApplicationSwap s;
 
     if (!application_read_swap(&b->host, &s))
-        return app_report_failure(b, "asking for the last swap");
+        return board_report_failure(b, "asking for the last swap");
     app_describe_swap(out, &s);
     return EXIT_OK;
 }
@@ -85,7 +57,7 @@ int app_list_machines(BoardLine *b, Buf *out)
 
     for (uint16_t i = 0; i < b->app.machines; i++) {
         if (!application_read_machine(&b->host, i, &m))
-            return app_report_failure(b, "asking for the machines");
+            return board_report_failure(b, "asking for the machines");
         describe_machine(out, &m);
     }
     return describe_last_swap(b, out);
@@ -130,7 +102,7 @@ int app_confirm_swap(BoardLine *b, Buf *out)
     int code;
 
     if (!application_read_swap(&b->host, &s))
-        return app_report_failure(b, "asking for the last swap");
+        return board_report_failure(b, "asking for the last swap");
     if (s.phase != SM_SWAP_TRIAL || s.checksum == 0) {
         cli_print_error(b->c, s.phase == SM_SWAP_TRIAL ? TEXT_own_swap : TEXT_nothing_on_trial);
         app_describe_swap(out, &s);
@@ -139,7 +111,7 @@ int app_confirm_swap(BoardLine *b, Buf *out)
     if ((code = app_load_key(b, room, &key)) != EXIT_OK)
         return code;
     if (!application_confirm(&b->host, &s, key))
-        return app_report_failure(b, "it was not confirmed");
+        return board_report_failure(b, "it was not confirmed");
     return app_list_machines(b, out);
 }
 

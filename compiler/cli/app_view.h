@@ -5,10 +5,6 @@
 
 #include "compiler/cli/board_line.h"
 
-// Prints why the last request failed, as a message after `what`. Returns EXIT_PROBLEM if the application refused, EXIT_ENVIRONMENT if there
-// was no answer.
-int app_report_failure(BoardLine *b, const char *what);
-
 // The actions of `smc device`.
 int app_show_info(BoardLine *b, Buf *out);
 int app_list_machines(BoardLine *b, Buf *out);

@@ -28,36 +28,24 @@ static uint32_t line_now(void *context)
 
 // ---- messages ----
 
-// What to print about a board's refusal, where it can say more than sm_result_text.
-static const struct { SmResult result; const char *text; } refusals[] = {
-    {SM_E_ARMED, "the board is armed; disarm it first"},
-    {SM_E_UNSAFE, "a machine is in a state that is not marked @safe; bring it into one that is"},
-    {SM_E_BUSY, "the image that it runs is on trial; 'smc device confirm' keeps it, 'smc device erase' with its checksum gives it up"},
-    {SM_E_SPACE, "the image is longer than a slot of the board"},
-    {SM_E_IMAGE, "the board's own verifier refuses the image"},
-    {SM_E_MEMORY, "the board has too little RAM for its machines"},
-    {SM_E_SIZE, "one of its steps takes longer than the board allows"},
-    {SM_E_MISSING, "the board has no such thing"},
-    {SM_E_DEVICE, "its memory does not hold what was written; it may be worn out"},
-    {SM_E_LAYOUT, "it was made for another state vector than the board's"},
-    {SM_E_HANDLE, "the board has restarted again and again"},
-    {SM_E_UNSIGNED, "the board accepts only images that are signed with its key; this one is not, or was changed after it was signed"},
-    {SM_E_REPLAY, "its number is not above that of an image that was confirmed; sign it again with 'smc sign'"},
-    {SM_E_UNSUPPORTED, "the board does not know this request"},
+static const struct { enum { BOARD, APPLICATION } side; SmResult result; const char *text; } refusals[] = {
+#define REFUSAL(side, result, text) {side, result, text},
+#include "compiler/cli/refusals.def"
+#undef REFUSAL
 };
 
-// Prints why the last request failed, as a message after `what`.  Returns EXIT_PROBLEM if the board refused, EXIT_ENVIRONMENT if it did not
-// answer.
 int board_report_failure(BoardLine *b, const char *what)
 {
+    const bool is_app = b->is_application;
     const char *why = sm_result_text(b->host.result);
 
     if (!b->host.answered) {
-        cli_print_error(b->c, b->host.gone ? TEXT_line_gone : TEXT_board_silent, what);
+        const char *gone = is_app ? TEXT_application_gone : TEXT_line_gone, *silent = is_app ? TEXT_application_quiet : TEXT_board_silent;
+        cli_print_error(b->c, b->host.gone ? gone : silent, what);
         return EXIT_ENVIRONMENT;
     }
     for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++)
-        if (refusals[i].result == b->host.result)
+        if (refusals[i].side == (is_app ? APPLICATION : BOARD) && refusals[i].result == b->host.result)
             why = refusals[i].text;
     cli_print_error(b->c, TEXT_board_refuses, what, why);
     return EXIT_PROBLEM;

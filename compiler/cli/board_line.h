@@ -23,8 +23,8 @@ int board_open(Cli *c, BoardLine *b);
 int application_open(Cli *c, BoardLine *b, const char *where);
 void board_close(BoardLine *b);
 
-// Prints why the last request failed, as a message after `what`. Returns EXIT_PROBLEM if the board refused, EXIT_ENVIRONMENT if there was
-// no answer.
+// Prints why the last request failed, as a message after `what`. Returns EXIT_PROBLEM if the board or the application refused it (refusals.def),
+// EXIT_ENVIRONMENT if there was no answer.
 int board_report_failure(BoardLine *b, const char *what);
 
 // Returns why a trial ended (DeviceEnd), as a clause of a sentence.

@@ -199,7 +199,7 @@ static int find_machine(BoardLine *b, const char *name, uint16_t *number, Applic
 
     for (uint16_t i = 0; i < b->app.machines; i++) {
         if (!application_read_machine(&b->host, i, &m))
-            return app_report_failure(b, "asking for the machines");
+            return board_report_failure(b, "asking for the machines");
         if (m.can_swap)
             buf_printf(names, "%s%s", names->n ? ", " : "", m.name);
         if (strcmp(m.name, name) == 0) {
@@ -258,12 +258,12 @@ static int describe_exchange(BoardLine *b, const Changes *all, const Target *t, 
 
     for (size_t i = 0; i < all->n; i++) {
         if (!application_read_machine(&b->host, t->number[i], &now))
-            return app_report_failure(b, "asking for the machines");
+            return board_report_failure(b, "asking for the machines");
         buf_printf(out, "%s: %s %08lx replaces %08lx, and %s%s%s\n", all->at[i].machine, all->at[i].size ? "image" : "the built-in image",
                    (unsigned long)now.checksum, (unsigned long)t->machine[i].checksum, all->at[i].mode == SM_SWAP_CONTINUE ? "continues" : "restarts",
                    all->at[i].state ? " in " : "", all->at[i].state ? all->at[i].state : "");
         if (all->at[i].mode == SM_SWAP_CONTINUE && !describe_kept(b, t->number[i], out))
-            return app_report_failure(b, "asking what is kept");
+            return board_report_failure(b, "asking what is kept");
     }
     return EXIT_OK;
 }
@@ -289,7 +289,7 @@ static int wait_for_phase(BoardLine *b, uint32_t checksum, SmSwapPhase from, SmS
     for (;;) {
         uint32_t start = os_milliseconds();
         if (!application_read_swap(&b->host, s))
-            return app_report_failure(b, "waiting for the swap");
+            return board_report_failure(b, "waiting for the swap");
         if (s->checksum != checksum) {
             cli_print_error(b->c, TEXT_swap_other);
             return EXIT_PROBLEM;
@@ -312,7 +312,7 @@ static int describe_confirmed(BoardLine *b, const Changes *all, const Target *t,
     for (size_t i = 0; i < all->n; i++) {
         ApplicationMachine now;
         if (!application_read_machine(&b->host, t->number[i], &now))
-            return app_report_failure(b, "asking for the machines");
+            return board_report_failure(b, "asking for the machines");
         is_stored = is_stored && (now.is_built_in || now.is_stored);
     }
     buf_str(out, is_stored ? "confirmed; it also runs after a restart of the application\n"
@@ -326,7 +326,7 @@ static int finish_trial(BoardLine *b, const Changes *all, const Target *t, const
     int code = EXIT_OK;
 
     if (b->c->given[OPT_CONFIRM] && s->phase == SM_SWAP_TRIAL && !application_confirm(&b->host, s, key))
-        return app_report_failure(b, "it runs, but was not confirmed");
+        return board_report_failure(b, "it runs, but was not confirmed");
     if (b->c->given[OPT_CONFIRM] || b->c->given[OPT_WAIT])
         code = wait_for_phase(b, s->checksum, SM_SWAP_TRIAL, SM_SWAP_TRIAL, s);
     if (code != EXIT_OK)
@@ -393,7 +393,7 @@ static int send_swap(BoardLine *b, const Changes *all, const Target *t)
     }
     step = application_send_swap(&b->host, &b->app, &bytes, key, number, (uint16_t)(os_run_nonce() | 1u));
     if (step != APPLICATION_DONE)
-        return app_report_failure(b, what[step]);
+        return board_report_failure(b, what[step]);
     return follow_swap(b, all, t, application_swap_checksum(&bytes), key);
 }
 

@@ -320,6 +320,19 @@ static SmResult connect_to(int fd, const PalAddress *to, uint64_t deadline)
     return errno == EINPROGRESS || errno == EINTR ? wait_until_connected(fd, deadline) : connect_result(errno);
 }
 
+// Allocates an entry and connects a new socket for it; finish_open completes the entry.  SM_E_FULL: all entries are in use.
+static SmResult connect_new(const PalAddress *to, uint64_t deadline, uint8_t *id, int *fd)
+{
+    SmResult r;
+
+    *id = allocate_entry();
+    if (*id == 0)
+        return SM_E_FULL;
+    *fd = new_socket(SOCK_STREAM);
+    r = *fd < 0 ? psl_result_of_errno(errno) : set_option(*fd, IPPROTO_TCP, TCP_NODELAY);
+    return r == SM_OK ? connect_to(*fd, to, deadline) : r;
+}
+
 SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout)
 {
     uint64_t deadline = pal_clock_now() + timeout;
@@ -329,13 +342,9 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 
     if (!stream || !to || timeout > PAL_TIMEOUT_MAX)
         return SM_E_ARGUMENT;
-    id = allocate_entry();
+    r = connect_new(to, deadline, &id, &fd);
     if (id == 0)
-        return SM_E_FULL;
-    fd = new_socket(SOCK_STREAM);
-    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, IPPROTO_TCP, TCP_NODELAY);
-    if (r == SM_OK)
-        r = connect_to(fd, to, deadline);
+        return r;
     return finish_open(stream, id, fd, STREAM, r);
 }
 
@@ -347,13 +356,9 @@ SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to)
 
     if (!stream || !to)
         return SM_E_ARGUMENT;
-    id = allocate_entry();
+    r = connect_new(to, 0, &id, &fd);
     if (id == 0)
-        return SM_E_FULL;
-    fd = new_socket(SOCK_STREAM);
-    r = fd < 0 ? psl_result_of_errno(errno) : set_option(fd, IPPROTO_TCP, TCP_NODELAY);
-    if (r == SM_OK)
-        r = connect_to(fd, to, 0);
+        return r;
     return r == SM_E_TIMEOUT ? finish_open(stream, id, fd, CONNECTING, SM_OK) : finish_open(stream, id, fd, STREAM, r);
 }
 
