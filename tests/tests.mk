@@ -346,7 +346,7 @@ FUZZ_SEEDS_ir = tests/ir/samples
 # tests/bench: time per step, size of code, growth of compile time.  `make bench W=mission`: one workload.
 WORKLOADS    = tank mission arith bigwindow seq40 big200 intcount f32filter vote decide ledger redlines
 W           ?= $(WORKLOADS)
-$(B)/bench/scale $(B)/bench/compile: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(patsubst %.c,$(B)/obj/%.o,$(OS_FILES)) $(B)/libsmc.a
+$(B)/bench/scale $(B)/bench/compile $(B)/bench/memory: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(patsubst %.c,$(B)/obj/%.o,$(OS_FILES)) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
@@ -933,6 +933,7 @@ $(call test, net-multicast,        thorough, $(B)/runtime/linux.a, sh tests/net/
 $(call test, net-dictionary,       thorough, $(B)/net/packets, sh tests/net/dictionary.sh $(B)/smc $(B)/net/packets '$(CC)')
 $(call test, net-hostile,          thorough, $(B)/net/hostile, $(B)/net/hostile 1 100000)
 $(call test, net-hostile-stream,   thorough, $(B)/net/hostile_stream, $(B)/net/hostile_stream 1 2000)
+$(call test, compile-memory,       thorough, $(B)/bench/memory, $(B)/bench/memory)
 $(call test, cost,                 thorough, $(B)/cost, $(B)/cost)
 $(call test, emitc-flow,           thorough, $(B)/emitc/flow, $(B)/emitc/flow 100)
 $(call test, emitc-typed,          thorough, $(B)/emitc/typed, $(B)/emitc/typed 100)

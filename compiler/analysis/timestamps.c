@@ -83,7 +83,7 @@ TimeSum time_sum_of(const Timestamps *m, const Expr *e)
         s.number = sm_neg(s.number);
         return s;
     case EX_CALL: return expr_is_constant(e) ? sum_of_number(expr_constant_value(e)) : not_a_sum();
-    case EX_CHAIN: case EX_ROLL: case EX_EVERY: case EX_RANDOM: break;
+    case EX_CHAIN: case EX_ROLL: case EX_EVERY: case EX_AT: case EX_RANDOM: break;
     }
     return not_a_sum();
 }

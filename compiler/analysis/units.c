@@ -272,7 +272,7 @@ static Quantity infer_expression(UnitCheck *k, const Expr *e)
     case EX_CHAIN:  infer_group(k, e); return quantity_of_kind(QUANTITY_PLAIN);
     case EX_CALL:   return infer_call(k, e);
     case EX_ROLL:   return infer_statistic(k, e);
-    case EX_EVERY:  return quantity_of_kind(QUANTITY_PLAIN);
+    case EX_EVERY: case EX_AT: return quantity_of_kind(QUANTITY_PLAIN);
     case EX_RANDOM: break;
     }
     return quantity_of_kind(QUANTITY_UNKNOWN);
@@ -363,7 +363,7 @@ static void check_item(UnitCheck *k, const ScriptItem *item)
 {
     infer(k, item->guard);
     for (size_t i = 0; i < item->inputs.n; i++)
-        check_stmt(item->inputs.at[i], k);
+        check_assignment(k, item->inputs.at[i].var, item->inputs.at[i].value);
     for (size_t i = 0; i < item->asserts.n; i++) {
         const ScriptAssert *a = &item->asserts.at[i];
         if (a->condition)

@@ -32,7 +32,6 @@ static Expr *make(Arena *a, ExprKind kind, SmOperator op, uint32_t n)
     e->kind = kind;
     e->op = op;
     e->n = n & 0xffffff;
-    e->arg = (Expr **)(void *)(e + 1);
     return e;
 }
 
@@ -88,12 +87,10 @@ static void change(const Probe *k, const Expr *original, Expr *e)
 static Expr *copy_with_edits(const Probe *k, const Expr *e)
 {
     Expr *copy = make(k->arena, e->kind, e->op, e->n);
-    Expr **arg = copy->arg;
 
     *copy = *e;
-    copy->arg = arg;
     for (uint32_t i = 0; i < e->n; i++)
-        arg[i] = e->kind == EX_ROLL ? e->arg[i] : copy_with_edits(k, e->arg[i]);
+        copy->arg[i] = e->kind == EX_ROLL ? e->arg[i] : copy_with_edits(k, e->arg[i]);
     if (e->kind == EX_CHAIN)
         memcpy(expr_ops(copy), expr_ops(e), (e->n - 1) * sizeof(SmOperator));
     change(k, e, copy);

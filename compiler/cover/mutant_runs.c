@@ -65,7 +65,7 @@ static void mark_seen(Expr *e, void *context)
 {
     bool *seen = context;
 
-    if (e->kind == EX_VAR)
+    if (e->kind == EX_VAR || e->kind == EX_AT)
         seen[e->var->index] = true;
 }
 
@@ -73,7 +73,7 @@ static void mark_seen_by_item(const ScriptItem *item, bool *seen)
 {
     expr_walk(item->guard, mark_seen, seen);
     for (size_t i = 0; i < item->inputs.n; i++)
-        expr_walk(item->inputs.at[i]->value, mark_seen, seen);
+        expr_walk(item->inputs.at[i].value, mark_seen, seen);
     for (size_t i = 0; i < item->asserts.n; i++)
         if (item->asserts.at[i].condition)
             expr_walk(item->asserts.at[i].condition, mark_seen, seen);

@@ -188,7 +188,7 @@ static void list_expression(Mutation *u, Expr *e, const Expr *outer)
             if (is_in_source(e, i))
                 add_operators(u, e, i, expr_ops(e)[i], e->arg[i]->span, e->arg[i + 1]->span, true);
         break;
-    case EX_VAR: case EX_CALL: case EX_ROLL: case EX_EVERY: case EX_RANDOM: break;
+    case EX_VAR: case EX_CALL: case EX_ROLL: case EX_EVERY: case EX_AT: case EX_RANDOM: break;
     }
     for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
         list_expression(u, e->arg[i], e);
@@ -366,9 +366,9 @@ static void list_mutants(Mutation *u)
 // ---- changing the program ----
 
 typedef struct Undo {
-    Expr e;                   // NUMBER, OPERATOR: as it was
+    SmF64 number;             // NUMBER, INITIAL: as it was
+    SmOperator op;            // OPERATOR, LINK, DROP_NOT: as it was
     Stmt stmt;                // GUARD, TARGET, DELETE: as it was
-    SmOperator op;            // LINK
 } Undo;
 
 // Computes the initial values of all locals again, in their order.
@@ -398,8 +398,10 @@ static Expr *new_number(Mutation *u, double x)
 
 static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
 {
-    if (d->e)
-        undo->e = *d->e;
+    if (d->e) {
+        undo->number = d->e->number;
+        undo->op = d->e->op;
+    }
     if (d->stmt)
         undo->stmt = *d->stmt;
     switch (d->kind) {
@@ -419,7 +421,7 @@ static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
         memset(&d->stmt->otherwise, 0, sizeof d->stmt->otherwise);
         break;
     case EDIT_INITIAL:
-        undo->e = *d->var->init_value;
+        undo->number = d->var->init_value->number;
         d->var->init_value->number = d->number;
         compute_initial_values(u);
         break;
@@ -428,14 +430,16 @@ static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
 
 static void undo_edit(Mutation *u, const MutantEdit *d, const Undo *undo)
 {
-    if (d->kind == EDIT_LINK)
+    if (d->kind == EDIT_LINK) {
         expr_ops(d->e)[d->link] = undo->op;
-    else if (d->e)
-        *d->e = undo->e;
+    } else if (d->e) {
+        d->e->number = undo->number;
+        d->e->op = undo->op;
+    }
     if (d->stmt)
         *d->stmt = undo->stmt;
     if (d->kind == EDIT_INITIAL) {
-        *d->var->init_value = undo->e;
+        d->var->init_value->number = undo->number;
         restore_initial_values(u);
     }
 }

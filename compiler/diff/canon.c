@@ -87,7 +87,7 @@ void canon_expr(const Canon *c, const Expr *e, Buf *out)
         buf_char(out, '(');
         break;
     case EX_CALL: buf_printf(out, "f%d(", (int)e->fn); break;
-    case EX_EVERY: case EX_RANDOM: buf_str(out, "script("); break;       // never in a machine
+    case EX_EVERY: case EX_AT: case EX_RANDOM: buf_str(out, "script("); break;       // never in a machine
     }
     for (uint32_t i = 0; i < e->n; i++) {
         buf_str(out, i ? "," : "");

@@ -46,12 +46,6 @@ static uint64_t bits_of(double x)
     return u;
 }
 
-// Whether two facts have the same bits.  fact_equal alone is not enough, because it treats the bounds 0 and -0 as equal.
-static bool is_same_fact(const Fact *a, const Fact *b)
-{
-    return bits_of(a->lo) == bits_of(b->lo) && bits_of(a->hi) == bits_of(b->hi) && fact_equal(*a, *b);
-}
-
 static uint32_t hash_fact(const Fact *f)
 {
     return hash_word(hash_word(f->whole + 2u * f->f32 + 4u * f->nan + 8u * f->minus_zero, bits_of(f->lo)), bits_of(f->hi));
@@ -101,7 +95,7 @@ const Fact *env_table_intern_fact(EnvTable *t, Fact f)
     Fact *added;
 
     for (size_t i = hash & (s->room - 1); s->room && s->at[i]; i = (i + 1) & (s->room - 1))
-        if (s->hash[i] == hash && is_same_fact(s->at[i], &f))
+        if (s->hash[i] == hash && fact_is_same(s->at[i], &f))
             return s->at[i];
     added = ARENA_NEW(t->arena, Fact);
     *added = f;

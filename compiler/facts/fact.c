@@ -465,6 +465,11 @@ bool fact_equal(Fact a, Fact b)
     return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
 }
 
+bool fact_is_same(const Fact *a, const Fact *b)
+{
+    return sm_bits(a->lo) == sm_bits(b->lo) && sm_bits(a->hi) == sm_bits(b->hi) && fact_equal(*a, *b);
+}
+
 // Returns the number of limits below x.
 static size_t count_limits_below(const FactLimits *limits, double x)
 {

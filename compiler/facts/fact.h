@@ -37,6 +37,7 @@ Fact fact_of_stat(SmStat stat, Fact sample);
 Fact fact_join(Fact a, Fact b);                       // what is known about a value for which a or b is true
 Fact fact_meet(Fact a, Fact b);                       // what is known about a value for which a and b are true; a if they contradict
 bool fact_equal(Fact a, Fact b);
+bool fact_is_same(const Fact *a, const Fact *b);      // whether they have the same bits: unlike fact_equal, distinguishes the bounds 0 and -0
 
 typedef struct FactLimits {
     const double *at;         // the numbers at which widening stops, in ascending order

@@ -2,9 +2,9 @@
 // Facts within one function.  Control only moves forward, so one visit of the blocks in order is enough.  Each block begins with the
 // facts that are true on every edge into it.
 //
-// Most functions use few of the machine's variables.  Inside such a function, environments have only these, as slots: the variables that
-// the function loads or stores, numbered from 0.  They are small, and discarded with the function; only what the function has changed is
-// transferred to the environments of the machine.
+// Most functions use few of the machine's variables.  Inside such a function, environments have only these, as slots (slot_env.h): the
+// variables that the function loads or stores, numbered from 0.  Only what the function has changed is transferred to the environments of the
+// machine.
 #include <string.h>
 
 #include "compiler/facts/facts.h"
@@ -19,13 +19,14 @@ typedef struct FlowWalk {
     const FactEnds *ends;
     const Env *start;                 // the facts at the beginning of the function, of all variables of the machine
     bool has_slots;                   // environments are of slots; else of all variables, because there are more than FACT_SLOTS
-    uint32_t slots;
+    SlotEnvs space;                   // of the environments of slots
+    uint64_t private_slots;           // a set of slots: those of private variables
     FactSlot *slot;                   // by slot
     FactEffect *effect;               // by block: its effect, or NULL
-    EnvShape shape;                   // of the following environments
-    const Env *first;                 // the facts `start`
-    const Env **begin;                // by block: the facts at its beginning
-    const Env *env;                   // the facts at the current instruction
+    FactPoint *begin;                 // by block: the facts at its beginning, until it is visited
+    FactPoint env;                    // the facts at the current instruction; without slots after they have become those of another block
+    SlotEnv *transferred;             // the facts that env_of_machine has transferred last, or NULL
+    const Env *transferred_to;        // its result
     IrBlkRef block;                   // the current block
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
     FactHome *home;                   // by temporary: a variable with the same value
@@ -48,9 +49,8 @@ static uint32_t find_or_add_slot(FlowWalk *w, uint32_t var)
     FactSlotOf *of = &fm->slot_of[var];
 
     if (of->function != fm->functions) {
-        *of = (FactSlotOf){w->slots, fm->functions};
-        fm->slot_type[w->slots] = fm->shape.type[var];
-        fm->slot[w->slots++] = (FactSlot){var, 0};
+        *of = (FactSlotOf){w->space.slots, fm->functions};
+        fm->slot[w->space.slots++] = (FactSlot){var, 0};
     }
     return of->slot;
 }
@@ -65,7 +65,7 @@ static bool number_slots(FlowWalk *w)
             uint32_t slot;
             if (i->op != IR_load && i->op != IR_store)
                 continue;
-            if (w->slots == FACT_SLOTS)
+            if (w->space.slots == FACT_SLOTS)
                 return false;
             slot = find_or_add_slot(w, i->var);
             if (i->op == IR_load)
@@ -87,11 +87,10 @@ static void store_slots(FlowWalk *w, FactFn *fn)
 {
     FactMachine *fm = w->fm;
 
-    fn->slot = arena_copy(fm->shape.arena, fm->slot, (w->slots + 1u) * sizeof *fn->slot);
-    fn->type = arena_copy(fm->shape.arena, fm->slot_type, (w->slots + 1u) * sizeof *fn->type);
-    fn->slots = w->slots;
+    fn->slot = arena_copy(fm->shape.arena, fm->slot, (w->space.slots + 1u) * sizeof *fn->slot);
+    fn->slots = w->space.slots;
     fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
-    fn->begin = ARENA_ARRAY(fm->shape.arena, Fact, w->slots);
+    fn->begin = ARENA_ARRAY(fm->shape.arena, Fact, w->space.slots);
 }
 
 // Finds the slots of the function: those of an earlier visit, if they are stored.
@@ -102,98 +101,129 @@ static void find_slots(FlowWalk *w)
 
     w->slot = fm->slot;
     w->has_slots = (fn && fn->slot) || number_slots(w);
-    if (!w->has_slots)
+    if (!w->has_slots || !fn)
         return;
-    if (fn && !fn->slot)
+    if (!fn->slot)
         store_slots(w, fn);
-    w->shape = env_shape_of_types(&fm->local, fn ? fn->type : fm->slot_type, fn && fn->slots ? fn->slots : w->slots ? w->slots : 1);
-    if (!fn)
-        return;
     w->slot = fn->slot;
-    w->slots = fn->slots;
+    w->space.slots = fn->slots;
     w->effect = fn->effect;
     fm->functions++;
-    for (uint32_t slot = 0; slot < w->slots; slot++)
+    for (uint32_t slot = 0; slot < fn->slots; slot++)
         fm->slot_of[w->slot[slot].var] = (FactSlotOf){slot, fm->functions};
 }
 
-// Sets w->first to the facts w->start.  `at_entry`: a state is entered, so T is 0.
-static void begin_function(FlowWalk *w, bool at_entry)
+// Returns the facts at the beginning of the function: w->start.  `at_entry`: a state is entered, so T is 0.
+static FactPoint begin_function(FlowWalk *w, bool at_entry)
 {
     FactMachine *fm = w->fm;
     const uint32_t t = fm->m->t;
-    const Fact *fact[FACT_SLOTS];
+    Fact *begin;
 
     find_slots(w);
-    if (!w->has_slots) {
-        w->shape = fm->shape;
-        w->first = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start;
-        return;
+    if (!w->has_slots)
+        return (FactPoint){.all = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start};
+    begin = w->effect ? w->ends->fn->begin : fm->slot_begin;
+    for (uint32_t slot = 0; slot < w->space.slots; slot++) {
+        const uint32_t var = w->slot[slot].var;
+        begin[slot] = at_entry && var == t ? fm->zero : env_get(&fm->shape, w->start, var);
+        w->private_slots |= (uint64_t)fm->shape.is_private[var] << slot;
     }
-    for (uint32_t slot = 0; slot < w->slots; slot++)
-        fact[slot] = env_find(&fm->shape, w->start, w->slot[slot].var);
-    for (uint32_t slot = 0; w->effect && slot < w->slots; slot++)
-        if (fm->shape.is_private[w->slot[slot].var])
-            w->ends->fn->begin[slot] = fact[slot] ? *fact[slot] : fact_of_type(w->shape.type[slot]);
-    if (at_entry && fm->slot_of[t].function == fm->functions)
-        fact[fm->slot_of[t].slot] = &fm->zero;
-    w->first = env_of_facts(&w->shape, fact, w->slots);
+    w->space.arena = &fm->local;
+    w->space.begin = begin;
+    return (FactPoint){slot_env_new(&w->space)};
 }
 
-typedef struct FactTransfer {
-    FlowWalk *w;
-    const Env *env;
-    bool all;                         // all facts, else only those about private variables: no code but the machine writes them between steps
-} FactTransfer;
+// ---- facts at a point ----
 
-static void transfer_fact(void *context, uint32_t slot, const Fact *fact)
+static Fact get_fact(FlowWalk *w, uint32_t slot)
 {
-    FactTransfer *t = context;
-    FlowWalk *w = t->w;
-    const EnvShape *shape = &w->fm->shape;
-    const uint32_t var = w->slot[slot].var;
-    const FactUpdate update = {slot, fact ? *fact : fact_of_type(shape->type[var])};
+    return w->has_slots ? *slot_env_find(&w->space, w->env.slots, slot) : env_get(&w->fm->shape, w->env.all, slot);
+}
 
-    if (!t->all && !shape->is_private[var])
-        return;
-    t->env = env_set(shape, t->env, var, update.fact);
-    if (w->effect)
-        vec_push(shape->arena, &w->ends->fn->update, update);
+static void set_fact(FlowWalk *w, FactPoint *at, uint32_t slot, Fact fact)
+{
+    if (w->has_slots)
+        slot_env_set(at->slots, slot, fact);
+    else
+        at->all = env_set(&w->fm->shape, at->all, slot, fact);
+}
+
+// Returns the current facts for an edge, which can change them.  `is_last`: the block has no other edge that is still to be followed.
+static FactPoint facts_for_edge(FlowWalk *w, bool is_last)
+{
+    const FactPoint now = w->env;
+
+    if (!w->has_slots)
+        return now;
+    if (!is_last)
+        return (FactPoint){slot_env_copy(&w->space, now.slots)};
+    w->env.slots = NULL;
+    return now;
 }
 
 // Returns the current facts as an environment of all variables: all facts, or those about private variables and those that are assumed.
 static const Env *env_of_machine(FlowWalk *w, bool all)
 {
-    FactTransfer t = {w, w->start, all};
+    const FactMachine *fm = w->fm;
+    const SlotEnv *now = w->env.slots;
+    const Env *env = w->start;
+    uint64_t rest;
 
     if (!w->has_slots)
-        return all ? w->env : env_replace_shared(&w->shape, w->env, w->fm->assumed);
+        return all ? w->env.all : env_replace_shared(&fm->shape, w->env.all, fm->assumed);
     if (all && w->ends->at_entry)
-        t.env = env_set(&w->fm->shape, t.env, w->fm->m->t, w->fm->zero);
-    env_each_difference(&w->shape, w->first, w->env, transfer_fact, &t);
-    return t.env;
+        env = env_set(&fm->shape, env, fm->m->t, fm->zero);
+    rest = now->changed & (all ? UINT64_MAX : w->private_slots);
+    for (uint32_t slot = 0; rest; slot++, rest >>= 1)
+        if (rest & 1)
+            env = env_set(&fm->shape, env, w->slot[slot].var, now->fact[slot]);
+    return env;
 }
 
 // ---- ends ----
 
-// Calls the caller's function for an end of this function.  Stores the end, for later visits.
-static void visit_function_end(FlowWalk *w, const IrJump *j)
+// Stores an end of the function whose facts differ from those of the end before it, for later visits.
+static void store_updates(FlowWalk *w, FactEnd *end)
 {
-    FactFn *fn = w->ends->fn;
-    const size_t before = fn ? fn->update.n : 0;
-    const Env *env = env_of_machine(w, w->ends->all);
+    const SlotEnv *now = w->env.slots;
+    uint64_t rest = now->changed & w->private_slots;
 
-    if (w->effect)
-        vec_push(w->fm->shape.arena, &fn->end, ((FactEnd){j, (uint32_t)(fn->update.n - before)}));
-    w->ends->visit(w->ends->context, j, env);
+    for (uint32_t slot = 0; rest; slot++, rest >>= 1)
+        if (rest & 1) {
+            const FactUpdate update = {slot, now->fact[slot]};
+            vec_push(w->fm->shape.arena, &w->ends->fn->update, update);
+            end->updates++;
+        }
 }
 
-// Whether the function begins with the same facts as in its last visit.  Facts that are assumed never change.
+// Calls the caller's function for an end of this function.  Stores the end, for later visits.  Several ends often have the same facts, so that
+// the caller receives the same environment.
+static void visit_function_end(FlowWalk *w, const IrJump *j)
+{
+    const uint64_t set = w->ends->all ? UINT64_MAX : w->private_slots;
+    FactEnd end = {j, false, 0};
+
+    end.is_as_before = w->has_slots && w->transferred && slot_env_is_same(w->transferred, w->env.slots, set);
+    if (!end.is_as_before) {
+        w->transferred_to = env_of_machine(w, w->ends->all);
+        if (w->has_slots)
+            w->transferred = slot_env_copy(&w->space, w->env.slots);
+    }
+    if (w->effect && !end.is_as_before)
+        store_updates(w, &end);
+    if (w->effect)
+        vec_push(w->fm->shape.arena, &w->ends->fn->end, end);
+    w->ends->visit(w->ends->context, j, w->transferred_to);
+}
+
+// Whether the function begins with the same facts as in its last visit, apart from facts that the visit has not read.  Facts that are assumed
+// never change.
 static bool has_same_begin(const FactMachine *fm, const FactFn *fn, const Env *begin)
 {
     for (uint32_t slot = 0; slot < fn->slots; slot++) {
         const uint32_t var = fn->slot[slot].var;
-        if (fm->shape.is_private[var] && !fact_equal(env_get(&fm->shape, begin, var), fn->begin[slot]))
+        if (fn->read >> slot & 1 && fm->shape.is_private[var] && !fact_equal(env_get(&fm->shape, begin, var), fn->begin[slot]))
             return false;
     }
     return true;
@@ -203,24 +233,27 @@ static bool has_same_begin(const FactMachine *fm, const FactFn *fn, const Env *b
 static void repeat_ends(const FactMachine *fm, const FactEnds *ends, const Env *begin)
 {
     const FactFn *fn = ends->fn;
+    const Env *env = begin;
     size_t at = 0;
 
     for (size_t k = 0; k < fn->end.n; k++) {
-        const Env *env = begin;
-        for (uint32_t n = fn->end.at[k].updates; n > 0; n--, at++)
+        const FactEnd *end = &fn->end.at[k];
+        if (!end->is_as_before)
+            env = begin;
+        for (uint32_t n = end->updates; n > 0; n--, at++)
             env = env_set(&fm->shape, env, fn->slot[fn->update.at[at].slot].var, fn->update.at[at].fact);
-        ends->visit(ends->context, fn->end.at[k].jump, env);
+        ends->visit(ends->context, end->jump, env);
     }
 }
 
 // ---- effects of blocks ----
 
 // Sets the fact about a slot in *env, if it can matter in block b or later.
-static void set_if_needed(FlowWalk *w, const Env **env, uint32_t slot, Fact fact, IrBlkRef b)
+static void set_if_needed(FlowWalk *w, FactPoint *env, uint32_t slot, Fact fact, IrBlkRef b)
 {
     if (!is_needed_from(w, slot, b))
         return;
-    *env = env_set(&w->shape, *env, slot, fact);
+    set_fact(w, env, slot, fact);
     if (w->effect)
         vec_push(w->fm->shape.arena, &w->fm->update, ((FactUpdate){slot, fact}));
 }
@@ -230,7 +263,7 @@ static void set_if_needed(FlowWalk *w, const Env **env, uint32_t slot, Fact fact
 static Fact load_fact(FlowWalk *w, uint32_t var)
 {
     const uint32_t slot = slot_of(w, var);
-    const Fact fact = env_get(&w->shape, w->env, slot);
+    const Fact fact = get_fact(w, slot);
 
     if (w->effect && w->fm->epoch[var] != w->epoch)       // not stored by this block before
         vec_push(w->fm->shape.arena, &w->fm->load, ((FactUpdate){slot, fact}));
@@ -298,7 +331,7 @@ static Fact *refined_fact(FlowWalk *w, uint32_t slot)
 
     if (r->edge != w->edge) {
         r->edge = w->edge;
-        r->fact = env_get(&w->shape, w->env, slot);
+        r->fact = get_fact(w, slot);
         w->fm->refined_slot[w->refined++] = slot;
     }
     return &r->fact;
@@ -417,17 +450,25 @@ static void refine_by_condition(FlowWalk *w, IrRef r, bool holds)
 // ---- blocks ----
 
 // Merges the facts `env` of an edge to block `to` into the facts at the beginning of that block.
-static void join_at_block(FlowWalk *w, IrBlkRef to, const Env *env)
+static void join_at_block(FlowWalk *w, IrBlkRef to, FactPoint env)
 {
-    w->begin[to] = w->out.reached[to] ? env_join(&w->shape, w->begin[to], env, NULL) : env;
+    if (!w->out.reached[to]) {
+        w->begin[to] = env;
+    } else if (!w->has_slots) {
+        w->begin[to].all = env_join(&w->fm->shape, w->begin[to].all, env.all, NULL);
+    } else {
+        slot_env_join(&w->space, w->begin[to].slots, env.slots);
+        slot_env_free(&w->space, env.slots);
+    }
     w->out.reached[to] = true;
 }
 
-// Follows the edge to block `to` that is taken if cond is true (`holds`) or false.  Returns whether the facts allow that edge.
+// Follows the edge to block `to` that is taken if cond is true (`holds`) or false; the second of these edges is the last one.  Returns whether
+// the facts allow that edge.
 static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
 {
     const Fact f = w->out.of[cond];
-    const Env *env = w->env;
+    FactPoint env;
 
     if (holds ? f.hi < 1 : f.lo > 0)
         return false;
@@ -438,6 +479,7 @@ static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
     refine_by_condition(w, cond, holds);
     if (w->contradicts)
         return false;
+    env = facts_for_edge(w, !holds);
     for (uint32_t k = 0; k < w->refined; k++)
         set_if_needed(w, &env, w->fm->refined_slot[k], w->fm->refined[w->fm->refined_slot[k]].fact, to);
     join_at_block(w, to, env);
@@ -455,9 +497,9 @@ static void visit_instructions(FlowWalk *w, FactEffect *effect)
     for (uint32_t k = 0; k < block->ins.n; k++)
         visit_ins(w, block->ins.at[k], k);
     effect->stores = (uint32_t)w->fm->update.n;
-    exit->env = w->ends && w->ends->exits ? env_of_machine(w, true) : NULL;
+    exit->env = w->ends && w->ends->exits && (j->kind == IR_BR || j->kind == IR_GOTO) ? env_of_machine(w, true) : NULL;
     if (j->kind == IR_JMP) {
-        join_at_block(w, j->then, w->env);
+        join_at_block(w, j->then, facts_for_edge(w, true));
     } else if (j->kind == IR_BR) {
         effect->then = exit->then = follow_edge(w, j->cond, true, j->then);
         effect->on_then = (uint32_t)w->fm->update.n - effect->stores;
@@ -469,21 +511,24 @@ static void visit_instructions(FlowWalk *w, FactEffect *effect)
 }
 
 // Whether the block loads the same facts as when its effect was stored.
-static bool has_same_loads(const FlowWalk *w, const FactEffect *effect)
+static bool has_same_loads(FlowWalk *w, const FactEffect *effect)
 {
     if (!effect->known)
         return false;
     for (uint32_t k = 0; k < effect->loads; k++)
-        if (!fact_equal(env_get(&w->shape, w->env, effect->load[k].slot), effect->load[k].fact))
+        if (!fact_equal(get_fact(w, effect->load[k].slot), effect->load[k].fact))
             return false;
     return true;
 }
 
-static const Env *apply_updates(const FlowWalk *w, const Env *env, const FactUpdate *update, uint32_t n)
+// Follows an edge on which the n facts of `update` are added.
+static void repeat_edge(FlowWalk *w, IrBlkRef to, const FactUpdate *update, uint32_t n, bool is_last)
 {
+    const FactPoint env = facts_for_edge(w, is_last);
+
     for (uint32_t k = 0; k < n; k++)
-        env = env_set(&w->shape, env, update[k].slot, update[k].fact);
-    return env;
+        slot_env_set(env.slots, update[k].slot, update[k].fact);
+    join_at_block(w, to, env);
 }
 
 // Does what visit_instructions does, from the stored effect.
@@ -491,15 +536,16 @@ static void repeat_effect(FlowWalk *w, const FactEffect *e)
 {
     const IrJump *j = &w->f->blk.at[w->block].jump;
 
-    w->env = apply_updates(w, w->env, e->update, e->stores);
+    for (uint32_t k = 0; k < e->stores; k++)
+        slot_env_set(w->env.slots, e->update[k].slot, e->update[k].fact);
     if (j->kind == IR_JMP)
-        join_at_block(w, j->then, w->env);
+        repeat_edge(w, j->then, NULL, 0, true);
     else if (j->kind != IR_BR)
         visit_function_end(w, j);
     if (e->then)
-        join_at_block(w, j->then, apply_updates(w, w->env, e->update + e->stores, e->on_then));
+        repeat_edge(w, j->then, e->update + e->stores, e->on_then, false);
     if (e->otherwise)
-        join_at_block(w, j->otherwise, apply_updates(w, w->env, e->update + e->stores + e->on_then, e->on_otherwise));
+        repeat_edge(w, j->otherwise, e->update + e->stores + e->on_then, e->on_otherwise, true);
 }
 
 // Stores the facts that the visit of the current block has recorded.
@@ -523,12 +569,14 @@ static void visit_block(FlowWalk *w, IrBlkRef b)
     w->env = w->begin[b];
     if (w->effect && has_same_loads(w, &w->effect[b])) {
         repeat_effect(w, &w->effect[b]);
-        return;
+    } else {
+        w->fm->load.n = w->fm->update.n = 0;
+        visit_instructions(w, &effect);
+        if (w->effect)
+            store_effect(w, &effect);
     }
-    w->fm->load.n = w->fm->update.n = 0;
-    visit_instructions(w, &effect);
-    if (w->effect)
-        store_effect(w, &effect);
+    if (w->has_slots && w->env.slots)
+        slot_env_free(&w->space, w->env.slots);
 }
 
 // Lets w use the tables of the machine (FactMachine), after growing them if the function needs larger ones.  The tables are used again
@@ -547,7 +595,7 @@ static void reuse_tables(FlowWalk *w)
         fm->blocks = w->f->blk.n * 2;
         fm->reached = ARENA_ARRAY(arena, bool, fm->blocks);
         fm->exit = ARENA_ARRAY(arena, FactExit, fm->blocks);
-        fm->block_begin = ARENA_ARRAY(arena, const Env *, fm->blocks);
+        fm->block_begin = ARENA_ARRAY(arena, FactPoint, fm->blocks);
     }
     memset(fm->reached, 0, w->f->blk.n * sizeof *fm->reached);
     w->out.of = fm->of;
@@ -570,11 +618,12 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
         ends->fn->end.n = ends->fn->update.n = 0;
     arena_reset(&fm->local);
     reuse_tables(&w);
-    begin_function(&w, ends && ends->at_entry);
-    join_at_block(&w, 0, w.first);
+    join_at_block(&w, 0, begin_function(&w, ends && ends->at_entry));
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b])
             visit_block(&w, b);
+    if (w.effect)
+        ends->fn->read = w.space.read;
     return w.out;
 }
 

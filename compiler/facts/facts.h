@@ -13,11 +13,12 @@
 #define SMC_FACTS_H
 
 #include "compiler/facts/env.h"
+#include "compiler/facts/slot_env.h"
 
 typedef struct FactMachine FactMachine;
 
 typedef struct FactExit {             // the end of a block
-    const Env *env;                   // the facts at the end of the block, before its branch is taken; NULL without FactEnds.exits
+    const Env *env;                   // IR_BR, IR_GOTO: the facts at the end of the block, before its branch is taken; NULL without FactEnds.exits
     bool then, otherwise;             // IR_BR: whether the facts allow that edge to be taken
 } FactExit;
 
@@ -67,8 +68,6 @@ typedef struct FactHome {
     uint32_t at;                      // position in the block from which on variable and temporary have the same value
 } FactHome;
 
-enum { FACT_SLOTS = 64 };             // most slots of a function (fact_flow.c)
-
 typedef struct FactSlot {
     uint32_t var;
     IrBlkRef last_load;               // the last block that loads the variable
@@ -90,15 +89,16 @@ typedef struct FactEffect {
 
 typedef struct FactEnd {              // an end that the facts at the beginning of a function allow
     const IrJump *jump;
-    uint32_t updates;                 // how many facts about private variables differ from those at the beginning
+    bool is_as_before;                // it has the same facts as the end before it
+    uint32_t updates;                 // how many facts about private variables differ from those at the beginning, unless is_as_before
 } FactEnd;
 
 typedef struct FactFn {               // what an iteration stores about a function, to visit it again with less work
     FactSlot *slot;                   // its slots, or NULL: not visited yet, or too many variables for slots
-    SmType *type;                     // by slot: the variable's type
     uint32_t slots;
     FactEffect *effect;               // by block
-    Fact *begin;                      // by slot: the fact at the beginning of the last visit.  Only of private variables
+    Fact *begin;                      // by slot: the facts at the beginning of the last visit
+    uint64_t read;                    // a set of slots: those whose facts at the beginning the last visit has read
     VEC(FactEnd) end;                 // the ends of the last visit
     VEC(FactUpdate) update;           // the facts that differ at these ends
 } FactFn;
@@ -106,6 +106,11 @@ typedef struct FactFn {               // what an iteration stores about a functi
 typedef struct FactSlotOf {           // the slot of a variable, if `function` is FactMachine.functions
     uint32_t slot, function;
 } FactSlotOf;
+
+typedef union FactPoint {             // the facts at one point of a function
+    SlotEnv *slots;                   // of a function with slots; belongs to this point alone
+    const Env *all;                   // of a function with too many variables for slots: of all variables of the machine
+} FactPoint;
 
 typedef struct FactRefined {          // what an edge adds about a slot, if `edge` is the number of the current edge
     Fact fact;
@@ -123,6 +128,7 @@ struct FactMachine {
     const IrMachine *m;
     EnvShape shape;
     Arena local;                      // the environments of slots in the current function
+    Fact slot_begin[FACT_SLOTS];      // by slot of the current function: the facts at its beginning
     const Env *assumed;               // the facts that are assumed of elements, or NULL
     bool has_variable_locals;         // the machine writes private locals; else all functions begin with the facts `constants`
     const Env *constants;             // `assumed`, and the values of locals that no code writes
@@ -133,7 +139,6 @@ struct FactMachine {
     uint32_t functions, edges;        // number of functions analysed so far, and of their edges
     FactSlotOf *slot_of;              // by variable
     FactSlot slot[FACT_SLOTS];        // the slots of the current function
-    SmType slot_type[FACT_SLOTS];     // by slot: the variable's type
     VEC(FactUpdate) load, update;     // the effect of the current block (FactEffect)
     FactRefined *refined;             // by slot, or by variable where a function has too many for slots
     uint32_t *refined_slot;           // the slots about which the current edge adds facts
@@ -143,7 +148,7 @@ struct FactMachine {
     FactHome *home;
     bool *reached;
     FactExit *exit;
-    const Env **block_begin;
+    FactPoint *block_begin;
 };
 
 // Computes the facts of all temporaries and blocks of f, which begins with the facts `begin`.  `ends` may be NULL.

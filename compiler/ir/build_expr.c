@@ -187,7 +187,7 @@ static IrRef build_any(Builder *b, const Expr *e)
         stat.var = b->window[e->window];
         stat.stat = e->stat;
         return build_emit(b, &stat);
-    case EX_EVERY: case EX_RANDOM: break;                       // only scripts have them
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;                       // only scripts have them
     }
     return IR_NONE;
 }

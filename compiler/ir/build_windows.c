@@ -30,7 +30,7 @@ static uint64_t hash_shape(const Builder *b, const Expr *e)
         for (uint32_t k = 0; k + 1 < e->n; k++)
             h = mix_hash(h, (uint64_t)expr_ops(e)[k]);
         break;
-    case EX_EVERY: case EX_RANDOM: break;                       // only scripts have them
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;                       // only scripts have them
     case EX_CALL: h = mix_hash(h, (uint64_t)e->fn); break;
     case EX_ROLL: return mix_hash(mix_hash(h, (uint64_t)e->stat), b->window[e->window]);
     }

@@ -309,7 +309,6 @@ static Expr *new_expr(Arena *arena, ExprKind kind, SmOperator op, Expr *a, Expr 
     e->kind = kind;
     e->op = op;
     e->span = a->span;
-    e->arg = (Expr **)(void *)(e + 1);
     e->arg[e->n++] = a;
     if (b)
         e->arg[e->n++] = b;

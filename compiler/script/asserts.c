@@ -56,11 +56,24 @@ static bool is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
+// Returns G where it is written at the beginning of an EX_AT.
+static const Expr *time_of_at(Arena *arena, const Expr *at)
+{
+    Expr *g = ARENA_NEW(arena, Expr);
+
+    g->kind = EX_VAR;
+    g->var = at->var;
+    g->span = (Span){at->span.src, at->span.at, at->window};
+    return g;
+}
+
 // Adds the variables and calls anywhere in e, and the operands of comparisons.  `is_compared`: e is an operand of a comparison.
 static void add_operands(Operands *o, const Expr *e, bool is_compared)
 {
     if (e->kind == EX_NUMBER || o->n == OPERANDS_MOST)
         return;
+    if (e->kind == EX_AT)
+        e = time_of_at(o->r->arena, e);
     if (e->kind != EX_ROLL)                           // its operands may have changed since they were sampled
         for (uint32_t i = 0; i < e->n; i++)
             add_operands(o, e->arg[i], is_relation(e));

@@ -62,6 +62,7 @@ double ref_eval(const Expr *e, const uint64_t *cell, const RefWindows *w)
     case EX_CHAIN: return eval_chain(e, cell, w);
     case EX_CALL: return eval_call(e, cell, w);
     case EX_EVERY: return cell[e->var->index] % (uint64_t)e->number == 0;
+    case EX_AT: return ref_read(e->var->type, cell[e->var->index]) == e->number;
     case EX_RANDOM: return ref_random_value(w->random, e->window);
     case EX_ROLL: return ref_statistic(w, e->window, e->stat);
     }

@@ -50,6 +50,8 @@ static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell
         return intersection(interval_of(e->arg[0], time, cell), interval_of(e->arg[1], time, cell));
     if (e->kind == EX_BINARY && e->op == SM_OP_OR)
         return hull(interval_of(e->arg[0], time, cell), interval_of(e->arg[1], time, cell));
+    if (e->kind == EX_AT)
+        return e->var == time ? (Interval){e->number, e->number} : always;
     if (e->kind == EX_BINARY)
         return interval_of_comparison(e->op, e->arg[0], e->arg[1], time, cell);
     for (uint32_t i = 1; e->kind == EX_CHAIN && i < e->n; i++)
@@ -118,6 +120,41 @@ static void add_containing(Arena *arena, const Entry *at, size_t from, size_t en
     }
 }
 
+// ---- items of one moment ----
+
+// An item that can run at one time only.  A script can have one for each step, and this is half the memory of an Entry.
+typedef struct Moment {
+    double at;
+    const ScriptItem *item;
+} Moment;
+
+typedef VEC(Moment) Moments;      // sorted by `at`
+
+static int compare_moments(const void *left, const void *right)
+{
+    const Moment *a = left, *b = right;
+
+    if (a->at != b->at)
+        return a->at < b->at ? -1 : 1;
+    return a->item->number < b->item->number ? -1 : 1;
+}
+
+// Adds to `due` the items of the moment `now`.
+static void add_moments(Arena *arena, const Moments *list, double now, DueItems *due)
+{
+    size_t from = 0, end = list->n;
+
+    while (from < end) {
+        const size_t middle = from + (end - from) / 2;
+        if (list->at[middle].at < now)
+            from = middle + 1;
+        else
+            end = middle;
+    }
+    for (; from < list->n && list->at[from].at == now; from++)
+        vec_push(arena, due, list->at[from].item);
+}
+
 // ---- items with a period ----
 
 // An item whose guard is `every d`, in a heap by the next time.
@@ -164,6 +201,7 @@ enum { BY_G, BY_T, TIMES };
 // The items that can run in one state, or those of [all_states].
 typedef struct Group {
     Entries by[TIMES];
+    Moments moment[TIMES];
     Periodics periodic;
 } Group;
 
@@ -181,7 +219,9 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
 {
     const Interval of_g = interval_of_item(item, h->time[BY_G], cell), of_t = interval_of_item(item, h->time[BY_T], cell);
     const bool by_t = of_t.to - of_t.from < of_g.to - of_g.from;
-    const Entry e = {item, by_t ? of_t : of_g, 0};
+    const Interval when = by_t ? of_t : of_g;
+    const Entry e = {item, when, 0};
+    const Moment moment = {when.from, item};
     const Periodic p = {item, 0, item->guard->kind == EX_EVERY ? (uint64_t)item->guard->number : 0};
 
     // The guards around an item with a period may limit it, too.  Unless they end, its period is the shorter search.
@@ -189,40 +229,42 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
         vec_push(h->arena, &g->periodic, p);
         return;
     }
-
-    vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
+    if (when.from == when.to)
+        vec_push(h->arena, &g->moment[by_t ? BY_T : BY_G], moment);
+    else
+        vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
 }
 
-// Reserves memory for n entries by G.  Items without a limit on time are among these.
-static void reserve_items(Schedule *h, Group *g, size_t n)
+// Reserves memory for the items of a section: moments by G for guards such as `at 5 s`, entries by G for others, also those without a limit on time.
+static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
 {
-    g->by[BY_G].cap = (uint32_t)n;
-    g->by[BY_G].at = ARENA_ARRAY(h->arena, Entry, n);
+    uint32_t moments = 0;
+
+    if (g->by[BY_G].cap || g->moment[BY_G].cap)               // another section of the group has reserved what it needs
+        return;
+    for (size_t i = 0; i < section->item.n; i++)
+        moments += section->item.at[i]->guard->kind == EX_AT;
+    g->moment[BY_G].cap = moments;
+    g->moment[BY_G].at = ARENA_ARRAY(h->arena, Moment, moments);
+    g->by[BY_G].cap = section->item.n - moments;
+    g->by[BY_G].at = ARENA_ARRAY(h->arena, Entry, g->by[BY_G].cap);
 }
 
-static size_t count_items_of_all_states(const Script *s)
+// Sorts a list that is not in order; that of a script that is written in order of time is.  Some qsorts need as much memory again.
+static void sort_list(void *list, size_t n, size_t size, int (*compare)(const void *, const void *))
 {
-    size_t n = 0;
-
-    for (size_t i = 0; i < s->section.n; i++)
-        n += s->section.at[i].state ? 0 : s->section.at[i].item.n;
-    return n;
-}
-
-// Whether the entries are in order, as those of a script that is written in order of time are. Some qsorts need as much memory again.
-static bool is_in_order(const Entries *list)
-{
-    for (size_t i = 1; i < list->n; i++)
-        if (compare_entries(&list->at[i - 1], &list->at[i]) > 0)
-            return false;
-    return true;
+    for (size_t i = 1; i < n; i++)
+        if (compare((const char *)list + (i - 1) * size, (const char *)list + i * size) > 0) {
+            qsort(list, n, size, compare);
+            return;
+        }
 }
 
 static void sort_group(Group *g)
 {
     for (int i = 0; i < TIMES; i++) {
-        if (!is_in_order(&g->by[i]))
-            qsort(g->by[i].at, g->by[i].n, sizeof *g->by[i].at, compare_entries);
+        sort_list(g->moment[i].at, g->moment[i].n, sizeof(Moment), compare_moments);
+        sort_list(g->by[i].at, g->by[i].n, sizeof(Entry), compare_entries);
         set_latest(g->by[i].at, 0, g->by[i].n);
     }
 }
@@ -232,10 +274,8 @@ static Group *find_group(Schedule *h, const ScriptSection *section)
 {
     Group **g = &h->of_state[section->state->number - 1];
 
-    if (!*g) {
+    if (!*g)
         *g = ARENA_NEW(h->arena, Group);
-        reserve_items(h, *g, section->item.n);
-    }
     return *g;
 }
 
@@ -250,10 +290,10 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
     h->grows = s->delta_t > 0 || s->by_rows;                                  // otherwise the ticks of an application are no whole units apart
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
     h->states = s->program->state.n;
-    reserve_items(h, &h->all_states, count_items_of_all_states(s));
     for (size_t i = 0; i < s->section.n; i++) {
         const ScriptSection *section = &s->section.at[i];
         Group *g = section->state ? find_group(h, section) : &h->all_states;
+        reserve_items(h, g, section);
         for (size_t k = 0; k < section->item.n; k++)
             add_item(h, g, section->item.at[k], cell);
     }
@@ -281,8 +321,11 @@ static bool is_sorted(const DueItems *due)
 
 static void add_due(const Schedule *h, Group *g, const uint64_t *cell, DueItems *due)
 {
-    for (int k = 0; g && k < TIMES; k++)
-        add_containing(h->arena, g->by[k].at, 0, g->by[k].n, ref_read(h->time[k]->type, cell[h->time[k]->index]), due);
+    for (int k = 0; g && k < TIMES; k++) {
+        const double now = ref_read(h->time[k]->type, cell[h->time[k]->index]);
+        add_moments(h->arena, &g->moment[k], now, due);
+        add_containing(h->arena, g->by[k].at, 0, g->by[k].n, now, due);
+    }
     if (g)
         add_periodic(h->arena, &g->periodic, cell[h->time[BY_G]->index], due);
 }

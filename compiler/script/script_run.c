@@ -73,8 +73,8 @@ static void write_data(ScriptRun *r)
 static void write_inputs_of_item(ScriptRun *r, const ScriptItem *item)
 {
     for (size_t i = 0; i < item->inputs.n; i++) {
-        const Stmt *s = item->inputs.at[i];
-        write_input(r, s->var, ref_convert(s->var->type, ref_eval(s->value, r->cell, &r->windows)));
+        const ScriptInput *in = &item->inputs.at[i];
+        write_input(r, in->var, ref_convert(in->var->type, ref_eval(in->value, r->cell, &r->windows)));
     }
 }
 

@@ -268,18 +268,18 @@ static const Var *run_variable(const Answer *a, const Var *v)
     return j ? j->member.at[a->r.q.machine].var[v->index] : v;
 }
 
-// Returns the statement of the script that wrote a variable last, and the step; NULL: none.
-static const Stmt *find_writer(const ScriptRun *run, const Var *v, uint64_t *step)
+// Returns the position of the assignment in the script that wrote a variable last, and the step; without a source: none.
+static Span find_writer(const ScriptRun *run, const Var *v, uint64_t *step)
 {
-    const Stmt *found = NULL;
+    Span found = {0};
 
     *step = 0;
     for (size_t i = 0; i < run->s->section.n; i++)
         for (size_t k = 0; k < run->s->section.at[i].item.n; k++) {
             const ScriptItem *item = run->s->section.at[i].item.at[k];
             for (size_t n = 0; n < item->inputs.n; n++)
-                if (item->inputs.at[n]->var == v && run->true_in[item->number] && run->true_in[item->number] >= *step) {
-                    found = item->inputs.at[n];
+                if (item->inputs.at[n].var == v && run->true_in[item->number] && run->true_in[item->number] >= *step) {
+                    found = script_input_span(item, &item->inputs.at[n]);
                     *step = run->true_in[item->number];
                 }
         }
@@ -318,16 +318,16 @@ static void add_origin(Answer *a, const Var *local)
     const WatchStmt *stored = find_store(a, v);
     const ScriptColumn *column = find_column(a->r.s, v);
     uint64_t written;
-    const Stmt *writer = find_writer(&a->r.run, v, &written);
+    const Span writer = find_writer(&a->r.run, v, &written);
     WhyLine *line;
 
-    if (stored && (!writer || stored->step >= written)) {
+    if (stored && (!writer.src || stored->step >= written)) {
         line = add_line(a, WHY_ORIGIN, 1, stored->stmt->span, format_in(arena, "%s was last stored in %s, by %s", name, why_step(arena, stored->step, stored->g),
                         why_quote(arena, stored->stmt->span)));
         line->step = stored->step;
         line->g = stored->g;
-    } else if (writer) {
-        line = add_line(a, WHY_ORIGIN, 1, writer->span, format_in(arena, "the script wrote %s in step %" PRIu64 ", by %s", name, written, why_quote(arena, writer->span)));
+    } else if (writer.src) {
+        line = add_line(a, WHY_ORIGIN, 1, writer, format_in(arena, "the script wrote %s in step %" PRIu64 ", by %s", name, written, why_quote(arena, writer)));
         line->step = written;
     } else if (column) {
         add_line(a, WHY_ORIGIN, 1, column->span, format_in(arena, "%s is column '%s' of '%s'", name, column->name->text, a->r.s->data->file->text));
@@ -589,7 +589,7 @@ static void ask_of(Answer *a, Arena *arena, const Script *s, const ScriptOptions
     uint64_t written;
     Buf value;
 
-    if (!stored || find_store(a, joined) != stored || (find_writer(&a->r.run, joined, &written) && written > stored->step)) {
+    if (!stored || find_store(a, joined) != stored || (find_writer(&a->r.run, joined, &written).src && written > stored->step)) {
         answer_of_input(a, q.of);
         return;
     }

@@ -13,12 +13,11 @@
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 {
     const size_t ops = kind == EX_CHAIN ? (args - 1) * sizeof(SmOperator) : 0;
-    Expr *e = arena_alloc(s->arena, sizeof *e + args * sizeof *e->arg + ops);
+    Expr *e = arena_alloc(s->nodes, sizeof *e + args * sizeof *e->arg + ops);
 
     e->kind = kind;
     e->span = sema_span(s, span);
     e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
-    e->arg = (Expr **)(void *)(e + 1);
     return e;
 }
 

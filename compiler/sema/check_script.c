@@ -237,16 +237,16 @@ static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts 
         item->inputs.cap += body->at[end]->kind == AST_ASSIGN;
         item->asserts.cap += is_assert(body->at[end]);
     }
-    item->inputs.at = ARENA_ARRAY(k->s.arena, Stmt *, item->inputs.cap);
+    item->inputs.at = ARENA_ARRAY(k->s.arena, ScriptInput, item->inputs.cap);
     item->asserts.at = ARENA_ARRAY(k->s.arena, ScriptAssert, item->asserts.cap);
     for (i = from; i < end; i++) {
         const AstStmt *stmt = body->at[i];
-        Stmt *input;
+        Stmt input = {.kind = ST_ASSIGN};
 
         switch (stmt->kind) {
         case AST_ASSIGN:
-            if ((input = check_assignment(&k->s, stmt)) != NULL)
-                vec_push(k->s.arena, &item->inputs, input);
+            if (check_assignment(&k->s, stmt, &input))
+                vec_push(k->s.arena, &item->inputs, ((ScriptInput){input.var, input.value, stmt->span.at, stmt->span.len}));
             break;
         case AST_ASSERT: case AST_FAIL: case AST_EXPECT: case AST_PRINT:
             add_assert(k, item, stmt);
@@ -294,7 +294,7 @@ static void check_conditional(ScriptCheck *k, const AstStmt *in, const ScriptIte
 
     k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
     warn_of_time_as_guard(&k->s, in->value);
-    item->guard = check_expr(&k->s, in->value);
+    item->guard = check_guard(&k->s, in->value);
     item->by_time = in->value->kind == AST_WHEN;
     if (k->proposes_guards && !item->by_time)
         propose_when(&k->s, in->value, k->script->delta_t);
@@ -374,6 +374,16 @@ static void check_item(void *context, const AstStmt *in)
 
 // ---- times that the script compares with ----
 
+// Warns of e, which compares G or T with `at`, if no step has that time.
+static void warn_of_missed_time(ScriptCheck *k, const Expr *e, const Var *time, SmF64 at)
+{
+    const Span delta_t = k->script->delta_t_span;
+
+    if (!is_reached_time(at, k->script->delta_t))
+        diag_report(k->s.diags, DIAG_moment_missed, e->span, time == k->s.p->g ? "G" : "T", const_text(k->s.arena, at),
+                    format_in(k->s.arena, "%.*s", (int)delta_t.len, delta_t.src->text + delta_t.at));
+}
+
 // Warns of a comparison such as G == 15 where G is 0, 10, 20.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX
 // bounds.
 static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
@@ -384,13 +394,11 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
         warn_of_missed_times(k, e->arg[i]);
     for (uint32_t i = 0; e->kind == EX_BINARY && e->op == SM_OP_EQ && i < 2; i++) {
         const Expr *time = e->arg[i], *at = e->arg[1 - i];
-        const Span delta_t = k->script->delta_t_span;
-        if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at) &&
-            !is_reached_time(expr_constant_value(at), k->script->delta_t))
-            diag_report(k->s.diags, DIAG_moment_missed, e->span, time->var == k->s.p->g ? "G" : "T",
-                        const_text(k->s.arena, expr_constant_value(at)),
-                        format_in(k->s.arena, "%.*s", (int)delta_t.len, delta_t.src->text + delta_t.at));
+        if (time->kind == EX_VAR && (time->var == k->s.p->g || time->var == k->s.p->t) && expr_is_constant(at))
+            warn_of_missed_time(k, e, time->var, expr_constant_value(at));
     }
+    if (e->kind == EX_AT)
+        warn_of_missed_time(k, e, e->var, e->number);
 }
 
 // Whether G is a multiple of delta_t in every step.
@@ -493,6 +501,7 @@ Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const As
     const ScriptVisitor v = {check_section, check_item, &k, items};
 
     begin_check(&k, c, outline, n, program);
+    k.s.scratch = items;
     for (size_t i = 0; i < n; i++) {
         begin_file(&k, outline[i]);
         parse_script(tree, c->strings, c->diags, outline[i]->src, &v);

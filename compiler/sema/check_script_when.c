@@ -49,15 +49,50 @@ static Expr *new_every(Sema *s, const Expr *period, const AstExpr *in)
     return e;
 }
 
+// Returns the value of a guard such as `at 5 s`, or of `G == 5000`, where G's name has `name` bytes.
+static Expr *new_at(Sema *s, const Expr *time, Span span, uint32_t name)
+{
+    Expr *e = expr_new(s, EX_AT, span, 0);
+
+    e->number = time->number;
+    e->window = name;
+    e->var = s->p->g;
+    return e;
+}
+
+// Checks an expression without windows whose nodes are not kept.
+static Expr *check_unkept(Sema *s, const AstExpr *e)
+{
+    Expr *out;
+
+    s->nodes = s->scratch;
+    out = check_expr(s, e);
+    s->nodes = s->arena;
+    return out;
+}
+
+static bool is_global_time(const Sema *s, const AstExpr *e) { return e->kind == AST_NAME && scope_find_variable(s, e->name) == s->p->g; }
+
+Expr *check_guard(Sema *s, const AstExpr *e)
+{
+    const bool is_at = e->kind == AST_BINARY && e->op == SM_OP_EQ && is_global_time(s, e->a) && e->b->kind == AST_NUMBER;
+    const Expr *both = is_at ? check_unkept(s, e) : NULL;
+
+    if (!is_at)
+        return check_expr(s, e);
+    return both ? new_at(s, both->arg[1], e->span, e->a->span.len) : NULL;
+}
+
 Expr *check_when(Sema *s, const AstExpr *e)
 {
-    Expr *a = check_expr(s, e->a), *b = e->b ? check_expr(s, e->b) : NULL;
+    const bool is_one_node = e->when == AST_AT || e->when == AST_EVERY;
+    Expr *a = is_one_node ? check_unkept(s, e->a) : check_expr(s, e->a), *b = e->b ? check_expr(s, e->b) : NULL;
     const Span at = {e->span.src, e->span.at, 0};        // of G, which is not written
 
     if (!a || (e->b && !b))
         return NULL;
     switch ((int)e->when) {
-    case AST_AT:    return new_comparison(s, SM_OP_EQ, new_variable(s, s->p->g, at), a, e->span);
+    case AST_AT:    return new_at(s, a, e->span, 0);
     case AST_AFTER: return new_comparison(s, SM_OP_GE, new_variable(s, s->p->g, at), a, e->span);
     case AST_FROM:  return new_range(s, a, b, e);
     default:        return new_every(s, a, e);
@@ -126,8 +161,6 @@ static SmF64 time_of_number(const Sema *s, const AstExpr *e)
 
 // A bound of G: G == time, G >= time or G < time.
 typedef struct Bound { SmOperator op; const AstExpr *time; } Bound;
-
-static bool is_global_time(const Sema *s, const AstExpr *e) { return e->kind == AST_NAME && scope_find_variable(s, e->name) == s->p->g; }
 
 // Whether e is written as a number that is a whole time, other than in hexadecimal.
 static bool is_whole_time(const Sema *s, const AstExpr *e)
@@ -226,7 +259,7 @@ static const char *format_units(const Sema *s, SmF64 units)
 
 static void check_at(Sema *s, const Expr *guard, uint64_t delta_t)
 {
-    const SmF64 at = guard->arg[1]->number, above = next_step(at, delta_t);
+    const SmF64 at = guard->number, above = next_step(at, delta_t);
     Diag *d;
 
     if (is_reached_time(at, delta_t))
@@ -258,6 +291,6 @@ void check_when_times(Sema *s, const Expr *guard, uint64_t delta_t)
         check_every(s, guard, delta_t);
     else if (guard->kind == EX_CHAIN)
         warn_of_empty_range(s, guard, delta_t);
-    else if (guard->op == SM_OP_EQ)
+    else if (guard->kind == EX_AT)
         check_at(s, guard, delta_t);
 }

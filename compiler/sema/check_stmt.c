@@ -111,15 +111,13 @@ Var *check_target(Sema *s, Str name, Span span)
     return v;
 }
 
-// Checks an assignment and returns its typed form; NULL after an error, which is reported.
-Stmt *check_assignment(Sema *s, const AstStmt *in)
+bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
 {
     Var *v = scope_find_variable(s, in->name);
-    Stmt *out = stmt_new(s, ST_ASSIGN, in);
     bool good;
 
     if (report_state_assignment(s, v, in))
-        return NULL;
+        return false;
     good = check_target(s, in->name, in->name_span) != NULL;
     if (v && !s->in_script)
         v->written = true;
@@ -128,7 +126,14 @@ Stmt *check_assignment(Sema *s, const AstStmt *in)
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
     if (good && s->in_script && out->value && expr_is_constant(out->value) && sm_is_nan(expr_constant_value(out->value)))
         diag_report(s->diags, DIAG_stores_nan, out->value->span, v->name->text);
-    return good && out->value ? out : NULL;
+    return good && out->value;
+}
+
+static Stmt *check_machine_assignment(Sema *s, const AstStmt *in)
+{
+    Stmt *out = stmt_new(s, ST_ASSIGN, in);
+
+    return check_assignment(s, in, out) ? out : NULL;
 }
 
 // ---- transitions ----
@@ -195,7 +200,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         Stmt *stmt = NULL;
         switch (in->at[i]->kind) {
         case AST_ALLOWED:    continue;
-        case AST_ASSIGN:     stmt = check_assignment(s, in->at[i]); break;
+        case AST_ASSIGN:     stmt = check_machine_assignment(s, in->at[i]); break;
         case AST_TRANSITION: stmt = check_transition(s, in->at[i]); break;
         case AST_IF:         stmt = check_if(s, in->at[i]); break;
         case AST_ASSERT: case AST_FAIL: case AST_EXPECT: case AST_PRINT: case AST_STOP: case AST_STMT_ERROR: break;       // the parser has reported them

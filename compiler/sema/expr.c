@@ -32,7 +32,7 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
     case EX_BINARY: return a->op == b->op;
     case EX_CHAIN: return memcmp(expr_ops(a), expr_ops(b), (a->n - 1) * sizeof(SmOperator)) == 0;
     case EX_CALL: return a->fn == b->fn;
-    case EX_EVERY: return sm_eq(a->number, b->number);
+    case EX_EVERY: case EX_AT: return sm_eq(a->number, b->number);
     case EX_RANDOM: return a->window == b->window;
     case EX_ROLL: return a->stat == b->stat && (window_of ? window_of[a->window] == window_of[b->window] : a->window == b->window);
     }
@@ -128,7 +128,7 @@ SmF64 expr_eval(const Expr *e, const SmF64 *value)
     case EX_BINARY: return eval_binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
     case EX_CHAIN:  return eval_chain(e, value);
     case EX_CALL:   return eval_call(e, value);
-    case EX_EVERY: case EX_RANDOM: break;             // scripts evaluate them themselves
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;             // scripts evaluate them themselves
     case EX_ROLL:   return value && e->stat != SM_STAT_RANGE && e->stat < SM_STAT_CHANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);    // all samples are equal
     }
     return sm_from_i32(0);
@@ -272,7 +272,7 @@ static void name_expr(const Namer *n, const Expr *e)
     case EX_BINARY:
     case EX_CHAIN: name_operation(n, e); break;
     case EX_CALL: name_call(n, e); break;
-    case EX_EVERY: case EX_RANDOM: break;             // no window of a machine samples them
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;             // no window of a machine samples them
     case EX_ROLL: name_window(n, statistic_name[e->stat], &n->window->at[e->window]); break;
     }
 }

@@ -154,6 +154,7 @@ typedef enum ExprKind {
     EX_ROLL,                  // statistic `stat` of window `window`; arg[0] is the sampled expression
     // Only scripts have the following kinds, and no engine evaluates them.
     EX_EVERY,                 // whether `var`, which is G, is a multiple of `number`
+    EX_AT,                    // whether `var`, which is G, equals `number`: one node, because a script can have a million of such guards
     EX_RANDOM                 // the value of random call number `window` + 1 in this step
 } ExprKind;
 
@@ -167,9 +168,9 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     Span span;
     SmF64 number;
     Var *var;
-    Expr **arg;               // n pointers stored directly after this struct; for a CHAIN its n - 1 operators follow
-    uint32_t window;          // ROLL: index into the owner's window list
+    uint32_t window;          // ROLL: index into the owner's window list; AT: the length of G's name at the beginning of `span`, 0: it is not written
     uint32_t define;          // 1 + the number of the definition with a unit whose use this is; 0: none
+    Expr *arg[];              // n operands; for a CHAIN its n - 1 operators follow
 };
 
 static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
@@ -317,6 +318,13 @@ typedef struct ScriptAssert {
 
 typedef struct ScriptItem ScriptItem;
 
+// An assignment of a script.
+typedef struct ScriptInput {
+    Var *var;
+    Expr *value;              // converted to var's type
+    uint32_t at, len;         // the position of the assignment, in the source of ScriptItem.span
+} ScriptInput;
+
 // The items of one body, up to the first conditional in it.  Such a conditional is an item of its own; so is what follows it in the body, with
 // a guard that is always true.
 struct ScriptItem {
@@ -330,10 +338,11 @@ struct ScriptItem {
     bool stop;                // the item's body ends with @stop
     uint32_t stop_at, stop_len;       // the position of the @stop, in the source of `span`
     Span span;
-    Stmts inputs;             // ST_ASSIGN, executed at once when the guard is true
+    VEC(ScriptInput) inputs;  // executed at once when the guard is true
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
 };
 
+static inline Span script_input_span(const ScriptItem *item, const ScriptInput *in) { return (Span){item->span.src, in->at, in->len}; }
 static inline Span script_stop_span(const ScriptItem *item) { return (Span){item->span.src, item->stop_at, item->stop_len}; }
 
 typedef struct ScriptSection {

@@ -10,7 +10,7 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
     enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
 
     memset(s, 0, sizeof *s);
-    s->arena = c->arena;
+    s->arena = s->nodes = s->scratch = c->arena;
     s->strings = c->strings;
     s->diags = c->diags;
     s->lost = lost;

@@ -32,6 +32,8 @@ void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *to);
 // One machine or script being checked.
 typedef struct Sema {
     Arena *arena;
+    Arena *nodes;             // receives the nodes of expressions: `arena`, or `scratch` for those that are not kept
+    Arena *scratch;           // may be freed after each item of a script
     StrPool *strings;
     Diags *diags;
     const Program *p;         // the machine being checked, or the machine that the script belongs to
@@ -118,7 +120,7 @@ void check_script_locals(Sema *s, Script *script, const AstFile *const *file, si
 
 // Checks the [state_vector] and [local] sections of a machine, and builds its variables.
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance);
-// check_expr and check_assignment return NULL after an error, which they have reported.
+// Returns NULL after an error, which is reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
 // Calls that sample their first argument (check_sampled.c); NULL after an error, too.
 Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
@@ -126,7 +128,8 @@ Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn);
 // Calls of min, max, median and average (check_list.c); NULL after an error, too.
 Expr *check_list_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 void sema_record_operator(Sema *s, SmOperator op);     // records that the value being checked, and the machine, contain an operator
-Stmt *check_assignment(Sema *s, const AstStmt *in);
+// Sets the variable and the value of an assignment; false after an error, which is reported.
+bool check_assignment(Sema *s, const AstStmt *in, Stmt *out);
 Var *check_target(Sema *s, Str name, Span span);       // returns the variable that a statement assigns; NULL after a report
 void check_data(Sema *s, Script *script, const AstSection *in);       // [data] of a script (check_data.c)
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
@@ -227,6 +230,7 @@ void check_app_machine_time(const CheckContext *c, const Program *p, Span named,
 
 // ---- check_script_when.c: guards by time of a script ----
 
+Expr *check_guard(Sema *s, const AstExpr *e);              // the guard of a conditional of a script: `G == 5000` becomes one node, as `at 5 s`
 Expr *check_when(Sema *s, const AstExpr *e);               // at 5 s, from 1 s to 2 s, after 5 s, every 10 ms
 Expr *check_state_value(Sema *s, const AstExpr *e);        // state Burn
 // Reports `S == state Burn`, which compares twice. Returns false, and reports nothing, if e is another comparison.

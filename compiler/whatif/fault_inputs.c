@@ -12,7 +12,7 @@ static bool script_writes(const Script *s, const Var *v)
         for (size_t j = 0; j < s->section.at[i].item.n; j++) {
             const ScriptItem *item = s->section.at[i].item.at[j];
             for (size_t k = 0; k < item->inputs.n; k++)
-                if (item->inputs.at[k]->var == v)
+                if (item->inputs.at[k].var == v)
                     return true;
         }
     return false;

@@ -204,8 +204,8 @@ static void edit_item(Edits *e, const ScriptItem *item)
 {
     rename_in(e, item->guard);
     for (uint32_t i = 0; i < item->inputs.n; i++) {
-        rename_at(e, item->inputs.at[i]->span, item->inputs.at[i]->var);
-        rename_in(e, item->inputs.at[i]->value);
+        rename_at(e, script_input_span(item, &item->inputs.at[i]), item->inputs.at[i].var);
+        rename_in(e, item->inputs.at[i].value);
     }
     for (uint32_t i = 0; i < item->asserts.n; i++)
         edit_assert(e, &item->asserts.at[i]);

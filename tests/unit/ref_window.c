@@ -22,15 +22,15 @@ static Arena arena;
 static jmp_buf oom;
 
 // Windows over variable 0, an F64.
-typedef struct Fixture { Windows list; RefWindows windows; Expr sample; Var var; } Fixture;
+typedef struct Fixture { Windows list; RefWindows windows; Expr *sample; Var var; } Fixture;
 
 static void set_up(Fixture *f, uint32_t size)
 {
-    Window w = {.sample = &f->sample, .size = size, .stat = SM_STAT_AVG};
+    Window w = {.sample = ARENA_NEW(&arena, Expr), .size = size, .stat = SM_STAT_AVG};
 
-    *f = (Fixture){.var = {.kind = VAR_ELEMENT, .type = SM_F64}};
-    f->sample.kind = EX_VAR;
-    f->sample.var = &f->var;
+    *f = (Fixture){.sample = w.sample, .var = {.kind = VAR_ELEMENT, .type = SM_F64}};
+    f->sample->kind = EX_VAR;
+    f->sample->var = &f->var;
     vec_push(&arena, &f->list, w);
     ref_windows_init(&f->windows, &arena, &f->list);
 }

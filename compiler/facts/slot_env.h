@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facts about the variables of one function at one point of it.  Inside a function, its variables are numbered from 0: its slots, at most 64.
+// Most points know the same as the beginning of the function, except for a few slots.  So an environment contains these alone, as an array that is
+// changed in place.  It costs no memory after the function, unlike an Env, which is never changed.
+#ifndef SMC_SLOT_ENV_H
+#define SMC_SLOT_ENV_H
+
+#include "compiler/facts/fact.h"
+
+enum { FACT_SLOTS = 64 };             // most slots of a function: the bits of a set of slots
+
+typedef struct SlotEnv SlotEnv;
+struct SlotEnv {
+    SlotEnv *next;                    // in SlotEnvs.unused
+    uint64_t changed;                 // a set of slots: those whose facts are in `fact`.  The others have the facts at the beginning of the function
+    Fact fact[];                      // by slot
+};
+
+typedef struct SlotEnvs {             // the environments of one function
+    Arena *arena;
+    uint32_t slots;
+    const Fact *begin;                // by slot: the facts at the beginning
+    uint64_t read;                    // a set of slots: those whose facts at the beginning have been read
+    SlotEnv *unused;                  // freed environments
+} SlotEnvs;
+
+SlotEnv *slot_env_new(SlotEnvs *s);                      // the facts at the beginning
+SlotEnv *slot_env_copy(SlotEnvs *s, const SlotEnv *e);
+void slot_env_free(SlotEnvs *s, SlotEnv *e);
+// Returns the fact about a slot, which is valid until the slot is set.
+const Fact *slot_env_find(SlotEnvs *s, const SlotEnv *e, uint32_t slot);
+void slot_env_set(SlotEnv *e, uint32_t slot, Fact fact);
+// Changes *into to what is true on both of two paths, with the facts *into and *from.
+void slot_env_join(SlotEnvs *s, SlotEnv *into, const SlotEnv *from);
+// Whether both have the same bits for the same slots of the set.
+bool slot_env_is_same(const SlotEnv *a, const SlotEnv *b, uint64_t set);
+
+#endif
