@@ -593,6 +593,19 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32
         sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind, count) : sm_roll_sum_of_integers(w, n, kind, count);
     return sm_div(sum, sm_from_u32(count));
 }
+// snippet: end
+#if SM_F64_SOFT
+#include "stdlib/soft_cells.h"
+// snippet: sm_roll_avg_of_f32
+// The same for at most SM_SOFT_SUM_MOST samples of F32, which are usually so close to each other that their sum is exact.
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg_of_f32(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
+{
+    const unsigned char *const keys = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
+    const uint64_t sum = SM_ROLL_SMALL && count > 0 ? sm_soft_sum_f32(keys, (uint8_t)count) : 0;
+    return sum == 0 ? sm_roll_avg(w, n, kind, count) : sm_div(sm_from_bits(sum), sm_from_u32(count));
+}
+// snippet: end
+#endif
 // snippet: sm_roll_load_f32
 SM_ROLL_INLINE float sm_roll_load_f32(const unsigned char *at) { float x; memcpy(&x, at, sizeof x); return x; }
 // snippet: sm_roll_load_f64

@@ -3,6 +3,7 @@
 // constant arguments, so that a compiler specialises each call.  A kind is the type of the samples and a bit for each statistic.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/roll.h"
+#include "stdlib/soft_cells.h"
 
 static const IrWindow *get_window(const CUnit *u, size_t w) { return &u->m->window.at[w]; }
 
@@ -213,6 +214,8 @@ static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
 // Returns the name of the function of roll.h that reads a statistic of a window of samples.
 static const char *statistic_function(const CUnit *u, size_t w, int stat)
 {
+    if (stat == SM_STAT_AVG && u->soft && get_window(u, w)->type == SM_F32 && get_window(u, w)->size <= SM_SOFT_SUM_MOST)
+        return "sm_roll_avg_of_f32";
     return stat == SM_STAT_MEDIAN && get_window(u, w)->size == 3 ? "sm_roll_median_of_3" : format_in(u->arena, "sm_roll_%s", stat_name[stat]);
 }
 
