@@ -105,6 +105,7 @@ enum {
     SM_ROLL_ORDER = 480        // the statistics that compare samples
 };
 #define SM_ROLL_MEDIAN_OF_3 ((uint32_t)SM_ROLL_MEDIAN | 0x8000u)        // the same as SM_ROLL_MEDIAN, of a window of three slots in emitted C
+#define SM_ROLL_ANY_ZERO 0x10000u      // only where a statistic is read: if it is 0, its sign can be wrong
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
 // SM_ROLL_BLOCK: the number of ordered samples in a block that moves at once.
@@ -593,6 +594,19 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32
         sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind, count) : sm_roll_sum_of_integers(w, n, kind, count);
     return sm_div(sum, sm_from_u32(count));
 }
+// snippet: end
+#if SM_F64_SOFT
+#include "stdlib/soft_cells.h"
+// snippet: sm_roll_avg_of_f32
+// The same for at most SM_SOFT_SUM_MOST samples of F32, which are usually so close to each other that their sum is exact.
+SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg_of_f32(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
+{
+    const unsigned char *const keys = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
+    const uint64_t sum = SM_ROLL_SMALL && count > 0 ? sm_soft_sum_f32(keys, (uint8_t)count) : 0;
+    return sum == 0 ? sm_roll_avg(w, n, kind, count) : sm_div(sm_from_bits(sum), sm_from_u32(count));
+}
+// snippet: end
+#endif
 // snippet: sm_roll_load_f32
 SM_ROLL_INLINE float sm_roll_load_f32(const unsigned char *at) { float x; memcpy(&x, at, sizeof x); return x; }
 // snippet: sm_roll_load_f64
@@ -748,7 +762,7 @@ SM_ROLL_INLINE SmF64 sm_roll_middle_number(const uint64_t *w, uint32_t kind)
     const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(3, kind));
     const SmF64 x = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_middle_f32(at)) : sm_roll_middle_f64(at);
     SmRollKey a, b, c;
-    if (!sm_eq(x, sm_from_bits(0)))
+    if ((kind & SM_ROLL_ANY_ZERO) != 0 || !sm_eq(x, sm_from_bits(0)))
         return x;
     a = sm_roll_slot_key(w, 3, kind, 0);
     b = sm_roll_slot_key(w, 3, kind, 1);
@@ -824,7 +838,7 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kin
         return sm_roll_value_of_rank(w, n, kind, count, up ? count - 1u : 0);
     if (sm_roll_compares_numbers(n, kind)) {
         const SmF64 x = sm_roll_extreme_number(w, n, kind, count, up);
-        return sm_eq(x, sm_from_bits(0)) ? sm_roll_extreme_zero(w, n, kind, count, up) : x;
+        return (kind & SM_ROLL_ANY_ZERO) == 0 && sm_eq(x, sm_from_bits(0)) ? sm_roll_extreme_zero(w, n, kind, count, up) : x;
     }
     if (partials < 4)
         return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, count, up));

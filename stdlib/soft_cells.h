@@ -25,6 +25,11 @@ void sm_soft_increment(uint64_t *v);                      // adds one as F64 doe
 // the last step plus 1; 0 before the first step.
 bool sm_soft_advance(uint64_t *gate, const uint64_t *time);
 
+// The sum of n >= 1 samples of F32, whose keys (sm_roll_key of roll.h) are at `keys`, as the bits of a binary64, if it is exact in any order: n is
+// at most SM_SOFT_SUM_MOST, and no sample but 0 is less than 2^-15 of the largest power of two.  Otherwise, or if the sum is 0: 0.
+#define SM_SOFT_SUM_MOST 127
+uint64_t sm_soft_sum_f32(const unsigned char *keys, uint8_t n);
+
 #ifdef __cplusplus
 }
 #endif

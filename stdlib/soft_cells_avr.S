@@ -225,4 +225,147 @@ sm_soft_advance:
 	ret
 1:	ldi r24, 0
 	ret
+
+	.section .text.sm_soft_sum_f32, "ax", @progbits
+
+; Shifts the digits r26:r24, and r0 below them, right by r27.
+.macro digits_down
+	tst r27
+	breq 2f
+1:	lsr r26
+	ror r25
+	ror r24
+	ror r0
+	dec r27
+	brne 1b
+2:
+.endm
+
+; The sum is r23:r18.  The leading digit of a sample with the largest exponent, which is in r17, is at bit 7 of r22.
+	.global sm_soft_sum_f32
+	.type sm_soft_sum_f32, @function
+sm_soft_sum_f32:
+	push r16
+	push r17
+	movw r30, r24
+	mov r16, r22
+	ldi r17, 1
+1:	ldd r24, Z+2                      ; finds the largest exponent
+	ldd r25, Z+3
+	sbrs r25, 7
+	rjmp 2f
+	com r24
+	com r25
+2:	lsl r24
+	rol r25
+	cp r17, r25
+	brsh 3f
+	mov r17, r25
+3:	adiw r30, 4
+	dec r22
+	brne 1b
+	clr r18
+	clr r19
+	movw r20, r18
+	movw r22, r18
+	cpi r17, 0xFF
+	brne .Lsum_next
+	rjmp .Lsum_none                   ; an infinity
+.Lsum_next:                               ; adds the samples, the last one first
+	sbiw r30, 4
+	ld r24, Z
+	ldd r25, Z+1
+	ldd r26, Z+2
+	ldd r27, Z+3
+	bst r27, 7
+	brtc 1f
+	com r24
+	com r25
+	com r26
+	com r27
+1:	clr r0
+	lsl r26
+	rol r27                           ; its exponent
+	brne 2f
+	inc r27                           ; subnormal, or 0: no leading digit is added
+	lsr r26
+	rjmp 3f
+2:	sec
+	ror r26
+3:	sub r27, r17
+	neg r27
+	cpi r27, 8
+	brsh .Lsum_low
+	digits_down
+	brts 4f
+	add r19, r0
+	adc r20, r24
+	adc r21, r25
+	adc r22, r26
+	adc r23, r1
+	dec r16
+	brne .Lsum_next
+	rjmp .Lsum_ready
+4:	sub r19, r0
+	sbc r20, r24
+	sbc r21, r25
+	sbc r22, r26
+	sbc r23, r1
+.Lsum_added:
+	dec r16
+	brne .Lsum_next
+.Lsum_ready:
+	clr r24
+	sbrc r23, 7
+	com r24
+	mov r25, r24
+#ifdef __AVR_HAVE_JMP_CALL__
+	call sm_soft_from_i64
+#else
+	rcall sm_soft_from_i64
+#endif
+	tst r25
+	breq .Lsum_end                    ; the sum is 0
+	ldi r26, 16
+	mul r17, r26
+	add r24, r0
+	adc r25, r1
+	clr r1
+	subi r24, lo8((150 + 16) * 16)
+	sbci r25, hi8((150 + 16) * 16)
+.Lsum_end:
+	pop r17
+	pop r16
+	ret
+.Lsum_low:
+	subi r27, 8
+	cpi r27, 8
+	brsh .Lsum_far
+	digits_down
+	brts 5f
+	add r18, r0
+	adc r19, r24
+	adc r20, r25
+	adc r21, r26
+	adc r22, r1
+	adc r23, r1
+	rjmp .Lsum_added
+5:	sub r18, r0
+	sbc r19, r24
+	sbc r20, r25
+	sbc r21, r26
+	sbc r22, r1
+	sbc r23, r1
+	rjmp .Lsum_added
+.Lsum_far:
+	or r24, r25
+	or r24, r26
+	breq .Lsum_added                  ; it is 0
+.Lsum_none:
+	clr r18
+	clr r19
+	movw r20, r18
+	movw r22, r18
+	movw r24, r18
+	rjmp .Lsum_end
 #endif

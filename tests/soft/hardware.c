@@ -64,6 +64,29 @@ static bool hard_reaches(double x, uint32_t n) { return hard_beyond(x, n) || x =
 static bool hard_beyond_f32(float x, float y) { return x == x && (signbit(y) ? x < y : x > y); }
 static bool hard_reaches_f32(float x, float y) { return hard_beyond_f32(x, y) || x == y; }
 
+// Their sum, if no sample but 0 is too small beside the largest; otherwise 0.
+static uint64_t hard_sum_f32(uint64_t a, uint64_t b)
+{
+    uint32_t key[CELL_SAMPLES];
+    const uint8_t n = cell_samples(a, b, key);
+    double sum = 0, x;
+    int most = -125, e;
+
+    for (int pass = 0; pass < 2; pass++)
+        for (uint8_t i = 0; i < n; i++) {
+            x = (double)f32_of(key[i] >> 31 != 0 ? key[i] ^ 0x7FFFFFFFu : key[i]);
+            if (x - x != 0)
+                return 0;
+            frexp(x, &e);
+            e = x == 0 ? most : e < -125 ? -125 : e;       // subnormal numbers have the exponent of the smallest normal ones
+            if (most - e > 15 && pass == 1)
+                return 0;
+            most = e > most ? e : most;
+            sum += pass == 1 ? x : 0;
+        }
+    return sum == 0 ? 0 : hard(sum);
+}
+
 uint64_t hard_result(SoftOp op, uint64_t a, uint64_t b)
 {
     const double x = of_bits(a), y = of_bits(b);

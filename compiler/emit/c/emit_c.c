@@ -97,6 +97,7 @@ void unit_init(CUnit *u, Arena *a, const IrMachine *m, const char *prefix, const
     u->helper = ARENA_ARRAY(a, uint32_t, helper_count());
     u->var_use = ARENA_ARRAY(a, CVarUse, m->var.n);
     u->window_stats_read = ARENA_ARRAY(a, uint32_t, m->window.n);
+    u->window_zeros_differ = ARENA_ARRAY(a, uint32_t, m->window.n);
     u->window_sample = ARENA_ARRAY(a, uint32_t, m->window.n);
     for (size_t w = 0; w < m->window.n; w++)
         u->window_sample[w] = UINT32_MAX;

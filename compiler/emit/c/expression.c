@@ -295,7 +295,7 @@ void c_write_value(CFn *fn, IrRef r, int prec)
     case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: c_write_compare(fn, i, false, prec); break;
     case IR_and: case IR_or: write_logic(fn, i, prec); break;
     case IR_not: c_write_condition(fn, i->a, true, prec); break;
-    case IR_stat: c_write_statistic_call(fn, i); break;
+    case IR_stat: c_write_statistic_call(fn, r); break;
     case IR_const: case IR_store: case IR_sample: case IR_OP_COUNT: break;
     default: write_builtin(fn, i); break;
     }

@@ -27,6 +27,7 @@ typedef struct CIns {
     const char *variable;     // name of its C variable; NULL: none, or not yet defined
     bool unchecked;           // the load of a float that needs no NaN check: it cannot be NaN, or no use distinguishes NaN from 0
     uint32_t nan_is_zero_uses;        // how many of its uses have the same result for NaN and 0
+    uint32_t sign_free_uses;  // how many of its uses have the same result for 0 and -0
     bool is_masked;           // a comparison whose result does not matter when an operand is NaN or 0
     IrRef decided_by;         // a load that decides this condition if it reads NaN or 0; IR_NONE: none
     bool decided_value;       // the value of the condition if `decided_by` reads NaN or 0
@@ -178,7 +179,7 @@ void c_write_ring_steps(CUnit *u, Buf *out);               // what the function 
 void c_write_sample(CFn *fn, const IrIns *i);              // the statement that adds a sample to a rolling window
 // Whether the function that adds sample i to its rolling window reads a NaN as 0, so that the caller need not check for it.
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i);
-void c_write_statistic_call(CFn *fn, const IrIns *i);      // the call that reads a statistic of a rolling window
+void c_write_statistic_call(CFn *fn, IrRef r);            // the call that reads a statistic of a rolling window
 bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r); // the same as an integer, if r is a median of integers
 
 #endif

@@ -78,6 +78,21 @@ static void count_uses(CFn *fn, uint32_t b)
     }
 }
 
+// Counts the uses in block b that have the same result for 0 and -0.  count_uses must have run.
+static void count_sign_free_uses(CFn *fn, uint32_t b)
+{
+    const IrBlk *blk = &fn->f->blk.at[b];
+
+    for (size_t p = 0; p < blk->ins.n; p++) {
+        const IrIns *i = &fn->f->ins.at[blk->ins.at[p]];
+        if (fn->ins[blk->ins.at[p]].uses == 0 || !(ir_is_comparison(i->op) || (i->op == IR_cvt && ir_is_integer(i->type))))
+            continue;
+        fn->ins[i->a].sign_free_uses += !c_is_const(fn, i->a);
+        if (i->b != IR_NONE)
+            fn->ins[i->b].sign_free_uses += !c_is_const(fn, i->b);
+    }
+}
+
 // ---- loads that need no NaN check ----
 // 1. A value that the function itself has stored is never NaN.
 // 2. The language reads a NaN as 0.  If a condition has the same result for NaN and 0, no check is needed: `x > 775` is false for both.
@@ -366,6 +381,9 @@ void lower_choose_forms(CFn *fn)
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
             count_uses(fn, b);
+    for (uint32_t b = 0; b < end; b++)
+        if (fn->flow.reached[b])
+            count_sign_free_uses(fn, b);
     for (uint32_t b = 0; b < end; b++)
         if (fn->flow.reached[b])
             find_unchecked_loads(fn, b);

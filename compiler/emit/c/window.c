@@ -3,6 +3,7 @@
 // constant arguments, so that a compiler specialises each call.  A kind is the type of the samples and a bit for each statistic.
 #include "compiler/emit/c/fn.h"
 #include "stdlib/roll.h"
+#include "stdlib/soft_cells.h"
 
 static const IrWindow *get_window(const CUnit *u, size_t w) { return &u->m->window.at[w]; }
 
@@ -189,13 +190,16 @@ void c_write_sample(CFn *fn, const IrIns *i)
 
 static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range", "oldest", "newest", "change", "elapsed", "run_steps", "run_time" };
 
-// Writes the call that reads a statistic of a rolling window.
-void c_write_statistic_call(CFn *fn, const IrIns *i)
+// Writes the call that reads a statistic of a rolling window, whose value is temporary r.
+void c_write_statistic_call(CFn *fn, IrRef r)
 {
+    const IrIns *i = c_ins(fn, r);
     CUnit *u = fn->u;
 
     fn->uses_m = true;
     u->window_stats_read[i->var] |= 1u << i->stat;
+    if (fn->ins[r].sign_free_uses != fn->ins[r].uses)
+        u->window_zeros_differ[i->var] |= 1u << i->stat;
     buf_printf(&fn->line, "%s_%s_%s(m)", u->names.prefix, u->window[i->var], stat_name[i->stat]);
 }
 
@@ -210,9 +214,20 @@ static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, "&m->%s)", u->ring[w]);
 }
 
+// Whether a statistic of window w may yield a 0 of either sign, and its function then compares less.
+static bool has_any_zero(const CUnit *u, size_t w, int stat)
+{
+    const IrWindow *window = get_window(u, w);
+    const bool by_value = (window->stats & 1u << SM_STAT_MEDIAN) == 0 ? stat == SM_STAT_MIN || stat == SM_STAT_MAX : stat == SM_STAT_MEDIAN && window->size == 3;
+
+    return by_value && ir_is_float(window->type) && (u->window_zeros_differ[w] >> stat & 1) == 0;
+}
+
 // Returns the name of the function of roll.h that reads a statistic of a window of samples.
 static const char *statistic_function(const CUnit *u, size_t w, int stat)
 {
+    if (stat == SM_STAT_AVG && u->soft && get_window(u, w)->type == SM_F32 && get_window(u, w)->size <= SM_SOFT_SUM_MOST)
+        return "sm_roll_avg_of_f32";
     return stat == SM_STAT_MEDIAN && get_window(u, w)->size == 3 ? "sm_roll_median_of_3" : format_in(u->arena, "sm_roll_%s", stat_name[stat]);
 }
 
@@ -253,6 +268,7 @@ static void write_statistic_function(CUnit *u, size_t w, int stat, Buf *out)
         write_statistic_of_times(u, w, stat, out);
     } else {
         begin_roll_call(u, statistic_function(u, w, stat), w, out);
+        buf_str(out, has_any_zero(u, w, stat) ? " | SM_ROLL_ANY_ZERO" : "");
         if (stat < SM_STAT_OLDEST)
             buf_printf(out, ", %s(&m->%s))", helper_require(u, "sm_roll_count"), u->ring[w]);
         else
