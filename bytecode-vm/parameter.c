@@ -64,7 +64,7 @@ bool smvm_find_parameter(const SmvmMachine *m, const char *name, uint32_t size, 
 
 // ---- setting ----
 
-static SmRefusal judge(const SmvmMachine *m, const SmvmParameterEntry *e, SmF64 x)
+static SmRefusal judge_value(const SmvmMachine *m, const SmvmParameterEntry *e, SmF64 x)
 {
     const SmParameterRange range = {e->location.type, read_value(m->image, e, SMVM_PARAMETER_LOWEST),
                                     read_value(m->image, e, SMVM_PARAMETER_HIGHEST)};
@@ -76,7 +76,7 @@ uint8_t smvm_judge_parameter(const SmvmMachine *m, uint32_t number, SmF64 x)
 {
     SmvmParameterEntry e;
 
-    return (uint8_t)(read_entry(m, number, &e) ? judge(m, &e, x) : SM_REFUSAL_UNKNOWN);
+    return (uint8_t)(read_entry(m, number, &e) ? judge_value(m, &e, x) : SM_REFUSAL_UNKNOWN);
 }
 
 // Writes the CRC of an image that has changed.
@@ -101,7 +101,7 @@ uint8_t smvm_set_parameter(uint8_t *image, const SmvmMachine *m, uint32_t number
 
     if (!read_entry(m, number, &e))
         return SM_REFUSAL_UNKNOWN;
-    if ((refusal = judge(m, &e, x)) != SM_REFUSAL_NONE)
+    if ((refusal = judge_value(m, &e, x)) != SM_REFUSAL_NONE)
         return (uint8_t)refusal;
     cell = sm_cell_from_f64(e.location.type, x);
     for (unsigned i = 0; i < e.bytes; i++)

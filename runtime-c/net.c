@@ -10,7 +10,7 @@
 #include "stdlib/convert.h"
 
 static bool is_group(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }
-static void add(uint32_t *count) { (*count)++; }
+static void increment(uint32_t *count) { (*count)++; }
 
 // ---- the state vector ----
 
@@ -167,9 +167,9 @@ SmNetCount sm_net_accept(SmNetChannel *c, const uint8_t *bytes, size_t n, uint64
 
     if (cause == SM_NET_accepted)
         cause = sm_net_order(&c->order, stamp, c->message.key != NULL, is_silent(c, now));
-    add(&c->count[cause]);
+    increment(&c->count[cause]);
     if (cause != SM_NET_accepted) {
-        add(&c->count[SM_NET_refused]);
+        increment(&c->count[SM_NET_refused]);
         return cause;
     }
     sm_net_values(&c->message, bytes, c->value);
@@ -292,7 +292,7 @@ static SmResult send_message(SmNetChannel *c)
 {
     const SmResult r = pal_socket_send_to(c->socket, &c->address, c->bytes, c->message.size);
 
-    add(&c->count[r == SM_OK ? SM_NET_sent : SM_NET_lost]);
+    increment(&c->count[r == SM_OK ? SM_NET_sent : SM_NET_lost]);
     return r;
 }
 

@@ -54,7 +54,7 @@ static uint64_t infinity_of(SmType type) { return type == SM_F64 ? 0x7FF00000000
 static bool is_not_finite(SmType type, uint64_t bits) { return infinity_of(type) != 0 && (bits & infinity_of(type)) == infinity_of(type); }
 
 // Returns the bits that are sent for an element.
-static uint64_t sendable(SmType type, uint64_t bits)
+static uint64_t bits_to_send(SmType type, uint64_t bits)
 {
     const uint64_t sign = type == SM_F64 ? (uint64_t)1 << 63 : (uint64_t)1 << 31;
 
@@ -100,7 +100,7 @@ void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stam
     put32(bytes + 12, stamp.number);
     for (uint16_t i = 0; i < m->fields; i++) {
         const SmType type = (SmType)m->field[i].type;
-        put(at, sendable(type, value[i]), sm_type_bytes[type]);
+        put(at, bits_to_send(type, value[i]), sm_type_bytes[type]);
         at += sm_type_bytes[type];
     }
     if (m->key)

@@ -11,30 +11,30 @@ enum { MESSAGES_WAITING = 4 };            // messages that the platform stores f
 
 static bool is_sender(const SmNetChannel *c) { return c->period != 0; }
 static bool is_local_failure(SmResult r) { return r != SM_OK && r != SM_E_TIMEOUT && r != SM_E_UNREACHABLE && r != SM_E_CLOSED; }
-static void add(SmNetChannel *c, SmNetCount what) { c->count[what]++; }
+static void count_event(SmNetChannel *c, SmNetCount what) { c->count[what]++; }
 
 // ---- one connection ----
 
-static void begin(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+static void begin_connection(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     p->state = OPEN;
     p->since = p->used = now;
     p->n = p->sent = 0;
-    add(c, SM_NET_connected);
+    count_event(c, SM_NET_connected);
 }
 
 // Closes a connection.  A client waits before it connects again: twice as long as the last time, up to SM_NET_RETRY_MOST.  After a
 // connection that existed for that long, it begins again with the shortest wait.
-static void end(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+static void close_connection(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     const bool lasted = p->state == OPEN && now - p->since >= SM_NET_RETRY_MOST;
 
     if (p->state != FREE)
         pal_socket_close(p->socket);
     if (p->state == OPEN)
-        add(c, SM_NET_broken);
+        count_event(c, SM_NET_broken);
     if (is_sender(c) && p->n > 0)             // a message that was sent in part
-        add(c, SM_NET_lost);
+        count_event(c, SM_NET_lost);
     p->state = FREE;
     p->n = p->sent = 0;
     c->pause = lasted || c->pause == 0 ? SM_NET_RETRY_LEAST : c->pause < SM_NET_RETRY_MOST / 2 ? 2 * c->pause : SM_NET_RETRY_MOST;
@@ -55,7 +55,7 @@ static SmResult begin_to_connect(SmNetChannel *c, uint64_t now)
     if (r == SM_OK)
         p->state = CONNECTING;
     else
-        end(c, p, now);
+        close_connection(c, p, now);
     return is_local_failure(r) ? r : SM_OK;
 }
 
@@ -68,9 +68,9 @@ static SmResult continue_to_connect(SmNetChannel *c, uint64_t now)
     if (r == SM_OK && is_sender(c))
         r = pal_socket_limit(p->socket, (size_t)MESSAGES_WAITING * c->message.size, PATIENCE);
     if (r == SM_OK)
-        begin(c, p, now);
+        begin_connection(c, p, now);
     else if (r != SM_E_TIMEOUT || now - p->since >= SM_NET_RETRY_MOST)
-        end(c, p, now);
+        close_connection(c, p, now);
     return is_local_failure(r) ? r : SM_OK;
 }
 
@@ -119,9 +119,9 @@ static SmResult update_server(SmNetChannel *c, uint64_t now)
     if (r != SM_OK)
         return is_local_failure(r) ? r : SM_OK;
     if (place->state != FREE)
-        end(c, place, now);
+        close_connection(c, place, now);
     place->socket = stream;
-    begin(c, place, now);
+    begin_connection(c, place, now);
     return SM_OK;
 }
 
@@ -151,7 +151,7 @@ static void close_stream(SmNetChannel *c)
 {
     for (uint8_t i = 0; i < c->peers; i++)
         if (c->peer[i].state != FREE)
-            end(c, &c->peer[i], 0);
+            close_connection(c, &c->peer[i], 0);
     if (c->is_server)
         pal_socket_close(c->socket);
 }
@@ -168,10 +168,10 @@ static void send_rest(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     if (p->sent == p->n) {
         p->n = p->sent = 0;
         p->used = now;
-        add(c, SM_NET_sent);
+        count_event(c, SM_NET_sent);
     }
     if (r != SM_OK && r != SM_E_TIMEOUT)
-        end(c, p, now);
+        close_connection(c, p, now);
 }
 
 // Whether the connection to the peer is still open.  A receiver of this channel sends nothing: the connection of a peer that sends a byte is
@@ -182,7 +182,7 @@ static bool is_present(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     size_t n;
 
     if (p->state == OPEN && pal_socket_receive(p->socket, &byte, 1, &n, 0) != SM_E_TIMEOUT)
-        end(c, p, now);
+        close_connection(c, p, now);
     return p->state == OPEN;
 }
 
@@ -198,8 +198,8 @@ static void send_to_peer(SmNetChannel *c, SmNetPeer *p, uint64_t now)
             return;
         p->n = 0;
     }
-    add(c, SM_NET_full);
-    add(c, SM_NET_lost);
+    count_event(c, SM_NET_full);
+    count_event(c, SM_NET_lost);
 }
 
 static void send_to_peers(SmNetChannel *c, uint64_t now)
@@ -212,8 +212,8 @@ static void send_to_peers(SmNetChannel *c, uint64_t now)
             send_to_peer(c, &c->peer[i], now);
         }
     if (!any) {
-        add(c, SM_NET_unconnected);
-        add(c, SM_NET_lost);
+        count_event(c, SM_NET_unconnected);
+        count_event(c, SM_NET_lost);
     }
 }
 
@@ -222,9 +222,9 @@ static void send_to_peers(SmNetChannel *c, uint64_t now)
 // Counts a message that is refused before it is whole, and closes the connection.
 static void refuse(SmNetChannel *c, SmNetPeer *p, SmNetCount cause, uint64_t now)
 {
-    add(c, cause);
-    add(c, SM_NET_refused);
-    end(c, p, now);
+    count_event(c, cause);
+    count_event(c, SM_NET_refused);
+    close_connection(c, p, now);
 }
 
 // Checks a whole message.  Damage and a wrong key are only explained by another sender or by boundaries that are lost.
@@ -236,7 +236,7 @@ static void accept_message(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     if (cause == SM_NET_accepted)
         p->used = now;
     else if (cause == SM_NET_damaged || cause == SM_NET_key)
-        end(c, p, now);
+        close_connection(c, p, now);
 }
 
 // Receives bytes of a connection once.  Returns whether they completed a message.
@@ -252,7 +252,7 @@ static bool receive_once(SmNetChannel *c, SmNetPeer *p, uint64_t now)
         if (p->n > 0)
             refuse(c, p, SM_NET_short_, now);
         else
-            end(c, p, now);
+            close_connection(c, p, now);
         return false;
     }
     p->n = (uint16_t)(p->n + got);
@@ -274,7 +274,7 @@ static SmResult update_stream(SmNetChannel *c, uint64_t now)
         if (p->state == OPEN && is_sender(c) && p->n > 0)
             send_rest(c, p, now);
         else if (p->state == OPEN && c->timeout && now - p->used > patience_of(c))
-            end(c, p, now);
+            close_connection(c, p, now);
     }
     return c->is_server ? update_server(c, now) : update_client(c, now);
 }

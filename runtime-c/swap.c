@@ -157,7 +157,7 @@ SmResult sm_swap_status(SmSwaps *s, SmSwapStatus *status)
     return SM_OK;
 }
 
-static void keep_new(SmSwaps *s)
+static void confirm_trial(SmSwaps *s)
 {
     s->status.end = SM_SWAP_WAS_CONFIRMED;
     end_trial(s, SM_SWAP_CONFIRMED);
@@ -175,7 +175,7 @@ SmResult sm_swap_confirm(SmSwaps *s)
     } else if (s->storage) {
         s->confirming = true;
     } else {
-        keep_new(s);
+        confirm_trial(s);
     }
     sm_handover_unlock(s->lock);
     return r;
@@ -199,7 +199,7 @@ SmResult sm_swaps_save(SmSwaps *s)
     s->confirming = false;
     s->status.stored = r;
     if (r == SM_OK)
-        keep_new(s);
+        confirm_trial(s);
     else
         s->failure_due = true;
     sm_handover_unlock(s->lock);
@@ -253,7 +253,7 @@ const char *sm_swap_reason_text(SmSwapReason reason)
 
 static bool overlap(SmRange a, SmRange b) { return a.offset < b.offset + b.size && b.offset < a.offset + a.size; }
 
-static bool stores(const SmSwapType *type, const void *slot, SmRange range)
+static bool stores_range(const SmSwapType *type, const void *slot, SmRange range)
 {
     SmRange r;
 
@@ -271,7 +271,7 @@ static bool has_other_writer(const SmSwaps *s, const SmSwappable *w, SmRange ran
             return true;
     for (uint16_t i = 0; i < s->machines; i++) {
         const SmSwappable *other = &s->machine[i];
-        if (other != w && stores(other->type, other->concerned ? other_slot(other) : running_slot(other), range))
+        if (other != w && stores_range(other->type, other->concerned ? other_slot(other) : running_slot(other), range))
             return true;
     }
     return false;
@@ -282,7 +282,7 @@ bool sm_swap_adds_writer(const SmSwaps *s, const SmSwappable *w, const void *fro
     SmRange r;
 
     for (uint32_t i = 0; w->type->output(to, i, &r); i++)
-        if (!stores(w->type, from, r) && has_other_writer(s, w, r))
+        if (!stores_range(w->type, from, r) && has_other_writer(s, w, r))
             return true;
     return false;
 }

@@ -24,7 +24,7 @@ Quantity quantity_negated(Quantity a)
 }
 
 // Multiplies a value that has a unit with a number.
-static Quantity scale(const Quantity *a, double number)
+static Quantity scale_quantity(const Quantity *a, double number)
 {
     Quantity out = *a;
 
@@ -48,7 +48,7 @@ static Quantity invert_if(const Quantity *a, double power)
     return out;
 }
 
-static Quantity checked(Quantity q) { return q.kind == QUANTITY_UNIT && !measure_is_usable(&q.unit) ? quantity_of_kind(QUANTITY_UNKNOWN) : q; }
+static Quantity drop_unusable_unit(Quantity q) { return q.kind == QUANTITY_UNIT && !measure_is_usable(&q.unit) ? quantity_of_kind(QUANTITY_UNKNOWN) : q; }
 
 Quantity quantity_product(const Quantity *a, const Quantity *b, double power)
 {
@@ -64,12 +64,12 @@ Quantity quantity_product(const Quantity *a, const Quantity *b, double power)
         out.scaled = a->scaled || b->scaled;
         out.constant = a->constant && b->constant;
         out.zero_unknown = false;
-        return checked(out);
+        return drop_unusable_unit(out);
     }
     if (b->kind == QUANTITY_UNIT)
-        return a->kind == QUANTITY_NUMBER ? scale(&divisor, a->factor) : divisor;
+        return a->kind == QUANTITY_NUMBER ? scale_quantity(&divisor, a->factor) : divisor;
     if (a->kind == QUANTITY_UNIT)
-        return b->kind == QUANTITY_NUMBER ? scale(a, divisor.factor) : *a;
+        return b->kind == QUANTITY_NUMBER ? scale_quantity(a, divisor.factor) : *a;
     if (a->kind == QUANTITY_NUMBER && b->kind == QUANTITY_NUMBER)
         return quantity_of_number(a->factor * divisor.factor);
     return a->kind == QUANTITY_PLAIN ? *b : *a;
@@ -87,7 +87,7 @@ Quantity quantity_power(const Quantity *a, double power)
     out.factor = sm_pow(size_of(a->factor), power);
     out.shift = 0;
     out.zero_unknown = false;
-    return checked(out);
+    return drop_unusable_unit(out);
 }
 
 Quantity quantity_one_of(const Quantity *a, const Quantity *b)

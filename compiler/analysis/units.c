@@ -19,7 +19,7 @@ static Quantity infer(UnitCheck *k, const Expr *e);
 enum { QUOTED_MAX = 60 };
 
 // Returns a part of the source for a message: on one line, of readable length.
-static const char *quote(UnitCheck *k, Span span)
+static const char *quote_source(UnitCheck *k, Span span)
 {
     const char *text = span.src->text + span.at;
     uint32_t n = 0;
@@ -68,7 +68,7 @@ static void report_difference(UnitCheck *k, QuantityFit fit, const Quantity *a, 
 
     if (fit == QUANTITY_MAY_DIFFER && k->script)              // the inputs of a script are a model with numbers of all units
         return;
-    d = diag_report(k->diags, code, span, name, text_of(k, a), quote(k, span), text_of(k, b));
+    d = diag_report(k->diags, code, span, name, text_of(k, a), quote_source(k, span), text_of(k, b));
     if (fit == QUANTITY_DIFFERS)
         label_conversion(k, d, &b->unit, &a->unit);
     else if (b->scaled && !a->scaled)
@@ -97,7 +97,7 @@ static void add_to_group(UnitCheck *k, UnitGroup *g, const Quantity *q, Span spa
     g->any = true;
     if (is_first) {
         g->first = *q;
-        g->name = quote(k, span);
+        g->name = quote_source(k, span);
     }
 }
 
@@ -120,7 +120,7 @@ static Quantity infer_sum(UnitCheck *k, const Expr *e, bool minus)
     const QuantityFit fit = quantity_fit(&a, &b, minus ? QUANTITY_SUBTRACTED : QUANTITY_ADDED);
 
     if (fit != QUANTITY_FITS)
-        report_difference(k, fit, &a, quote(k, e->arg[0]->span), &b, e->arg[1]->span);
+        report_difference(k, fit, &a, quote_source(k, e->arg[0]->span), &b, e->arg[1]->span);
     if (fit == QUANTITY_DIFFERS)
         return quantity_of_kind(QUANTITY_UNKNOWN);
     if (fit == QUANTITY_MAY_DIFFER)
@@ -177,7 +177,7 @@ static void check_argument(UnitCheck *k, const Expr *call, const Quantity *q, co
 
     if (quantity_fit(q, &plain, QUANTITY_COMPARED) != QUANTITY_DIFFERS)
         return;
-    d = diag_report(k->diags, DIAG_unit_of_argument, span, sm_builtin_info[call->fn].name, needs, quote(k, span), text_of(k, q));
+    d = diag_report(k->diags, DIAG_unit_of_argument, span, sm_builtin_info[call->fn].name, needs, quote_source(k, span), text_of(k, q));
     if (measure_is_number(&q->unit))
         diag_label(k->diags, d, DIAG_label_unit_multiply, number_text(k, q->unit.scale));
 }

@@ -81,7 +81,7 @@ static bool run_script(CoverRun *r, const Script *s, Engine *e, bool is_silent)
 }
 
 // Returns whether a run of the script covers a place with this sentence; `is_known`: some place has it.
-static bool reaches(const CoverRun *r, const Cover *c, const char *goal, bool *is_known)
+static bool covers_goal(const CoverRun *r, const Cover *c, const char *goal, bool *is_known)
 {
     bool found = false;
 
@@ -95,7 +95,7 @@ static bool reaches(const CoverRun *r, const Cover *c, const char *goal, bool *i
 }
 
 // Judges an unedited script: it is stale if it does not compile, fails or does not reach its goal.
-static void judge(CoverRun *r, OldScript *old)
+static void judge_script(CoverRun *r, OldScript *old)
 {
     const char *goal = generated_goal(r->arena, old->src->text, old->src->len);
     const Script *s = session_script(&r->c->session, old->src, r->p);
@@ -111,7 +111,7 @@ static void judge(CoverRun *r, OldScript *old)
         if (!run_script(r, s, cover_open_engine(alone), true))
             old->why = "it fails";
         cover_settle(alone);
-        if (!old->why && !is_pair && !reaches(r, alone, goal, &is_known))
+        if (!old->why && !is_pair && !covers_goal(r, alone, goal, &is_known))
             old->why = is_known ? "it does not reach its goal" : "the machine no longer has its goal";
     }
     if (old->why)
@@ -140,7 +140,7 @@ int cover_run_folder(CoverRun *r)
         if (r->old.at[i].verdict == OLD_EDITED)
             code = run_edited(r, &r->old.at[i]);
         else
-            judge(r, &r->old.at[i]);
+            judge_script(r, &r->old.at[i]);
     return code;
 }
 

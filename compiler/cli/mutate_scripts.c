@@ -76,7 +76,7 @@ static bool write_text(const ScriptsRun *r, const Mutant *m, Buf *out)
     return true;
 }
 
-static bool passes(const ScriptsRun *r, const Script *s, Engine *e)
+static bool passes_on_machine(const ScriptsRun *r, const Script *s, Engine *e)
 {
     const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = true};
 
@@ -85,7 +85,7 @@ static bool passes(const ScriptsRun *r, const Script *s, Engine *e)
 
 static bool fails_on(const ScriptsRun *r, const Script *s, const Mutant *m)
 {
-    return !passes(r, s, engine_flat_open(r->arena, r->p, mutation_build(r->u, r->arena, m)));
+    return !passes_on_machine(r, s, engine_flat_open(r->arena, r->p, mutation_build(r->u, r->arena, m)));
 }
 
 // Notes the mutants without a script on which this one fails.
@@ -116,7 +116,7 @@ static int write_script(const ScriptsRun *r, const Mutant *m)
         return EXIT_OK;
     s = session_script(&r->c->session, source_new(r->arena, path, buf_text(&text), text.n), r->p);
     diags_clear(diags);
-    if (!s || !passes(r, s, engine_ref_open(r->arena, r->p)) || !fails_on(r, s, m)) {
+    if (!s || !passes_on_machine(r, s, engine_ref_open(r->arena, r->p)) || !fails_on(r, s, m)) {
         diags_clear(diags);
         return EXIT_OK;
     }

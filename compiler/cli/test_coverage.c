@@ -96,7 +96,7 @@ static void report_too_low(TestRun *t, const TestCoverage *v, const Cover *c, in
     }
 }
 
-static void judge(TestRun *t, const TestCoverage *v, const char *machine)
+static void judge_coverage(TestRun *t, const TestCoverage *v, const char *machine)
 {
     Demand demand[DEMANDS] = {{false, 0}};
     TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
@@ -222,6 +222,6 @@ int test_coverage_finish(TestRun *t, TestCoverage *v, const char *machine)
         cover_write_text(v->machine[i], &out);
     if (!test_stdout_is_for_program(t->c) && !cli_print(t->c, test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
-    judge(t, v, machine);
+    judge_coverage(t, v, machine);
     return EXIT_OK;
 }

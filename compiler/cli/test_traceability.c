@@ -55,7 +55,7 @@ static Span place_of(const Traceability *matrix, const TracedRequirement *q)
 }
 
 // Reports that too few requirements are tested, with a note for each that is not.  One that is violated has been tested.
-static void judge(TestRun *t, const Traceability *matrix, const char *machine, double percent)
+static void judge_tested_requirements(TestRun *t, const Traceability *matrix, const char *machine, double percent)
 {
     Diags *d = &t->c->session.diags;
     const uint32_t tested = matrix->counts.tested + matrix->counts.violated, all = matrix->requirement.n;
@@ -112,6 +112,6 @@ int test_traceability_finish(TestRun *t, Traceability *matrix, const char *machi
     traceability_write_summary(matrix, &out);
     t->traceability = buf_text(&out);
     if (test_coverage_demands_requirements(t->c, &percent))
-        judge(t, matrix, machine, percent);
+        judge_tested_requirements(t, matrix, machine, percent);
     return EXIT_OK;
 }

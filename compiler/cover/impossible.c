@@ -15,7 +15,7 @@ typedef struct Finder {
     FactFlow flow;
 } Finder;
 
-static void allow(Finder *k, uint32_t place) { k->possible[place] = true; }
+static void mark_possible(Finder *k, uint32_t place) { k->possible[place] = true; }
 
 // ---- reasons ----
 
@@ -109,7 +109,7 @@ static void judge_deciding(const FlatDecision *d, NodeFact *fact)
 static void judge_place(Finder *k, uint32_t place, bool possible, const char *reason)
 {
     if (possible)
-        allow(k, place);
+        mark_possible(k, place);
     else
         k->c->place.at[place].impossible = reason;
 }
@@ -140,13 +140,13 @@ static void judge_block(Finder *k, const IrBlk *b)
 
     for (uint32_t i = 0; i < b->ins.n; i++) {
         const IrRef ref = b->ins.at[i];
-        allow(k, p->stmt[k->fn->ins.at[ref].stmt]);
+        mark_possible(k, p->stmt[k->fn->ins.at[ref].stmt]);
         for (; k->decision < p->decisions && p->decision[k->decision].fn == k->fn && p->decision[k->decision].value == ref; k->decision++)
             judge_decision(k, &p->decision[k->decision]);
     }
     if (b->jump.kind == IR_GOTO) {
-        allow(k, p->stmt[b->jump.stmt]);
-        allow(k, p->transition[b->jump.stmt]);
+        mark_possible(k, p->stmt[b->jump.stmt]);
+        mark_possible(k, p->transition[b->jump.stmt]);
     }
 }
 

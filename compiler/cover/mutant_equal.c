@@ -68,7 +68,7 @@ static Expr *make_variable(Arena *a, Var *v)
     return e;
 }
 
-static void change(const Probe *k, const Expr *original, Expr *e)
+static void apply_edit(const Probe *k, const Expr *original, Expr *e)
 {
     for (const MutantEdit *d = k->edit; d; d = d->next) {
         if (d->e != original)
@@ -93,7 +93,7 @@ static Expr *copy_with_edits(const Probe *k, const Expr *e)
         copy->arg[i] = e->kind == EX_ROLL ? e->arg[i] : copy_with_edits(k, e->arg[i]);
     if (e->kind == EX_CHAIN)
         memcpy(expr_ops(copy), expr_ops(e), (e->n - 1) * sizeof(SmOperator));
-    change(k, e, copy);
+    apply_edit(k, e, copy);
     return copy;
 }
 

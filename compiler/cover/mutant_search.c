@@ -43,7 +43,7 @@ struct MutantSearch {
 
 // ---- random numbers: splitmix64 ----
 
-static uint64_t draw(MutantSearch *k)
+static uint64_t next_random(MutantSearch *k)
 {
     uint64_t x = k->random += UINT64_C(0x9e3779b97f4a7c15);
 
@@ -52,7 +52,7 @@ static uint64_t draw(MutantSearch *k)
     return x ^ x >> 31;
 }
 
-static uint32_t below(MutantSearch *k, uint32_t n) { return (uint32_t)(draw(k) % n); }
+static uint32_t random_below(MutantSearch *k, uint32_t n) { return (uint32_t)(next_random(k) % n); }
 
 MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
                                 const Scenario *const *given, uint32_t givens)
@@ -145,7 +145,7 @@ static bool run_step(Lockstep *l, Node *n)
 
 // ---- situations ----
 
-static bool is_apart(const Lockstep *l, const Node *n) { return l->same_layout && memcmp(n->original, n->mutant, l->k->original->size) != 0; }
+static bool has_diverged(const Lockstep *l, const Node *n) { return l->same_layout && memcmp(n->original, n->mutant, l->k->original->size) != 0; }
 
 // A number that is equal for situations that are taken as the same: state, whether both machines differ, roughly the time in the state, and
 // what the small variables of the machine are.
@@ -218,29 +218,29 @@ static double choose_value(const Lockstep *l, const MutantInput *in)
 {
     MutantSearch *k = l->k;
 
-    if (in->type != SM_BOOL && l->arounds && below(k, 4) == 0) {
-        const double a = l->around[below(k, l->arounds)], b = l->around[below(k, l->arounds)];
-        return below(k, 2) ? a : (a + b) / 2;
+    if (in->type != SM_BOOL && l->arounds && random_below(k, 4) == 0) {
+        const double a = l->around[random_below(k, l->arounds)], b = l->around[random_below(k, l->arounds)];
+        return random_below(k, 2) ? a : (a + b) / 2;
     }
-    if (in->value.n && (in->type == SM_BOOL || below(k, 8)))
-        return in->value.at[below(k, in->value.n)];
-    return k->v.number.n ? k->v.number.at[below(k, k->v.number.n)] : below(k, 2);
+    if (in->value.n && (in->type == SM_BOOL || random_below(k, 8)))
+        return in->value.at[random_below(k, in->value.n)];
+    return k->v.number.n ? k->v.number.at[random_below(k, k->v.number.n)] : random_below(k, 2);
 }
 
 static uint64_t choose_duration(const Lockstep *l)
 {
     MutantSearch *k = l->k;
     static const uint32_t plain[] = {1, 1, 2, 3, 5, 10, 30, 100, 300};
-    const uint32_t which = below(k, 8);
+    const uint32_t which = random_below(k, 8);
 
     if (which == 0 && l->arounds) {
-        const double steps = l->around[below(k, l->arounds)] / (double)k->delta_t + below(k, 3) - 1;
+        const double steps = l->around[random_below(k, l->arounds)] / (double)k->delta_t + random_below(k, 3) - 1;
         if (steps >= 1 && steps <= (double)AROUND_MOST)
             return (uint64_t)steps;
     }
     if (which < 4 && k->v.hold.n)
-        return k->v.hold.at[below(k, k->v.hold.n)];
-    return plain[below(k, sizeof plain / sizeof *plain)];
+        return k->v.hold.at[random_below(k, k->v.hold.n)];
+    return plain[random_below(k, sizeof plain / sizeof *plain)];
 }
 
 // Changes some inputs from the next step on.  Adds the changes to *list.
@@ -253,11 +253,11 @@ static void change_inputs(Lockstep *l, Node *n, uint64_t duration, ScenarioChang
         Course *c = &n->course[i];
         ScenarioChange change = {n->steps + 1, k->v.input.at[i].var, SCENARIO_HOLD, 0, 0, 0};
         double now;
-        if (k->v.input.at[i].is_stored ? !is_first || below(k, 4) : !is_first && below(k, k->v.readings < 3 ? 2 : k->v.readings / 2 + 1))
+        if (k->v.input.at[i].is_stored ? !is_first || random_below(k, 4) : !is_first && random_below(k, k->v.readings < 3 ? 2 : k->v.readings / 2 + 1))
             continue;
         now = c->step ? value_at(c, n->steps + 1) : 0;
         change.a = choose_value(l, &k->v.input.at[i]);
-        if (!is_first && k->v.input.at[i].type != SM_BOOL && below(k, 5) == 0) {
+        if (!is_first && k->v.input.at[i].type != SM_BOOL && random_below(k, 5) == 0) {
             change.kind = SCENARIO_RAMP;
             change.b = (change.a - now) / (double)(duration ? duration : 1);
             change.a = now;
@@ -270,12 +270,12 @@ static void change_inputs(Lockstep *l, Node *n, uint64_t duration, ScenarioChang
 static Node *choose_node(const Lockstep *l)
 {
     MutantSearch *k = l->k;
-    const uint32_t newest = l->node.n > 16 && below(k, 3) == 0 ? below(k, 16) : below(k, l->node.n);
+    const uint32_t newest = l->node.n > 16 && random_below(k, 3) == 0 ? random_below(k, 16) : random_below(k, l->node.n);
 
-    if (l->apart.n && below(k, 2))
-        return l->apart.at[below(k, l->apart.n)];
-    if (l->inside.n && below(k, 2))
-        return l->inside.at[below(k, l->inside.n)];
+    if (l->apart.n && random_below(k, 2))
+        return l->apart.at[random_below(k, l->apart.n)];
+    if (l->inside.n && random_below(k, 2))
+        return l->inside.at[random_below(k, l->inside.n)];
     return l->node.at[l->node.n - 1 - newest];
 }
 
@@ -312,7 +312,7 @@ static bool extend(Lockstep *l, Node *n, ScenarioChange *list)
         if (run_step(l, n))
             return true;
         if (s->state != state || i + 1 == duration) {
-            n->differs = is_apart(l, n);
+            n->differs = has_diverged(l, n);
             stored = store(l, n);
         }
         state = s->state;
@@ -399,7 +399,7 @@ static bool run_given(Lockstep *l, Node *n, const Scenario *s)
         n->changes = (uint32_t)(next - stored_at);
         if (run_step(l, n))
             return true;
-        n->differs = is_apart(l, n);
+        n->differs = has_diverged(l, n);
         if ((stored = store(l, n)) != NULL) {
             n->parent = stored;
             stored_at = next;

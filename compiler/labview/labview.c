@@ -99,7 +99,7 @@ static SmcResult take_session(Call *c, int32_t session)
     return SMC_OK;
 }
 
-static SmcResult begin(Call *c, int32_t session, char *message, int32_t message_size)
+static SmcResult begin_call(Call *c, int32_t session, char *message, int32_t message_size)
 {
     SmcResult r;
 
@@ -190,7 +190,7 @@ int32_t smclv_open(int32_t *session, char *message, int32_t message_size)
 int32_t smclv_close(int32_t session, char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size);
+    SmcResult r = begin_call(&c, session, message, message_size);
 
     if (r != SMC_OK)
         return r;
@@ -220,7 +220,7 @@ int32_t smclv_source(int32_t session, int32_t kind, const char *name, const uint
                      char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size);
+    SmcResult r = begin_call(&c, session, message, message_size);
     uint32_t number = 0;
     int32_t known;
 
@@ -243,7 +243,7 @@ int32_t smclv_source(int32_t session, int32_t kind, const char *name, const uint
 int32_t smclv_clear(int32_t session, char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size);
+    SmcResult r = begin_call(&c, session, message, message_size);
 
     return r != SMC_OK ? r : finish(&c, smc_sources_clear(c.s));
 }
@@ -251,7 +251,7 @@ int32_t smclv_clear(int32_t session, char *message, int32_t message_size)
 int32_t smclv_option(int32_t session, int32_t option, uint64_t value, char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size);
+    SmcResult r = begin_call(&c, session, message, message_size);
 
     return r != SMC_OK ? r : finish(&c, smc_option_set(c.s, option, value));
 }
@@ -261,7 +261,7 @@ int32_t smclv_option(int32_t session, int32_t option, uint64_t value, char *mess
 int32_t smclv_compile(int32_t session, uint8_t *diagnostics, int32_t size, int32_t *length, char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size), copied;
+    SmcResult r = begin_call(&c, session, message, message_size), copied;
     const char *text = "";
     uint64_t n = 0;
 
@@ -277,7 +277,7 @@ int32_t smclv_compile(int32_t session, uint8_t *diagnostics, int32_t size, int32
 int32_t smclv_image(int32_t session, uint8_t *image, int32_t size, int32_t *length, char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size), copied = SMC_OK;
+    SmcResult r = begin_call(&c, session, message, message_size), copied = SMC_OK;
     uint64_t names, n = 0;
     const void *bytes = NULL;
 
@@ -295,7 +295,7 @@ int32_t smclv_run(int32_t session, int32_t script, uint64_t steps, uint8_t *repo
                   int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size), copied;
+    SmcResult r = begin_call(&c, session, message, message_size), copied;
     const char *text;
 
     if (r != SMC_OK)
@@ -310,7 +310,7 @@ int32_t smclv_diagram(int32_t session, int32_t source, int32_t form, uint8_t *te
                       int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size), copied = SMC_OK;
+    SmcResult r = begin_call(&c, session, message, message_size), copied = SMC_OK;
     const char *drawn = "";
     uint64_t n = 0;
 
@@ -344,7 +344,7 @@ static int32_t add_machine(const Call *c, int32_t session, SmcMachine m, int32_t
 int32_t smclv_machine_open(int32_t session, int32_t source, int32_t *machine, char *message, int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size);
+    SmcResult r = begin_call(&c, session, message, message_size);
     SmcMachine m = 0;
 
     if (r != SMC_OK)
@@ -360,7 +360,7 @@ int32_t smclv_machine_open_image(int32_t session, const uint8_t *image, int32_t 
                                  int32_t message_size)
 {
     Call c;
-    SmcResult r = begin(&c, session, message, message_size);
+    SmcResult r = begin_call(&c, session, message, message_size);
     SmcMachine m = 0;
 
     if (r != SMC_OK)
@@ -562,7 +562,7 @@ static uint64_t extend(const void *value, int32_t type)
 }
 
 // Stores the low bytes of a cell as an integer of `size` bytes.
-static void shorten(uint64_t cell, void *value, uint32_t size)
+static void store_low_bytes(uint64_t cell, void *value, uint32_t size)
 {
     const uint8_t v1 = (uint8_t)cell;
     const uint16_t v2 = (uint16_t)cell;
@@ -598,7 +598,7 @@ static SmcResult set_cell(const Call *c, uint32_t variable, uint64_t cell)
         memcpy(&number, &cell, sizeof number);
         return smc_machine_set(c->s, c->m, variable, number);
     }
-    shorten(cell, value, size_of_type(type));
+    store_low_bytes(cell, value, size_of_type(type));
     if (type >= 0 && extend(value, type) != cell)         // beyond the type: the same as a number that does not fit
         return SMC_E_SIZE;
     return smc_machine_write(c->s, c->m, variable, value, size_of_type(type));

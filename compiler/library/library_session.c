@@ -191,7 +191,7 @@ static SmcResult report_exit(SmcSession *s, bool can_cancel)
     return library_fail(s, can_cancel && library_is_cancelled(s) ? SMC_E_CANCELLED : SMC_E_MEMORY, NULL);
 }
 
-static SmcResult guard(SmcSession *s, LibraryWork *work, void *argument, bool can_cancel)
+static SmcResult run_guarded(SmcSession *s, LibraryWork *work, void *argument, bool can_cancel)
 {
     void *own_locale;
     SmcResult r;
@@ -216,7 +216,7 @@ static SmcResult guard(SmcSession *s, LibraryWork *work, void *argument, bool ca
     return r;
 }
 
-SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument) { return guard(s, work, argument, true); }
+SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument) { return run_guarded(s, work, argument, true); }
 
 // Returns an array of pointers or structures with room for one more item: `old`, or a copy of its n items in an array twice as large, which
 // replaces it.  NULL: out of memory.
@@ -498,7 +498,7 @@ SmcResult smc_warning_select(SmcSession *s, const char *word)
         return SMC_E_HANDLE;
     if (!word)
         return library_fail(s, SMC_E_ARGUMENT, NULL);
-    if ((r = guard(s, check_word, (void *)(uintptr_t)word, false)) != SMC_OK)
+    if ((r = run_guarded(s, check_word, (void *)(uintptr_t)word, false)) != SMC_OK)
         return r;
     if ((more = library_grow(s, s->word, s->words, &s->words_cap, sizeof *more)) == NULL)
         return library_fail(s, SMC_E_MEMORY, NULL);

@@ -96,7 +96,7 @@ static SmcResult plan_swap(SmcSession *s, SmcMachine from, SmcMachine to, Swap *
 }
 
 // Ends a swap: its list becomes that of the session.
-static SmcResult keep_list(SmcSession *s, const Swap *w)
+static SmcResult store_list(SmcSession *s, const Swap *w)
 {
     library_release(s, w->plan);
     library_release(s, s->swap);
@@ -110,7 +110,7 @@ SmcResult smc_swap_compare(SmcSession *s, SmcMachine from, SmcMachine to)
     Swap w;
     const SmcResult r = plan_swap(s, from, to, &w);
 
-    return r == SMC_OK ? keep_list(s, &w) : r;
+    return r == SMC_OK ? store_list(s, &w) : r;
 }
 
 SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
@@ -129,7 +129,7 @@ SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
     library_start_machine(w.new, 1);              // as smvm_swap_continue requires: it has not stepped
     memcpy(w.new->vector, w.old->vector, w.old->m.sv_size);
     smvm_swap_continue(w.plan, w.old->vm, w.new->vm, w.new->vector);
-    return keep_list(s, &w);
+    return store_list(s, &w);
 }
 
 // ---- reading the list ----

@@ -35,26 +35,26 @@ typedef struct AppEngine {
 // ---- one machine ----
 
 // Takes over a variable of the machine after its step, or after init.
-static void take_variable(AppEngine *a, const MachineOfApp *m, size_t v)
+static void copy_variable(AppEngine *a, const MachineOfApp *m, size_t v)
 {
     a->cell[m->member->var[v]->index] = m->answer.cell[v];
 }
 
 // Takes over what the machine has stored, its locals and its T.
-static void take_results(AppEngine *a, const MachineOfApp *m)
+static void copy_results(AppEngine *a, const MachineOfApp *m)
 {
     const Program *p = m->member->program;
 
     for (size_t v = 0; v < p->var.n; v++) {
         if (p->var.at[v]->kind == VAR_ELEMENT && !m->answer.stored[v])
             continue;
-        take_variable(a, m, v);
+        copy_variable(a, m, v);
         a->stored[m->member->var[v]->index] |= p->var.at[v]->kind == VAR_ELEMENT;
     }
 }
 
 // Fills the writes of a machine with the elements that it lists.
-static void give_elements(const AppEngine *a, MachineOfApp *m)
+static void pass_elements(const AppEngine *a, MachineOfApp *m)
 {
     const Program *p = m->member->program;
 
@@ -76,7 +76,7 @@ static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
     m->ran = false;
     if (m->wait > 0 || (m->member->mode && a->cell[m->member->mode->index] != MODE_ENABLED))
         return ENGINE_OK;
-    give_elements(a, m);
+    pass_elements(a, m);
     m->answer.status = m->engine->step(m->engine, m->write, m->elements + m->writes, &m->answer);
     m->writes = 0;
     if (m->answer.status == ENGINE_BROKEN)
@@ -84,7 +84,7 @@ static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
     if (m->answer.status == ENGINE_REFUSED)
         return fail(a, m, "refused a step although G advanced");
     m->ran = true;
-    take_results(a, m);
+    copy_results(a, m);
     return ENGINE_OK;
 }
 
@@ -173,7 +173,7 @@ static EngineStatus init_machine(AppEngine *a, MachineOfApp *m)
     m->ran = false;
     for (size_t v = 0; v < p->var.n; v++)
         if (p->var.at[v]->kind != VAR_ELEMENT || p->var.at[v] == p->s)
-            take_variable(a, m, v);
+            copy_variable(a, m, v);
     return ENGINE_OK;
 }
 

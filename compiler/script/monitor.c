@@ -18,8 +18,8 @@ typedef struct WindowMemory {
 } WindowMemory;
 
 // A situation is a Memory for each requirement, a WindowMemory for each window, and the samples.
-static Memory *memories(void *situation) { return situation; }
-static WindowMemory *window_memories(const Monitor *m, void *situation) { return (WindowMemory *)(memories(situation) + m->what->at.n); }
+static Memory *memories_of(void *situation) { return situation; }
+static WindowMemory *window_memories(const Monitor *m, void *situation) { return (WindowMemory *)(memories_of(situation) + m->what->at.n); }
 
 Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
 {
@@ -70,12 +70,12 @@ static void store_windows(const Monitor *m, void *situation)
 
 // ---- a step ----
 
-static MonitorResult decide(bool met) { return met ? MONITOR_JUDGED : MONITOR_VIOLATED; }
+static MonitorResult result_of(bool met) { return met ? MONITOR_JUDGED : MONITOR_VIOLATED; }
 
 // never a before b: no step has a unless an earlier one had b (requirements.md 13.10).
 static MonitorResult judge_before(Memory *mem, bool a, bool b)
 {
-    const MonitorResult result = a ? decide(mem->seen) : MONITOR_IDLE;
+    const MonitorResult result = a ? result_of(mem->seen) : MONITOR_IDLE;
 
     mem->seen = mem->seen || b;
     return result;
@@ -84,7 +84,7 @@ static MonitorResult judge_before(Memory *mem, bool a, bool b)
 // never a after b without c: no step has a if no step between it and the last earlier one with b had c (requirements.md 13.11).
 static MonitorResult judge_after(Memory *mem, bool a, bool b, bool c, uint64_t g)
 {
-    const MonitorResult result = a && mem->seen ? decide(!mem->open) : MONITOR_IDLE;
+    const MonitorResult result = a && mem->seen ? result_of(!mem->open) : MONITOR_IDLE;
 
     if (b && result != MONITOR_VIOLATED)              // `since` is only for the message
         mem->since = g;
@@ -108,7 +108,7 @@ static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool 
     if (passed < within && !b && within - passed >= m->step)
         return MONITOR_IDLE;
     mem->open = false;
-    return decide(b && passed <= within);
+    return result_of(b && passed <= within);
 }
 
 // Decides condition e, which is number i of its requirement. The state of a machine that did not step in this tick does not count.
@@ -117,13 +117,13 @@ static bool is_true(const Monitor *m, const Requirement *r, int i, const Expr *e
     return e && (r->machine[i] == 0 || m->ran[r->machine[i] - 1]) && ref_true(ref_eval(e, cell, &m->windows));
 }
 
-static MonitorResult judge(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
+static MonitorResult judge_requirement(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
 {
     const bool a = is_true(m, r, 0, r->a, cell), b = is_true(m, r, 1, r->b, cell);
 
     switch (r->kind) {
-    case REQUIREMENT_NEVER:    return decide(!a);
-    case REQUIREMENT_ALWAYS:   return r->a && !a ? MONITOR_IDLE : decide(b);
+    case REQUIREMENT_NEVER:    return result_of(!a);
+    case REQUIREMENT_ALWAYS:   return r->a && !a ? MONITOR_IDLE : result_of(b);
     case REQUIREMENT_BEFORE:   return judge_before(mem, a, b);
     case REQUIREMENT_AFTER:    return judge_after(mem, a, b, is_true(m, r, 2, r->c, cell), g);
     case REQUIREMENT_LEADS_TO: return judge_leads_to(m, mem, a, b, r->within, g);
@@ -140,7 +140,7 @@ bool monitor_step(Monitor *m, void *situation, const uint64_t *cell)
     ref_windows_sample(&m->windows, cell);
     store_windows(m, situation);
     for (size_t i = 0; i < m->what->at.n; i++) {
-        m->result[i] = (uint8_t)judge(m, &m->what->at.at[i], &memories(situation)[i], cell, g);
+        m->result[i] = (uint8_t)judge_requirement(m, &m->what->at.at[i], &memories_of(situation)[i], cell, g);
         violated = violated || m->result[i] == MONITOR_VIOLATED;
     }
     return violated;

@@ -445,7 +445,7 @@ static const double arc[4][2] = {
 };
 
 // The angle of the point (x, y), both at least 0; `left`: x is to the left of the origin.
-static double angle(Sum y, Sum x, bool left)
+static double angle_of_point(Sum y, Sum x, bool left)
 {
     const bool steep = y.big > x.big;
     const Sum a = steep ? x : y, b = steep ? y : x;
@@ -470,7 +470,7 @@ static double angle(Sum y, Sum x, bool left)
 }
 
 static double copy_sign(double y, double x) { return ref_negative(x) ? -y : y; }
-static Sum only(double x) { const Sum s = {x, 0}; return s; }
+static Sum single_sum(double x) { const Sum s = {x, 0}; return s; }
 
 double ref_atan(double x)
 {
@@ -478,7 +478,7 @@ double ref_atan(double x)
         return x;
     if (magnitude(x) > two_to(64))
         return copy_sign(0x1.921fb54442d18p+0, x);
-    return copy_sign(angle(only(magnitude(x)), only(1), false), x);
+    return copy_sign(angle_of_point(single_sum(magnitude(x)), single_sum(1), false), x);
 }
 
 // Returns the power of two by which a pair of numbers is multiplied, of which `larger` is the larger.
@@ -502,7 +502,7 @@ double ref_atan2(double y, double x)
         return copy_sign(ref_negative(x) ? 0x1.921fb54442d18p+1 : a / b, y);
     if (b * scale <= a * scale * two_to(-64))
         return copy_sign(0x1.921fb54442d18p+0, y);
-    return copy_sign(angle(only(a * scale), only(b * scale), ref_negative(x)), y);
+    return copy_sign(angle_of_point(single_sum(a * scale), single_sum(b * scale), ref_negative(x)), y);
 }
 
 static Sum square_root(Sum x)
@@ -513,7 +513,7 @@ static Sum square_root(Sum x)
 
     // The estimate is linear in x between powers of two: it is the number whose bits are 0x5FE6EB0000000000 less half of those of x.
     if (x.big == 0)
-        return only(0);
+        return single_sum(0);
     {
         const double mantissa = x.big * two_to(-e);            // from 1 to 2
         const int64_t half = ((int64_t)(e + 1023) * ((int64_t)1 << 52) + (int64_t)((mantissa - 1) * two_to(52))) / 2;
@@ -530,7 +530,7 @@ static Sum square_root(Sum x)
 }
 
 // sqrt(1 - x^2) of x from 0 to 1.
-static Sum leg(double x)
+static Sum other_leg(double x)
 {
     const Sum sum = sum_of(1, x), difference = sum_of(1, -x);
     const double head = first_bits(sum.big), head2 = first_bits(difference.big);
@@ -546,14 +546,14 @@ double ref_asin(double x)
         return make_nan();
     if (is_nan(x) || is_tiny(x))
         return x;
-    return copy_sign(angle(only(magnitude(x)), leg(magnitude(x)), false), x);
+    return copy_sign(angle_of_point(single_sum(magnitude(x)), other_leg(magnitude(x)), false), x);
 }
 
 double ref_acos(double x)
 {
     if (is_nan(x) || magnitude(x) > 1)
         return make_nan();
-    return angle(leg(magnitude(x)), only(magnitude(x)), x < 0);
+    return angle_of_point(other_leg(magnitude(x)), single_sum(magnitude(x)), x < 0);
 }
 
 double ref_hypot(double x, double y)

@@ -7,7 +7,7 @@ static const uint64_t multiplier = UINT64_C(6364136223846793005);
 // The increment of a stream, which is what distinguishes it from the others.
 static uint64_t increment_of(uint32_t call) { return 2 * ((uint64_t)call + 1) + 1; }
 
-static uint32_t draw(uint64_t *state, uint64_t increment)
+static uint32_t next_random(uint64_t *state, uint64_t increment)
 {
     const uint64_t old = *state;
     const uint32_t mixed = (uint32_t)((old >> 18 ^ old) >> 27), turn = (uint32_t)(old >> 59);
@@ -71,7 +71,7 @@ double ref_random_value(RefRandom *r, uint32_t call)
     if (s->step == 0 || s->step + 1 != r->step)
         s->state = state_before(r->seed, r->first + call, r->step);
     for (int i = 0; i < REF_DRAWS; i++)
-        u[i] = draw(&s->state, increment_of(r->first + call));
+        u[i] = next_random(&s->state, increment_of(r->first + call));
     s->step = r->step;
     return s->value = value_of(&r->call[call], u);
 }

@@ -39,7 +39,7 @@ static bool read_address(const char *text, AppSwapAt *out)
     return true;
 }
 
-static AppPlace classify(const char *name)
+static AppPlace classify_place(const char *name)
 {
     if (strncmp(name, "/dev/", 5) == 0)
         return APP_AT_LINE;
@@ -49,7 +49,7 @@ static AppPlace classify(const char *name)
 static void check_place(AppCheck *k, const AstAppOption *o, AppSwapAt *out)
 {
     out->name = o->file.text;
-    out->place = classify(out->name->text);
+    out->place = classify_place(out->name->text);
     if (out->place == APP_AT_ADDRESS && !read_address(out->name->text, out))
         diag_report(k->c->diags, DIAG_app_swap_address, o->file.span, out->name->text);
     else if (out->place != APP_AT_ADDRESS)

@@ -11,7 +11,7 @@ typedef struct Join {
     Var **element;            // by Element.index: its variable
 } Join;
 
-static Str dotted(Join *k, Str machine, Str name) { return str_c(k->c->strings, format_in(k->c->arena, "%s.%s", machine->text, name->text)); }
+static Str dotted_name(Join *k, Str machine, Str name) { return str_c(k->c->strings, format_in(k->c->arena, "%s.%s", machine->text, name->text)); }
 
 static Var *add_variable(Join *k, const Var *from, Str name)
 {
@@ -48,7 +48,7 @@ static void add_states(Join *k, Member *m)
     m->first = (uint32_t)k->p->state.n;
     for (size_t i = 0; i < m->program->state.n; i++) {
         State *s = arena_copy(k->c->arena, m->program->state.at[i], sizeof *s);
-        s->name = dotted(k, m->name, s->name);
+        s->name = dotted_name(k, m->name, s->name);
         s->number = (uint32_t)k->p->state.n + 1;
         vec_push(k->c->arena, &k->p->state, s);
         map_put(&k->p->state_by_name, s->name, s);
@@ -57,7 +57,7 @@ static void add_states(Join *k, Member *m)
 
 static Var *add_variable_of(Join *k, const Member *m, const Var *v)
 {
-    return v->element ? k->element[v->element->index] : add_variable(k, v, dotted(k, m->name, v->name));
+    return v->element ? k->element[v->element->index] : add_variable(k, v, dotted_name(k, m->name, v->name));
 }
 
 static void add_variables_of(Join *k, Member *m)
@@ -68,9 +68,9 @@ static void add_variables_of(Join *k, Member *m)
     for (size_t i = 0; i < p->var.n; i++) {
         Var *v = add_variable_of(k, m, p->var.at[i]);
         m->var[i] = v;
-        map_put(&k->p->by_name, dotted(k, m->name, p->var.at[i]->name), v);
+        map_put(&k->p->by_name, dotted_name(k, m->name, p->var.at[i]->name), v);
         if (p->var.at[i]->alias)
-            map_put(&k->p->by_name, dotted(k, m->name, p->var.at[i]->alias), v);
+            map_put(&k->p->by_name, dotted_name(k, m->name, p->var.at[i]->alias), v);
         if (p->var.at[i] == p->s) {
             v->state_of = p;
             v->read_only = true;

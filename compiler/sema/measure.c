@@ -88,13 +88,13 @@ static bool find_unit(const char *name, size_t n, Measure *into)
 
 // ---- names that are not units ----
 
-static char lower(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+static char to_lower_case(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
 static bool is_same_but_case(const char *a, size_t n, const char *b)
 {
     size_t i = 0;
 
-    while (i < n && b[i] && lower(a[i]) == lower(b[i]))
+    while (i < n && b[i] && to_lower_case(a[i]) == to_lower_case(b[i]))
         i++;
     return i == n && !b[i];
 }
@@ -170,7 +170,7 @@ static bool report_flaw(MeasureReader *r, MeasureFlaw flaw, uint32_t at, uint32_
     return false;
 }
 
-static bool expect(MeasureReader *r, const char *what) { return report_flaw(r, MEASURE_MALFORMED, r->at, r->text[r->at] != 0, what); }
+static bool report_expected(MeasureReader *r, const char *what) { return report_flaw(r, MEASURE_MALFORMED, r->at, r->text[r->at] != 0, what); }
 
 static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -183,14 +183,14 @@ static bool read_power(MeasureReader *r, double *power)
 
     r->at += minus;
     if (!is_digit(r->text[r->at]))
-        return expect(r, "a number");
+        return report_expected(r, "a number");
     for (; is_digit(r->text[r->at]) && x <= power_max; r->at++)
         x = x * 10 + (r->text[r->at] - '0');
     if (r->text[r->at] == '.' && is_digit(r->text[r->at + 1]))
         for (r->at++; is_digit(r->text[r->at]); r->at++)
             x += (r->text[r->at] - '0') * (digit /= 10);
     if (x > power_max)
-        return expect(r, "a number of at most 99");
+        return report_expected(r, "a number of at most 99");
     *power = minus ? -x : x;
     return true;
 }
@@ -205,11 +205,11 @@ static bool read_term(MeasureReader *r, Measure *into)
     if (r->text[r->at] == '(') {
         r->at++;
         if (++r->depth > DEPTH_MAX)
-            return expect(r, "fewer parentheses");
+            return report_expected(r, "fewer parentheses");
         if (!read_unit(r, into))
             return false;
         if (r->text[r->at] != ')')
-            return expect(r, "')'");
+            return report_expected(r, "')'");
         r->at++;
         r->depth--;
     } else if (r->text[r->at] == '1' && !is_digit(r->text[r->at + 1])) {
@@ -224,7 +224,7 @@ static bool read_term(MeasureReader *r, Measure *into)
             *into = measure_of_number();
         }
     } else
-        return expect(r, (unsigned char)r->text[r->at] < 0x80 ? "the name of a unit" : "letters a to z and A to Z, as in degC");
+        return report_expected(r, (unsigned char)r->text[r->at] < 0x80 ? "the name of a unit" : "letters a to z and A to Z, as in degC");
     if (r->text[r->at] != '^')
         return true;
     r->at++;
@@ -256,7 +256,7 @@ MeasureFlaw measure_parse(const char *text, Measure *into, MeasureError *error)
     if (strlen(text) > MEASURE_LENGTH_MAX)
         report_flaw(&r, MEASURE_MALFORMED, 0, (uint32_t)strlen(text), "at most 80 characters");
     else if (read_unit(&r, into) && text[r.at])
-        expect(&r, "'*', '/' or '^'");
+        report_expected(&r, "'*', '/' or '^'");
     if (r.flaw == MEASURE_GOOD && !measure_is_usable(into))
         report_flaw(&r, MEASURE_MALFORMED, 0, (uint32_t)strlen(text), "a smaller unit");
     into->text = text;

@@ -6,7 +6,7 @@
 // The parts of a name such as `deploy.T`.
 typedef struct Dotted { Str machine, rest; } Dotted;
 
-static bool split(Sema *s, Str name, Dotted *out)
+static bool split_at_dot(Sema *s, Str name, Dotted *out)
 {
     const char *dot = memchr(name->text, '.', name->len);
 
@@ -17,14 +17,14 @@ static bool split(Sema *s, Str name, Dotted *out)
     return true;
 }
 
-static bool knows(const Program *p, Str name, bool is_state) { return map_find(is_state ? &p->state_by_name : &p->by_name, name) != NULL; }
+static bool has_name(const Program *p, Str name, bool is_state) { return map_find(is_state ? &p->state_by_name : &p->by_name, name) != NULL; }
 
 // Reports `deploy.T` in the script of one machine, where it is T.
 static void report_one_machine(Sema *s, Str name, const Dotted *d, Span span, bool is_state)
 {
     Diag *x = diag_report(s->diags, DIAG_member_of_machine, span, name->text);
 
-    if (!knows(s->p, d->rest, is_state))
+    if (!has_name(s->p, d->rest, is_state))
         return;
     diag_label(s->diags, x, DIAG_label_write, d->rest->text);
     if (d->machine == s->p->name)
@@ -72,7 +72,7 @@ static bool report_missing_machine(Sema *s, Str name, Span span, Bare bare)
     Diag *d;
 
     for (size_t i = 0; i < j->member.n; i++)
-        if (knows(j->member.at[i].program, name, bare != BARE_VARIABLE)) {
+        if (has_name(j->member.at[i].program, name, bare != BARE_VARIABLE)) {
             const char *machine = j->member.at[i].name->text;
             only = format_in(s->arena, "%s.%s", machine, name->text);
             if (n++ < 3)
@@ -91,7 +91,7 @@ bool report_member_name(Sema *s, Str name, Span span, bool is_state)
 {
     Dotted d;
 
-    if (!split(s, name, &d))
+    if (!split_at_dot(s, name, &d))
         return s->p->joint && (report_missing_machine(s, name, span, is_state ? BARE_SECTION : BARE_VARIABLE) ||
                                (!is_state && report_missing_machine(s, name, span, BARE_STATE)));
     if (s->p->joint)
