@@ -262,7 +262,7 @@ help:
 	@echo 'make test T=FILE     runs some conformance cases on every engine'
 	@echo 'make diff N=100000   runs so many random programs on all engines, from seed SEED=1, in J=2 processes'
 	@echo 'make f64-campaign N=100000000  tries soft binary64 on so many random operands for each operation'
-	@echo 'make avr-cycles      measures anew what instructions take on an ATmega328P, for reports'
+	@echo 'make avr-cycles      measures again what instructions take on an ATmega328P, for reports'
 	@echo 'make avr-campaign N=10000  runs so many random programs as images on an emulated ATmega328P'
 	@echo 'make avr-c-campaign N=1000  runs so many random programs as C on an emulated ATmega328P, and every conformance case'
 	@echo 'make sound N=100000  runs so many random programs and holds them against what the analyses say of them'

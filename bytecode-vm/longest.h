@@ -20,7 +20,7 @@ typedef struct LongestPath {
     bool is_reachable;        // the next instruction is reachable
     bool is_summing;          // there were too many targets, so `cost` adds up every instruction
     uint32_t cost;            // cost of the longest path to the next instruction
-    uint32_t end_cost, goto_cost;  // the longest path that ends with `end`, with `goto`; 0: none does
+    uint32_t end_cost, goto_cost;  // the longest path that ends with `end`, with `goto`; 0: no path
     uint32_t sample_cost;     // cost of the sample function
     uint32_t state_goto_cost, state_end_cost;         // the state's longest paths so far, with and without goto
     uint32_t max_state_cost;  // cost of the longest step of all states so far

@@ -26,7 +26,7 @@ SMC_SV   ?=
 SMCFLAGS ?=
 SMC_IO   ?=
 SMC_ARGS  = $(SMCFLAGS) $(if $(SMC_SV),--sv=$(SMC_SV))
-# Begins a recipe that wants the command: what to do is told where it is not found.  Not by $(shell): it would not see a PATH set here.
+# Begins a recipe that needs the command: if it is not found, says what to do.  Not by $(shell), which would not see a PATH set here.
 SMC_WANT  = $(if $(filter smc,$(SMC)),@command -v smc >/dev/null || { echo 'smc is not in PATH: set SMC = /where/it/is/smc before the include' >&2; exit 127; })
 # Where these are set: another option rebuilds it.
 SMC_SET  := $(wildcard $(firstword $(MAKEFILE_LIST)))

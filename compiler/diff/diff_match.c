@@ -234,7 +234,7 @@ static unsigned likeness(const Texts *a, const Texts *b)
     return a->n + b->n == 0 ? 0 : (unsigned)(200 * common / (a->n + b->n));
 }
 
-enum { RENAMED_LEAST = 60 };      // percent: below it two states are not taken for the same one
+enum { RENAMED_LEAST = 60 };      // percent: below it two states are not assumed to be the same one
 
 static void report_renamed(ProgramDiff *d, const State *from, const State *to, const char *meaning)
 {

@@ -96,7 +96,7 @@ static void add_longest_step(const Report *r, Doc *d)
 
 static uint32_t board_ram(const Report *r) { return r->analysis.p->sv->size + r->cost.locals + r->cost.windows_small; }
 
-// Returns the smallest board whose firmware can run the machine; NULL if there is none.
+// Returns the smallest board whose firmware can run the machine; NULL if no board can.
 static const Board *find_board(const Report *r) { return board_smallest((uint32_t)r->image_size, board_ram(r), r->cost.functions); }
 
 // Returns the smallest board whose firmware has room for the machine, as "On an Arduino Uno"; "On an Arduino" if no board has enough room.

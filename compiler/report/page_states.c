@@ -173,7 +173,7 @@ static const DocColumn transition_columns[] = {
     {"number", "No."}, {"from", "From"}, {"to", "To"}, {"when", "Condition"}, {"block", "Block"}, {"line", "Line"}, {"note", "Remark"},
     {"comment", "Comment"}};
 
-// Returns the comment after the transition. If there is none and the transition is the only statement of its guard, the comment after the guard.
+// Returns the comment after the transition. If it has no comment and the transition is the only statement of its guard, the comment after the guard.
 static const char *comment_of_transition(const Report *r, const Transition *t)
 {
     const char *comment = comment_after_lines(r->arena, t->stmt->span);

@@ -23,7 +23,7 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 
 // `sv` may be NULL: then the machine's own [state_vector] section is the whole vector.  `written_outside` names the locals that
 // code outside the machine (a state script) writes.  Read-only locals among them are treated as variables, not constants.  Pass
-// NULL if there are none.
+// NULL if no code outside writes any.
 // How a machine that is used under another name differs from its file.
 typedef struct MachineInstance {
     Str name;                 // names its program and the files generated from it; NULL: the file's stem does

@@ -106,7 +106,7 @@ Guess guess_init(Str wanted);
 void guess_consider(Guess *g, Str candidate);
 void guess_add_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
 // Each of these two functions finds the known name that is most similar to an unknown `name`, adds it as a label to d, and returns it; NULL
-// if there is none.  *guesses is how many more such searches are allowed.
+// if no known name is similar.  *guesses is how many more such searches are allowed.
 Str suggest_element(Diags *diags, Diag *d, unsigned *guesses, const StateVec *sv, Str name);
 Str suggest_state(Diags *diags, Diag *d, unsigned *guesses, const Program *p, Str name);
 

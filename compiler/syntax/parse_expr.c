@@ -60,7 +60,7 @@ static bool is_at_line_end(const Parser *p) { return p->tok.first && p->parens =
 
 // ---- values ----
 
-// Returns the unit of time that follows the last token, a number; TIME_NONE if none does (language.md 1.36). The lexer has reported a unit
+// Returns the unit of time that follows the last token, a number; TIME_NONE if no unit follows it (language.md 1.36). The lexer has reported a unit
 // without a blank before it.
 static TimeUnit find_unit(const Parser *p)
 {

@@ -74,8 +74,8 @@ struct FaultRunner {
 void fault_find_inputs(FaultRunner *x);
 // Lists the faults that apply.  The ranges of inputs must be known.
 void fault_list_single(FaultRunner *x);
-// Whether a state of a run reads an input, or an assert or a requirement does.  visited: by State.number - 1, of the run.  If none does, the
-// run is the same with every fault of the input.
+// Whether a state of a run reads an input, or an assert or a requirement does.  visited: by State.number - 1, of the run.  If nothing
+// reads it, the run is the same with every fault of the input.
 bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited);
 
 // ---- fault_watch.c ----

@@ -233,5 +233,5 @@ def compile(*sources: Source, warnings: Iterable[str] = (), level: int = 2) -> P
 
 
 def explain(code: str) -> str:
-    """The page of a diagnostic, by its code or its name; "" if there is none."""
+    """The page of a diagnostic, by its code or its name; "" if no diagnostic has it."""
     return text(lib.smc_explain(code.encode()))

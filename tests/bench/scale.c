@@ -151,7 +151,7 @@ static void print_cost(const Shape *shape, unsigned n, const Cost *c)
     printf(" %8.3f s %7.1f MB\n", total(c->took), c->bytes / 1e6);
 }
 
-// Returns a stage that grows too fast; -1 if there is none.
+// Returns a stage that grows too fast; -1 if no stage does.
 static int grows_too_fast(const double *small, const double *large)
 {
     for (int k = 0; k < STAGES; k++)

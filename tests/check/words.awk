@@ -24,10 +24,12 @@ function plain(s) {
     return " ; " s " "
 }
 
-function is_clean(file,    i) {
-    for (i = 1; i <= cleans; i++)
-        if (file == clean[i] || index(file, clean[i] "/") == 1)
+function is_left(file,    name) {
+    for (name in left)
+        if (file == name || index(file, name "/") == 1) {
+            has_file[name] = 1
             return 1
+        }
     return 0
 }
 
@@ -77,9 +79,11 @@ function check_file(file,    line, n, fenced, s) {
 }
 
 FILENAME ~ /words\.txt$/ {
-    if ($1 == "clean")
-        for (i = 2; i <= NF; i++)
-            clean[++cleans] = $i
+    if ($1 == "leave") {
+        left[$2] = FNR
+        if (!/\| *[^ ]/)
+            complain("words.txt:" FNR ": a file that is left out needs a reason")
+    }
     if ($1 == "word") {
         split(substr($0, 6), part, "|")
         word[++words] = trim(part[1])
@@ -97,7 +101,7 @@ FILENAME ~ /words\.txt$/ {
     next
 }
 
-is_clean($0) && $0 !~ /\/words\.txt$/ { check_file($0) }
+$0 !~ /\/words\.txt$/ && !is_left($0) { check_file($0) }
 
 END {
     for (key in allowed)
@@ -105,6 +109,9 @@ END {
             split(key, part, SUBSEP)
             complain("words.txt:" allowed[key] ": unused exception: " part[1] ": " part[2])
         }
+    for (name in left)
+        if (!(name in has_file) && !least)
+            complain("words.txt:" left[name] ": no file of " name " exists: remove this line")
     if (words < 20 || files < 1 || checked < (least ? least : 100))
         complain("words: nothing was checked")
     print files + 0 " passed, " bad + 0 " failed"

@@ -86,7 +86,7 @@ static GDef *new_def(Gen *g, GExpr *value)
     return d;
 }
 
-// Returns a random earlier definition that can be used here; NULL if there is none.
+// Returns a random earlier definition that can be used here; NULL if no definition can.
 static GDef *random_def(Gen *g, bool constant)
 {
     GDef *d = g->def.n != 0 ? g->def.at[rng_below(&g->rng, (uint32_t)g->def.n)] : NULL;

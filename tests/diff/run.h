@@ -51,7 +51,7 @@ typedef struct RunResult {
 // Returns options with all forms, and the change that the seed selects.
 RunOptions run_options_of(uint64_t seed);
 
-// Returns the machine of a compiled program in a form; NULL if there is none.
+// Returns the machine of a compiled program in a form; NULL if the form has no machine.
 IrMachine *run_machine(Subject *s, const Program *p, Form form);
 // Returns the program as an engine of a form sees it: locals that the form may have removed are constants.
 const Program *run_known_program(Subject *s, Form form);

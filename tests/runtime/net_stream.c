@@ -85,7 +85,7 @@ static PalSocket listens(const PalAddress *at)
     return s;
 }
 
-// Returns the stream that a client of the application has opened; its number is 0 if there is none.
+// Returns the stream that a client of the application has opened; its number is 0 if no client has opened one.
 static PalSocket accepts(PalSocket listening)
 {
     PalSocket s = {0};

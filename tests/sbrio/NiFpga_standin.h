@@ -55,7 +55,7 @@ StandinCall standin_call(unsigned i);
 // From now on a call in the library lets other threads call meanwhile.
 void standin_slow(void);
 
-// Whether the VI runs, and the register of an address; NULL if there is none.
+// Whether the VI runs, and the register of an address; NULL if no register has it.
 bool standin_runs(void);
 StandinRegister *standin_find(uint32_t address);
 

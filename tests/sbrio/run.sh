@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The platform psl/sbrio with the stand-in for NI's library: what `make sbrio` builds, in real time; and the bench of the test stand in simulated
+# The platform psl/sbrio with the stand-in for NI's library: what `make sbrio` builds, in real time; and the bench of the test stand, in simulated
 # time, between pins of the stand-in.     run.sh MAKE BUILD CC [arm]
 # With `arm` for a Cortex-A9 and in QEMU, with the platform suite; else for this computer.
 make=$1 build=$2 cc=$3 target=${4:-here}

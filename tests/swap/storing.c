@@ -306,7 +306,7 @@ static void test_damage(void)
 
 // ---- writers ----
 
-// clause 12.58 for stored images: the application has a new writer, or the machine that gave an element up has been built anew.
+// clause 12.58 for stored images: the application has a new writer, or the machine that gave an element up has been built again.
 static void test_writers(void)
 {
     static const SmRange p[] = {{AT_P, 8}};

@@ -75,7 +75,7 @@ static unsigned random_below(unsigned n)
     return (unsigned)(seed >> 20) % n;
 }
 
-// Returns the length of the longest path from instruction i that ends in `last`; 0 if there is none.
+// Returns the length of the longest path from instruction i that ends in `last`; 0 if no path does.
 static unsigned measure_longest_path(const Random *r, unsigned i, uint8_t last)
 {
     unsigned next, jump;

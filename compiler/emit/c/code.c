@@ -33,7 +33,7 @@ static unsigned break_cost(const char *text)
 }
 
 // Returns the index of the best space at which to break `text` within `width`: the least nested in parentheses, then the one with the least
-// cost, then the last.  0 if there is none.
+// cost, then the last.  0 if the text has no such space.
 static size_t find_line_break(const char *text, size_t len, size_t width)
 {
     size_t best = 0;
