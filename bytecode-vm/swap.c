@@ -329,8 +329,8 @@ bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item)
 
 // ---- the exchange ----
 
-// Fills an empty window with the samples of one of the same size and another kind.  Each sample must get into the slot that it has there
-// (swapping.md 12.13), so all slots are added in their order, and then those before the next slot once more.
+// Fills an empty window with the samples of one of the same size and another kind.  Each sample must be stored in the slot in which a window of
+// that kind has it (swapping.md 12.13), so all slots are added in their order, and then those before the next slot once more.
 static void refill_window(const uint64_t *from, uint32_t from_kind, const SmVm *vm, uint64_t *to, uint32_t to_kind, uint32_t n)
 {
     const uint32_t count = sm_roll_count(from), next = sm_roll_next(from), more = count < n ? 0 : next;

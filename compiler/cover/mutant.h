@@ -25,8 +25,8 @@ bool mutant_initial_is_unread(const Program *p, const Var *v);
 
 // ---- mutant_equal.c ----
 
-// Returns the step by which G advances, for mutants that differ only between two steps: that of the machine, or that which all its scripts have.
-// 0: unknown.
+// Returns the step by which G advances, for mutants that differ only between two steps: the @step of the machine, or the
+// delta_t of all its scripts if they agree.  0: unknown.
 uint64_t mutant_step(const Program *p, const Script *const *script, uint32_t scripts);
 // Whether it is proved that the machine behaves as before with these edits, from whatever state it starts and whatever its inputs are.
 // Statements of p are changed during the call.

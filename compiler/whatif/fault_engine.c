@@ -73,7 +73,7 @@ static uint64_t read_faulty(FaultEngine *e, uint32_t i)
     return s->now;
 }
 
-// Stores the true values of a step before it runs.  What came before the first step is what it has itself.
+// Stores the true values of a step before it runs.  The values before the first step are assumed to be those of the first step.
 static void take_true_values(FaultEngine *e, const EngineWrite *write, uint32_t n)
 {
     for (uint32_t i = 0; i < e->inputs; i++)
