@@ -280,12 +280,16 @@ static const AstExpr *name_of_state(Sema *s, const Program *m, const AstExpr *e)
 // Builds `S == Run` or `S != Run`, where the number of the state is the value of its name. Returns NULL if e is no such comparison.
 static Expr *check_state_comparison(Sema *s, const AstExpr *e)
 {
-    const bool first = machine_of_state(s, e->a) != NULL;
-    const Program *m = machine_of_state(s, first ? e->a : e->b);
     const AstExpr *name;
+    const Program *m;
     Expr *out, *number;
+    bool first;
 
-    if (operator_class(e) != SM_CLASS_EQUALITY || !m || !(name = name_of_state(s, m, first ? e->b : e->a)))
+    if (operator_class(e) != SM_CLASS_EQUALITY)
+        return NULL;
+    first = machine_of_state(s, e->a) != NULL;
+    m = machine_of_state(s, first ? e->a : e->b);
+    if (!m || !(name = name_of_state(s, m, first ? e->b : e->a)))
         return NULL;
     sema_record_operator(s, e->op);
     s->knows_a_name = true;

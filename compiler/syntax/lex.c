@@ -140,9 +140,8 @@ void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end)
 // Returns the end of the name of a machine's variable, such as deploy.T, whose first part ends at `end`; `end` if it is no such name.
 static uint32_t skip_member(const Lexer *l, uint32_t end)
 {
-    const Str machine = str_intern(l->strings, l->src->text + l->at, end - l->at);
-
-    if (!(l->script || l->requirements) || lexer_byte(l, end) != '.' || !lex_is_letter(lexer_byte(l, end + 1)) || find_reserved(machine))
+    if (!(l->script || l->requirements) || lexer_byte(l, end) != '.' || !lex_is_letter(lexer_byte(l, end + 1)) ||
+        find_reserved(str_intern(l->strings, l->src->text + l->at, end - l->at)))
         return end;
     return lexer_skip_word(l, end + 1);
 }
