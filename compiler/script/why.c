@@ -397,14 +397,15 @@ static const char *outcome_text(const Answer *a, const WhyChange *c)
 static void add_changes(Answer *a, unsigned depth)
 {
     WhyChanges changes = {0};
+    const bool is_complete = a->guards == 0 || why_find_changes(&a->r, a->guard, a->guards, &changes);
 
-    if (a->guards)
-        why_find_changes(&a->r, a->guard, a->guards, &changes);
     if (changes.n)
         add_line(a, WHY_HEADING, depth, (Span){0}, "what would have made a difference in this step:");
     for (uint32_t i = 0; i < changes.n; i++)
         add_line(a, WHY_CHANGE, depth + 1, (Span){0}, format_in(a->r.arena, "with %s, %s", why_change_text(&a->r, &changes.at[i]), outcome_text(a, &changes.at[i])))->change =
             changes.at[i];
+    if (!is_complete)
+        add_remark(a, depth, "not all values of parameters were tried, because each needs a run of the whole script");
 }
 
 // ---- the step that was nearest ----

@@ -8,7 +8,13 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { CHANGES_MOST = 6 };
+enum {
+    CHANGES_MOST = 6,
+    PARAMETER_STEPS_MOST = 4000000   // steps of all runs with other values of parameters
+};
+
+// A value of a parameter that was tried.
+typedef struct TriedValue { const Var *var; uint64_t cell; } TriedValue;
 
 // ---- the machine before the step ----
 
@@ -23,6 +29,9 @@ typedef struct Before {
     const WhyRun *run;
     const WhyRun *result;     // the run whose outcome is to be changed
     EngineStep answer;
+    VEC(TriedValue) parameter;
+    uint64_t parameter_steps; // of the runs with these
+    bool is_cut;              // there was no room for another one
 } Before;
 
 // Sets a variable before the step.  A later write of a variable replaces an earlier one.
@@ -88,34 +97,90 @@ static bool is_asked(const Before *b, const WhyChange *c)
     return !q->to || w->state == q->to || (was && was->target == q->to) || c->next == q->to;
 }
 
+// ---- a parameter ----
+
+// An engine that notes which state its machine runs in the step.
+typedef struct Noting {
+    Engine engine;
+    Engine *ref;
+    const WhyRun *run;
+    uint64_t step;            // the number of that step
+    uint32_t next;            // the state of the machine's next step
+    uint32_t state;           // that of the step; 0: the machine has not run it
+} Noting;
+
+static EngineStatus noting_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    Noting *k = e->self;
+
+    k->next = state;
+    return k->ref->init(k->ref, state, out);
+}
+
+static EngineStatus noting_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    Noting *k = e->self;
+    const EngineStatus status = k->ref->step(k->ref, write, n, out);
+
+    if (k->run->run.result.steps + 1 == k->step)
+        k->state = k->next;
+    k->next = out->next_state;
+    return status;
+}
+
+static void noting_close(Engine *e) { ((Noting *)e->self)->ref->close(((Noting *)e->self)->ref); }
+
+static Engine *wrap_noting(void *context, WhyRun *r, Engine *ref)
+{
+    Noting *k = context;
+
+    k->run = r;
+    k->ref = ref;
+    k->engine = (Engine){ref->name, ref->program, NULL, k, noting_init, noting_step, noting_close};
+    return &k->engine;
+}
+
+// Whether a value of a parameter can be tried: it was not before, and there is room for the steps of a run.
+static bool can_try_parameter(Before *b, const WhyChange *c)
+{
+    for (uint32_t i = 0; i < b->parameter.n; i++)
+        if (b->parameter.at[i].var == c->var && b->parameter.at[i].cell == c->cell)
+            return false;                             // two conditions have the limit in common
+    b->is_cut |= b->parameter_steps + b->step > PARAMETER_STEPS_MOST;
+    return !b->is_cut;
+}
+
 // Runs the script with another value of a parameter.  Returns whether the step then runs the same state with another outcome, which c then has.
-static bool try_parameter(const Before *b, WhyChange *c)
+static bool try_parameter(Before *b, WhyChange *c)
 {
     const WhyRun *r = b->result;
     const Joint *j = r->s->program->joint;
     ScriptOptions o = *r->given;
     ScriptSetting *setting = ARENA_ARRAY(r->arena, ScriptSetting, o.settings + 1);
     WhyQuestion q = r->q;
-    const Watch *w;
+    Noting noting = {.step = b->step};
     const Stmt *taken;
     WhyRun again;
 
+    if (!can_try_parameter(b, c))
+        return false;
     for (size_t i = 0; i < o.settings; i++)
         setting[i] = o.setting[i];
     setting[o.settings].parameter = j ? j->member.at[q.machine].var[c->var->index] : c->var;
     if (parameter_judge(c->var, sm_cell_to_f64(c->var->type, c->cell), &setting[o.settings].cell) != SM_REFUSAL_NONE)
         return false;
+    vec_push(r->arena, &b->parameter, ((TriedValue){c->var, c->cell}));
     o.setting = setting;
     o.settings++;
     q.at_step = b->step;
     q.has_g = false;
-    why_run(&again, r->arena, r->s, &o, &q, NULL, NULL);
-    w = again.watch[q.machine];
-    if (w->step != b->step || w->state != r->watch[q.machine]->state)
+    why_run(&again, r->arena, r->s, &o, &q, wrap_noting, &noting);
+    b->parameter_steps += again.run.result.steps;
+    if (again.run.result.steps != b->step || noting.state != r->watch[q.machine]->state->number)
         return false;
-    taken = engine_ref_transition(again.machine[q.machine]);
+    taken = engine_ref_transition(noting.ref);
     c->next = taken ? taken->target : NULL;
-    c->stored = q.of ? engine_ref_view(again.machine[q.machine]).cell[q.of->index] : 0;
+    c->stored = q.of ? engine_ref_view(noting.ref).cell[q.of->index] : 0;
     return is_asked(b, c);
 }
 
@@ -221,7 +286,7 @@ static void try_condition(Before *b, const WatchStmt *s, const Expr *e, WhyChang
     }
 }
 
-void why_find_changes(const WhyRun *r, const WatchStmt *const *guard, size_t guards, WhyChanges *out)
+bool why_find_changes(const WhyRun *r, const WatchStmt *const *guard, size_t guards, WhyChanges *out)
 {
     WhyQuestion q = r->q;
     Before b = {.result = r, .step = r->watch[q.machine]->step};
@@ -234,6 +299,7 @@ void why_find_changes(const WhyRun *r, const WatchStmt *const *guard, size_t gua
         for (uint32_t k = 0; k < guard[i]->nodes; k++)
             if (guard[i]->node[k].kind == WATCH_LEAF)
                 try_condition(&b, guard[i], guard[i]->node[k].e, out);
+    return !b.is_cut;
 }
 
 const char *why_change_text(const WhyRun *r, const WhyChange *c)

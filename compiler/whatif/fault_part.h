@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the files of a campaign of faults share (faults.h): fault_inputs.c lists inputs and what reads them, fault_watch.c observes a run,
-// faults.c runs.
+// faults.c runs, fault_replay.c finds pairs that need no run.
 #ifndef SMC_FAULT_PART_H
 #define SMC_FAULT_PART_H
 
@@ -25,11 +25,30 @@ typedef struct Healthy {
 // A visit of a state, from its first step to its last one.
 typedef struct Visit { uint64_t first, last; } Visit;
 
+// What a script, the requirements and the comparison of outputs see of the machine (Var.index).
+typedef struct FaultSeen {
+    VEC(uint32_t) cell;       // as the machine has it
+    VEC(uint32_t) outside;    // inputs that the machine itself assigns, by their true value
+} FaultSeen;
+
+// The run of one fault from its trigger on, as fault_replay.c records it.
+typedef struct FaultSlot { uint32_t slot; uint64_t value; } FaultSlot;
+typedef struct FaultStepEnd { uint32_t write, change; } FaultStepEnd;
+typedef struct FaultRecord {
+    VEC(EngineWrite) write;   // of the script
+    VEC(FaultSlot) change;    // what is seen, where it changes; all of it in the first step
+    VEC(FaultStepEnd) end;    // by step: the end of its writes and changes
+    bool is_cut;              // there was no room for it
+} FaultRecord;
+
+typedef struct FaultTape FaultTape;
+
 // What is observed in a run.  It is in the arena of the run, so that a copy of the run contains it.
 typedef struct FaultWatch {
     FaultRunner *x;
     ScriptRun *r;
     FaultEngine *e;
+    FaultTape *tape;
     Healthy *healthy;
     bool is_healthy;          // the run has no fault, and is recorded instead of compared
     uint64_t *cell;           // by output: the value without a fault
@@ -47,6 +66,10 @@ struct FaultRunner {
     Faults *f;
     Arena *arena;             // of the results
     Arena run, copy;          // of the current run; of its copy
+    Arena tapes;              // of the records of the current trigger
+    uint64_t taped;           // writes and changes in them
+    FaultRecord *record;      // by single fault; only with pairs
+    FaultSeen *seen;          // by script
     ArenaCopy saved;
     FlatMachine *flat;
     ScriptOptions o;
@@ -77,6 +100,20 @@ void fault_list_single(FaultRunner *x);
 // Whether a state of a run reads an input, or an assert or a requirement does.  visited: by State.number - 1, of the run.  If nothing
 // reads it, the run is the same with every fault of the input.
 bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited);
+
+// ---- fault_replay.c ----
+
+// Lists what each script sees.  Inputs and outputs must be known.
+void fault_find_seen(FaultRunner *x);
+// Opens the engine that records the steps of x->w, around the faulty sensors.  It is in x->run.
+Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
+// Drops all records.
+void fault_tape_reset(FaultRunner *x);
+// Records the current run from its next step on, as that of a single fault.
+void fault_tape_begin(FaultRunner *x, uint32_t single);
+// Whether two faults have the outcome that `single`, one of them, has alone.  False: that is not known.  The current run must be before the
+// trigger, and is then used up.
+bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both);
 
 // ---- fault_watch.c ----
 

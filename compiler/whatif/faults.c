@@ -88,7 +88,7 @@ static void start_run(FaultRunner *x, uint32_t script)
         inner = open_recorder(x, inner);
     x->w->e = fault_engine_open(&x->run, inner, x->f->input.at, x->f->input.n, &sizes, (uint32_t)s->random.n);
     engine = ARENA_NEW(&x->run, Engine *);
-    *engine = fault_engine(x->w->e);
+    *engine = fault_tape_open(x, fault_engine(x->w->e), script);
     x->w->r = ARENA_NEW(&x->run, ScriptRun);
     *x->w->r = (ScriptRun){.arena = &x->run, .diags = unused, .s = s, .p = x->f->p, .engine = engine, .engines = 1, .o = o};
     fault_begin_watching(x, script);
@@ -162,12 +162,14 @@ Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, 
     x->arena = arena;
     arena_init(&x->run, arena->alloc, arena->context, arena->oom);
     arena_init(&x->copy, arena->alloc, arena->context, arena->oom);
+    arena_init(&x->tapes, arena->alloc, arena->context, arena->oom);
     x->flat = flat_new(arena, ir_build(arena, p), NULL);
     x->o = (ScriptOptions){.after_step = fault_watch_step, .is_silent = true, .is_compared = true, .requirements = o->requirements,
                            .setting = o->setting, .settings = o->settings};
     x->healthy = arena_array(arena, scripts, sizeof *x->healthy);
     x->visit = arena_array(arena, p->state.n, sizeof *x->visit);
     fault_find_inputs(x);
+    fault_find_seen(x);
     for (uint32_t i = 0; i < scripts; i++)
         run_healthy(x, i);
     fault_list_single(x);
@@ -180,6 +182,7 @@ void faults_end(Faults *f)
 {
     arena_free(&f->runner->run);
     arena_free(&f->runner->copy);
+    arena_free(&f->runner->tapes);
 }
 
 // ---- a fault ----
@@ -316,6 +319,8 @@ static bool next_run(FaultRunner *x)
             x->in_pairs = false;
             x->i = 0;
             find_repeated(x);
+            if (x->f->options.pairs)
+                fault_tape_reset(x);
             return true;
         }
         if (!x->in_pairs && ++x->i < x->single.n)
@@ -357,8 +362,10 @@ static void run_single(FaultRunner *x)
     FaultResult r;
 
     mark_healthy(x, visited);
-    if (fault_is_read(x, fault->input, visited)) {
+    if (x->f->options.runs_all || fault_is_read(x, fault->input, visited)) {
         return_to_trigger(x, &x->f->trigger.at[x->at]);
+        if (x->f->options.pairs && can_copy(x, x->f->trigger.at[x->at].script))
+            fault_tape_begin(x, x->i);
         r = run_faults(x, x->at, fault, 1);
         memcpy(visited, x->w->visited, x->f->p->state.n);
         x->f->runs++;
@@ -376,17 +383,38 @@ static bool can_be_worse(const FaultRunner *x)
            fault_is_read(x, x->single.at[x->i].input, visited_by(x, x->k)) && fault_is_read(x, x->single.at[x->k].input, visited_by(x, x->i));
 }
 
+// Whether a pair is found to do what one of its faults does alone.  The more dangerous one is more likely to decide, so it comes first.
+static bool repeats_single(FaultRunner *x, const Fault *both)
+{
+    const FaultTrigger *t = &x->f->trigger.at[x->at];
+    const bool is_later_worse = x->alone[x->k] > x->alone[x->i];
+    const uint32_t single[] = {is_later_worse ? x->k : x->i, is_later_worse ? x->i : x->k};
+
+    if (!can_copy(x, t->script))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        return_to_trigger(x, t);
+        if (fault_pair_repeats(x, single[i], both))
+            return true;
+    }
+    return false;
+}
+
 static void run_pair(FaultRunner *x)
 {
     const Fault both[FAULTS_MOST] = {x->single.at[x->i], x->single.at[x->k]};
     FaultResult r;
 
     x->f->pairs++;
-    if (!can_be_worse(x))
+    if (!x->f->options.runs_all && !can_be_worse(x))
         return;
+    if (!x->f->options.runs_all && repeats_single(x, both)) {
+        x->f->repeated++;
+        return;
+    }
+    x->f->runs++;
     return_to_trigger(x, &x->f->trigger.at[x->at]);
     r = run_faults(x, x->at, both, 2);
-    x->f->runs++;
     r.worse_than_alone = r.outcome > (FaultOutcome)x->alone[x->i] && r.outcome > (FaultOutcome)x->alone[x->k];
     if (!r.worse_than_alone)
         return;

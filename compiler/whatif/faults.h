@@ -67,6 +67,7 @@ typedef struct FaultOptions {
     const Var *const *input;          // `inputs` of them; 0: all that the machine reads and a script writes, or that are @read_only
     uint32_t inputs;
     bool pairs;
+    bool runs_all;                    // run also what follows from other runs: for tests
     uint64_t max_runs;
     FaultSizes sizes;                 // the seed counts only if has_seed
     bool has_seed;                    // otherwise the seed is that of each script
@@ -89,7 +90,8 @@ typedef struct Faults {
     VEC(FaultTrigger) trigger;
     VEC(FaultResult) result;          // of single faults: all; of pairs: those that are worse than alone
     uint64_t faults, runs;            // faults that were judged; those of them that were run, because something reads the input
-    uint64_t pairs, pairs_worse;      // of two faults: how many were run; how many are worse than alone
+    uint64_t pairs, pairs_worse;      // of two faults: how many were judged; how many are worse than alone
+    uint64_t repeated;                // pairs whose run was found to be that of one of its faults, without the script
     bool is_cut;                      // max_runs was reached
     uint32_t failing;                 // a script that fails without a fault; `scripts`: none
     FaultRunner *runner;

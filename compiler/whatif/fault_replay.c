@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds pairs of faults that do what one of them does alone, without running the script.
+//
+// The run of each fault alone is recorded: what the script writes in each step, and what the script, the requirements and the comparison of outputs
+// see after it.  The machine alone then steps with both faults and the recorded writes.  As long as what is seen is as recorded, the script would
+// have written the same.  If that is so to the end of the record, the outcome is that of the fault alone.
+#include "compiler/whatif/fault_part.h"
+
+#include <string.h>
+
+enum { VALUES_MOST = 1 << 22 };       // writes and changes that the records of a trigger can have together
+
+// Records what passes between the script and the faulty sensors.
+struct FaultTape {
+    Engine engine;
+    Engine *inner;
+    FaultRunner *x;
+    FaultRecord *to;          // NULL: nothing is recorded
+    uint64_t *last;           // by slot: its value after the last recorded step
+};
+
+// ---- what is seen ----
+
+static void mark_seen(Expr *e, void *context)
+{
+    uint8_t *seen = context;
+
+    if (e->kind == EX_VAR)
+        seen[e->var->index] = 1;
+}
+
+static void mark_seen_by_script(const Script *s, uint8_t *seen)
+{
+    for (uint32_t i = 0; i < s->window.n; i++)
+        expr_walk(s->window.at[i].sample, mark_seen, seen);
+    for (uint32_t i = 0; i < s->section.n; i++)
+        for (uint32_t k = 0; k < s->section.at[i].item.n; k++) {
+            const ScriptItem *item = s->section.at[i].item.at[k];
+            expr_walk(item->guard, mark_seen, seen);
+            for (uint32_t n = 0; n < item->inputs.n; n++)
+                expr_walk(item->inputs.at[n].value, mark_seen, seen);
+            for (uint32_t n = 0; n < item->asserts.n; n++)
+                if (item->asserts.at[n].condition)
+                    expr_walk(item->asserts.at[n].condition, mark_seen, seen);
+        }
+}
+
+static void mark_seen_by_requirements(const Requirements *rq, uint8_t *seen)
+{
+    for (uint32_t i = 0; i < rq->window.n; i++)
+        expr_walk(rq->window.at[i].sample, mark_seen, seen);
+    for (uint32_t i = 0; i < rq->at.n; i++) {
+        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
+        for (int k = 0; k < 3; k++)
+            if (condition[k])
+                expr_walk(condition[k], mark_seen, seen);
+    }
+}
+
+// Returns the index of an input, or the number of inputs.
+static uint32_t find_input(const Faults *f, const Var *v)
+{
+    uint32_t i = 0;
+
+    while (i < f->input.n && f->input.at[i].var != v)
+        i++;
+    return i;
+}
+
+void fault_find_seen(FaultRunner *x)
+{
+    const Faults *f = x->f;
+    const uint32_t vars = (uint32_t)f->p->var.n;
+
+    x->seen = arena_array(x->arena, f->scripts, sizeof *x->seen);
+    for (uint32_t s = 0; s < f->scripts; s++) {
+        uint8_t *seen = arena_alloc(x->arena, vars + f->script[s]->local.n + 1);
+        FaultSeen *to = &x->seen[s];
+        mark_seen_by_script(f->script[s], seen);
+        if (f->options.requirements)
+            mark_seen_by_requirements(f->options.requirements, seen);
+        for (uint32_t i = 0; i < x->outputs; i++)
+            seen[x->output[i]->index] = 1;
+        for (uint32_t v = 0; v < vars; v++) {
+            const Var *var = f->p->var.at[v];
+            const uint32_t input = find_input(f, var);
+            if (!seen[v] || var == f->p->g)
+                continue;
+            if (input == f->input.n || x->is_judged[input])
+                vec_push(x->arena, &to->cell, v);
+            if (input < f->input.n && var->written)
+                vec_push(x->arena, &to->outside, v);
+        }
+    }
+}
+
+// The slots of a step: what the next one runs, then the seen cells, then those of the true values.
+static uint32_t count_slots(const FaultSeen *s) { return 2 + s->cell.n + s->outside.n; }
+
+static uint64_t read_slot(const FaultSeen *s, const EngineStep *out, uint32_t slot)
+{
+    if (slot < 2)
+        return slot ? out->next_is_first : out->next_state;
+    slot -= 2;
+    return slot < s->cell.n ? out->cell[s->cell.at[slot]] : out->outside[s->outside.at[slot - s->cell.n]];
+}
+
+// ---- recording ----
+
+static const FaultSeen *seen_of(const FaultWatch *w) { return &w->x->seen[w->healthy - w->x->healthy]; }
+
+static void record_step(FaultTape *k, const EngineWrite *write, uint32_t n, const EngineStep *out)
+{
+    FaultRunner *x = k->x;
+    const FaultSeen *seen = seen_of(x->w);
+    const bool is_first = k->to->end.n == 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        vec_push(&x->tapes, &k->to->write, write[i]);
+    for (uint32_t i = 0; i < count_slots(seen); i++) {
+        const uint64_t value = read_slot(seen, out, i);
+        if (is_first || value != k->last[i])
+            vec_push(&x->tapes, &k->to->change, ((FaultSlot){i, value}));
+        k->last[i] = value;
+    }
+    vec_push(&x->tapes, &k->to->end, ((FaultStepEnd){k->to->write.n, k->to->change.n}));
+}
+
+static EngineStatus tape_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    FaultTape *k = e->self;
+
+    return k->inner->init(k->inner, state, out);
+}
+
+static EngineStatus tape_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
+{
+    FaultTape *k = e->self;
+    const EngineStatus status = k->inner->step(k->inner, write, n, out);
+
+    e->error = k->inner->error;
+    if (k->to && status == ENGINE_OK && k->x->taped < VALUES_MOST) {
+        const uint32_t before = k->to->write.n + k->to->change.n;
+        record_step(k, write, n, out);
+        k->x->taped += k->to->write.n + k->to->change.n - before;
+    } else if (k->to)
+        k->to->is_cut = true;
+    return status;
+}
+
+static void tape_close(Engine *e) { (void)e; }
+
+Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script)
+{
+    FaultTape *k = ARENA_NEW(&x->run, FaultTape);
+
+    *k = (FaultTape){{"tape", inner->program, NULL, k, tape_init, tape_step, tape_close}, inner, x, NULL, NULL};
+    k->last = ARENA_ARRAY(&x->run, uint64_t, count_slots(&x->seen[script]));
+    x->w->tape = k;
+    return &k->engine;
+}
+
+void fault_tape_reset(FaultRunner *x)
+{
+    arena_reset(&x->tapes);
+    x->taped = 0;
+    x->record = ARENA_ARRAY(&x->tapes, FaultRecord, x->single.n + 1);
+}
+
+void fault_tape_begin(FaultRunner *x, uint32_t single) { x->w->tape->to = &x->record[single]; }
+
+// ---- replaying ----
+
+bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both)
+{
+    const FaultRecord *k = &x->record[single];
+    const FaultSeen *seen = seen_of(x->w);
+    Engine *e = x->w->tape->inner;
+    EngineStep *out = &x->w->r->answer[0];
+    uint64_t *expected = x->w->tape->last;
+    uint32_t write = 0, change = 0;
+
+    if (k->is_cut || k->end.n == 0)
+        return false;
+    fault_engine_begin(x->w->e, both, 2);
+    for (uint32_t i = 0; i < k->end.n; i++) {
+        if (e->step(e, k->write.at + write, k->end.at[i].write - write, out) != ENGINE_OK)
+            return false;
+        write = k->end.at[i].write;
+        for (; change < k->end.at[i].change; change++)
+            expected[k->change.at[change].slot] = k->change.at[change].value;
+        for (uint32_t n = 0; n < count_slots(seen); n++)
+            if (read_slot(seen, out, n) != expected[n])
+                return false;
+    }
+    return true;
+}
