@@ -97,7 +97,7 @@ typedef struct ProveOptions {
     bool assume_ranges;       // PROVE_RANGES
     const ProveGiven *given;  // `givens` of them; those that begin in another state, or have another step, are not used
     uint32_t givens;
-    uint64_t effort;          // how many steps the search for violations can run; 0: a default
+    uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h); 0: a default
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
     bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never

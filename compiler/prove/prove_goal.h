@@ -13,7 +13,8 @@ typedef struct GoalSearch {
     const Requirements *all;
     size_t requirement;
     GoalKind kind;
-    uint64_t delta_t, seed, effort;
+    uint64_t delta_t, seed;
+    uint64_t effort;                  // at least 1: a step costs 1, and more if the requirement has long windows
     const State *init_state;
     bool usual_values;                // no SearchSpecials
     const Scenario *given;            // starting points; `givens` of them
