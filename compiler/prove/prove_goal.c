@@ -18,6 +18,7 @@ typedef struct GoalWatch {
     Monitor *monitor;
     bool strict;              // inputs that were never set must be in their ranges, too
     bool premise_seen;
+    bool *tried;              // by state from 0: a step has run in it
 } GoalWatch;
 
 enum { MEMORY_SIZE = (sizeof(GoalMemory) + 7) / 8 * 8 };
@@ -203,6 +204,7 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     bool premise, reached;
 
     monitor_step(w->monitor, (char *)situation + MEMORY_SIZE, cell);
+    w->tried[cell[w->g->all->program->s->index] - 1] = true;
     x = evaluate(w, cell);
     note_step(w, m, &x);
     premise = is_premise(w, &before, &x);
@@ -224,6 +226,7 @@ static GoalWatch *new_watch(Arena *arena, const GoalSearch *g)
     w->what = &g->all->at.at[g->requirement];
     w->monitor = monitor_new(arena, g->all, g->delta_t);
     monitor_judge_only(w->monitor, g->requirement);
+    w->tried = ARENA_ARRAY(arena, bool, g->all->program->state.n);
     return w;
 }
 
@@ -395,5 +398,6 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
         out.scenario = s ? copy_scenario(arena, s) : NULL;
     }
     out.premise_seen = w->premise_seen;
+    out.tried = arena_copy(arena, w->tried, g->all->program->state.n);
     return out;
 }

@@ -27,6 +27,7 @@ typedef struct GoalSearch {
 typedef struct GoalFound {
     const Scenario *scenario;         // that reaches the goal in its last step, confirmed by the reference interpreter; NULL: not found
     bool premise_seen;                // some run has come to the premise
+    const bool *tried;                // by state from 0: some run was in it
     uint64_t steps;
     bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
 } GoalFound;
