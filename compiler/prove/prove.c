@@ -113,13 +113,42 @@ static void begin_proof(const ProveRun *v, ProveProof *p, ProveOf *of)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
 
+static ProveWide wide_of(const ProveRun *v, const ProveModel *model, uint32_t var)
+{
+    ProveWide w = {.window = model->var[var].window};
+
+    for (uint32_t k = 0; k < v->p->var.n; k++)
+        if (v->m->var_of[k] == var)
+            w.var = v->p->var.at[k];
+    return w;
+}
+
+static void add_wide(ProveOf *of, ProveWide w)
+{
+    for (uint32_t n = 0; n < of->wides; n++)
+        if (of->wide[n].var == w.var && of->wide[n].window == w.window)
+            return;
+    of->wide[of->wides++] = w;
+}
+
+// Stores what kept an attempt from being a proof.
+static void note_obstacle(const ProveRun *v, const ProveModel *model, const ProveExplored *x, ProveOf *of)
+{
+    of->obstacle = x->closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
+    of->wides = 0;
+    for (uint32_t n = 0; n < x->wides; n++)
+        add_wide(of, wide_of(v, model, x->wide[n]));
+    for (uint32_t s = 0; x->closed && s < v->p->state.n; s++)
+        of->excluded[s] |= !x->entered[s];
+}
+
 // Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.
 static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveOf *of)
 {
     ProveExplored x;
 
     if (!try_proof(v, model, assumed, is_fine, &x, of)) {
-        of->obstacle = x.closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
+        note_obstacle(v, model, &x, of);
         return false;
     }
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
@@ -164,7 +193,7 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 
 static GoalSearch new_search(const ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
-    return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort,
+    return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort ? effort : 1,
                         .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .go_on = v->o->go_on, .context = v->o->context};
 }
 
@@ -172,6 +201,8 @@ static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
 {
     GoalFound found = goal_search(v->arena, &v->work, v->cover, g);
 
+    for (uint32_t s = 0; s < v->p->state.n; s++)
+        of->tried[s] |= found.tried[s];
     of->steps += found.steps;
     v->result->steps += found.steps;
     if (found.unconfirmed)
@@ -374,6 +405,8 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
     for (uint32_t i = 0; i < r->at.n; i++) {
         result->of[i].what = &r->at.at[i];
+        result->of[i].tried = ARENA_ARRAY(arena, bool, v.p->state.n);
+        result->of[i].excluded = ARENA_ARRAY(arena, bool, v.p->state.n);
         if (o->progress)
             o->progress(o->context, i);
         decide(&v, &result->of[i]);

@@ -73,6 +73,12 @@ typedef struct ProveGiven {
     const Var *ended_by;      // what it sets then, and no search does: G, S, a local or an element that the machine assigns; NULL: `run` is all of it
 } ProveGiven;
 
+// Something with too many values for a proof: a variable of the machine, the samples of a window, or, if both are NULL, the time since a `leads to`
+// is open.
+typedef struct ProveWide { const Var *var; const Window *window; } ProveWide;
+
+enum { PROVE_WIDES = 4 };     // that are named
+
 typedef struct ProveOf {
     const Requirement *what;
     ProveVerdict verdict;
@@ -83,6 +89,10 @@ typedef struct ProveOf {
     uint64_t given_step;      // in this step
     bool premise_seen;        // some run that was tried could have violated the requirement; always true if VIOLATED
     ProveObstacle obstacle;   // UNDECIDED
+    ProveWide wide[PROVE_WIDES];      // UNDECIDED: what the last exploration could not distinguish all values of, `wides` of them
+    uint32_t wides;
+    bool *tried;              // by state from 0: some run was in it
+    bool *excluded;           // by state from 0: an exploration has found that no run comes to it before it violates the requirement
     uint32_t irrelevant;      // variables that cannot influence the requirement
     bool is_loose;            // PROVED, VACUOUS: with windows of any value (prove_model_new)
     bool is_compared;         // PROVED, VACUOUS: with samples that are compared with constants of the requirement
@@ -97,7 +107,7 @@ typedef struct ProveOptions {
     bool assume_ranges;       // PROVE_RANGES
     const ProveGiven *given;  // `givens` of them; those that begin in another state, or have another step, are not used
     uint32_t givens;
-    uint64_t effort;          // how many steps the search for violations can run; 0: a default
+    uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h); 0: a default
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
     bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never

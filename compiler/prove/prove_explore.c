@@ -15,6 +15,7 @@ enum {
     CHANGES_MOST = 40,                // after these, only the types of variables remain
     NARROWINGS = 3,
     LIMITS_MOST = 256,
+    MANY_VALUES = 4,                  // of a key: more are worth a mention
     BESIDE = 5                        // limits of a constant: itself, and its neighbours
 };
 
@@ -348,6 +349,7 @@ static void visit_block(Explorer *x, IrBlkRef b)
 static void explore_step(Explorer *x, const ProveNode *from)
 {
     x->from = from;
+    x->out->entered[from->state] = true;
     x->step = prove_model_step(x->p, from->state, from->first);
     if (x->step->fn->blk.n > x->blocks) {
         x->blocks = x->step->fn->blk.n * 2;
@@ -405,15 +407,31 @@ static FactLimits find_limits(Arena *arena, const ProveModel *p)
     return (FactLimits){limit, n};
 }
 
-// Returns the key with the most different values among the nodes; `keys` if each has one.
-static uint32_t find_widest_key(const Explorer *x)
+static bool is_noted(const ProveExplored *out, uint32_t var)
+{
+    for (uint32_t n = 0; n < out->wides; n++)
+        if (out->wide[n] == var)
+            return true;
+    return false;
+}
+
+static void note_wide(ProveExplored *out, uint32_t var)
+{
+    if (out->wides < PROVE_WIDES && !is_noted(out, var))
+        out->wide[out->wides++] = var;
+}
+
+// Returns the key with the most different values among the nodes, of those that are not noted and have more than `least`; `keys` if there is none.
+static uint32_t find_widest_key(const Explorer *x, uint32_t least)
 {
     enum { SAMPLE = 4096 };
     uint64_t *seen = ARENA_ARRAY(x->arena, uint64_t, 2 * SAMPLE);
-    uint32_t widest = x->keys, most = 1;
+    uint32_t widest = x->keys, most = least;
 
     for (uint32_t k = 0; k < x->keys; k++) {
         uint32_t values = 0;
+        if (is_noted(x->out, x->key[k]))
+            continue;
         memset(seen, 0, 2 * SAMPLE * sizeof *seen);
         for (uint32_t n = 0; n < x->table->node.n && values < SAMPLE; n++) {
             const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0
@@ -461,6 +479,7 @@ static void narrow(Explorer *x, const State *init)
     x->widens = false;
     x->out->violated = x->out->premise = false;
     memset(x->out->reached, 0, x->p->machine->state.n * sizeof *x->out->reached);
+    memset(x->out->entered, 0, x->p->machine->state.n * sizeof *x->out->entered);
     add_node(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
     for (uint32_t n = 0; n < from->node.n; n++)
         explore_step(x, &from->node.at[n]);
@@ -535,6 +554,7 @@ ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const Stat
     ExploreEnd end;
 
     out.reached = ARENA_ARRAY(arena, bool, p->machine->state.n);
+    out.entered = ARENA_ARRAY(arena, bool, p->machine->state.n);
     x.keys = choose_keys(&x, fine, key);
     x.key = key;
     do {
@@ -543,14 +563,19 @@ ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const Stat
         x.arena = work;
         out.violated = out.premise = false;
         memset(out.reached, 0, p->machine->state.n * sizeof *out.reached);
+        memset(out.entered, 0, p->machine->state.n * sizeof *out.entered);
         end = explore_once(&x, init_state);
         if (end == EXPLORE_MANY_NODES)
-            widest = find_widest_key(&x);
+            widest = find_widest_key(&x, 1);
         if (end == EXPLORE_MANY_NODES && widest == x.keys)
             end = EXPLORE_MANY_VISITS;
-        else if (end == EXPLORE_MANY_NODES)
+        else if (end == EXPLORE_MANY_NODES) {
+            note_wide(&out, key[widest]);
             key[widest] = key[--x.keys];
+        }
     } while (end == EXPLORE_MANY_NODES);
+    for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(&x, MANY_VALUES)) != x.keys; n++)
+        note_wide(&out, key[widest]);
     out.closed = end == EXPLORE_CLOSED;
     return out;
 }
@@ -558,7 +583,7 @@ ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const Stat
 bool prove_can_violate(Arena *arena, ProveModel *p)
 {
     const uint32_t states = p->machine->state.n;
-    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)(states + 1) * p->ir->var.n), .reached = ARENA_ARRAY(arena, bool, states + 1)};
+    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)(states + 1) * p->ir->var.n), .reached = ARENA_ARRAY(arena, bool, states + 1), .entered = ARENA_ARRAY(arena, bool, states + 1)};
     Explorer x = {.p = p, .arena = arena, .visits = &out.visits, .out = &out};
     const ProveNode anything = {.state = states};
 

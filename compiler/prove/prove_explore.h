@@ -22,9 +22,12 @@ typedef struct ProveExplored {
     bool closed;              // all steps lead to known nodes: what follows is true of every run
     bool violated, premise;   // some step may violate the requirement; could do so
     uint32_t nodes;
+    uint32_t wide[PROVE_WIDES];       // variables with too many values to be keys, or with most values when the exploration gave up; `wides` of them
+    uint32_t wides;
     uint64_t visits;
     Fact *after;              // [state * variables + variable]: the facts after a step in the state that does not violate the requirement
-    bool *reached;            // by state from 0: a step can run in it
+    bool *reached;            // by state from 0: a step that does not violate the requirement can run in it
+    bool *entered;            // by state from 0: a step can run in it before one violates the requirement
 } ProveExplored;
 
 // `assumed`: 1u << ProveAssumption of each.  `fine`: all variables that change are keys; else only those with few values.  `work` has the memory of the

@@ -18,28 +18,33 @@ typedef struct GoalWatch {
     Monitor *monitor;
     bool strict;              // inputs that were never set must be in their ranges, too
     bool premise_seen;
+    bool *tried;              // by state from 0: a step has run in it
 } GoalWatch;
 
 enum { MEMORY_SIZE = (sizeof(GoalMemory) + 7) / 8 * 8 };
 
 // ---- distances ----
-// How far a condition is from a value: 0 if it has it.
+
+// How far a condition is from being true, and from being false: exactly one of them is 0.
+typedef struct Distance { double to_true, to_false; } Distance;
 
 static double absolute(double x) { return x < 0 ? -x : x; }
 static double smaller(double a, double b) { return a < b ? a : b; }
 
-static double distance_of_comparison(SmOperator op, double a, double b, bool wanted)
+static Distance distance_of_value(bool value) { return (Distance){value ? 0 : 1, value ? 1 : 0}; }
+
+static Distance distance_of_comparison(SmOperator op, double a, double b)
 {
     const double apart = absolute(a - b) < 1e300 ? absolute(a - b) : 1e300;
 
     switch (op) {
-    case SM_OP_EQ: return (a == b) == wanted ? 0 : wanted ? apart : 1;
-    case SM_OP_NE: return (a != b) == wanted ? 0 : wanted ? 1 : apart;
-    case SM_OP_LT: return (a < b) == wanted ? 0 : apart + 1;
-    case SM_OP_LE: return (a <= b) == wanted ? 0 : apart + 1;
-    case SM_OP_GT: return (a > b) == wanted ? 0 : apart + 1;
-    case SM_OP_GE: return (a >= b) == wanted ? 0 : apart + 1;
-    default: return 1;
+    case SM_OP_EQ: return a == b ? distance_of_value(true) : (Distance){apart, 0};
+    case SM_OP_NE: return a != b ? (Distance){0, apart} : distance_of_value(false);
+    case SM_OP_LT: return a < b ? (Distance){0, apart + 1} : (Distance){apart + 1, 0};
+    case SM_OP_LE: return a <= b ? (Distance){0, apart + 1} : (Distance){apart + 1, 0};
+    case SM_OP_GT: return a > b ? (Distance){0, apart + 1} : (Distance){apart + 1, 0};
+    case SM_OP_GE: return a >= b ? (Distance){0, apart + 1} : (Distance){apart + 1, 0};
+    default: return distance_of_value(false);
     }
 }
 
@@ -48,27 +53,31 @@ static bool is_comparison(SmOperator op)
     return op == SM_OP_EQ || op == SM_OP_NE || op == SM_OP_LT || op == SM_OP_LE || op == SM_OP_GT || op == SM_OP_GE;
 }
 
-static double distance_of(const Expr *e, const uint64_t *cell, const RefWindows *w, bool wanted)
-{
-    double sum = 0;
+static Distance both(Distance a, Distance b) { return (Distance){a.to_true + b.to_true, smaller(a.to_false, b.to_false)}; }
+static Distance either(Distance a, Distance b) { return (Distance){smaller(a.to_true, b.to_true), a.to_false + b.to_false}; }
 
-    if (ref_true(ref_eval(e, cell, w)) == wanted)
-        return 0;
-    if (e->kind == EX_UNARY && e->op == SM_OP_NOT)
-        return distance_of(e->arg[0], cell, w, !wanted);
+// Evaluates each part of a condition once: windows can be long.
+static Distance distance_of(const Expr *e, const uint64_t *cell, const RefWindows *w)
+{
+    Distance all = {0, 0};
+
+    if (e->kind == EX_UNARY && e->op == SM_OP_NOT) {
+        const Distance d = distance_of(e->arg[0], cell, w);
+        return (Distance){d.to_false, d.to_true};
+    }
     if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {
-        const double a = distance_of(e->arg[0], cell, w, wanted), b = distance_of(e->arg[1], cell, w, wanted);
-        return (e->op == SM_OP_AND) == wanted ? a + b : smaller(a, b);
+        const Distance a = distance_of(e->arg[0], cell, w), b = distance_of(e->arg[1], cell, w);
+        return e->op == SM_OP_AND ? both(a, b) : either(a, b);
     }
     if (e->kind == EX_BINARY && is_comparison(e->op))
-        return distance_of_comparison(e->op, ref_eval(e->arg[0], cell, w), ref_eval(e->arg[1], cell, w), wanted);
+        return distance_of_comparison(e->op, ref_eval(e->arg[0], cell, w), ref_eval(e->arg[1], cell, w));
     if (e->kind != EX_CHAIN)
-        return 1;
+        return distance_of_value(ref_true(ref_eval(e, cell, w)));
     for (uint32_t k = 0; k + 1 < e->n; k++) {
-        const double d = distance_of_comparison(expr_ops(e)[k], ref_eval(e->arg[k], cell, w), ref_eval(e->arg[k + 1], cell, w), wanted);
-        sum = k == 0 ? d : wanted ? sum + d : smaller(sum, d);
+        const Distance d = distance_of_comparison(expr_ops(e)[k], ref_eval(e->arg[k], cell, w), ref_eval(e->arg[k + 1], cell, w));
+        all = k == 0 ? d : both(all, d);
     }
-    return sum;
+    return all;
 }
 
 // Maps a distance to one below 1, so that a condition that comes first counts more.
@@ -121,47 +130,58 @@ static void hold_in_ranges(Arena *arena, const Program *p, Scenario *s)
 
 // ---- the goal ----
 
-// Returns how far the step is from the goal, if it does not reach it.
-static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, const GoalMemory *after, const uint64_t *cell)
+// The distances of the conditions of the requirement in a step; of one that it does not have: those of false.
+typedef struct Conditions { Distance a, b, c; } Conditions;
+
+static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
 {
     const Requirement *r = w->what;
     const RefWindows *windows = &w->monitor->windows;
-    const double a = r->a ? below_one(distance_of(r->a, cell, windows, true)) : 0;
+    const Distance none = distance_of_value(false);
+
+    return (Conditions){r->a ? distance_of(r->a, cell, windows) : none, r->b ? distance_of(r->b, cell, windows) : none, r->c ? distance_of(r->c, cell, windows) : none};
+}
+
+static bool is_true(Distance d) { return d.to_true == 0; }
+
+// Returns how far the step is from the goal, if it does not reach it.
+static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, const GoalMemory *after, const Conditions *x)
+{
+    const Requirement *r = w->what;
+    const double a = r->a ? below_one(x->a.to_true) : 0;
 
     switch (r->kind) {
     case REQUIREMENT_NEVER: return a;
-    case REQUIREMENT_ALWAYS: return w->g->kind == GOAL_PREMISE ? a : a + below_one(distance_of(r->b, cell, windows, false));
+    case REQUIREMENT_ALWAYS: return w->g->kind == GOAL_PREMISE ? a : a + below_one(x->b.to_false);
     case REQUIREMENT_BEFORE: return before->seen && w->g->kind == GOAL_VIOLATION ? SEARCH_UNKNOWN : a;
     case REQUIREMENT_AFTER:
         if (!after->seen)
-            return 2 + below_one(distance_of(r->b, cell, windows, true));
+            return 2 + below_one(x->b.to_true);
         return (after->open ? 0 : 1) + a;
     case REQUIREMENT_LEADS_TO:
         if (w->g->kind == GOAL_PREMISE || !after->open)
             return 1 + a;
-        return below_one(distance_of(r->b, cell, windows, false) + 1);
+        return below_one(x->b.to_false + 1);
     }
     return 1;
 }
 
-static void note_step(const GoalWatch *w, GoalMemory *m, const uint64_t *cell)
+static void note_step(const GoalWatch *w, GoalMemory *m, const Conditions *x)
 {
-    const Requirement *r = w->what;
-    const RefWindows *windows = &w->monitor->windows;
-    const bool b = r->b && ref_true(ref_eval(r->b, cell, windows));
+    const bool b = is_true(x->b);
 
     m->seen = m->seen || b;
-    if (r->kind == REQUIREMENT_AFTER)
-        m->open = b || (m->open && !ref_true(ref_eval(r->c, cell, windows)));
-    else if (r->kind == REQUIREMENT_LEADS_TO)
-        m->open = (m->open || ref_true(ref_eval(r->a, cell, windows))) && !b;
+    if (w->what->kind == REQUIREMENT_AFTER)
+        m->open = b || (m->open && !is_true(x->c));
+    else if (w->what->kind == REQUIREMENT_LEADS_TO)
+        m->open = (m->open || is_true(x->a)) && !b;
 }
 
 // Whether the step could have violated the requirement.
-static bool is_premise(const GoalWatch *w, const GoalMemory *before, const uint64_t *cell)
+static bool is_premise(const GoalWatch *w, const GoalMemory *before, const Conditions *x)
 {
     const Requirement *r = w->what;
-    const bool a = !r->a || r->kind == REQUIREMENT_NEVER || ref_true(ref_eval(r->a, cell, &w->monitor->windows));
+    const bool a = !r->a || r->kind == REQUIREMENT_NEVER || is_true(x->a);
 
     return a && (r->kind != REQUIREMENT_AFTER || before->seen);
 }
@@ -180,15 +200,18 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     GoalWatch *w = self;
     GoalMemory *m = situation;
     const GoalMemory before = *m;
+    Conditions x;
     bool premise, reached;
 
     monitor_step(w->monitor, (char *)situation + MEMORY_SIZE, cell);
-    note_step(w, m, cell);
-    premise = is_premise(w, &before, cell);
+    w->tried[cell[w->g->all->program->s->index] - 1] = true;
+    x = evaluate(w, cell);
+    note_step(w, m, &x);
+    premise = is_premise(w, &before, &x);
     w->premise_seen = w->premise_seen || (premise && !m->outside);
     m->outside = m->outside || (w->g->assume_ranges && !is_in_ranges(w, m, cell));
     reached = m->outside ? false : w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
-    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, cell);
+    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, &x);
     if (reached)
         *distance = 0;
     else if (!(*distance > 0))
@@ -202,6 +225,8 @@ static GoalWatch *new_watch(Arena *arena, const GoalSearch *g)
     w->g = g;
     w->what = &g->all->at.at[g->requirement];
     w->monitor = monitor_new(arena, g->all, g->delta_t);
+    monitor_judge_only(w->monitor, g->requirement);
+    w->tried = ARENA_ARRAY(arena, bool, g->all->program->state.n);
     return w;
 }
 
@@ -331,6 +356,17 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
     return s->steps == 0 ? NULL : s;
 }
 
+// Returns how much a step costs.  The reference computes the statistics of a window from all its samples.
+static uint64_t cost_of_step(const Monitor *m)
+{
+    enum { SAMPLES = 64 };                // as much as the other parts of a step
+    uint64_t samples = 0;
+
+    for (size_t n = 0; n < m->windows.n; n++)
+        samples += m->windows.at[n].is_unused ? 0 : ref_window_samples(m->windows.at[n].what);
+    return 1 + samples / SAMPLES;
+}
+
 GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g)
 {
     GoalWatch *w;
@@ -351,6 +387,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
         if (part[k])
             condition[watch.conditions++] = part[k];
     o.writable = goal_inputs(work, g->all->program);
+    o.effort = (g->effort - 1) / cost_of_step(w->monitor) + 1;
     found = search_run(work, c, &o);
     out.steps = found->steps;
     if (found->find[found->places].outcome == SEARCH_REACHED) {
@@ -361,5 +398,6 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
         out.scenario = s ? copy_scenario(arena, s) : NULL;
     }
     out.premise_seen = w->premise_seen;
+    out.tried = arena_copy(arena, w->tried, g->all->program->state.n);
     return out;
 }

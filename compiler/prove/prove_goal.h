@@ -13,7 +13,8 @@ typedef struct GoalSearch {
     const Requirements *all;
     size_t requirement;
     GoalKind kind;
-    uint64_t delta_t, seed, effort;
+    uint64_t delta_t, seed;
+    uint64_t effort;                  // at least 1: a step costs 1, and more if the requirement has long windows
     const State *init_state;
     bool usual_values;                // no SearchSpecials
     const Scenario *given;            // starting points; `givens` of them
@@ -26,6 +27,7 @@ typedef struct GoalSearch {
 typedef struct GoalFound {
     const Scenario *scenario;         // that reaches the goal in its last step, confirmed by the reference interpreter; NULL: not found
     bool premise_seen;                // some run has come to the premise
+    const bool *tried;                // by state from 0: some run was in it
     uint64_t steps;
     bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
 } GoalFound;

@@ -24,6 +24,7 @@ typedef struct MadeWindow {
     const IrFn *sample;               // the sample function that contains it, and the operand of its sample
     IrRef operand;
     uint32_t first;                   // index in ProveMaker.same of window 0 of that function
+    const Window *of;                 // one of the calls that read it
     uint32_t base;                    // of comparisons (prove_threshold.c): the window whose samples are compared; else IR_NONE
     Fact samples;                     // what is known about them
 } MadeWindow;

@@ -30,6 +30,7 @@ typedef struct ProveVar {
     bool stored;              // a function stores it
     bool relevant;            // it can influence the requirement or the next state
     bool few;                 // KEPT: it has few values, such as a flag or a count of samples
+    const Window *window;     // it follows the samples of this window; or NULL
 } ProveVar;
 
 typedef struct ProveBranch {

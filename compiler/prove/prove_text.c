@@ -119,6 +119,83 @@ static void write_lines_indented(const char *text, size_t indent, Buf *out)
     }
 }
 
+// ---- no proof, and no violation ----
+
+static const char *wide_text(Arena *arena, const ProveWide *w)
+{
+    if (w->var)
+        return w->var->name->text;
+    if (!w->window)
+        return "the time that the requirement waits";
+    return format_in(arena, "the samples of %.*s", (int)w->window->span.len, w->window->span.src->text + w->window->span.at);
+}
+
+static bool is_untried(const ProveOf *of, uint32_t state) { return !of->tried[state] && !of->excluded[state]; }
+
+static void write_untried(const Program *p, const ProveOf *of, size_t indent, Buf *out)
+{
+    uint32_t n = 0;
+
+    for (uint32_t s = 0; s < p->state.n; s++)
+        if (is_untried(of, s)) {
+            if (n++ == 0)
+                buf_printf(out, "%*sno run that was tried came to ", (int)indent, "");
+            else
+                buf_str(out, ", ");
+            buf_str(out, p->state.at[s]->name->text);
+        }
+    if (n)
+        buf_str(out, "\n");
+}
+
+static bool is_time(const Program *p, const ProveWide *w) { return !w->window && (!w->var || w->var == p->t || w->var == p->g); }
+
+static void write_remedies(const Program *p, const ProveOf *of, size_t indent, Buf *out)
+{
+    static const char *const remedy[] = {"shorter windows", "shorter times", "variables with fewer values, such as counters that stop at a limit"};
+    bool helps[3] = {false, false, false};
+    const char *separator = "";
+
+    for (uint32_t n = 0; n < of->wides; n++)
+        helps[of->wide[n].window ? 0 : is_time(p, &of->wide[n]) ? 1 : 2] = true;
+    buf_printf(out, "%*sa proof can become possible by: ", (int)indent, "");
+    for (int k = 0; k < 3; k++)
+        if (helps[k]) {
+            buf_printf(out, "%s%s", separator, remedy[k]);
+            separator = "; ";
+        }
+    buf_char(out, '\n');
+}
+
+// Of facts that are too weak, that of T is always a range.
+static void write_wides(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
+{
+    const bool large = of->obstacle == PROVE_TOO_LARGE;
+    uint32_t written = 0;
+
+    for (uint32_t n = 0; n < of->wides; n++) {
+        if (!large && is_time(p, &of->wide[n]))
+            continue;
+        if (written++)
+            buf_str(out, ", ");
+        else
+            buf_printf(out, "%*s%s: ", (int)indent, "", large ? "too many values for a proof have" : "known only as ranges of values");
+        buf_str(out, wide_text(arena, &of->wide[n]));
+    }
+    if (written)
+        buf_char(out, '\n');
+}
+
+static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
+{
+    buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
+    write_untried(p, of, indent, out);
+    buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
+    write_wides(arena, p, of, indent, out);
+    if (of->obstacle == PROVE_TOO_LARGE && of->wides)
+        write_remedies(p, of, indent, out);
+}
+
 void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     const char *script;
@@ -146,8 +223,7 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
             write_lines_indented(script, indent, out);
         break;
     case PROVE_UNDECIDED:
-        buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
-        buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
+        write_undecided(arena, p, of, indent, out);
         break;
     }
 }
@@ -225,6 +301,25 @@ static void write_json_invariants(Arena *arena, const Program *p, const ProveOf 
     buf_char(out, ']');
 }
 
+static void write_json_obstacle(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
+{
+    const char *separator = "";
+
+    buf_printf(out, ",\"obstacle\":\"%s\",\"too_many_values\":[", obstacle_name[of->obstacle]);
+    for (uint32_t n = 0; n < of->wides; n++) {
+        buf_str(out, n ? "," : "");
+        json_put_string(out, wide_text(arena, &of->wide[n]));
+    }
+    buf_str(out, "],\"untried_states\":[");
+    for (uint32_t s = 0; s < p->state.n; s++)
+        if (is_untried(of, s)) {
+            buf_str(out, separator);
+            json_put_string(out, p->state.at[s]->name->text);
+            separator = ",";
+        }
+    buf_char(out, ']');
+}
+
 static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
 {
     const char *separator = "";
@@ -244,7 +339,7 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     if (of->verdict == PROVE_PROVED || of->verdict == PROVE_VACUOUS)
         write_json_invariants(arena, p, of, out);
     if (of->verdict == PROVE_UNDECIDED)
-        buf_printf(out, ",\"obstacle\":\"%s\"", obstacle_name[of->obstacle]);
+        write_json_obstacle(arena, p, of, out);
     if (of->verdict == PROVE_VIOLATED) {
         buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps, (unsigned long)of->scenario->changes);
         json_put_string(out, prove_script(arena, p, of));

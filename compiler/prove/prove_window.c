@@ -80,6 +80,8 @@ static void add_counts(ProveMaker *k, MadeWindow *w)
 
 static void add_window_vars(ProveMaker *k, MadeWindow *w)
 {
+    const uint32_t first = k->model->ir->var.n;
+
     for (int s = 0; s < SM_STAT_COUNT; s++)
         if (w->stats >> s & 1)
             w->var[s] = is_exact(w, (SmStat)s) ? prove_add_var(k, SM_F64, PROVE_KEPT, prove_fact_of_number(0)) : prove_add_var(k, SM_F64, PROVE_CHOICE, fact_of_choice(k, w, (SmStat)s));
@@ -92,6 +94,8 @@ static void add_window_vars(ProveMaker *k, MadeWindow *w)
         if (w->last != IR_NONE)
             k->model->var[w->last].few = true;
     }
+    for (uint32_t v = first; v < k->model->ir->var.n; v++)
+        k->model->var[v].window = w->of;
 }
 
 // Finds the operands of the samples of a sample function, whose windows begin at `first`.
@@ -171,7 +175,7 @@ void prove_merge_windows(ProveMaker *k, const Requirements *all)
     k->window = ARENA_ARRAY(k->arena, MadeWindow, k->windows + 1u);
     for (uint32_t n = 0; n < k->windows; n++) {
         const IrWindow *from = n < k->of_machine ? &k->m->window.at[n] : &k->judge.window.at[n - k->of_machine];
-        k->window[n] = (MadeWindow){.size = from->size, .stats = from->stats, .operand = IR_NONE, .first = n < k->of_machine ? 0 : k->of_machine, .base = IR_NONE};
+        k->window[n] = (MadeWindow){.size = from->size, .stats = from->stats, .operand = IR_NONE, .first = n < k->of_machine ? 0 : k->of_machine, .of = from->first, .base = IR_NONE};
     }
     k->same = ARENA_ARRAY(k->arena, uint32_t, k->windows + 1u);
     for (uint32_t n = 0; n < k->windows; n++)

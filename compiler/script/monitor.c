@@ -21,6 +21,17 @@ typedef struct WindowMemory {
 static Memory *memories_of(void *situation) { return situation; }
 static WindowMemory *window_memories(const Monitor *m, void *situation) { return (WindowMemory *)(memories_of(situation) + m->what->at.n); }
 
+// Gives each window that is used its place in a situation.
+static void place_windows(Monitor *m)
+{
+    m->size = m->what->at.n * sizeof(Memory) + m->windows.n * sizeof(WindowMemory);
+    for (size_t i = 0; i < m->windows.n; i++) {
+        m->samples_at[i] = m->size;
+        if (!m->windows.at[i].is_unused)
+            m->size += ref_window_samples(&m->what->window.at[i]) * sizeof(uint64_t);
+    }
+}
+
 Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
 {
     Monitor *m = ARENA_NEW(arena, Monitor);
@@ -30,13 +41,33 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     m->result = arena_alloc(arena, what->at.n);
     m->ran = what->program->joint ? ARENA_ARRAY(arena, bool, what->program->joint->member.n) : NULL;
     m->samples_at = ARENA_ARRAY(arena, size_t, what->window.n);
-    m->size = what->at.n * sizeof(Memory) + what->window.n * sizeof(WindowMemory);
+    m->end = what->at.n;
     ref_windows_init_unplaced(&m->windows, arena, &what->window);
-    for (size_t i = 0; i < what->window.n; i++) {
-        m->samples_at[i] = m->size;
-        m->size += ref_window_samples(&what->window.at[i]) * sizeof(uint64_t);
-    }
+    place_windows(m);
     return m;
+}
+
+static void mark_used(Expr *e, void *context)       // the samples of a window are parts of its expression, and so are the windows that they read
+{
+    const Monitor *m = context;
+
+    if (e->kind == EX_ROLL)
+        m->windows.at[e->window].is_unused = false;
+}
+
+void monitor_judge_only(Monitor *m, size_t requirement)
+{
+    const Requirement *r = &m->what->at.at[requirement];
+    Expr *const part[] = {(Expr *)r->a, (Expr *)r->b, (Expr *)r->c};
+
+    m->first = requirement;
+    m->end = requirement + 1;
+    for (size_t i = 0; i < m->windows.n; i++)
+        m->windows.at[i].is_unused = true;
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++)
+        if (part[i])
+            expr_walk(part[i], mark_used, m);
+    place_windows(m);
 }
 
 void monitor_start(const Monitor *m, void *situation) { memset(situation, 0, m->size); }
@@ -139,7 +170,7 @@ bool monitor_step(Monitor *m, void *situation, const uint64_t *cell)
     load_windows(m, situation);
     ref_windows_sample(&m->windows, cell);
     store_windows(m, situation);
-    for (size_t i = 0; i < m->what->at.n; i++) {
+    for (size_t i = m->first; i < m->end; i++) {
         m->result[i] = (uint8_t)judge_requirement(m, &m->what->at.at[i], &memories_of(situation)[i], cell, g);
         violated = violated || m->result[i] == MONITOR_VIOLATED;
     }

@@ -24,6 +24,7 @@ typedef enum MonitorResult {
 
 typedef struct Monitor {
     const Requirements *what;
+    size_t first, end;        // it judges the requirements from `first` to end - 1
     uint64_t step;            // the least by which G advances from a step to the next; at least 1
     size_t size;              // bytes of a situation
     size_t *samples_at;       // by window: offset of its samples in a situation
@@ -34,6 +35,8 @@ typedef struct Monitor {
 
 // delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.
 Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t);
+// Makes the monitor judge one requirement only.  Its situations are smaller then, and others are not valid.
+void monitor_judge_only(Monitor *m, size_t requirement);
 // Initialises a situation: no step has run.
 void monitor_start(const Monitor *m, void *situation);
 // Judges the step after which the variables of the machine have these cells.  Returns whether it violates a requirement.

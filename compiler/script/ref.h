@@ -42,6 +42,7 @@ typedef struct RefWindow {
     uint64_t *time;           // of a window of times: what->size times, a ring buffer; of the window of `held`: when the run of true samples began
     uint64_t last;            // of the window of `held`: the time of the last sample
     bool ran;                 // of the window of `held`: there has been a sample
+    bool is_unused;           // nothing reads it: it has no samples
     uint32_t next;            // index of the next sample
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;

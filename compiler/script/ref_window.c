@@ -63,8 +63,11 @@ void ref_windows_sample(RefWindows *w, const uint64_t *cell)
 {
     for (size_t i = 0; i < w->n; i++) {
         RefWindow *r = &w->at[i];
-        double x = ref_eval(r->what->sample, cell, w);
+        double x;
 
+        if (r->is_unused)
+            continue;
+        x = ref_eval(r->what->sample, cell, w);
         if (1u << r->what->stat & SM_STATS_OF_RUNS) {
             extend_run(r, ref_true(x), cell[r->what->time->index]);
             continue;

@@ -15,6 +15,7 @@
 #include "compiler/cover/flat.h"
 #include "compiler/prove/prove.h"
 #include "compiler/script/monitor.h"
+#include "compiler/search/search.h"
 #include "stdlib/convert.h"
 #include "tests/diff/subject.h"
 
@@ -34,7 +35,7 @@ typedef struct Test {
     uint64_t *cell;           // by Program.var
 } Test;
 
-static struct { uint64_t programs, verdict[4], judged[5], sliced, loose, windows, compared, steps, layers, exhausted; } met;
+static struct { uint64_t programs, verdict[4], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted; } met;
 
 // ---- values ----
 
@@ -93,10 +94,10 @@ static void print_window(Test *t, const char *relation, const char *number, Buf 
     const bool held = rng_percent(&t->rng, 40);
     const Span span = held ? w->sample->span : w->span;
 
-    buf_str(out, held ? "(held(" : rng_percent(&t->rng, 40) ? "(prev(" : "((");
+    buf_str(out, held ? "(held((" : rng_percent(&t->rng, 40) ? "(prev(" : "((");
     buf_put(out, span.src->text + span.at, span.len);
     if (held)
-        buf_printf(out, " %s %s, %lu steps))", relation, number, (unsigned long)(w->size > 1 ? w->size - rng_below(&t->rng, 2) : 1));
+        buf_printf(out, ") %s %s, %lu steps))", relation, number, (unsigned long)(w->size > 1 ? w->size - rng_below(&t->rng, 2) : 1));
     else
         buf_printf(out, ") %s %s)", relation, number);
     met.windows++;
@@ -401,6 +402,32 @@ static const char *run_all(Test *t, const ProveOf *of)
     return NULL;
 }
 
+// ---- violations ----
+
+typedef struct Violation { Test *t; const ProveOf *of; void *situation; uint64_t step; } Violation;
+
+static void judge_violation(void *context, uint64_t step, const EngineStep *result)
+{
+    Violation *v = context;
+
+    monitor_step(v->t->monitor, v->situation, result->cell);
+    if (v->step == 0 && v->t->monitor->result[v->of->what - v->t->q->at.at] == MONITOR_VIOLATED)
+        v->step = step;
+}
+
+// Whether a scenario violates the requirement in its last step, as a monitor of all requirements judges it.
+static bool is_violated(Test *t, const ProveOf *of)
+{
+    Violation v = {t, of, arena_alloc(t->arena, t->monitor->size), 0};
+    Engine *e = engine_ref_open(t->arena, t->p);
+
+    monitor_start(t->monitor, v.situation);
+    scenario_run(t->arena, t->p, of->scenario, e, judge_violation, &v);
+    e->close(e);
+    met.violations++;
+    return v.step == of->scenario->steps;
+}
+
 // ---- one program ----
 
 static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
@@ -408,6 +435,8 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     const char *wrong = NULL;
 
     met.verdict[of->verdict]++;
+    if (of->verdict == PROVE_VIOLATED && !is_violated(t, of))
+        return format_in(t->arena, "%s is violated, but its scenario does not end with that", of->what->id->text);
     if (of->verdict != PROVE_PROVED && of->verdict != PROVE_VACUOUS)
         return NULL;
     met.judged[of->what->kind]++;
@@ -489,7 +518,7 @@ int main(int argc, char **argv)
     printf("%" PRIu64 " programs: %" PRIu64 " proved, %" PRIu64 " vacuous, %" PRIu64 " violated, %" PRIu64 " undecided; %" PRIu64 " steps, %" PRIu64 " layers, %" PRIu64
            " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
            met.sliced, met.loose, met.windows, met.compared);
-    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 20 < count)
+    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 20 < count || met.violations < count)
         failed++;
     printf("verdicts on random requirements: %" PRIu64 " passed, %" PRIu64 " failed\n", met.programs, failed);
     return failed > 0;

@@ -371,7 +371,7 @@ static void record_run(Run *r, const Subject *s, const Gen *g, Arena *arena, boo
     }
 }
 
-static struct { uint64_t result[REQUIREMENT_LEADS_TO + 1][MONITOR_VIOLATED + 1], undecided, programs, copies; } met;
+static struct { uint64_t result[REQUIREMENT_LEADS_TO + 1][MONITOR_VIOLATED + 1], undecided, programs, copies, smaller; } met;
 
 // Steps through the run and compares each requirement up to its first violation.
 static const char *compare(Maker *m, const Requirements *q, const Demand *demand)
@@ -422,6 +422,32 @@ static const char *compare(Maker *m, const Requirements *q, const Demand *demand
     return NULL;
 }
 
+// Steps a monitor of all requirements, and one of each alone.
+static const char *compare_alone(Maker *m, const Requirements *q)
+{
+    const Run *r = m->run;
+    Monitor *all = monitor_new(m->arena, q, 1), *alone[REQUIREMENTS];
+    char *of_all = arena_alloc(m->arena, all->size), *of[REQUIREMENTS];
+
+    monitor_start(all, of_all);
+    for (size_t i = 0; i < REQUIREMENTS; i++) {
+        alone[i] = monitor_new(m->arena, q, 1);
+        monitor_judge_only(alone[i], i);
+        met.smaller += alone[i]->size < all->size;
+        of[i] = arena_alloc(m->arena, alone[i]->size);
+        monitor_start(alone[i], of[i]);
+    }
+    for (size_t k = 0; k < r->steps; k++) {
+        monitor_step(all, of_all, r->cell[k]);
+        for (size_t i = 0; i < REQUIREMENTS; i++) {
+            monitor_step(alone[i], of[i], r->cell[k]);
+            if (alone[i]->result[i] != all->result[i])
+                return format_in(m->arena, "R%lu in step %lu: %d alone, and %d with the others", (unsigned long)i + 1, (unsigned long)k + 1, alone[i]->result[i], all->result[i]);
+        }
+    }
+    return NULL;
+}
+
 static const char *test_program(uint64_t seed, Arena *arena, Subject *s, const char **text)
 {
     Gen *g = gen_program(arena, seed, STEPS);
@@ -429,6 +455,7 @@ static const char *test_program(uint64_t seed, Arena *arena, Subject *s, const c
     Run run;
     Maker m = {arena, {rng_mix(seed, 77)}, &run};
     const char *error = subject_compile(s, g, arena);
+    const char *wrong;
     const Source *src;
     const Requirements *q;
     Buf rq;
@@ -457,13 +484,14 @@ static const char *test_program(uint64_t seed, Arena *arena, Subject *s, const c
         diags_render_text(&s->session.diags, &style, &why);
         return buf_text(&why);
     }
-    return compare(&m, q, demand);
+    wrong = compare(&m, q, demand);
+    return wrong ? wrong : compare_alone(&m, q);
 }
 
 // Whether every kind of requirement has had every result, and the rest of the test has run.
 static bool was_thorough(uint64_t count)
 {
-    bool good = met.programs * 10 >= count * 9 && met.undecided > 0 && met.copies > 0;
+    bool good = met.programs * 10 >= count * 9 && met.undecided > 0 && met.copies > 0 && met.smaller > count / 2;
 
     for (int kind = 0; kind <= REQUIREMENT_LEADS_TO; kind++)
         for (int result = kind == REQUIREMENT_NEVER ? MONITOR_JUDGED : MONITOR_IDLE; result <= MONITOR_VIOLATED; result++)
