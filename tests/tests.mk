@@ -1036,6 +1036,7 @@ $(call test, +windows-console,     targets,, sh tests/windows/console.sh $(WINDO
 windows-campaign: all windows-i686 $(B)/golden $(B)/device/board
 	@for t in same golden files serial labview console; do MUST_RUN=1 sh tests/windows/$$t.sh $(WINDOWS_RUN) i686 || exit 1; done
 .PHONY: windows-campaign
+$(call test, compile-instructions, targets, $(B)/bench/scale, sh tests/bench/instructions.sh $(B) '$(CC)' '$(CFLAGS)')
 $(call test, bench,                targets, $(B)/bench/steps $(B)/bench/compile $(B)/bench/scale, $(B)/bench/steps $(B)/bench check)
 $(call test, bench-report,         targets,, sh tests/check/bench_report.sh)
 

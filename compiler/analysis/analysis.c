@@ -80,7 +80,7 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
             ReachableFn r = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
             if (!r.fn || !facts_may_reach(a->facts, s, b))
                 continue;
-            r.flow = facts_of_function(a->facts, r.fn, facts_at_begin(a->facts, s, b));
+            r.flow = facts_of_block(a->facts, s, b);
             f(a, &r, context);
         }
 }
@@ -88,11 +88,13 @@ void each_reachable_fn(Analysis *a, void (*f)(Analysis *a, const ReachableFn *r,
 // Whether every number that the fact allows has a magnitude of 2^53 or more.
 static bool is_large(Fact f) { return f.lo >= FACT_EXACT || f.hi <= -FACT_EXACT; }
 
-// Called by compiler/facts for each reachable function.  Stores the facts about each statement in a->stmt.
-static void record_flow(void *context, const IrFn *f, FactFlow flow)
+// Stores the facts about each statement of a function in a->stmt.
+static void record_flow(Analysis *a, const ReachableFn *r, void *context)
 {
-    Analysis *a = context;
+    const IrFn *f = r->fn;
+    const FactFlow flow = r->flow;
 
+    (void)context;
     for (size_t b = 0; b < f->blk.n; b++) {
         const IrBlk *blk = &f->blk.at[b];
         const IrJump *j = &blk->jump;
@@ -112,7 +114,8 @@ static void record_flow(void *context, const IrFn *f, FactFlow flow)
         if (j->kind != IR_BR && j->kind != IR_GOTO)
             continue;
         s->reached = true;
-        s->env = flow.exit[b].env;
+        s->state = r->state->number - 1;
+        s->block = r->block;
         if (j->kind == IR_BR) {
             s->then = flow.exit[b].then;
             s->otherwise = flow.exit[b].otherwise;
@@ -121,22 +124,50 @@ static void record_flow(void *context, const IrFn *f, FactFlow flow)
     }
 }
 
+// Sets StmtFact.env of all guards and transitions of a function.
+static void find_envs(const Analysis *a, uint32_t state, BlockKind block)
+{
+    static const FactEnds ends = {.exits = true};
+    const IrFn *f = a->m->state.at[state].block[block];
+    FactFlow flow;
+
+    facts_set_arena(a->facts, a->kept);
+    flow = facts_flow(a->facts, f, facts_at_begin(a->facts, state, block), &ends);
+    for (size_t b = 0; b < f->blk.n; b++) {
+        const IrJump *j = &f->blk.at[b].jump;
+        if (flow.reached[b] && (j->kind == IR_BR || j->kind == IR_GOTO)) {
+            a->stmt[j->stmt].env = flow.exit[b].env;
+            a->stmt[j->stmt].has_env = true;
+        }
+    }
+    facts_set_arena(a->facts, a->arena);
+}
+
+const Env *env_of_stmt(const Analysis *a, const Stmt *stmt)
+{
+    const StmtFact *s = &a->stmt[stmt->number];
+
+    if (s->reached && !s->has_env)
+        find_envs(a, s->state, s->block);
+    return s->env;
+}
+
 // ---- entry points ----
 
 // Fills in *a for a machine whose IR has been built: computes its facts and lists its transitions.  Reports nothing.
 static void begin_on_ir(Analysis *a, Arena *arena, Diags *diags, const IrMachine *m)
 {
-    const FactObserver observer = {record_flow, a};
     const Program *p = m->program;
 
     memset(a, 0, sizeof *a);
     a->groups = DIAG_GROUPS_ALL;
-    a->arena = arena;
+    a->arena = a->kept = arena;
     a->diags = diags;
     a->p = p;
     a->m = m;
     a->stmt = ARENA_ARRAY(arena, StmtFact, p->stmts + 1u);
-    a->facts = facts_from_first_state(arena, m, &observer);
+    a->facts = facts_from_first_state(arena, m);
+    each_reachable_fn(a, record_flow, NULL);
     a->transition = transitions_of(arena, p);
 }
 

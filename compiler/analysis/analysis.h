@@ -21,12 +21,16 @@ typedef struct StmtFact {
     bool reached;                 // a run may execute the statement
     bool then, otherwise;         // IF: its guard can be true; its guard can be false
     Fact value;                   // ASSIGN: the stored value before conversion to the variable's type; IF: its guard, as a bool
-    const Env *env;               // the facts where the guard (IF) is evaluated, or the transition is executed
+    bool has_env;                 // `env` is known (env_of_stmt)
+    uint32_t state;               // the index of its state
+    BlockKind block;
+    const Env *env;               // private to env_of_stmt: the facts where the guard (IF) is evaluated, or the transition is executed
 } StmtFact;
 
 typedef struct Analysis {
     unsigned groups;              // 1u << DiagGroup for each group whose warnings are wanted
     uint64_t step;                // how much the global time G advances per step; 0: unknown
+    Arena *kept;                  // memory that is freed after all analyses
     Arena *arena;                 // working memory of one analysis, freed after it.  Data that a diagnostic stores (such as the
                                   // text of an edit) is in diags->arena
     Diags *diags;
@@ -82,6 +86,9 @@ SmOperator comparison_negated(SmOperator op);
 SmOperator comparison_swapped(SmOperator op);
 // Returns the possible results of `a op b`, as the fact of a bool.
 Fact fact_of_comparison(SmOperator op, Fact a, Fact b);
+
+// Returns StmtFact.env of a reached guard or transition.
+const Env *env_of_stmt(const Analysis *a, const Stmt *stmt);
 
 // Whether every path through these statements ends in a transition, whatever the guards evaluate to (dead_code.c).
 bool always_leaves(const Stmts *stmts);

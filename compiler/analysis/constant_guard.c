@@ -97,7 +97,7 @@ static const char *facts_text(const ReachWalk *k, const Stmt *s)
     if (!e)
         return NULL;
     name = source_text(arena, e->span);
-    f = fact_of_expr(k->a, k->a->stmt[s->number].env, e);
+    f = fact_of_expr(k->a, env_of_stmt(k->a, s), e);
     open = f.lo - f.lo != 0;                          // `open`: there is no finite lower bound; `endless`: no finite upper bound
     endless = f.hi - f.hi != 0;
     if (f.lo > f.hi || f.nan || (open && endless))
@@ -200,7 +200,7 @@ static GuardVerdict judge_never_true(ReachWalk *k, const Stmt *s, const EarlierG
     else if (earlier)
         v.dead = report_earlier_guard(k, s, earlier);
     else
-        v.dead = add_dead_code(k, reads_initial_value(k, s->value, k->a->stmt[s->number].env) ? CAUSE_REPORTED : CAUSE_NEVER, s, NULL, NULL);
+        v.dead = add_dead_code(k, reads_initial_value(k, s->value, env_of_stmt(k->a, s)) ? CAUSE_REPORTED : CAUSE_NEVER, s, NULL, NULL);
     return v;
 }
 
@@ -212,7 +212,7 @@ static GuardVerdict judge_always_true(ReachWalk *k, const Stmt *s, const Earlier
         v.dead = add_dead_code(k, CAUSE_SWITCH, s, NULL, NULL);
         return v;
     }
-    if (!has_comparison_decided_by_types(k->a, s->value) && !reads_initial_value(k, s->value, k->a->stmt[s->number].env)) {
+    if (!has_comparison_decided_by_types(k->a, s->value) && !reads_initial_value(k, s->value, env_of_stmt(k->a, s))) {
         if (covers_remaining_cases(k, s->value, b))
             return v;
         report_always_true(k, s, around);

@@ -64,6 +64,18 @@ static void check_function(Divisions *k, const IrFn *f, const FactFlow *flow)
         }
 }
 
+// Sets *context, a bool, if a divisor of the function can be 0.
+static void find_zero_divisor(Analysis *a, const ReachableFn *r, void *context)
+{
+    const IrFn *f = r->fn;
+
+    for (size_t b = 0; b < f->blk.n; b++)
+        for (size_t n = 0; r->flow.reached[b] && n < f->blk.at[b].ins.n; n++) {
+            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[n]];
+            *(bool *)context |= i->op == IR_div && can_be_zero(a, f, r->flow.of, i->b);
+        }
+}
+
 static void check_reachable_function(Analysis *a, const ReachableFn *r, void *context)
 {
     (void)a;
@@ -115,10 +127,14 @@ void analyse_division_by_zero(Analysis *a)
     const Program *p = a->p;
     Divisions k = {a, ARENA_ARRAY(a->arena, const PossibleZero *, p->stmts + 1u), NULL};
     Analysis in_range;
-    bool any = false;
+    bool any = a->m->sample != NULL;
 
     if (!(p->operators & 1u << SM_OP_DIV))
         return;
+    each_reachable_fn(a, find_zero_divisor, &any);
+    if (!any)                                   // whatever the values of sensors are
+        return;
+    any = false;
     in_range = assume_ranges(a);
     each_reachable_fn(&in_range, check_reachable_function, &k);
     if (a->m->sample) {

@@ -69,7 +69,7 @@ static bool is_excluded_syntactically(const ReachWalk *k, const Expr *guard, con
 // Whether the facts show that `guard` can be true only if b has its excluded outcome.
 static bool is_excluded_by_facts(const ReachWalk *k, const Expr *guard, const EarlierGuard *b)
 {
-    const Env *env = k->a->stmt[b->stmt->number].env;
+    const Env *env = env_of_stmt(k->a, b->stmt);
 
     return is_unchanged(k, b->stmt, guard) && assume_guard(k->a, &env, guard, true) &&
            !assume_guard(k->a, &env, b->stmt->value, !b->holds);
@@ -134,7 +134,7 @@ bool covers_remaining_cases(ReachWalk *k, const Expr *guard, const EarlierGuards
     mark_vars_of_expr(k, guard);
     for (size_t i = 0; i < b->n; i++) {
         const EarlierGuard *earlier = &b->at[i];
-        const Env *env = k->a->stmt[earlier->stmt->number].env;
+        const Env *env = env_of_stmt(k->a, earlier->stmt);
         if (!reads_marked_var(k, earlier->stmt->value))
             continue;
         if (assume_guard(k->a, &env, earlier->stmt->value, earlier->holds) && assume_guard(k->a, &env, guard, true))

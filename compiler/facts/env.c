@@ -8,9 +8,6 @@ enum { BITS = ENV_BITS, CHILDREN = ENV_CHILDREN };
 // Whether v is a local that only the machine itself writes.
 bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
 
-// With more variables than this, environments have so many nodes that looking up an equal node is faster than storing and joining copies.
-enum { UNIQUE_FROM = 64 };
-
 static unsigned levels_for(uint32_t n)
 {
     unsigned levels = 1;
@@ -30,7 +27,7 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
     SmType *type = ARENA_ARRAY(arena, SmType, m->var.n), *of_side[2];
     bool *is_private = ARENA_ARRAY(arena, bool, m->var.n);
     uint32_t *place = ARENA_ARRAY(arena, uint32_t, m->var.n), n[2] = {0, 0};
-    EnvShape s = {arena, type, is_private, place, {{NULL, 0}, {NULL, 0}}, m->var.n > UNIQUE_FROM ? env_table_new(arena) : NULL};
+    EnvShape s = {arena, type, is_private, place, {{NULL, 0}, {NULL, 0}}, env_table_new(arena)};
 
     of_side[0] = ARENA_ARRAY(arena, SmType, m->var.n);
     of_side[1] = ARENA_ARRAY(arena, SmType, m->var.n);

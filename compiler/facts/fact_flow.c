@@ -89,8 +89,12 @@ static void store_slots(FlowWalk *w, FactFn *fn)
 
     fn->slot = arena_copy(fm->shape.arena, fm->slot, (w->space.slots + 1u) * sizeof *fn->slot);
     fn->slots = w->space.slots;
-    fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
     fn->begin = ARENA_ARRAY(fm->shape.arena, Fact, w->space.slots);
+    fn->flow.of = arena_alloc_unzeroed(fm->shape.arena, w->f->ins.n * sizeof *fn->flow.of);
+    fn->flow.reached = ARENA_ARRAY(fm->shape.arena, bool, w->f->blk.n);
+    fn->flow.exit = ARENA_ARRAY(fm->shape.arena, FactExit, w->f->blk.n);
+    if (fm->has_variable_locals)
+        fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
 }
 
 // Finds the slots of the function: those of an earlier visit, if they are stored.
@@ -108,6 +112,8 @@ static void find_slots(FlowWalk *w)
     w->slot = fn->slot;
     w->space.slots = fn->slots;
     w->effect = fn->effect;
+    w->out = fn->flow;
+    memset(w->out.reached, 0, w->f->blk.n * sizeof *w->out.reached);
     fm->functions++;
     for (uint32_t slot = 0; slot < fn->slots; slot++)
         fm->slot_of[w->slot[slot].var] = (FactSlotOf){slot, fm->functions};
@@ -118,12 +124,13 @@ static FactPoint begin_function(FlowWalk *w, bool at_entry)
 {
     FactMachine *fm = w->fm;
     const uint32_t t = fm->m->t;
+    const FactEnds *ends = w->ends;
     Fact *begin;
 
     find_slots(w);
     if (!w->has_slots)
         return (FactPoint){.all = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start};
-    begin = w->effect ? w->ends->fn->begin : fm->slot_begin;
+    begin = ends && ends->fn ? ends->fn->begin : fm->slot_begin;
     for (uint32_t slot = 0; slot < w->space.slots; slot++) {
         const uint32_t var = w->slot[slot].var;
         begin[slot] = at_entry && var == t ? fm->zero : env_get(&fm->shape, w->start, var);
@@ -536,6 +543,7 @@ static void repeat_effect(FlowWalk *w, const FactEffect *e)
 {
     const IrJump *j = &w->f->blk.at[w->block].jump;
 
+    w->out.exit[w->block] = (FactExit){NULL, e->then, e->otherwise};
     for (uint32_t k = 0; k < e->stores; k++)
         slot_env_set(w->env.slots, e->update[k].slot, e->update[k].fact);
     if (j->kind == IR_JMP)
@@ -610,7 +618,7 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
 {
     FlowWalk w = {.fm = fm, .f = f, .ends = ends, .start = begin};
 
-    if (ends && ends->fn && ends->fn->slot && has_same_begin(fm, ends->fn, begin)) {
+    if (ends && ends->fn && ends->fn->effect && has_same_begin(fm, ends->fn, begin)) {
         repeat_ends(fm, ends, begin);
         return w.out;
     }
@@ -622,7 +630,7 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b])
             visit_block(&w, b);
-    if (w.effect)
+    if (w.has_slots && ends && ends->fn)
         ends->fn->read = w.space.read;
     return w.out;
 }
@@ -630,4 +638,14 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
 FactFlow facts_of_function(FactMachine *fm, const IrFn *f, const Env *begin)
 {
     return facts_flow(fm, f, begin, NULL);
+}
+
+FactFlow facts_of_block(FactMachine *fm, size_t state, int block)
+{
+    const FactFn *fn = fm->fn ? &fm->fn[state][block] : NULL;
+    const Env *begin = facts_at_begin(fm, state, block);
+
+    if (fn && fn->slot && has_same_begin(fm, fn, begin))
+        return fn->flow;
+    return facts_of_function(fm, fm->m->state.at[state].block[block], begin);
 }

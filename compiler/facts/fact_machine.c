@@ -20,11 +20,9 @@ typedef struct FactIteration {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
     bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
-    FactFn (*fn)[BLOCK_COUNT];        // [state][function]
     Worklist queue;                   // the states to visit
     uint32_t state;                   // the state that is visited
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
-    const FactObserver *observer;     // receives the flow of each visit, or NULL
     bool any_start;                   // the machine may be started in any state
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
@@ -123,9 +121,7 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 static void compute_function_facts(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
-    FactFn *fn = v->fm->has_variable_locals ? &v->fn[v->state][block] : NULL;       // else few functions are visited twice
-    const FactEnds ends = {visit_end, v, .at_entry = block == BLOCK_ENTRY, .exits = v->observer != NULL, .fn = fn};
-    FactFlow flow;
+    const FactEnds ends = {visit_end, v, .at_entry = block == BLOCK_ENTRY, .fn = &v->fm->fn[v->state][block]};
     const IrFn *f = v->fm->m->state.at[v->state].block[block];
     FactBegin *b = &v->fm->begin[v->state][block];
 
@@ -135,9 +131,7 @@ static void compute_function_facts(FactIteration *v, int block)
         visit_end(v, &nothing, b->env);
         return;
     }
-    flow = facts_flow(v->fm, f, b->env, &ends);
-    if (v->observer)
-        v->observer->visit(v->observer->context, f, flow);
+    facts_flow(v->fm, f, b->env, &ends);
 }
 
 static void enter_start_states(FactIteration *v, const Env *env)
@@ -220,29 +214,16 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 
 // ---- the iteration ----
 
-// Gives the observer the flow of each reachable function.
-static void observe_functions(FactMachine *fm, const FactObserver *observer)
-{
-    for (size_t s = 0; s < fm->m->state.n; s++)
-        for (int block = 0; block < BLOCK_COUNT; block++) {
-            const FactEnds ends = {.exits = true, .at_entry = block == BLOCK_ENTRY};
-            const IrFn *f = fm->m->state.at[s].block[block];
-            if (f && fm->begin[s][block].found)
-                observer->visit(observer->context, f, facts_flow(fm, f, fm->begin[s][block].env, &ends));
-        }
-}
-
-// Visits functions until no fact changes, then narrows the facts if bounds were widened.  Where each visit of a function begins with the
-// same facts, its first flow is final and goes to the observer.  Else the observer receives the flows at the end.
-static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactObserver *observer)
+// Visits functions until no fact changes, then narrows the facts if bounds were widened.
+static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
 {
     const IrMachine *m = fm->m;
     const Env *initial = initial_values(fm, true);
-    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .observer = fm->has_variable_locals ? NULL : observer};
+    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start};
 
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
-    v.fn = arena_array(fm->shape.arena, m->state.n, sizeof *v.fn);
+    fm->fn = arena_array(fm->shape.arena, m->state.n, sizeof *fm->fn);
     v.queue = worklist_new(fm->shape.arena, m->state.n);
     enter_start_states(&v, initial);
     while (v.queue.n > 0) {
@@ -253,11 +234,9 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start, const FactOb
     }
     if (v.widened)
         narrow_facts(&v, initial);
-    if (observer && !v.observer)
-        observe_functions(fm, observer);
 }
 
-static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed, const FactObserver *observer)
+static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
     const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
@@ -280,22 +259,19 @@ static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start,
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
     if (fm->has_variable_locals || !any_start)
-        iterate_to_fixed_point(fm, any_start, observer);
+        iterate_to_fixed_point(fm, any_start);
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL); }
 
-// Computes the facts of a machine that is only ever started in its first state, as analyses assume.  `observer` may be NULL.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer)
-{
-    return find_facts(arena, m, false, NULL, observer);
-}
+// Computes the facts of a machine that is only ever started in its first state, as analyses assume.
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return find_facts(arena, m, false, NULL); }
 
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
-    return find_facts(arena, m, false, assumed, NULL);
+    return find_facts(arena, m, false, assumed);
 }
 
 // ---- results ----
@@ -308,6 +284,8 @@ const Env *facts_at_begin(const FactMachine *fm, size_t state, int block)
 
     return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fm->zero) : env;
 }
+
+void facts_forget_visits(FactMachine *fm) { fm->fn = NULL; }
 
 // Makes later calls of facts_of_function allocate from `arena`.
 void facts_set_arena(FactMachine *fm, Arena *arena)

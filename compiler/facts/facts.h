@@ -6,7 +6,7 @@
 // guards add facts about them.  A machine may be started in any state, with its locals at their initial values.
 //
 //     FactMachine *fm = facts_of_machine(arena, m);
-//     FactFlow flow = facts_of_function(fm, f, facts_at_begin(fm, state, BLOCK_STEP));     // flow.of[ref]
+//     FactFlow flow = facts_of_block(fm, state, BLOCK_STEP);     // flow.of[ref]
 //
 // A pass that preserves the meaning of the machine leaves a FactMachine valid, unless it renumbers variables or windows.
 #ifndef SMC_FACTS_H
@@ -28,15 +28,9 @@ typedef struct FactFlow {             // valid until the next function is analys
     FactExit *exit;                   // by block: the facts at its end; undefined for unreached blocks
 } FactFlow;
 
-// Receives the flow of each reachable function, with its final facts and FactExit.env.  A function can be visited again with equal facts.
-typedef struct FactObserver {
-    void (*visit)(void *context, const IrFn *f, FactFlow flow);
-    void *context;
-} FactObserver;
-
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
-// Computes the facts of a machine that is only ever started in its first state, as analyses assume.  `observer` may be NULL.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m, const FactObserver *observer);
+// Computes the facts of a machine that is only ever started in its first state, as analyses assume.
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
 // Makes later calls of facts_of_function allocate from `arena`.
@@ -49,6 +43,10 @@ const Env *facts_at_begin(const FactMachine *fm, size_t state, int block);
 const Env *facts_at_begin_of_sample(const FactMachine *fm);
 
 FactFlow facts_of_function(FactMachine *fm, const IrFn *f, const Env *begin);
+// Returns the flow of a function of a state, which must have one: that of its last visit where this began with the same facts.
+FactFlow facts_of_block(FactMachine *fm, size_t state, int block);
+// Forgets the flows of these visits.  Call it when functions of the machine have changed.
+void facts_forget_visits(FactMachine *fm);
 
 Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact that is true of all samples of the window
 
@@ -60,7 +58,7 @@ typedef struct FactEnds {             // receives the facts at each end of a fun
     bool all;                         // `visit` receives all facts; else only those about private variables, and those that are assumed
     bool exits;                       // FactExit.env is required, with all facts
     bool at_entry;                    // the function begins when its state is entered: T is 0
-    struct FactFn *fn;                // stores the effects of the function's blocks, or NULL.  Not with `all` or `exits`
+    struct FactFn *fn;                // stores the visit, or NULL.  Not with `all` or `exits`
 } FactEnds;
 
 typedef struct FactHome {
@@ -96,9 +94,10 @@ typedef struct FactEnd {              // an end that the facts at the beginning 
 typedef struct FactFn {               // what an iteration stores about a function, to visit it again with less work
     FactSlot *slot;                   // its slots, or NULL: not visited yet, or too many variables for slots
     uint32_t slots;
-    FactEffect *effect;               // by block
+    FactEffect *effect;               // by block; NULL: visits are not repeated (FactMachine.has_variable_locals)
     Fact *begin;                      // by slot: the facts at the beginning of the last visit
     uint64_t read;                    // a set of slots: those whose facts at the beginning the last visit has read
+    FactFlow flow;                    // of the last visit
     VEC(FactEnd) end;                 // the ends of the last visit
     VEC(FactUpdate) update;           // the facts that differ at these ends
 } FactFn;
@@ -133,6 +132,7 @@ struct FactMachine {
     bool has_variable_locals;         // the machine writes private locals; else all functions begin with the facts `constants`
     const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // [state][block]: the facts at the beginning of each function
+    FactFn (*fn)[BLOCK_COUNT];        // [state][block]: the last visit of each function; NULL: none
     Fact *window;                     // by window: its samples
     uint32_t *epoch, *stored;         // by variable: `epochs` during the last block visit that stored to it; position of that store
     uint32_t epochs;                  // number of block visits so far

@@ -68,9 +68,8 @@ static void rewrite_ins(KnownPass *k, IrRef ref)
         k->same[ref] = same;
 }
 
-static void rewrite_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *begin)
+static void rewrite_function(Arena *arena, IrFn *f, FactFlow flow)
 {
-    const FactFlow flow = facts_of_function(fm, f, begin);
     KnownPass k = {f, flow.of, ARENA_ARRAY(arena, IrRef, f->ins.n)};
 
     for (size_t b = 0; b < f->blk.n; b++) {

@@ -278,9 +278,8 @@ static IrRef *new_empty_refs(Arena *arena, size_t count)
     return r;
 }
 
-static void narrow_function(Arena *arena, FactMachine *fm, IrFn *f, const Env *begin)
+static void narrow_function(Arena *arena, IrFn *f, FactFlow flow)
 {
-    const FactFlow flow = facts_of_function(fm, f, begin);
     const size_t temps = f->ins.n;
     Narrow n = {.arena = arena, .f = f, .fact = flow.of, .uses = ir_count_uses(arena, f)};
 

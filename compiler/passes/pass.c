@@ -85,11 +85,11 @@ VarNote *find_variable_note(VarNotes *n, uint32_t var)
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass)
 {
     if (m->sample)
-        pass(arena, values, m->sample, facts_at_begin_of_sample(values));
+        pass(arena, m->sample, facts_of_function(values, m->sample, facts_at_begin_of_sample(values)));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             if (m->state.at[s].block[b])
-                pass(arena, values, m->state.at[s].block[b], facts_at_begin(values, s, b));
+                pass(arena, m->state.at[s].block[b], facts_of_block(values, s, b));
 }
 
 // ---- running ----
@@ -161,6 +161,8 @@ static const char *run_pass(PassRunner *r, const PassInfo *pass)
     }
     if (pass->invalidates & FACT_VALUES)
         r->values = NULL;
+    if (r->values)
+        facts_forget_visits(r->values);
     if (r->o->after)
         r->o->after(r->o->context, pass, r->m);
     return verify_machine(r, pass->name);

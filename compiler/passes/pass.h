@@ -86,8 +86,8 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 // *wrong is then a sentence that begins with the name of the pass.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, const char **wrong);
 
-// Calls `pass` for each function of m, with the facts that are true when the function begins.
-typedef void PassValuesFn(Arena *arena, FactMachine *values, IrFn *f, const Env *begin);
+// Calls `pass` for each function of m, with its flow.
+typedef void PassValuesFn(Arena *arena, IrFn *f, FactFlow flow);
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass);
 
 // ---- the passes, each in its own file ----

@@ -200,10 +200,13 @@ static bool may_be_switch(const AstExpr *number, const char *text, const AstExpr
 static void warn_of_number_as_condition(Sema *s, const AstExpr *logic, const AstExpr *number)
 {
     const AstExpr *before = number == logic->b ? comparison_before(logic->a) : NULL;
-    const char *text = sema_quote_source(s, number->span);
+    const char *text;
     Diag *d;
 
-    if (number->kind != AST_NUMBER || may_be_switch(number, text, before))
+    if (number->kind != AST_NUMBER)
+        return;
+    text = sema_quote_source(s, number->span);
+    if (may_be_switch(number, text, before))
         return;
     d = diag_report(s->diags, DIAG_number_as_condition, number->span, text, sm_to_bool(number->number) ? "always" : "never");
     if (before)

@@ -199,8 +199,8 @@ static void claim_stmt(const Stmt *s, void *context)
 {
     Sound *r = context;
 
-    if (r->a.stmt[s->number].env)
-        r->at[s->number] = claims_of(r, r->a.stmt[s->number].env);
+    if (s->kind != ST_ASSIGN && env_of_stmt(&r->a, s))
+        r->at[s->number] = claims_of(r, env_of_stmt(&r->a, s));
 }
 
 static void claim_all(Sound *r)
