@@ -28,6 +28,7 @@ typedef struct CIns {
     bool unchecked;           // the load of a float that needs no NaN check: it cannot be NaN, or no use distinguishes NaN from 0
     uint32_t nan_is_zero_uses;        // how many of its uses have the same result for NaN and 0
     uint32_t sign_free_uses;  // how many of its uses have the same result for 0 and -0
+    bool is_named;            // a condition that becomes a variable
     bool is_masked;           // a comparison whose result does not matter when an operand is NaN or 0
     IrRef decided_by;         // a load that decides this condition if it reads NaN or 0; IR_NONE: none
     bool decided_value;       // the value of the condition if `decided_by` reads NaN or 0

@@ -326,6 +326,34 @@ static bool is_free_to_repeat(CFn *fn, const IrIns *i, const CIns *c)
     return i->op == IR_load && (!needs_computation(fn, i->var) || c->unchecked || get_var_use(fn, i->var)->copy);
 }
 
+// Whether condition r costs little where its value does not matter: a bool, its negation, or a comparison of integers that are members or
+// constants.  Comparisons of floats are slower without a jump.
+static bool is_cheap_condition(CFn *fn, IrRef r)
+{
+    const IrIns *i = c_ins(fn, r);
+    const IrRef operand[2] = { i->a, ir_is_comparison(i->op) ? i->b : IR_NONE };
+
+    if (i->op == IR_load)
+        return true;
+    if (i->op != IR_not && !ir_is_comparison(i->op))
+        return false;
+    for (int k = 0; k < 2; k++)
+        if (operand[k] != IR_NONE && (ir_is_float(c_ins(fn, operand[k])->type) ||
+                                      (!c_is_const(fn, operand[k]) && !is_free_to_repeat(fn, c_ins(fn, operand[k]), &fn->ins[operand[k]]))))
+            return false;
+    return true;
+}
+
+// Where a truth is stored that is an `and` or `or` of cheap conditions, these become variables, because C compilers then compute it without a jump.
+static void name_conditions(CFn *fn, const IrIns *store)
+{
+    const IrIns *i = c_is_const(fn, store->a) ? store : c_ins(fn, store->a);
+
+    if ((i->op != IR_and && i->op != IR_or) || c_is_const(fn, i->a) || c_is_const(fn, i->b) || !is_cheap_condition(fn, i->a) || !is_cheap_condition(fn, i->b))
+        return;
+    fn->ins[i->a].is_named = fn->ins[i->b].is_named = true;
+}
+
 // Returns the form of instruction i, whose uses are known.
 static CForm choose_form(CFn *fn, const IrIns *i, const CIns *c)
 {
@@ -333,7 +361,7 @@ static CForm choose_form(CFn *fn, const IrIns *i, const CIns *c)
         return C_STATEMENT;
     if (c->uses == 0 || i->op == IR_const)
         return C_OMITTED;
-    if (find_next_change(fn, i) < c->latest)
+    if (find_next_change(fn, i) < c->latest || c->is_named)
         return C_VARIABLE;
     if (is_free_to_repeat(fn, i, c))
         return C_SUBEXPRESSION;
@@ -363,6 +391,8 @@ static void choose_forms_of_block(CFn *fn, uint32_t b)
         const IrRef r = blk->ins.at[p];
         const IrIns *i = &fn->f->ins.at[r];
         CIns *c = &fn->ins[r];
+        if (i->op == IR_store && !fn->u->soft)
+            name_conditions(fn, i);
         c->form = choose_form(fn, i, c);
         if (c->form != C_OMITTED) {
             const bool own = c->form != C_SUBEXPRESSION;  // the instruction is a separate statement
