@@ -132,7 +132,7 @@ static void find_envs(const Analysis *a, uint32_t state, BlockKind block)
     FactFlow flow;
 
     facts_set_arena(a->facts, a->kept);
-    flow = facts_flow(a->facts, f, facts_at_begin(a->facts, state, block), &ends);
+    flow = facts_flow(a->facts, f, facts_at_begin(a->facts, state, (int)block), &ends);
     for (size_t b = 0; b < f->blk.n; b++) {
         const IrJump *j = &f->blk.at[b].jump;
         if (flow.reached[b] && (j->kind == IR_BR || j->kind == IR_GOTO)) {
