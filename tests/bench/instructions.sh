@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The instructions that `smc build` needs for a line of a large machine, with the warnings of the default settings, against budgets: a few percent
+# The instructions that `smc build` executes for each line of a large machine, with the warnings of the default settings, against budgets: a few percent
 # above what gcc 12.2 -O2 needs on x86-64.  Counted by callgrind, so other work on this machine does not count.
 #     instructions.sh BUILD CC CFLAGS
 build=$1/instructions scale=$1/bench/scale smc=$1/smc CC=$2 CFLAGS=$3
