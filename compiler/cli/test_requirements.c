@@ -36,10 +36,10 @@ RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what)
     return table;
 }
 
-// Appends `path:line` to a list, unless it is the last entry.
-static void add_place(Arena *arena, Buf *list, Span span)
+// Appends `path:line` and the result to a list, unless it is the last entry.
+static void add_place(Arena *arena, Buf *list, Span span, const char *result)
 {
-    const char *place = format_in(arena, "%s:%lu", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line);
+    const char *place = format_in(arena, "%s:%lu%s", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line, result);
     const size_t n = strlen(place);
 
     if (list->n >= n && memcmp(list->at + list->n - n, place, n) == 0)
@@ -57,7 +57,7 @@ static void add_asserts(RequirementTable *table, const Script *s, const ScriptRe
                 const ScriptAssert *a = &item->asserts.at[n];
                 const size_t *number = a->remark && a->remark->requirement ? map_find(&table->number, a->remark->requirement) : NULL;
                 if (number && (a->kind == SCRIPT_FAIL || r->evaluated[item->first_assert + n]))
-                    add_place(table->t->arena, &table->asserts[*number], a->remark->span);
+                    add_place(table->t->arena, &table->asserts[*number], a->remark->span, r->failed_asserts[item->first_assert + n] ? " (failed)" : "");
             }
         }
 }
@@ -80,7 +80,7 @@ static const char *list_marks(Arena *arena, const Program *p, Str id)
     buf_init(&out, arena);
     for (size_t i = 0; i < p->mark.n; i++)
         if (p->mark.at[i].requirement == id)
-            add_place(arena, &out, p->mark.at[i].span);
+            add_place(arena, &out, p->mark.at[i].span, "");
     return buf_text(&out);
 }
 

@@ -43,8 +43,9 @@ static void add_asserts(const Report *r, const ReportRun *run, Str id, Buf *out)
             const ScriptItem *item = run->script->section.at[i].item.at[k];
             for (size_t n = 0; n < item->asserts.n; n++) {
                 const ScriptAssert *a = &item->asserts.at[n];
-                if (a->remark && a->remark->requirement == id && (a->kind == SCRIPT_FAIL || run->result.evaluated[item->first_assert + n]))
-                    add_entry(out, place_text(r, a->remark->span));
+                const uint32_t number = item->first_assert + (uint32_t)n;
+                if (a->remark && a->remark->requirement == id && (a->kind == SCRIPT_FAIL || run->result.evaluated[number]))
+                    add_entry(out, format_in(r->arena, "%s%s", place_text(r, a->remark->span), run->result.failed_asserts[number] ? " (failed)" : ""));
             }
         }
 }

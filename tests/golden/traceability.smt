@@ -61,7 +61,7 @@ G == 30: @stop
 requirements:
   R1  met           opens, soon
       judged in a.ss: 3
-      tested by a.ss:6, bad.ss:2
+      tested by a.ss:6, bad.ss:2 (failed)
       implemented in a.sm:16, a.sm:20
   R2  met           =1+1
       judged in a.ss: 4, bad.ss: 3
