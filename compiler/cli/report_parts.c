@@ -186,6 +186,18 @@ static void fill_lines(Arena *arena, const FaultLines *l, ReportFaults *out)
     }
 }
 
+static void fill_requirements(Arena *arena, const FaultLines *l, const Requirements *rq, ReportFaults *out)
+{
+    for (uint32_t q = 0; rq && q < rq->at.n; q++) {
+        ReportFaultsOf of = {0, 0};
+        for (uint32_t i = 0; i < l->f->result.n; i++)
+            of.faults += l->f->result.at[i].violated == q + 1;
+        for (uint32_t i = l->at.n; i-- > 0; )
+            of.line = l->at.at[i].r->violated == q + 1 ? i + 1 : of.line;
+        vec_push(arena, &out->of, of);
+    }
+}
+
 static void fill_faults(Arena *arena, const FaultLines *l, ReportFaults *out)
 {
     const Faults *f = l->f;
@@ -201,6 +213,7 @@ static void fill_faults(Arena *arena, const FaultLines *l, ReportFaults *out)
         out->summary = format_in(arena, "%s Of %lu pairs of faults, %lu are worse than each fault alone.", out->summary, (unsigned long)f->pairs, (unsigned long)f->pairs_worse);
     fill_matrix(arena, l, out);
     fill_lines(arena, l, out);
+    fill_requirements(arena, l, f->options.requirements, out);
     for (uint32_t i = 0; i < f->input.n; i++) {
         buf_init(&ranges, arena);
         if (fault_write_range(&f->input.at[i], &ranges))

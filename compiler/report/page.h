@@ -91,6 +91,8 @@ const char *plot_patterns(Arena *arena);      // an invisible drawing that plots
 
 // ---- shared helpers ----
 
+const char *report_proof_tone(ProveVerdict v);         // the colour of a badge: DocPart.tone
+
 // Adds the state diagram.  On paper it is cut into as many slices as are needed to keep its text legible.
 void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramCounts *counts, const char *caption);
 uint32_t report_line_of(Span span);           // line in the source; 0: none

@@ -4,7 +4,7 @@
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
-static const char *tone_of(ProveVerdict v) { return v == PROVE_PROVED ? "good" : v == PROVE_VIOLATED ? "bad" : "note"; }
+const char *report_proof_tone(ProveVerdict v) { return v == PROVE_PROVED ? "good" : v == PROVE_VIOLATED ? "bad" : "note"; }
 
 void report_add_proofs(Report *r, Doc *d)
 {
@@ -21,7 +21,7 @@ void report_add_proofs(Report *r, Doc *d)
         Buf reason;
 
         heading->plain = true;
-        heading->tone = tone_of(of->verdict);
+        heading->tone = report_proof_tone(of->verdict);
         heading->badge = prove_verdict_words(of->verdict);
         buf_init(&reason, r->arena);
         prove_write_reason(r->arena, p, of, 0, &reason);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The requirements: where each is implemented, what tests it, how often it was judged, and the result in all scripts.
 #include "compiler/base/path.h"
+#include "compiler/prove/prove_text.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
 #include <string.h>
 
-static const DocColumn columns[] = {{"id", "Requirement"},     {"text", "Text"},     {"place", "Place"},  {"implemented", "Implemented in"},
-                                    {"asserts", "Tested by"}, {"scripts", "Judged in"}, {"judged", "Times"}, {"result", "Result"}};
+static const DocColumn verdict_columns[] = {{"id", "Requirement"}, {"text", "Text"},   {"rule", "Rule"}, {"result", "In scripts"},
+                                            {"proof", "Proof"},    {"faults", "Faults that violate it first"}};
+static const DocColumn place_columns[] = {{"id", "Requirement"}, {"text", "Text"},        {"place", "Place"},  {"implemented", "Implemented in"},
+                                          {"asserts", "Tested by"}, {"scripts", "Judged in"}, {"judged", "Times"}, {"result", "Result"}};
 
 static const char *place_text(const Report *r, Span s)
 {
@@ -63,30 +66,85 @@ static const char *asserts_text(const Report *r, Str id)
 
 static const char *scripts_text(const Report *r, size_t requirement)
 {
+    enum { NAMED_MOST = 3 };
+    size_t judged = 0;
     Buf out;
 
     buf_init(&out, r->arena);
     for (size_t i = 0; i < r->runs; i++)
-        if (r->run[i].result.requirement && r->run[i].result.requirement[requirement].judged)
+        if (r->run[i].result.requirement && r->run[i].result.requirement[requirement].judged) {
             buf_printf(&out, "%s%s", out.n ? ", " : "", r->run[i].name);
+            judged++;
+        }
+    if (judged > NAMED_MOST)
+        return format_in(r->arena, "%lu of %lu scripts", (unsigned long)judged, (unsigned long)r->runs);
     return out.n ? buf_text(&out) : "no script";
 }
 
-void report_add_requirements(Report *r, Doc *d)
+// Returns the rule of a requirement as written, on one line and without comments: what follows its text, up to the next requirement.
+static const char *rule_text(const Report *r, size_t requirement)
+{
+    const Requirement *q = &r->requirements->at.at[requirement];
+    const Source *src = q->span.src;
+    const char *at = src->text + q->span.at + q->span.len, *end = src->text + src->len;
+    Buf out;
+
+    buf_init(&out, r->arena);
+    if (requirement + 1 < r->requirements->at.n && q[1].span.src == src)
+        end = src->text + q[1].span.at;
+    for (int quotes = 0; at < end && quotes < 2; at++)
+        quotes += *at == '"';
+    for (bool blank = false; at < end; at++) {
+        if (*at == '#')
+            while (at + 1 < end && at[1] != '\n')
+                at++;
+        else if (*at == ' ' || *at == '\t' || *at == '\n' || *at == '\r')
+            blank = out.n > 0;
+        else {
+            buf_str(&out, blank ? " " : "");
+            buf_char(&out, *at);
+            blank = false;
+        }
+    }
+    return buf_text(&out);
+}
+
+// Adds how many faults of inputs violate a requirement, with a link to the first of them.
+static void add_faults_cell(const Report *r, DocTable *t, size_t requirement)
+{
+    const ReportFaults *f = r->faults;
+    const ReportFaultsOf *of = f && requirement < f->of.n ? &f->of.at[requirement] : NULL;
+    const char *text = of && of->faults ? format_in(r->arena, "%lu", of->faults) : of ? "none" : "";
+
+    if (of && of->line)
+        doc_add_linked_badge_cell(t, text, "bad", format_in(r->arena, "fault-%lu", (unsigned long)of->line));
+    else
+        doc_add_plain_cell(t, text);
+}
+
+static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
 {
     const Requirements *all = r->requirements;
-    RequirementTotal *total;
+    DocTable *t = DOC_ADD_TABLE(d, "verdicts", verdict_columns);
+
+    for (size_t i = 0; i < all->at.n; i++) {
+        const Requirement *q = &all->at.at[i];
+        doc_add_code_cell(t, q->id->text);
+        doc_add_plain_cell(t, q->text->text);
+        doc_add_code_cell(t, rule_text(r, i));
+        doc_add_badge_cell(t, requirement_verdict(&total[i]), total[i].violated ? "bad" : total[i].undecided || !total[i].judged ? "note" : "good");
+        doc_add_badge_cell(t, r->proofs ? prove_verdict_words(r->proofs->of[i].verdict) : "", r->proofs ? report_proof_tone(r->proofs->of[i].verdict) : NULL);
+        add_faults_cell(r, t, i);
+    }
+}
+
+static void add_places(const Report *r, Doc *d, const RequirementTotal *total)
+{
+    const Requirements *all = r->requirements;
     DocTable *t;
 
-    if (!all)
-        return;
-    total = ARENA_ARRAY(r->arena, RequirementTotal, all->at.n);
-    for (size_t i = 0; i < r->runs; i++)
-        if (r->run[i].script)
-            requirement_add_run(total, all, &r->run[i].result);
-    doc_add_section(d, "requirements", "Requirements");
-    doc_add_paragraph(d, TEXT_REQUIREMENTS);
-    t = DOC_ADD_TABLE(d, "requirements", columns);
+    doc_add_heading(d, NULL, "Where each requirement is implemented and judged");
+    t = DOC_ADD_TABLE(d, "requirements", place_columns);
     for (size_t i = 0; i < all->at.n; i++) {
         const Requirement *q = &all->at.at[i];
         doc_add_code_cell(t, q->id->text);
@@ -98,4 +156,20 @@ void report_add_requirements(Report *r, Doc *d)
         doc_add_number_cell(t, total[i].judged);
         doc_add_plain_cell(t, requirement_verdict(&total[i]));
     }
+}
+
+void report_add_requirements(Report *r, Doc *d)
+{
+    RequirementTotal *total;
+
+    if (!r->requirements)
+        return;
+    total = ARENA_ARRAY(r->arena, RequirementTotal, r->requirements->at.n);
+    for (size_t i = 0; i < r->runs; i++)
+        if (r->run[i].script)
+            requirement_add_run(total, r->requirements, &r->run[i].result);
+    doc_add_section(d, "requirements", "Requirements");
+    doc_add_paragraph(d, TEXT_REQUIREMENTS);
+    add_verdicts(r, d, total);
+    add_places(r, d, total);
 }

@@ -39,6 +39,12 @@ typedef struct ReportFaultLine {
     const char *script;       // the name of the file that reproduces it; NULL: none
 } ReportFaultLine;
 
+// The faults that violate a requirement before any other one.
+typedef struct ReportFaultsOf {
+    unsigned long faults;
+    uint32_t line;            // number of the first line with one; 0: none
+} ReportFaultsOf;
+
 typedef struct ReportFaults {
     const char *not_run;      // why no fault was tried, as a phrase; the rest is then empty.  NULL: they were tried
     const char *summary;      // a sentence with the counts
@@ -48,6 +54,7 @@ typedef struct ReportFaults {
     VEC(const char *) input;
     VEC(ReportFaultCell) cell;        // by input, then by kind
     VEC(ReportFaultLine) line;        // in the order of the list
+    VEC(ReportFaultsOf) of;   // by requirement
     VEC(const char *) note;   // sentences
     bool has_scripts;         // scripts were written
     bool is_cut;              // not all faults were tried

@@ -534,20 +534,14 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
     return is_same;
 }
 
-// Appends an end of a range in the shortest form that has this value in the input's type.
-static void write_end(Buf *out, const FaultInput *in, double x) { format_cell_shortest(out, in->var->type, ref_convert(in->var->type, x)); }
-
 bool fault_write_range(const FaultInput *in, Buf *out)
 {
     if (!in->range_is_seen)
         return false;
     buf_printf(out, "'%s' has no @range; ", in->var->report_name->text);
-    if (in->has_range) {
-        buf_str(out, "its range in the runs without a fault is ");
-        write_end(out, in, in->lo);
-        buf_str(out, " to ");
-        write_end(out, in, in->hi);
-    } else
+    if (in->has_range)
+        buf_printf(out, "its range in the runs without a fault is %.7g to %.7g", in->lo, in->hi);
+    else
         buf_str(out, "it never changes, so it has no faults that depend on a range");
     return true;
 }

@@ -1,8 +1,9 @@
 # With --faults a report has the matrix of smc faults, and each cell the number of its line and of the script that reproduces it.  With --sweep it has
-# the margins of each parameter.  The overview names what was not examined.
+# the margins of each parameter.  The table of requirements joins tests, proofs and faults.  The overview names what was not examined.
 args report a.sm a.ss a.rq --faults --sweep --format=text | sed -n '/Section  /,/^The machine/p; /What breaks it/,/What it costs/p'
 args report a.sm a.ss a.rq --scripts=made --format=text | grep -A 7 'With one fault, a requirement'; "$SMC" test a.sm a.rq made/001-*.ss >/dev/null; ls made
-args report a.sm a.ss --all --format=json | grep -o '"verdict": "[a-z]*"' | sort | uniq -c
+args report a.sm a.ss a.rq --prove --faults --format=text | grep -A 4 'Requirement  Text'
+args report a.sm a.ss --all --format=json | grep -o '"verdict": "[a-z]*"' | sort | uniq -c | tr -d ' '
 args report a.sm bad.ss --faults --sweep --format=text | grep -A 11 'What breaks it'
 args report a.sm --faults --sweep --format=text | grep -A 11 'What breaks it'
 
@@ -41,10 +42,12 @@ delta_t 10
 at 50: @assert drogue
 at 50: @stop
 -- a.rq --
-R1 "no charge in the ascent" never drogue and altitude > 300 and G < 600
+R1 "no charge in the ascent"   # the pyro channel
+    never  drogue and altitude > 300 and   G < 600   # in ms
+R2 "it ends" always G > 10 implies T >= 0
 -- stdout --
   Section            Verdict  Details
-  Requirements       passed   1 met in all scripts
+  Requirements       passed   2 met in all scripts
   Findings           open     1 open
   Scripts            passed   1 of 1 passed
   Coverage           open     18 of 29 places (62 %)
@@ -143,9 +146,19 @@ With one fault, an assert fails [failed]
 006-altitude-dead.ss
 007-altitude-nan.ss
 008-altitude-low.ss
-      1 "verdict": ""
-      5 "verdict": "open"
-      1 "verdict": "passed"
+  Requirement  Text                     Rule                                         In scripts  Proof     Faults that violate it first
+  R1           no charge in the ascent  never drogue and altitude > 300 and G < 600  met         violated  6
+  R2           it ends                  always G > 10 implies T >= 0                 met         proved    none
+
+Where each requirement is implemented and judged
+  Requirement  Text                     Place   Implemented in  Judged in  Times  Result
+  R1           no charge in the ascent  a.rq:1  nowhere         a.ss          71  met
+  R2           it ends                  a.rq:3  nowhere         a.ss          69  met
+
+Proofs
+1"verdict":""
+5"verdict":"open"
+1"verdict":"passed"
 What breaks it
 ==============
 

@@ -44,6 +44,14 @@ Each requirement is judged after every step of every script in which it could be
 is the number of these steps. One that was never judged has not been tested, and one that is
 undecided has not been met.
 
+  Requirement  Text                    Rule                                        In scripts
+  R1           no pyro on the pad      never S == Pad and (drogue or main)         met
+  R2           no main before drogue   never Main before Drogue                    met
+  R3           pressure leads to main  always p > 100 leads to main within 100 ms  met
+  R4           drogue stays            always S == Main implies drogue and main    met
+  R5           through drogue          never Main after Pad without Drogue         met
+
+Where each requirement is implemented and judged
   Requirement  Text                    Place   Implemented in    Tested by  Judged in  Times  Result
   R1           no pyro on the pad      a.rq:2  a.sm:9                       a.ss          31  met
   R2           no main before drogue   a.rq:3  nowhere           a.ss:5     a.ss          13  met
