@@ -69,6 +69,15 @@ void arena_free(Arena *a)
 }
 
 // Frees every object, but keeps the newest chunk for later allocations.
+size_t arena_size(const Arena *a)
+{
+    size_t size = 0;
+
+    for (const ArenaChunk *c = a->chunk; c; c = c->older)
+        size += c->size;
+    return size;
+}
+
 void arena_reset(Arena *a)
 {
     ArenaChunk *newest = a->chunk;

@@ -132,12 +132,15 @@ static int run_scripts(Cli *c, const CompileInput *in, const Compiled *made, con
 
 // ---- the command ----
 
-static int prove(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, uint64_t effort, size_t format)
+// The limits of a search and of a proof; 0: the defaults.
+typedef struct ProveSettings { uint64_t effort, memory; } ProveSettings;
+
+static int prove(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, const ProveSettings *s, size_t format)
 {
     const Program *p = what->program;
     ProveProgress progress = {c, what};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
-                                  .given = given->at, .givens = given->n, .effort = effort * 1000000, .progress = show_progress,
+                                  .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .progress = show_progress,
                                   .go_on = is_not_interrupted, .context = &progress};
     const Requirement *first, *second;
     const ProveResult *r;
@@ -170,7 +173,7 @@ static int prove(Cli *c, const Requirements *what, const Givens *given, const Co
 int cmd_prove(Cli *c)
 {
     const OsOutput file = {c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0};
-    uint64_t effort = 0;                          // the default
+    ProveSettings settings = {0, 0};
     size_t format;
     CompileInput in;
     CompileOptions o;
@@ -183,8 +186,10 @@ int cmd_prove(Cli *c)
         return code;
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;
-    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &effort) || effort > 1000000000))
+    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &settings.effort) || settings.effort > 1000000000))
         return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
+    if (c->given[OPT_MEMORY] && (!cli_read_count(c->value[OPT_MEMORY], &settings.memory) || settings.memory > SIZE_MAX >> 20))
+        return cli_usage_error(c, TEXT_number_from_1, "--memory", c->value[OPT_MEMORY]);
     if (deps_wanted(c) && !deps_check_name(c, &file))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
@@ -196,5 +201,5 @@ int cmd_prove(Cli *c)
     what = requirements_without_scripts(c, &in, runs_find_machine(&in, &made));
     if ((code = run_scripts(c, &in, &made, what->program, &given)) != EXIT_OK)
         return code;
-    return prove(c, what, &given, &o, effort, format);
+    return prove(c, what, &given, &o, &settings, format);
 }

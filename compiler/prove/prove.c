@@ -13,11 +13,12 @@ enum {
     EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
 };
 
-static const ProveLimits coarse = {1500, 300000}, fine = {4000, 1500000};
+static const ProveLimits coarse = {1500, 300000, 0}, fine = {4000, 1500000, 0};
 
 typedef struct ProveRun {
     Arena *arena;
     Arena work;               // of the current exploration or search
+    Arena models;             // of the current requirement
     const Requirements *all;
     const Program *p;
     const IrMachine *m;
@@ -42,7 +43,8 @@ static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, bool is_
 
     if (v->o->visits)
         limits.visits = v->o->visits;
-    *x = prove_explore(v->arena, &v->work, model, v->result->init_state, assumed, is_fine, &limits);
+    limits.memory = v->o->memory ? v->o->memory : SEARCH_MEMORY;
+    *x = prove_explore(&v->models, &v->work, model, v->result->init_state, assumed, is_fine, &limits);
     of->visits += x->visits;
     of->nodes = x->nodes;
     return x->closed && !x->violated;
@@ -102,13 +104,13 @@ typedef struct ProveProof {
     uint32_t sets, tried;     // how many there are; how many attempts have been made with each
 } ProveProof;
 
-static void begin_proof(const ProveRun *v, ProveProof *p, ProveOf *of)
+static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
 {
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
 
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
-        p->model[loose] = prove_model_new(v->arena, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
+        p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
     for (uint32_t n = 0; n < v->m->var.n; n++)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
@@ -194,7 +196,7 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 static GoalSearch new_search(const ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort ? effort : 1,
-                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .go_on = v->o->go_on, .context = v->o->context};
+                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = v->o->go_on, .context = v->o->context};
 }
 
 static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
@@ -394,6 +396,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     ProveRun v = {.arena = arena, .all = r, .p = r->program, .o = o, .result = result};
 
     arena_init_within(&v.work, arena);
+    arena_init_within(&v.models, arena);
     v.m = ir_build(arena, v.p);
     v.cover = cover_new(arena, v.p);
     result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : o->givens ? o->given[0].run.delta_t : DELTA_T;
@@ -409,6 +412,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
         result->of[i].excluded = ARENA_ARRAY(arena, bool, v.p->state.n);
         if (o->progress)
             o->progress(o->context, i);
+        arena_reset(&v.models);
         decide(&v, &result->of[i]);
     }
     return result;

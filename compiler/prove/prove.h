@@ -108,6 +108,7 @@ typedef struct ProveOptions {
     const ProveGiven *given;  // `givens` of them; those that begin in another state, or have another step, are not used
     uint32_t givens;
     uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h); 0: a default
+    size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It decides only if it is reached
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
     bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never

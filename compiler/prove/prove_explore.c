@@ -464,7 +464,7 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
         explore_step(x, &from);
         if (t->node.n > x->limits->nodes)
             return EXPLORE_MANY_NODES;
-        if (*x->visits > x->limits->visits)
+        if (*x->visits > x->limits->visits || (x->limits->memory && arena_size(x->arena) > x->limits->memory))
             return EXPLORE_MANY_VISITS;
     }
     return EXPLORE_CLOSED;

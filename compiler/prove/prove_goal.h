@@ -17,6 +17,7 @@ typedef struct GoalSearch {
     uint64_t effort;                  // at least 1: a step costs 1, and more if the requirement has long windows
     const State *init_state;
     bool usual_values;                // no SearchSpecials
+    size_t memory;                    // as SearchOptions.memory
     const Scenario *given;            // starting points; `givens` of them
     uint32_t givens;
     bool assume_ranges;               // elements with @range that the machine does not assign have values in it, in each step

@@ -1,6 +1,8 @@
 # smc prove without a proof and without a violation: what was tried, which states no run came to, and what has too many values.
 args prove a.sm a.rq --effort=1
 args prove a.sm a.rq --effort=1 --format=json | grep -o '"obstacle".*'
+args prove a.sm a.rq --effort=1 --memory=1 | grep "^  R"
+args prove a.sm a.rq --memory=0
 
 -- a.sm --
 [options]
@@ -68,5 +70,11 @@ requirements of a, from state Idle, with a step every 10 ms:
       a proof can become possible by: shorter windows; shorter times; variables with fewer values, such as counters that stop at a limit
 "obstacle":"facts-too-weak","too_many_values":["T"],"untried_states":["Locked","Deep"]},
 "obstacle":"too-large","too_many_values":["count","T","the samples of held(p < 2, 300 ms)","the samples of held(p > 3, 500 ms)"],"untried_states":["Locked","Deep"]}
+  R1  no violation found  never open
+  R2  no violation found  it counts
+  R3  no violation found  different
+-- stderr --
+smc: --memory requires a whole number from 1, not '0'
+Try 'smc prove --help'.
 -- exit --
-5 0
+5 0 0 2

@@ -112,6 +112,16 @@ static void test_empty_allocation_has_an_address(Arena *a)
     CHECK(arena_alloc_unzeroed(a, 0) != NULL);
 }
 
+static void test_size(Arena *a)
+{
+    const size_t before = arena_size(a);
+
+    arena_alloc(a, 5 << 20);
+    CHECK(arena_size(a) >= before + (5 << 20) && arena_size(a) < before + (40 << 20));
+    arena_free(a);
+    CHECK(arena_size(a) == 0);
+}
+
 int main(void)
 {
     jmp_buf oom;
@@ -124,6 +134,7 @@ int main(void)
     test_copies(&a);
     test_room_is_not_zeroed(&a);
     test_lists_in_one_piece(&a);
+    test_size(&a);
     arena_free(&a);
     test_reused_chunks(&oom);
     return test_end("arena");
