@@ -21,9 +21,4 @@ const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT] = {
 #define SM_ROLL(name, stat, sentence) [SM_FN_##name] = { #name, sentence, 2, 2, true, false, SM_STAT_##stat },
 #define SM_SAMPLED(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, true, SM_STAT_COUNT },
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
 };

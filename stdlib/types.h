@@ -72,11 +72,6 @@ typedef enum SmBuiltin {
 #define SM_ROLL(name, stat, sentence) SM_FN_##name,
 #define SM_SAMPLED(name, arguments, sentence) SM_FN_##name,
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
     SM_FN_COUNT
 } SmBuiltin;
 

@@ -157,11 +157,6 @@ static IrRef build_call(Builder *b, const Expr *e)
 #include "stdlib/builtins.def"
 #undef STEP1
 #undef STEP2
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
     case SM_FN_COUNT: break;                          // not reached; a roll call is an EX_ROLL
     }
     return v[n - 1];

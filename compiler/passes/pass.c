@@ -7,39 +7,19 @@
 const PassInfo pass_info[PASS_COUNT] = {
 #define PASS(name, needs, invalidates, sentence) {#name, needs, invalidates, sentence, pass_##name, NULL},
 #define PASS_MACHINE(name, needs, invalidates, sentence) {#name, needs, invalidates, sentence, NULL, pass_##name},
-#define RUN(level, name)
-#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
-#undef PASS
-#undef PASS_MACHINE
-#undef RUN
-#undef RUN_FOR_C
 };
 
 typedef struct PassRun { int level; PassId pass; } PassRun;
 
 static const PassRun runs[] = {
-#define PASS(name, needs, invalidates, sentence)
-#define PASS_MACHINE(name, needs, invalidates, sentence)
 #define RUN(level, name) {level, PASS_##name},
-#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
-#undef PASS
-#undef PASS_MACHINE
-#undef RUN
-#undef RUN_FOR_C
 };
 
 static const PassId runs_for_c[] = {
-#define PASS(name, needs, invalidates, sentence)
-#define PASS_MACHINE(name, needs, invalidates, sentence)
-#define RUN(level, name)
 #define RUN_FOR_C(name) PASS_##name,
 #include "compiler/passes/passes.def"
-#undef PASS
-#undef PASS_MACHINE
-#undef RUN
-#undef RUN_FOR_C
 };
 
 typedef struct PassRunner {

@@ -54,13 +54,7 @@ typedef struct PassInfo {
 typedef enum PassId {
 #define PASS(name, needs, invalidates, sentence) PASS_##name,
 #define PASS_MACHINE(name, needs, invalidates, sentence) PASS_##name,
-#define RUN(level, name)
-#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
-#undef PASS
-#undef PASS_MACHINE
-#undef RUN
-#undef RUN_FOR_C
     PASS_COUNT
 } PassId;
 
@@ -94,12 +88,6 @@ void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, Pass
 
 #define PASS(name, needs, invalidates, sentence) void pass_##name(Arena *arena, IrFn *f, Facts *facts);
 #define PASS_MACHINE(name, needs, invalidates, sentence) void pass_##name(Arena *arena, IrMachine *m, FactMachine *values);
-#define RUN(level, name)
-#define RUN_FOR_C(name)
 #include "compiler/passes/passes.def"
-#undef PASS
-#undef PASS_MACHINE
-#undef RUN
-#undef RUN_FOR_C
 
 #endif

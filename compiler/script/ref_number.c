@@ -257,11 +257,6 @@ double ref_pure(SmBuiltin fn, const double *arg)
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
     case SM_FN_COUNT: break;                          // ref_list, or a rolling statistic, which is an EX_ROLL and never a call
     }
     return make_nan();

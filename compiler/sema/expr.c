@@ -107,11 +107,6 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
 #define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
     case SM_FN_COUNT: break;
     }
     return sm_from_i32(0);                                  // not reached: a roll call is an EX_ROLL, not an EX_CALL
@@ -163,11 +158,6 @@ static const char *const builtin_name[SM_FN_COUNT] = {
 #define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
 #define SM_SAMPLED(name, arguments, sentence) SM_PURE(name, arguments, sentence)
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
 };
 
 static const char *const statistic_name[SM_STAT_COUNT] = {
@@ -177,17 +167,8 @@ static const char *const statistic_name[SM_STAT_COUNT] = {
     [SM_STAT_ELAPSED] = "elapsed",
     [SM_STAT_RUN_STEPS] = "run_steps",
     [SM_STAT_RUN_TIME] = "run_time",
-#define SM_PURE(name, arguments, sentence)
-#define SM_COMPOSED(name, arguments, steps, sentence)
-#define SM_LIST(name, sentence)
 #define SM_ROLL(name, stat, sentence) [SM_STAT_##stat] = #name,
-#define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
 };
 
 // Appends names to `out`.  Stops soon after `most` characters, so that nested calls do not take quadratic time.

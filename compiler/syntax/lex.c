@@ -11,12 +11,8 @@
 typedef struct Word { const char *spelling; TokenKind kind; SmType type; } Word;
 
 static const Word words[] = {
-#define TOKEN(kind, name)
 #define WORD(kind, spelling) {spelling, TOK_##kind, SM_TYPE_COUNT},
-#define PUNCTUATOR(kind, spelling)
 #include "compiler/syntax/tokens.def"
-#undef WORD
-#undef PUNCTUATOR
 #define SM_TYPE(name, wire, spelling, ctype, bytes, kind) {spelling, TOK_TYPE, SM_##name},
 #include "stdlib/types.def"
 #undef SM_TYPE
@@ -31,12 +27,8 @@ typedef struct Punctuator {
 } Punctuator;
 
 static const Punctuator punctuators[] = {
-#define WORD(kind, spelling)
 #define PUNCTUATOR(kind, spelling) {spelling, sizeof spelling - 1, TOK_##kind},
 #include "compiler/syntax/tokens.def"
-#undef TOKEN
-#undef WORD
-#undef PUNCTUATOR
 };
 
 // Returns how a diagnostic names tokens of this kind: "+", "if", "name".
@@ -47,9 +39,6 @@ const char *lex_token_name(TokenKind kind)
 #define WORD(kind, spelling) spelling,
 #define PUNCTUATOR(kind, spelling) spelling,
 #include "compiler/syntax/tokens.def"
-#undef TOKEN
-#undef WORD
-#undef PUNCTUATOR
     };
     return name[kind];
 }

@@ -13,9 +13,6 @@ typedef enum TokenKind {
 #define WORD(kind, spelling) TOK_##kind,
 #define PUNCTUATOR(kind, spelling) TOK_##kind,
 #include "compiler/syntax/tokens.def"
-#undef TOKEN
-#undef WORD
-#undef PUNCTUATOR
     TOK_COUNT
 } TokenKind;
 
@@ -37,13 +34,8 @@ typedef enum LexAllow {
 
 enum {
     LEX_PUNCTUATORS = 0
-#define TOKEN(kind, name)
-#define WORD(kind, spelling)
 #define PUNCTUATOR(kind, spelling) + 1
 #include "compiler/syntax/tokens.def"
-#undef TOKEN
-#undef WORD
-#undef PUNCTUATOR
 };
 
 enum {

@@ -93,15 +93,7 @@ static void compare_with_stdlib(void)
 #define CALL_3(f) f(a[0], a[1], a[2])
 #define SM_PURE(name, arguments, sentence) CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
 #define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
-#define SM_LIST(name, sentence)
-#define SM_ROLL(name, stat, sentence)
-#define SM_SAMPLED(name, arguments, sentence)
 #include "stdlib/builtins.def"
-#undef SM_PURE
-#undef SM_COMPOSED
-#undef SM_LIST
-#undef SM_ROLL
-#undef SM_SAMPLED
 }
 
 // Arguments for which the elementary functions are difficult.
