@@ -49,6 +49,16 @@ static uint32_t hash_name(SmvmBytes image, SmvmName n)
 
 static bool is_name(SmvmName n) { return n.size > 0 && n.size <= SWAP_NAME_MAX; }
 
+// Adds a name of m to the array `names`, or only counts it if `names` is NULL.
+static void add_name(const SmvmMachine *m, SwapName *n, SwapName *names, uint32_t *count)
+{
+    if (names != NULL) {
+        n->hash = hash_name(m->image, n->name);
+        names[*count] = *n;
+    }
+    (*count)++;
+}
+
 #if SMVM_PARAMETERS
 // Returns the end of the parameters among the locals; 0: the machine has no parameters.
 static uint32_t end_of_parameters(const SmvmMachine *m)
@@ -80,11 +90,7 @@ static uint32_t collect_parameters(const SmvmMachine *m, SwapName *names)
         n.numbers = p.numbers;
         if (!is_name(n.name))
             continue;
-        if (names != NULL) {
-            n.hash = hash_name(m->image, n.name);
-            names[count] = n;
-        }
-        count++;
+        add_name(m, &n, names, &count);
     }
     return count;
 }
@@ -140,11 +146,7 @@ static uint32_t collect_names(const SmvmMachine *m, SwapName *names)
                 continue;
         } else if (!read_variable(m, i - m->states, locals, &n))
             continue;
-        if (names != NULL) {
-            n.hash = hash_name(m->image, n.name);
-            names[count] = n;
-        }
-        count++;
+        add_name(m, &n, names, &count);
     }
     return count;
 }
