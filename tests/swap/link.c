@@ -462,11 +462,13 @@ static void test_two_hosts(Arena *arena)
 
 // ---- keys ----
 
-static void read_key(const char *digits, uint8_t *key)
+static uint8_t key[16], wrong[16];         // the bytes of right_key and wrong_key
+
+static void read_key(const char *digits, uint8_t *into)
 {
     for (int i = 0; i < 16; i++) {
         const char two[] = {digits[2 * i], digits[2 * i + 1], '\0'};
-        key[i] = (uint8_t)strtoul(two, NULL, 16);
+        into[i] = (uint8_t)strtoul(two, NULL, 16);
     }
 }
 
@@ -482,19 +484,15 @@ static void begin_with_key(LinkHost *h, bool fresh)
 
 static void end_with_key(void) { sm_swap_link_close(&stage.link.service); }
 
-static void test_keys(Arena *arena)
+// clause 12.46: no permit, a permit of another key, and a swap that was changed after it was signed; then CONFIRM
+static void test_signatures(Arena *arena)
 {
-    uint8_t key[16], wrong[16];
-    uint32_t frames;
     LinkHost h;
     ApplicationSwap s;
     SmEvent e;
     Buf swap, plain;
 
-    read_key(right_key, key);
-    read_key(wrong_key, wrong);
     begin_with_key(&h, true);
-    // clause 12.46: no permit, a permit of another key, and a swap that was changed after it was signed
     make_swap(&plain, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
     CHECK(send(&h, &plain, NULL, 0, 5) == APPLICATION_BEGIN && h.result == SM_E_UNSIGNED);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 1);
@@ -510,11 +508,24 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 3, 6) == APPLICATION_DONE && stage.link.newest == 3);
     stage_settle();
     CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_TRIAL && s.number == 3);
-    // clause 12.46: CONFIRM
     CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_UNSIGNED && !application_confirm(&h, &s, wrong) && h.result == SM_E_UNSIGNED);
     CHECK(application_confirm(&h, &s, key) && stage_phase() == SM_SWAP_CONFIRMED);
     run_application();
-    // clause 12.47: the same swap again, an older swap, and both after a restart
+    end_with_key();
+}
+
+// clause 12.47: the same swap again, an older swap, and both after a restart
+static void test_replays(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+
+    begin_with_key(&h, true);
+    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 3);
+    CHECK(send(&h, &swap, key, 3, 6) == APPLICATION_DONE);
+    stage_settle();
+    CHECK(sm_swap_confirm(&stage.swaps) == SM_OK);
+    run_application();
     CHECK(send(&h, &swap, key, 3, 8) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
     end_with_key();
     begin_with_key(&h, false);
@@ -522,7 +533,16 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 3, 9) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
     CHECK(send(&h, &swap, key, 2, 10) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
-    // a permit with a higher number for a swap that is not signed; the same after a swap whose number has been used
+    end_with_key();
+}
+
+// A permit with a higher number than that of the swap: for a swap that is not signed, and for a swap whose number has been used.
+static void test_foreign_permits(Arena *arena)
+{
+    LinkHost h;
+    Buf swap;
+
+    begin_with_key(&h, true);
     make_swap(&swap, arena, &ten, NULL, 3, key, 4);
     CHECK(send(&h, &swap, key, 4, 20) == APPLICATION_DONE && stage.link.newest == 4);
     run_application();
@@ -535,12 +555,19 @@ static void test_keys(Arena *arena)
     end_with_key();
     begin_with_key(&h, false);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
-    // a permit with a higher number for a swap with a lower number
     CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
     CHECK(send(&h, &swap, key, 4, 12) == APPLICATION_DONE && stage.link.newest == 4);
-    // clause 12.39: END arrives again while the refusal of another swap is not yet in the events
     end_with_key();
+}
+
+// clause 12.39: END arrives again while the refusal of another swap is not yet in the events
+static void test_repeated_end(Arena *arena)
+{
+    uint32_t frames;
+    LinkHost h;
+    Buf swap;
+
     begin_with_key(&h, true);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 1);
     CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE);
@@ -551,6 +578,15 @@ static void test_keys(Arena *arena)
     CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE && wire.ends_busy == 1 && stage.link.newest == 1);
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL);
+    end_with_key();
+}
+
+// The application does not start without its key, or without the memory for the numbers of swaps.
+static void test_missing_files(void)
+{
+    LinkHost h;
+
+    begin_with_key(&h, true);
     end_with_key();
     // no key in the file
     sim_nvm("flash")[31] = 'g';
@@ -568,12 +604,10 @@ static void test_keys(Arena *arena)
 // clause 12.47: the power is cut after each byte that writes the number.  After the restart, the highest number is the old or the new one.
 static void test_power_cuts(Arena *arena)
 {
-    uint8_t key[16];
     uint32_t stored = 0;
     LinkHost h;
     Buf swap;
 
-    read_key(right_key, key);
     for (uint32_t bytes = 0; bytes <= 8; bytes++) {
         begin_with_key(&h, true);
         for (uint32_t number = 1; number <= 3; number++) {
@@ -751,6 +785,8 @@ int main(int argc, char **argv)
     machine_compile(&b_one, COUNT_B(1), STAGE_SV, 2, true);
     machine_compile(&b_ten, COUNT_B(10), STAGE_SV, 2, true);
     arena = &one.session.arena;
+    read_key(right_key, key);
+    read_key(wrong_key, wrong);
     test_swap(arena);
     test_refusals(arena);
     test_lies(arena);
@@ -760,7 +796,11 @@ int main(int argc, char **argv)
     test_refused_requests(arena);
     test_stored(arena);
     test_two_hosts(arena);
-    test_keys(arena);
+    test_signatures(arena);
+    test_replays(arena);
+    test_foreign_permits(arena);
+    test_repeated_end(arena);
+    test_missing_files();
     test_power_cuts(arena);
     test_hostile(arena, rounds);
     test_connections();
