@@ -7,6 +7,7 @@
 
 enum { DEPTH_MAX = 64 };      // the most files of which each includes the next; bounds the recursion
 
+// The files of a script that have been found so far.
 typedef struct Search {
     Session *s;
     VEC(const Source *) done;         // in order

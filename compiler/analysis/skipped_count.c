@@ -8,6 +8,7 @@
 
 enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // constants stored for a counter; increments simulated from one
 
+// What the assignments to a variable do to it, if it is a counter.
 typedef struct Counter {
     bool other;                   // an assignment is neither a constant nor the increment `by`: the variable is not checked
     SmF64 by;                     // the increment of the counter; 0: not yet known

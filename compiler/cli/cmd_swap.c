@@ -187,6 +187,7 @@ static int load_changes(Cli *c, Changes *all)
 
 // ---- what the application has ----
 
+// The machines of the application that the changes of a swap name.
 typedef struct Target {
     uint16_t *number;         // by change: the number of its machine in the application
     ApplicationMachine *machine;      // by change: the machine before the swap

@@ -5,10 +5,11 @@
 
 #include "compiler/cli/cli.h"
 
-typedef struct Texts { const Source *was, *is; } Texts;
+// A source before and after its edits.
+typedef struct SourcePair { const Source *was, *is; } SourcePair;
 
 // Whether line i of `was` equals line k of `is`.
-static bool same_line(const Texts *t, uint32_t i, uint32_t k)
+static bool same_line(const SourcePair *t, uint32_t i, uint32_t k)
 {
     uint32_t n, m;
     const char *a = source_line(t->was, i, &n), *b = source_line(t->is, k, &m);
@@ -17,7 +18,7 @@ static bool same_line(const Texts *t, uint32_t i, uint32_t k)
 }
 
 // Finds how many lines were removed at line i of `was` and added at line k of `is`, until both texts continue with equal lines or end.
-static void find_change(const Texts *t, uint32_t i, uint32_t k, uint32_t *removed, uint32_t *added)
+static void find_change(const SourcePair *t, uint32_t i, uint32_t k, uint32_t *removed, uint32_t *added)
 {
     const uint32_t n = t->was->lines + 1 - i, m = t->is->lines + 1 - k;
 
@@ -45,7 +46,7 @@ static void write_line(Buf *out, const char *mark, const Source *s, uint32_t lin
 
 void fix_write_changes(const Source *was, const Source *is, Buf *out)
 {
-    const Texts t = {was, is};
+    const SourcePair t = {was, is};
     uint32_t i = 1, k = 1, removed, added;
 
     while (i <= was->lines || k <= is->lines) {

@@ -33,6 +33,7 @@ struct FlatSeen {
 
 // ---- building ----
 
+// A flat machine that is being built.
 typedef struct Maker {
     Arena *arena;
     FlatMachine *f;

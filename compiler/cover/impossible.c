@@ -6,6 +6,7 @@
 #include "compiler/cover/cover.h"
 #include "compiler/facts/facts.h"
 
+// The search for the places that facts exclude.
 typedef struct Finder {
     Cover *c;
     FactMachine *facts;

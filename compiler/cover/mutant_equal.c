@@ -14,6 +14,7 @@
 
 enum { CONDITIONS_MOST = 64 };        // around a probe; with more of them nothing is proved
 
+// An expression that a mutant changes, and where in the machine it is.
 typedef struct Probe {
     Arena *arena;
     const Program *p;

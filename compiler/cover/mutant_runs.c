@@ -40,7 +40,7 @@ typedef struct Record {
     uint32_t noticed;         // number of mutants that the script has noticed
 } Record;
 
-typedef VEC(ScenarioChange) Changes;
+typedef VEC(ScenarioChange) InputChanges;
 
 struct MutantRuns {
     Arena *arena;
@@ -265,7 +265,7 @@ uint32_t mutant_runs_find_failing(const MutantRuns *u) { return u->failing; }
 FlatMachine *mutant_runs_original(const MutantRuns *u) { return u->original; }
 
 // Adds the inputs that a step writes, if they change.  cell: by Var.index, what was written last; is_set: whether anything was.
-static void add_changes(const MutantRuns *u, Arena *arena, Changes *list, uint64_t step, const EngineWrite *write, uint32_t n, uint64_t *cell, bool *is_set)
+static void add_changes(const MutantRuns *u, Arena *arena, InputChanges *list, uint64_t step, const EngineWrite *write, uint32_t n, uint64_t *cell, bool *is_set)
 {
     for (uint32_t i = 0; i < n; i++) {
         const Var *v = u->p->var.at[write[i].var];
@@ -284,7 +284,7 @@ const Scenario *mutant_runs_scenario(const MutantRuns *u, Arena *arena, uint32_t
     Scenario *s = ARENA_NEW(arena, Scenario);
     uint64_t *cell = ARENA_ARRAY(arena, uint64_t, u->p->var.n);
     bool *is_set = arena_alloc(arena, u->p->var.n);
-    Changes list = {0};
+    InputChanges list = {0};
 
     if (!r->is_complete)
         return NULL;

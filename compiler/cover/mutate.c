@@ -365,6 +365,7 @@ static void list_mutants(Mutation *u)
 
 // ---- changing the program ----
 
+// What an edit has replaced.
 typedef struct Undo {
     SmF64 number;             // NUMBER, INITIAL: as it was
     SmOperator op;            // OPERATOR, LINK, DROP_NOT: as it was

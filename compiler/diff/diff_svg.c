@@ -5,6 +5,7 @@
 #include "compiler/diff/diff_part.h"
 #include "compiler/report/diagram.h"
 
+// A machine with the states and transitions of both machines, as the diagram shows it.
 typedef struct Union {
     const ProgramDiff *d;
     Program *p;                   // states of the new machine, then those that only the old one has

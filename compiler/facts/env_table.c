@@ -4,15 +4,15 @@
 #include <string.h>
 
 // A hash table with open addressing: `room` slots, a power of two, of which `n` are used, at most half.
-typedef struct Slots {
+typedef struct HashSlots {
     const void **at;
     uint32_t *hash;
     size_t n, room;
-} Slots;
+} HashSlots;
 
 struct EnvTable {
     Arena *arena;
-    Slots facts, nodes;
+    HashSlots facts, nodes;
     EnvJoin *join;            // a cache of joins, by hash: a new join replaces an old one in the same entry
     size_t joins;             // number of entries of `join`; 0 or a power of two
 };
@@ -62,7 +62,7 @@ static uint32_t hash_node(const Env *e)
 
 // ---- slots ----
 
-static void add_to_slot(Slots *s, const void *item, uint32_t hash)
+static void add_to_slot(HashSlots *s, const void *item, uint32_t hash)
 {
     size_t i = hash & (s->room - 1);
 
@@ -73,10 +73,10 @@ static void add_to_slot(Slots *s, const void *item, uint32_t hash)
     s->n++;
 }
 
-static void add_item(EnvTable *t, Slots *s, const void *item, uint32_t hash)
+static void add_item(EnvTable *t, HashSlots *s, const void *item, uint32_t hash)
 {
     if (2 * s->n >= s->room) {
-        const Slots old = *s;
+        const HashSlots old = *s;
         s->n = 0;
         s->room = old.room ? 2 * old.room : FIRST_ROOM;
         s->at = ARENA_ARRAY(t->arena, const void *, s->room);
@@ -91,7 +91,7 @@ static void add_item(EnvTable *t, Slots *s, const void *item, uint32_t hash)
 const Fact *env_table_intern_fact(EnvTable *t, Fact f)
 {
     const uint32_t hash = hash_fact(&f);
-    const Slots *s = &t->facts;
+    const HashSlots *s = &t->facts;
     Fact *added;
 
     for (size_t i = hash & (s->room - 1); s->room && s->at[i]; i = (i + 1) & (s->room - 1))
@@ -106,7 +106,7 @@ const Fact *env_table_intern_fact(EnvTable *t, Fact f)
 const Env *env_table_intern_node(EnvTable *t, const Env *e)
 {
     const uint32_t hash = hash_node(e);
-    const Slots *s = &t->nodes;
+    const HashSlots *s = &t->nodes;
     Env *added;
 
     for (size_t i = hash & (s->room - 1); s->room && s->at[i]; i = (i + 1) & (s->room - 1))

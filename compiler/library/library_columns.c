@@ -5,6 +5,7 @@
 
 enum { ROWS_PER_CHECK = 1024 };   // rows between two checks for smc_cancel: some microseconds
 
+// A variable of the machine that a column sets or records.
 typedef struct Cell {
     uint8_t *at;                  // where the machine stores the variable
     SmType type;

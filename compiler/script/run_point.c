@@ -16,6 +16,7 @@ struct RunPoint {
     char *memory;             // the pieces, one after another
 };
 
+// A part of the memory of a run that a point has to save.
 typedef struct Piece { void *at; size_t size; } Piece;
 
 typedef VEC(Piece) Pieces;

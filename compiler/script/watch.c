@@ -7,6 +7,7 @@ enum { OPERANDS_MOST = 8 };           // of one leaf
 
 // ---- the nodes of a statement ----
 
+// The expression of a statement as a list of nodes, while it is built.
 typedef struct Nodes {
     Arena *arena;
     VEC(WatchNode) node;

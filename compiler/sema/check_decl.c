@@ -10,6 +10,7 @@
 
 typedef struct LocalDecl { Var *var; const AstDecl *decl; } LocalDecl;
 
+// The check of the declarations of one machine.
 typedef struct Declarations {
     Sema *s;
     Program *p;

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+// The Program of an application, while its machines are added to it.
 typedef struct Join {
     const CheckContext *c;
     const App *app;

@@ -10,6 +10,7 @@
 
 // ---- steps ----
 
+// The operations that a call is composed of, while they are added.
 typedef struct Steps {
     ListStep *step;
     uint32_t values, n;       // the numbers of values in the list, and of steps
@@ -64,6 +65,7 @@ typedef struct Exchange { uint8_t low, high; bool needs_low, needs_high; } Excha
 
 #define EXCHANGES_MAX 64      // 62 for 16 values
 
+// A network of exchanges that selects the median: each exchange orders two values.
 typedef struct Selection {
     Exchange exchange[EXCHANGES_MAX];
     uint32_t n;

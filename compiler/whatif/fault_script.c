@@ -128,6 +128,7 @@ static void write_header(const Faults *f, const FaultResult *r, const FaultScrip
 
 typedef struct ScriptEdit { uint32_t at, len; const char *text; } ScriptEdit;
 
+// The edits that make a script read faulty sensors.
 typedef struct Edits {
     Arena *arena;
     const Source *src;

@@ -57,6 +57,10 @@ function read_source(file,    line, n, name, start, part) {
                 sub(/.*[ *]/, "", line)
                 check_type(line, file, n)
             }
+        } else if (line ~ /^typedef VEC\(.*\) [A-Z][A-Za-z0-9]*;/) {
+            sub(/;.*/, "", line)
+            sub(/.* /, "", line)
+            check_type(line, file, n)
         }
         if (start == 0 && function_name(line) != "")
             name = function_name(line)
