@@ -285,6 +285,17 @@ static int run_and_report(FaultsRun *r, size_t format)
 
 // ---- options ----
 
+// Returns names as a list: "stuck, dead and flipped".
+static const char *list_names(Arena *arena, const char *const *name, int n, const char *last)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    for (int i = 0; i < n; i++)
+        buf_printf(&out, "%s%s%s%s", i == 0 ? "" : i + 1 < n ? ", " : " ", i > 0 && i + 1 == n ? last : "", i > 0 && i + 1 == n ? " " : "", name[i]);
+    return buf_text(&out);
+}
+
 static bool add_kind(void *context, const char *word, size_t n)
 {
     FaultsRun *r = context;
@@ -294,7 +305,7 @@ static bool add_kind(void *context, const char *word, size_t n)
             r->o.kinds |= 1u << k;
             return true;
         }
-    cli_usage_error(r->c, TEXT_faults_kind, format_in(r->arena, "%.*s", (int)n, word));
+    cli_usage_error(r->c, TEXT_faults_kind, list_names(r->arena, fault_kind_name, FAULT_KIND_COUNT, "and"), format_in(r->arena, "%.*s", (int)n, word));
     return false;
 }
 
@@ -370,7 +381,7 @@ static bool read_fail_on(FaultsRun *r)
             r->fail_on = (FaultOutcome)i;
             return true;
         }
-    cli_usage_error(r->c, TEXT_faults_outcome, r->c->value[OPT_FAIL_ON]);
+    cli_usage_error(r->c, TEXT_faults_outcome, list_names(r->arena, fault_outcome_name + 1, FAULT_OUTCOME_COUNT - 1, "or"), r->c->value[OPT_FAIL_ON]);
     return false;
 }
 
