@@ -376,7 +376,15 @@ $(foreach w,$(WORKLOADS),$(foreach o,0 1 2,$(eval $(call bench_emit,$(w),o$(o),$
 $(BENCH_EMITTED:%=%.h): %.h: %.c ;
 
 # The row `wasm3`: WASM3=FOLDER names the sources of wasm3 (tests/bench/README.md); needs clang and wasm-ld, and the package wasi-libc.
-WASM3      ?=
+# `make wasm3` fetches them from PyPI; what it fetched is the default.
+WASM3_VERSION = 0.5.0
+ifndef WASM3
+WASM3      := $(if $(shell command -v wasm-ld-19),$(wildcard $(B)/wasm3/pywasm3-$(WASM3_VERSION)/wasm3))
+endif
+wasm3:
+	@mkdir -p $(B)/wasm3
+	cd $(B)/wasm3 && python3 -m pip download -q --no-deps --no-binary :all: -d . pywasm3==$(WASM3_VERSION) && tar -xzf pywasm3-$(WASM3_VERSION).tar.gz
+.PHONY: wasm3
 WASM_CC    ?= clang-19 --target=wasm32-wasi
 BENCH_WASM  = $(if $(WASM3),$(WORKLOADS:%=$(B)/bench/gen/%.wasm))
 $(B)/bench/gen/%.wasm: tests/bench/workloads/%_rows.c tests/bench/workloads/%_f64.c tests/bench/rows.h $(BENCH_VM) | $(BENCH_EMITTED:%=%.h)
