@@ -270,7 +270,7 @@ static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
     buf_str(out, "\n    // The gate is 0 before a state's first step, and if init has not succeeded.\n"
                  "    if (left >= m->gate_) {\n        if (!m->first_ || left >= m->left_) {\n");
     buf_printf(out, "            return state == 0 ? %s_NO_STATE : %s_REFUSED;\n        }\n", n->macro, n->macro);
-    buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = state;\n    }\n    m->gate_ = left;\n",
+    buf_printf(out, "        m->first_ = false;\n%s        m->start_ = sv->%s;\n        sv->%s = state;\n    }\n",
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
@@ -304,7 +304,8 @@ static void write_step_head(const CUnit *u, const CStepParts *w, Buf *out)
         buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
 }
 
-// Writes the rest of the step function: runs the blocks and takes the transition.
+// Writes the rest of the step function: runs the blocks and takes the transition.  A transition has no use for the gate of its step, which is
+// therefore stored last.
 static void write_step_blocks(const CUnit *u, const CStepParts *w, Buf *out)
 {
     if (w->run.any)
@@ -312,7 +313,9 @@ static void write_step_blocks(const CUnit *u, const CStepParts *w, Buf *out)
                    run_arguments(u, &w->run));
     if (w->run.as.returns_state)
         buf_printf(out, "    if (next != 0) {\n        m->state_ = next;\n        m->first_ = true;\n%s    }\n",
-                   u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n");
+                   u->soft ? "" : "        m->left_ = left;\n        m->gate_ = 0;\n    } else {\n        m->gate_ = left;\n");
+    else if (!u->soft)
+        buf_str(out, "    m->gate_ = left;\n");
     buf_printf(out, "    return %s_OK;\n}\n\n", u->names.macro);
 }
 
