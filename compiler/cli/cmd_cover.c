@@ -148,7 +148,7 @@ static SearchResult *search(CoverRun *r, const CoverSettings *s, const SearchWat
 {
     CoverProgress progress = {r, os_seconds(), 0, false};
     const SearchOptions o = {.seed = s->seed, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .delta_t = s->delta_t, .kinds = r->kinds, .given = r->recorded.at, .givens = r->recorded.n,
-                             .no_places = watch != NULL, .watch = watch, .go_on = go_on, .context = &progress};
+                             .no_places = watch != NULL, .loops = true, .watch = watch, .go_on = go_on, .context = &progress};
     SearchResult *result = search_run(r->arena, r->given, &o);
 
     end_progress(&progress);

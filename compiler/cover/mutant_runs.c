@@ -292,7 +292,7 @@ const Scenario *mutant_runs_scenario(const MutantRuns *u, Arena *arena, uint32_t
         const uint32_t first = k ? r->write_end.at[k - 1] : 0;
         add_changes(u, arena, &list, k + 1, r->write.at + first, r->write_end.at[k] - first, cell, is_set);
     }
-    *s = (Scenario){r->script->init_state, r->script->delta_t, r->steps, list.at, list.n};
+    *s = (Scenario){.init_state = r->script->init_state, .delta_t = r->script->delta_t, .steps = r->steps, .change = list.at, .changes = list.n};
     return s;
 }
 

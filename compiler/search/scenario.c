@@ -25,9 +25,67 @@ void search_default_inputs(const Program *p, bool *writable)
     }
 }
 
-EngineStatus scenario_run(Arena *arena, const Program *p, const Scenario *s, Engine *e, void (*after)(void *context, uint64_t step, const EngineStep *result),
+const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step)
+{
+    for (size_t i = 0; i < s->loops; i++)
+        if (step >= s->loop[i].from && step < s->loop[i].from + s->loop[i].period)
+            return &s->loop[i];
+    return NULL;
+}
+
+// The last step of a loop that is run.
+static uint64_t end_of_loop(const Scenario *s, const ScenarioLoop *l) { return l->to <= s->steps ? l->to - 1 : s->steps; }
+
+// Copies the changes of all rounds of a loop, whose changes are the first n of `body`, and returns their number.  to NULL: only counts them.
+static size_t unroll(const Scenario *s, const ScenarioLoop *l, const ScenarioChange *body, size_t n, ScenarioChange *to)
+{
+    const uint64_t end = end_of_loop(s, l);
+    size_t out = 0;
+
+    for (uint64_t begin = 0; l->from + begin <= end; begin += l->period)
+        for (size_t i = 0; i < n && body[i].step + begin <= end; i++, out++)
+            if (to) {
+                to[out] = body[i];
+                to[out].step += begin;
+            }
+    return out;
+}
+
+static size_t unroll_all(const Scenario *s, ScenarioChange *to)
+{
+    size_t out = 0;
+
+    for (size_t i = 0, n; i < s->changes; i += n) {
+        const ScenarioLoop *l = scenario_loop_at(s, s->change[i].step);
+        for (n = 1; l && i + n < s->changes && scenario_loop_at(s, s->change[i + n].step) == l; n++) { }
+        if (l)
+            out += unroll(s, l, &s->change[i], n, to ? to + out : NULL);
+        else if (to)
+            to[out++] = s->change[i];
+        else
+            out++;
+    }
+    return out;
+}
+
+Scenario scenario_unroll(Arena *arena, const Scenario *s)
+{
+    Scenario out = *s;
+    ScenarioChange *change;
+
+    if (s->loops == 0)
+        return out;
+    out.loops = 0;
+    out.changes = unroll_all(s, NULL);
+    out.change = change = arena_array(arena, out.changes + 1, sizeof *change);
+    unroll_all(s, change);
+    return out;
+}
+
+EngineStatus scenario_run(Arena *arena, const Program *p, const Scenario *looped, Engine *e, void (*after)(void *context, uint64_t step, const EngineStep *result),
                           void *context)
 {
+    const Scenario unrolled = scenario_unroll(arena, looped), *s = &unrolled;
     const ScenarioChange **current = arena_array(arena, p->var.n, sizeof *current);
     EngineWrite *write = arena_array(arena, p->var.n + 1, sizeof *write);
     EngineStep result;

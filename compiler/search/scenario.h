@@ -24,12 +24,23 @@ typedef struct ScenarioChange {
     uint32_t source;          // COPY: index into Program.var
 } ScenarioChange;
 
+// Changes that are made again and again: those in the steps from `from` on, below `from + period`.  Each is made again every `period` steps,
+// before step `to`.  They are HOLDs of variables that the machine never stores, and no other change is made from `from` to `to`.
+typedef struct ScenarioLoop { uint64_t from, period, to; } ScenarioLoop;
+
 typedef struct Scenario {
     const State *init_state;
     uint64_t delta_t;         // by how much G grows in a step; at least 1
     uint64_t steps;
     const ScenarioChange *change;     // by step; at most one for a variable and a step
     size_t changes;
+    const ScenarioLoop *loop; // by `from`; none overlaps another one
+    size_t loops;
 } Scenario;
+
+// The loop that repeats a change made in this step; NULL: none.
+const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step);
+// Returns the same scenario without loops: every change is listed as often as it is made.
+Scenario scenario_unroll(Arena *arena, const Scenario *s);
 
 #endif

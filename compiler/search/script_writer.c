@@ -30,6 +30,7 @@ typedef struct TimelineItem {
     Rank rank;
     const char *guard;
     VEC(const char *) body;
+    bool is_block;            // in braces, even if the body is one line
     uint32_t number;
 } TimelineItem;
 
@@ -41,6 +42,7 @@ typedef struct Writer {
     VEC(TimelineItem) item;
     VEC(const Var *) output;  // those of the time line
     VEC(const Var *) busy;    // those that are asserted only at the end
+    const char **phase;       // by loop: the name of the time since the current round began
 } Writer;
 
 // ---- values ----
@@ -242,6 +244,100 @@ static void add_change(Writer *w, const ScenarioChange *c)
         add_ramp(w, c, to);
 }
 
+// ---- loops ----
+
+static bool is_name_used(const Program *p, const char *name)
+{
+    for (uint32_t i = 0; i < p->var.n; i++)
+        if (strcmp(p->var.at[i]->name->text, name) == 0)
+            return true;
+    for (uint32_t i = 0; i < p->state.n; i++)
+        if (strcmp(p->state.at[i]->name->text, name) == 0)
+            return true;
+    return false;
+}
+
+// Names the time since the round of each loop began.
+static void name_phases(Writer *w)
+{
+    uint32_t number = 0;
+
+    w->phase = arena_array(w->arena, w->s->loops + 1, sizeof *w->phase);
+    for (size_t i = 0; i < w->s->loops; i++)
+        do {
+            number++;
+            w->phase[i] = number == 1 ? "phase" : format_in(w->arena, "phase%u", number);
+        } while (is_name_used(w->p, w->phase[i]));
+}
+
+// The changes of a loop are n from index *i on.
+static size_t find_changes(const Scenario *s, const ScenarioLoop *l, size_t *i)
+{
+    size_t n = 0;
+
+    for (*i = 0; *i < s->changes && s->change[*i].step < l->from; ++*i) { }
+    while (*i + n < s->changes && s->change[*i + n].step < l->from + l->period)
+        n++;
+    return n;
+}
+
+// Adds a loop: an item for its whole time, with a line for each change of a round.
+static bool add_loop(Writer *w, const ScenarioLoop *l, const char *phase)
+{
+    size_t from, width = 0, n = find_changes(w->s, l, &from);
+    const char **guard = arena_array(w->arena, n + 1, sizeof *guard);
+    TimelineItem *item;
+
+    for (size_t i = 0; i < n; i++) {
+        const ScenarioChange *c = &w->s->change[from + i];
+        if (c->kind != SCENARIO_HOLD || w->p->var.at[c->var]->written || w->p->var.at[c->var]->parameter)
+            return false;
+        guard[i] = format_in(w->arena, "%s == %s:", phase, time_text(w, c->step - l->from + 1));
+        width = strlen(guard[i]) > width ? strlen(guard[i]) : width;
+    }
+    item = add_item(w, l->from, RANK_INPUT, guard_of(w, l->from, l->to > w->s->steps ? 0 : l->to));
+    item->is_block = true;
+    for (size_t i = 0; i < n; i++)
+        vec_push(w->arena, &item->body, format_in(w->arena, "%s%*s %s", guard[i], (int)(width - strlen(guard[i])), "", first_assignment(w, &w->s->change[from + i])));
+    return true;
+}
+
+static bool add_loops(Writer *w)
+{
+    size_t from;
+
+    name_phases(w);
+    for (size_t i = 0; i < w->s->loops; i++)
+        if (find_changes(w->s, &w->s->loop[i], &from) > 0 && !add_loop(w, &w->s->loop[i], w->phase[i]))
+            return false;
+    return true;
+}
+
+// Defines the time since the current round of each loop began.
+static void write_phases(const Writer *w, Buf *out)
+{
+    const char *g = w->p->g->name->text;
+    bool is_first = true;
+    size_t at;
+
+    for (size_t i = 0; i < w->s->loops; i++) {
+        const unsigned long long period = w->s->loop[i].period * w->s->delta_t, from = (w->s->loop[i].from - 1) * w->s->delta_t;
+        if (find_changes(w->s, &w->s->loop[i], &at) == 0)
+            continue;
+        buf_printf(out, is_first ? "\n[define]\n%s = " : "%s = ", w->phase[i]);
+        is_first = false;
+        if (from)
+            buf_printf(out, "%s - %llu - %llu * floor((%s - %llu) / %llu)", g, from, period, g, from, period);
+        else
+            buf_printf(out, "%s - %llu * floor(%s / %llu)", g, period, g, period);
+        buf_str(out, "    # since a round began: it is repeated every ");
+        script_write_time(out, w->p->time_unit, period);
+        buf_str(out, "\n");
+    }
+}
+
+// ---- all inputs ----
+
 // Adds the copies whose variable no copy that is still to come reads, again and again.  Returns false if there is a circle.
 static bool add_early_copies(Writer *w)
 {
@@ -280,10 +376,12 @@ static bool add_inputs(Writer *w)
         if (w->p->var.at[c->var]->parameter && (c->step > 1 || c->kind != SCENARIO_HOLD || end_of(w, c)))
             return false;
     }
-    if (!add_early_copies(w))
+    if (!add_early_copies(w) || !add_loops(w))
         return false;
     for (size_t i = 0; i < w->s->changes; i++) {
         const ScenarioChange *c = &w->s->change[i];
+        if (scenario_loop_at(w->s, c->step))
+            continue;
         if ((c->kind != SCENARIO_COPY || !is_changed(w, c->source)) && !w->p->var.at[c->var]->parameter)
             add_change(w, c);
     }
@@ -513,7 +611,7 @@ static int compare_items(const void *a, const void *b)
     return x->number < y->number ? -1 : 1;
 }
 
-static bool is_line(const TimelineItem *i) { return i->body.n == 1; }
+static bool is_line(const TimelineItem *i) { return i->body.n == 1 && !i->is_block; }
 
 static void write_item(const TimelineItem *item, size_t width, Buf *out)
 {
@@ -554,6 +652,7 @@ bool script_write(Arena *arena, const ScriptPage *page, Buf *out)
     for (size_t i = 0; i < page->comments; i++)
         write_comment(page->comment[i], out);
     write_options(&w, out);
+    write_phases(&w, out);
     write_items(&w, out);
     return true;
 }

@@ -5,18 +5,25 @@
 #include <string.h>
 
 #include "compiler/search/search_run.h"
-#include "stdlib/convert.h"
 
 enum {
     SEARCH_PART = 4,          // of the effort, one part of so many is for choosing and simplifying
     GIVEN_PART = 2,           // of the effort, one part of so many is for given scenarios: one that begins before is run to its end
+    MANY_CHANGES = 4,
+    SHORTER_PART = 8,         // of the effort, at most one part of so many is for runs with fewer changes,
+    SHORTER_TIMES = 4,        // and at most so many times the steps until then
     WALK_PERCENT = 20,        // of the attempts that have no goal
     WALK_LENGTH = 6,          // transitions of a walk
     SPECIAL_PART = 16,        // of the effort, one part of so many is for special values at the start, before all else
     SPECIAL_PERCENT = 10,     // of the later attempts try special values, from one entry
     SPECIAL_RUNS = 20,        // as many times
+    DEEP = 12,                // changes before a snapshot; with more, it is chosen less often
     ENTRY_PERCENT = 33,       // of the attempts for a goal that begin at an entry of its state
-    FOREIGN_PERCENT = 60      // of the attempts that need another state to store a variable: they walk where it is nearest
+    EASY_STEPS = 4000,        // spent on a goal; with more, attempts for it do the same again and again:
+    AROUND_PERCENT = 30,      // of the attempts that need another state to store a variable: they go there and back
+    FOREIGN_PERCENT = 60,     // of the others: they walk where the variable is nearest
+    COUNT_PERCENT = 50,       // of the attempts that need a variable counted in their state: they make pulses
+    PULSE_PERCENT = 4         // of the others
 };
 
 // SplitMix64: every seed, 0 included, is as good as another.
@@ -87,6 +94,18 @@ static uint32_t choose_goal(SearchRun *k)
     return best;
 }
 
+// Picks a snapshot of a goal: of two that are both after many changes, the one after fewer.
+static uint32_t pick_near(SearchRun *k, const SearchGoal *g)
+{
+    const uint32_t a = g->pool[search_pick(k, g->pooled)].node;
+    uint32_t b;
+
+    if (k->node.at[a].depth <= DEEP)
+        return a;
+    b = g->pool[search_pick(k, g->pooled)].node;
+    return k->node.at[b].depth < k->node.at[a].depth ? b : a;
+}
+
 static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
 {
     uint32_t n = SEARCH_NONE;
@@ -94,7 +113,7 @@ static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
     if (g->pooled == 0 || search_chance(k, ENTRY_PERCENT))
         n = find_entry(k, g);
     if (n == SEARCH_NONE && g->pooled)
-        n = g->pool[search_pick(k, g->pooled)].node;
+        n = pick_near(k, g);
     return n == SEARCH_NONE ? find_any_entry(k) : n;
 }
 
@@ -132,35 +151,20 @@ static void walk_from(SearchRun *k, uint32_t node)
     search_drop(k, node);
 }
 
-// Returns the entry of any state at which a variable is nearest to a value.
-static uint32_t find_nearest_entry(SearchRun *k, uint32_t var, double wanted)
-{
-    double least = SEARCH_UNKNOWN;
-    uint32_t best = SEARCH_NONE, n = 0;
-
-    for (uint32_t s = 0; s < k->p->state.n; s++)
-        for (uint32_t i = 0; i < k->entries[s]; i++) {
-            const uint32_t node = k->entry[s * SEARCH_ENTRIES + i].node;
-            const double x = sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->node.at[node].copy)[var]) - wanted;
-            const double distance = x < 0 ? -x : x;
-            if (distance > least || (distance == least && search_pick(k, ++n) != 0))
-                continue;
-            n = distance < least ? 1 : n;
-            least = distance;
-            best = node;
-        }
-    return best;
-}
-
 static void attempt_goal(SearchRun *k, uint32_t goal)
 {
     SearchGoal *g = &k->goal[goal];
     const uint64_t before = k->r->steps;
+    const bool is_hard = g->cost > EASY_STEPS;
     const uint32_t node = choose_node(k, g);
     const uint64_t steps = search_solve_goal(k, node, goal);
 
-    if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))
-        walk_from(k, find_nearest_entry(k, k->foreign, k->foreign_value));
+    if (is_hard && k->foreign != SEARCH_NONE && search_chance(k, AROUND_PERCENT))
+        search_go_around(k, goal);
+    else if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))
+        walk_from(k, search_find_nearest_entry(k, k->foreign, k->foreign_value));
+    else if (is_hard && search_chance(k, k->rounds > 1 ? COUNT_PERCENT : PULSE_PERCENT))
+        search_run_pulses(k, node, goal);
     else
         search_run_segment(k, node, k->turn.at, k->turn.n, steps, goal);
     g->cost += k->r->steps - before + 100;
@@ -172,13 +176,12 @@ static void attempt_specials(SearchRun *k, uint32_t node)
         search_run_specials(k, node);
 }
 
-static void search(SearchRun *k)
+// Makes attempts until no goal is open, or so many steps have run.
+static void search_until(SearchRun *k, uint64_t end)
 {
     const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
 
-    while (specials && k->open && k->r->steps < k->effort / SPECIAL_PART && search_goes_on(k))
-        attempt_specials(k, k->root);
-    while (k->open && search_goes_on(k)) {
+    while (k->open && k->r->steps < end && search_goes_on(k)) {
         uint32_t goal;
         if (specials && search_chance(k, SPECIAL_PERCENT)) {
             attempt_specials(k, find_any_entry(k));
@@ -190,6 +193,30 @@ static void search(SearchRun *k)
         else
             attempt_goal(k, goal);
     }
+}
+
+// Searches for runs with fewer changes: first to goals that were reached after many, then to all.
+static void search_shorter(SearchRun *k)
+{
+    static const uint32_t most[] = {MANY_CHANGES, 1};
+
+    for (int i = 0; i < 2 && k->o->loops; i++) {
+        const uint64_t part = k->effort / SHORTER_PART, again = k->r->steps * SHORTER_TIMES, end = k->r->steps + (part < again ? part : again);
+        while (k->r->steps < end && search_goes_on(k) && search_reopen(k, most[i]))
+            search_until(k, end);
+        search_close_again(k);
+    }
+}
+
+static void search(SearchRun *k)
+{
+    const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
+
+    while (specials && k->open && k->r->steps < k->effort / SPECIAL_PART && search_goes_on(k))
+        attempt_specials(k, k->root);
+    search_until(k, k->effort / 2);
+    search_shorter(k);
+    search_until(k, k->effort);
 }
 
 // ---- beginning and end ----
@@ -246,6 +273,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
 
     arena_init_within(&k->work, arena);
     arena_init_within(&k->flats, arena);
+    arena_init_within(&k->legs, arena);
     k->arena = arena;
     k->c = c;
     k->p = c->p;
@@ -269,6 +297,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     search_choose(k);
     search_describe_missing(k);
     arena_free(&k->flats);
+    arena_free(&k->legs);
     arena_free(&k->work);
     return k->r;
 }

@@ -7,7 +7,11 @@
 #include "compiler/search/search_choose.h"
 
 enum {
-    MANY_CHANGES = 4,         // a scenario with more is split, if it has several goals
+    MANY_CHANGES = 2,         // a scenario with more is split, if it has several goals
+    LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter ways to the others
+    FEW_CHANGES = 2,          // a scenario with more is simplified once more, at most IMPROVED_ROUNDS times
+    IMPROVED_ROUNDS = 3,
+    IMPROVED_PART = 2,        // of the effort that is left, one part of so many is for the scenario with most changes
     LEAST_SHARE = 16          // of the effort that is left, one part of so many is for the next scenario
 };
 
@@ -22,7 +26,7 @@ static bool contains(const uint8_t *set, uint32_t i) { return set[i / 8] >> i % 
 
 Scenario chooser_scenario_of(SearchRun *k, Arena *arena, uint32_t node)
 {
-    Scenario s = {k->start, k->delta_t, k->node.at[node].at, NULL, 0};
+    Scenario s = {.init_state = k->start, .delta_t = k->delta_t, .steps = k->node.at[node].at};
     ScenarioChange *change;
 
     for (uint32_t n = node; n != SEARCH_NONE; n = k->node.at[n].parent)
@@ -50,12 +54,22 @@ static int compare_goals(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
+static void store_scenario(Chooser *c, SearchScenario *out, Scenario *s)
+{
+    chooser_join_equal(c, s);
+    out->scenario = *s;
+    out->scenario.change = arena_copy(c->k->arena, s->change, (s->changes + 1) * sizeof *s->change);
+    if (s->loops)
+        out->scenario.loop = arena_copy(c->k->arena, s->loop, s->loops * sizeof *s->loop);
+}
+
 // Stores a scenario, for all goals of a set that no earlier one reaches.
-static void store_chosen(Chooser *c, const Scenario *s, uint32_t end, const uint8_t *reached)
+static void store_chosen(Chooser *c, Scenario *s, uint32_t end, const uint8_t *reached)
 {
     SearchRun *k = c->k;
     uint32_t *goal = ARENA_ARRAY(k->arena, uint32_t, k->goals);
-    SearchScenario out = {*s, goal, 0, k->p->state.at[end - 1]};
+    SearchScenario out = {.goal = goal, .end = k->p->state.at[end - 1]};
+
 
     for (uint32_t i = 0; i < k->goals; i++) {
         SearchFind *f = &k->r->find[k->goal[i].place];
@@ -67,7 +81,7 @@ static void store_chosen(Chooser *c, const Scenario *s, uint32_t end, const uint
         f->scenario = c->chosen.n;
     }
     qsort(goal, out.goals, sizeof *goal, compare_goals);
-    out.scenario.change = arena_copy(k->arena, s->change, (s->changes + 1) * sizeof *s->change);
+    store_scenario(c, &out, s);
     if (out.goals)
         vec_push(k->arena, &c->chosen, out);
 }
@@ -129,16 +143,37 @@ static void share_effort(Chooser *c, uint32_t goals)
     c->limit = k->r->steps + (share > left / LEAST_SHARE ? share : left / LEAST_SHARE);
 }
 
+// Returns the goal of a set that was found after the fewest steps.
+static GoalSet find_first(Chooser *c, const GoalSet *want)
+{
+    const SearchRun *k = c->k;
+    GoalSet out = {NULL, 0, 0};
+    uint32_t first = want->at[0];
+
+    for (uint32_t i = 1; i < want->n; i++)
+        if (k->node.at[k->goal[want->at[i]].found].at < k->node.at[k->goal[first].found].at)
+            first = want->at[i];
+    vec_push(&c->k->work, &out, first);
+    return out;
+}
+
 // Simplifies a scenario for its goals, splits it while that leaves many changes, and stores what results.  Without effort, it is stored as it is.
 static void choose_scenario(Chooser *c, const Candidate *from, const GoalSet *want)
 {
     const GoalSet all = {NULL, 0, 0};
-    const uint32_t half = want->n / 2;
+    uint32_t half;
     Candidate x = *from;
-    GoalSet part;
+    GoalSet part, left;
 
+    while (x.s.changes > LONG_CHANGES && want->n > 1 && c->k->r->steps < c->k->effort) {
+        part = find_first(c, want);
+        choose_scenario(c, &x, &part);
+        left = find_left(c, want->at, want->n);
+        want = &left;
+    }
     if (want->n == 0)
         return;
+    half = want->n / 2;
     share_effort(c, want->n);
     build_wanted(c, want);
     if (chooser_simplify(c, &x.s, want)) {
@@ -157,6 +192,57 @@ static void choose_scenario(Chooser *c, const Candidate *from, const GoalSet *wa
         chooser_keep_ways(c, &x.s);
     }
     store_chosen(c, &x.s, x.end, x.reached);
+}
+
+// ---- once more ----
+
+// Returns the scenario with most changes that was not tried yet; NULL: none has many.
+static SearchScenario *find_longest(const Chooser *c, const bool *tried)
+{
+    SearchScenario *out = NULL;
+
+    for (uint32_t i = 0; i < c->chosen.n; i++)
+        if (!tried[i] && c->chosen.at[i].scenario.changes > FEW_CHANGES && (!out || c->chosen.at[i].scenario.changes > out->scenario.changes))
+            out = &c->chosen.at[i];
+    return out;
+}
+
+// Simplifies a chosen scenario for the same goals.  Returns whether it has fewer changes now.
+static bool improve(Chooser *c, SearchScenario *x)
+{
+    SearchRun *k = c->k;
+    GoalSet want = {NULL, 0, 0};
+    const GoalSet all = {NULL, 0, 0};
+    Scenario s = x->scenario;
+
+    for (uint32_t i = 0; i < x->goals; i++)
+        vec_push(&k->work, &want, k->goal_of[x->goal[i]]);
+    c->limit = k->r->steps + (k->effort - k->r->steps) / IMPROVED_PART;
+    build_wanted(c, &want);
+    if (!chooser_simplify(c, &s, &want) || s.changes >= x->scenario.changes)
+        return false;
+    x->end = k->p->state.at[c->end - 1];
+    if (chooser_replay(c, k->judge, &s, &all, NULL))
+        chooser_keep_ways(c, &s);
+    store_scenario(c, x, &s);
+    return true;
+}
+
+// Simplifies the scenarios with most changes again, with the effort that is left and the ways that all others have shown.
+static void improve_longest(Chooser *c)
+{
+    SearchRun *k = c->k;
+    bool *tried = arena_alloc(&k->work, c->chosen.n + 1), any = true;
+
+    for (int round = 0; round < IMPROVED_ROUNDS && any; round++) {
+        SearchScenario *x;
+        any = false;
+        memset(tried, 0, c->chosen.n + 1);
+        while ((x = find_longest(c, tried)) != NULL && k->r->steps < k->effort && !k->r->stopped) {
+            tried[x - c->chosen.at] = true;
+            any |= improve(c, x);
+        }
+    }
 }
 
 // ---- choosing ----
@@ -214,6 +300,7 @@ static void begin_chooser(Chooser *c)
 
     arena_init_within(&c->flats, &k->work);
     arena_init_within(&c->tries, &k->work);
+    arena_init_within(&c->unrolled, &k->work);
     k->judge = flat_new(&k->work, k->m, &k->c->probes);
     c->covered = arena_alloc(&k->work, k->goals + 1);
     c->block = arena_alloc(&k->work, k->block);
@@ -243,6 +330,7 @@ void search_choose(SearchRun *k)
         best->used = true;
         choose_scenario(&c, best, &want);
     }
+    improve_longest(&c);
     k->r->chosen = c.chosen.at;
     k->r->chosens = c.chosen.n;
     k->effort = full;

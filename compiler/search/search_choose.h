@@ -3,6 +3,7 @@
 //
 //     search_choose.c    which scenarios together reach what was reached
 //     search_simplify.c  fewer changes, shorter times, rounder values
+//     search_rounds.c    loops in place of changes that are made again and again
 //     search_replay.c    runs a scenario from its start
 #ifndef SMC_SEARCH_CHOOSE_H
 #define SMC_SEARCH_CHOOSE_H
@@ -22,6 +23,7 @@ typedef struct Chooser {
     FlatMachine *f;           // of the current replay
     Arena flats;              // of the machine with the probes of wanted goals
     Arena tries;              // of the current attempt to simplify
+    Arena unrolled;           // of the current replay
     FlatMachine *wanted;      // that machine
     char *block;              // the state of the run, and the situation of the caller's goals
     const ScenarioChange **current;   // by input
@@ -45,6 +47,27 @@ uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *
 
 // Simplifies a scenario that reaches all of `want`.  Returns false if there was no effort to try: the scenario is as it was.
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want);
+// A scenario that differs from the current one, in memory that the next attempt reuses.
+typedef struct Attempt {
+    Scenario s;
+    ScenarioChange *change;   // s.change
+    ScenarioLoop *loop;       // s.loop
+    SearchAnchor *anchor;     // by change; as the current scenario was when `enters` were recorded
+} Attempt;
+
+// Returns a copy of the current scenario, with room for more changes and one more loop.
+Attempt chooser_begin_attempt(Chooser *c, const Scenario *s, size_t more);
+void chooser_store_attempt(Chooser *c, Scenario *s, const Attempt *t);
+// Replaces *s by the attempt if that still reaches everything.
+bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, const SearchAnchor *anchor);
+
+// Replaces equal rounds of changes by loops; every step has the same inputs as before.  Returns whether there is a new loop.
+bool chooser_join_equal(Chooser *c, Scenario *s);
+// Replaces changes that a scenario makes again and again by loops: tries shorter ones.  Returns whether there is a new one.
+bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want);
+// Gives loops periods that a person would write.
+void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);
+
 // Keeps what the last replay, one of `s`, shows about ways to states.
 void chooser_keep_ways(Chooser *c, const Scenario *s);
 // Returns the scenario that leads to a node.

@@ -75,8 +75,10 @@ static void study_functions(SearchRun *k)
         k->fn[n].fn = k->plain->fn[n].fn;
         for (uint32_t s = 0; s < k->m->state.n; s++)
             for (int b = 0; b < BLOCK_COUNT; b++)
-                if (k->m->state.at[s].block[b] == k->fn[n].fn)
+                if (k->m->state.at[s].block[b] == k->fn[n].fn) {
                     k->fn[n].state = s + 1;
+                    k->fn[n].is_step = b == BLOCK_STEP;
+                }
         study_function(k, n);
     }
     for (size_t w = 0; w < k->m->window.n; w++)

@@ -224,6 +224,11 @@ typedef struct Segment {
     bool is_exact;            // all its steps run: a part of a given run
 } Segment;
 
+static uint32_t depth_after(const SearchRun *k, const Segment *g)
+{
+    return g->from == SEARCH_NONE ? 0 : k->node.at[g->from].depth + (k->is_round ? 0 : g->turns);
+}
+
 // Adds the current step of a segment as a node with one user.  Without room for its copy it has none, so it only shows how a goal was reached.
 static uint32_t add_node(SearchRun *k, const Segment *g)
 {
@@ -232,7 +237,7 @@ static uint32_t add_node(SearchRun *k, const Segment *g)
     uint32_t at;
 
     make_room(k, g->turns);
-    n.depth = g->turns + (g->from == SEARCH_NONE ? 0 : k->node.at[g->from].depth);
+    n.depth = depth_after(k, g);
     n.turn = allocate_turns(k, g->turns);
     if (g->turns)
         memcpy(n.turn, g->turn, g->turns * sizeof *g->turn);
@@ -292,7 +297,7 @@ static void add_entry(SearchRun *k, uint32_t n, uint32_t at)
 static void store_entry(SearchRun *k, const Segment *seg)
 {
     const FlatState *s = (const FlatState *)(const void *)k->now;
-    const uint32_t at = find_place_of_entry(k, s->state, key_of(k, k->now), seg->turns + k->node.at[seg->from].depth, k->at);
+    const uint32_t at = find_place_of_entry(k, s->state, key_of(k, k->now), depth_after(k, seg), k->at);
     uint32_t n;
 
     if (at == SEARCH_NONE)
@@ -335,18 +340,55 @@ static void add_near(SearchRun *k, uint32_t goal, uint32_t n, double distance)
 
 // ---- goals ----
 
-static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
+// Closes a goal: nothing searches for it.
+static void close_goal(SearchRun *k, SearchGoal *g)
 {
-    SearchGoal *g = &k->goal[goal];
-
     g->done = true;
-    g->found = node;
-    k->node.at[node].followers++;         // kept until its scenario is chosen
     k->open--;
     k->done_since++;
     for (uint32_t i = 0; i < g->pooled; i++)
         drop_node(k, g->pool[i].node);
     g->pooled = 0;
+}
+
+static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
+{
+    SearchGoal *g = &k->goal[goal];
+    const uint32_t before = g->found;
+
+    g->found = node;
+    k->node.at[node].followers++;         // kept until its scenario is chosen
+    if (before != SEARCH_NONE) {
+        k->node.at[before].followers--;
+        free_unneeded(k, before);
+    }
+    close_goal(k, g);
+}
+
+bool search_reopen(SearchRun *k, uint32_t changes)
+{
+    bool any = false;
+
+    for (uint32_t i = 0; i < k->goals; i++) {
+        SearchGoal *g = &k->goal[i];
+        if (!g->done || g->found == SEARCH_NONE || k->node.at[g->found].depth <= changes)
+            continue;
+        g->done = false;
+        g->run_best = SEARCH_UNKNOWN;
+        k->open++;
+        any = true;
+    }
+    if (any)
+        search_build_flat(k);
+    return any;
+}
+
+void search_close_again(SearchRun *k)
+{
+    for (uint32_t i = 0; i < k->goals; i++)
+        if (!k->goal[i].done && k->goal[i].found != SEARCH_NONE)
+            close_goal(k, &k->goal[i]);
+    search_build_flat(k);
 }
 
 static bool is_reached(const SearchRun *k, const SearchGoal *g)
@@ -370,16 +412,23 @@ static bool reserve_replay(SearchRun *k)
 static void finish_reached(SearchRun *k, const Segment *seg)
 {
     uint32_t node = SEARCH_NONE;
+    bool is_worse = false;                // a goal that was reached before is reached after no fewer changes
 
     for (uint32_t g = 0; g < k->goals; g++) {
         if (k->goal[g].done || !is_reached(k, &k->goal[g]))
             continue;
+        if (k->goal[g].found != SEARCH_NONE && k->node.at[k->goal[g].found].depth <= depth_after(k, seg)) {
+            is_worse = true;
+            continue;
+        }
         if (node == SEARCH_NONE && !reserve_replay(k))
             return;
         if (node == SEARCH_NONE)
             node = add_node(k, seg);
         finish_goal(k, g, node);
     }
+    if (is_worse)
+        flat_clear_counts(k->running);
     if (node == SEARCH_NONE)
         return;
     add_entry(k, node, find_place_of_entry(k, k->node.at[node].state, k->node.at[node].key, k->node.at[node].depth, k->at));

@@ -97,13 +97,19 @@ static size_t make_changes(Chooser *c, Scenario *s, const SearchAnchor *anchor, 
     return next;
 }
 
-uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *want, const SearchAnchor *anchor)
+uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *looped, const GoalSet *want, const SearchAnchor *anchor)
 {
     SearchRun *k = c->k;
     const FlatState *run = (const FlatState *)(const void *)c->block;
+    Scenario *s = looped, unrolled;
     size_t next = 0;
     uint64_t fresh = 0;
 
+    if (s->loops) {
+        arena_reset(&c->unrolled);
+        unrolled = scenario_unroll(&c->unrolled, looped);
+        s = &unrolled;
+    }
     c->f = f;
     begin_replay(c, s);
     for (uint64_t step = 1; step <= s->steps && k->r->steps < k->effort; step++) {

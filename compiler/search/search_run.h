@@ -6,6 +6,7 @@
 //     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
 //     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
+//     search_repeat.c    pulses of inputs, and ways around through several states, again and again
 //     search_special.c   short runs with infinities, ends of ranges, and changes in each step
 //     search_choose.h    few scenarios with few changes that reach what was reached, in three files
 //     search_missing.c   what blocked the goals that were not found
@@ -65,6 +66,7 @@ typedef struct SearchVar {
 typedef struct SearchFn {
     const IrFn *fn;
     uint32_t state;           // 0: the sampling
+    bool is_step;             // of .step: it runs in each step of its state
     uint8_t *handle;          // by IrRef: what the value depends on
 } SearchFn;
 
@@ -120,7 +122,7 @@ typedef struct SearchNode {
     uint64_t at;              // steps from the start
     SearchTurn *turn;         // its own
     uint32_t turns;
-    uint32_t depth;           // changes from the start
+    uint32_t depth;           // changes from the start; those of equal rounds count once
     char *copy;               // or NULL
     uint32_t state;
     uint64_t key;             // of what it has stored
@@ -129,6 +131,7 @@ typedef struct SearchNode {
 typedef struct SearchRun {
     Arena *arena, work;       // of the result; of the search
     Arena flats;              // of the current `flat`
+    Arena legs;               // of the current rounds
     const Cover *c;
     const Program *p;
     const IrMachine *m;
@@ -190,6 +193,8 @@ typedef struct SearchRun {
     uint64_t wait;            // steps that a solution has to last
     uint32_t foreign;         // a variable that another state has to store; SEARCH_NONE
     double foreign_value;     // what the solution needs of it
+    uint64_t rounds;          // how often a variable has to be counted up or down, one after another; 0: no count was solved for
+    bool is_round;            // their changes repeat earlier ones, and are not counted
     uint32_t site_state;      // the state of the snapshot
     VEC(SearchTurn) turn;
 } SearchRun;
@@ -213,6 +218,9 @@ void search_begin_nodes(SearchRun *k);
 uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal);
 // The same without a goal, and with all steps whatever happens: a part of a given run.
 uint32_t search_run_exactly(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps);
+// Opens the goals again that were reached after more than so many changes: only a run with fewer changes counts.  Returns whether there are any.
+bool search_reopen(SearchRun *k, uint32_t changes);
+void search_close_again(SearchRun *k);        // ends that
 void search_drop(SearchRun *k, uint32_t node);
 bool search_goes_on(SearchRun *k);            // whether effort is left and the caller wants to go on
 void search_load(SearchRun *k, uint32_t node, char *to);
@@ -223,6 +231,13 @@ static inline SearchSetting *search_settings(const SearchRun *k, char *block) { 
 // Find changes for a node, in k->turn.  Return for how many steps to run.
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
+
+// Returns the entry of any state at which a variable is nearest to a value; SEARCH_NONE: no state has been entered.
+uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted);
+// Makes the changes of k->turn and takes them back, again and again, from a node that they were found for.
+void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal);
+// Goes from an entry through a state that stores k->foreign, and back to the first state, again and again.
+void search_go_around(SearchRun *k, uint32_t goal);
 
 // Makes a short run with special values from a node (SearchOptions.specials).
 void search_run_specials(SearchRun *k, uint32_t node);

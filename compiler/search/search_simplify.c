@@ -17,29 +17,29 @@ enum {
     LONG_WAIT = 16,           // steps; skip_wait tries to replace longer waits by one of 1 to SHORTEST_WAITS steps,
     SHORTEST_WAITS = 2,       // with up to MOST_DELAY steps more after the change
     MOST_DELAY = 3,
+    MANY_CHANGES = 12,        // with more, what takes few replays is tried first
     MOST_JOINS = 64           // entered states from which a shorter beginning is tried, the last ones
 };
 
 // ---- attempts ----
 
-// A scenario that differs from the current one, in memory that the next attempt reuses.
-typedef struct Attempt {
-    Scenario s;
-    ScenarioChange *change;   // s.change
-    SearchAnchor *anchor;     // by change; as the current scenario was when `enters` were recorded
-} Attempt;
-
-static Attempt begin_attempt(Chooser *c, const Scenario *s)
+Attempt chooser_begin_attempt(Chooser *c, const Scenario *s, size_t more)
 {
     Attempt t = {.s = *s};
 
     arena_reset(&c->tries);
-    t.change = arena_array(&c->tries, s->changes + c->k->inputs + 1, sizeof *t.change);
+    t.change = arena_array(&c->tries, s->changes + more + 1, sizeof *t.change);
     if (s->changes)
         memcpy(t.change, s->change, s->changes * sizeof *t.change);
     t.s.change = t.change;
+    t.loop = arena_array(&c->tries, s->loops + 1, sizeof *t.loop);
+    if (s->loops)
+        memcpy(t.loop, s->loop, s->loops * sizeof *t.loop);
+    t.s.loop = t.loop;
     return t;
 }
+
+static Attempt begin_attempt(Chooser *c, const Scenario *s) { return chooser_begin_attempt(c, s, c->k->inputs); }
 
 static void remove_changes(Attempt *t, size_t i, size_t n)
 {
@@ -64,6 +64,23 @@ static void remove_overwritten(Scenario *s, ScenarioChange *change)
     s->changes = n;
 }
 
+// Removes loops that repeat nothing, and lets the others begin with their first change.
+static void tidy_loops(Scenario *s, ScenarioLoop *loop)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->loops; i++) {
+        uint64_t first = 0;
+        for (size_t j = s->changes; j-- > 0; )
+            if (s->change[j].step >= loop[i].from && s->change[j].step < loop[i].from + loop[i].period)
+                first = s->change[j].step;
+        loop[n] = loop[i];
+        loop[n].from = first;
+        n += first > 0 && first + loop[i].period < loop[i].to && first + loop[i].period <= s->steps;
+    }
+    s->loops = n;
+}
+
 // Ends a scenario after a step, which the last replay has reached.
 static void end_at(Chooser *c, Scenario *s, uint64_t step)
 {
@@ -73,8 +90,14 @@ static void end_at(Chooser *c, Scenario *s, uint64_t step)
     c->end = chooser_end_state(c);
 }
 
-// Replaces *s by the attempt if that still reaches everything.
-static bool accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, const SearchAnchor *anchor)
+void chooser_store_attempt(Chooser *c, Scenario *s, const Attempt *t)
+{
+    *s = t->s;
+    s->change = arena_copy(&c->k->work, t->change, (t->s.changes + 1) * sizeof *t->change);
+    s->loop = arena_copy(&c->k->work, t->loop, (t->s.loops + 1) * sizeof *t->loop);
+}
+
+bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, const SearchAnchor *anchor)
 {
     const uint64_t end = chooser_replay(c, c->wanted, &t->s, want, anchor);
 
@@ -82,8 +105,8 @@ static bool accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, con
         return false;
     end_at(c, &t->s, end);
     remove_overwritten(&t->s, t->change);
-    *s = t->s;
-    s->change = arena_copy(&c->k->work, t->change, (t->s.changes + 1) * sizeof *t->change);
+    tidy_loops(&t->s, t->loop);
+    chooser_store_attempt(c, s, t);
     return true;
 }
 
@@ -187,16 +210,17 @@ static bool is_on_time(const Attempt *t, const SearchEnter *enter)
     return true;
 }
 
-// Tries an edit with anchored changes, and with changes at their times if that is another run.
+// Tries an edit with anchored changes, and with changes at their times if that is another run.  A loop has its own times, so with one no change
+// is anchored.
 static bool try_edit(Reducer *r, Edit *edit, size_t i, size_t n)
 {
-    for (int is_anchored = 1; is_anchored >= 0 && chooser_has_effort(r->c); is_anchored--) {
+    for (int is_anchored = r->s->loops == 0; is_anchored >= 0 && chooser_has_effort(r->c); is_anchored--) {
         Attempt t = begin_attempt(r->c, r->s);
         add_anchors(r->c, &t, r->enter, r->enters);
         if (!edit(&t, i, n))
             return false;
         t.s.steps += is_anchored ? t.s.steps / 2 + 16 : 0;
-        if (accept(r->c, r->s, &t, r->want, is_anchored ? t.anchor : NULL)) {
+        if (chooser_accept(r->c, r->s, &t, r->want, is_anchored ? t.anchor : NULL)) {
             keep_enters(r);
             return true;
         }
@@ -257,13 +281,18 @@ static bool prefer_constants(Reducer *r)
 
 // ---- shorter times ----
 
-// Moves the changes from index i on, and the end, by `less` steps towards the start, but what follows change i by `more` steps less.
+// Moves the changes and loops from change i on, and the end, by `less` steps towards the start, but what follows change i by `more` steps less.
 static Attempt move_changes(Chooser *c, const Scenario *s, size_t i, uint64_t less, uint64_t more)
 {
     Attempt t = begin_attempt(c, s);
 
     for (size_t j = i; j < t.s.changes; j++)
         t.change[j].step -= t.change[j].step == s->change[i].step ? less : less - more;
+    for (size_t j = 0; j < t.s.loops; j++)
+        if (t.loop[j].from >= s->change[i].step) {
+            t.loop[j].from -= less;
+            t.loop[j].to -= less;
+        }
     t.s.steps -= less - more;
     return t;
 }
@@ -282,7 +311,7 @@ static bool try_sooner(Chooser *c, Scenario *s, const GoalSet *want, size_t i, u
 {
     Attempt t = move_changes(c, s, i, less, more);
 
-    return !has_clash(&t) && accept(c, s, &t, want, NULL);
+    return (more == 0 || s->loops == 0) && !has_clash(&t) && chooser_accept(c, s, &t, want, NULL);
 }
 
 // A long wait can be for a timer where a change of an input leads to the next state, too, but some steps later.  Halving does not find that: a
@@ -296,12 +325,23 @@ static bool skip_wait(Chooser *c, Scenario *s, const GoalSet *want, size_t i, ui
     return false;
 }
 
-// Shortens the time before each change, as far as halving finds.
+// The first step in which change i could be made: that of the change before it, or the end of a loop.
+static uint64_t earliest_step(const Scenario *s, size_t i)
+{
+    const ScenarioLoop *l = i ? scenario_loop_at(s, s->change[i - 1].step) : NULL;
+
+    return l ? l->to : i ? s->change[i - 1].step : 1;
+}
+
+// Shortens the time before each change outside loops, as far as halving finds.
 static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
 {
     for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
-        const uint64_t before = i ? s->change[i - 1].step : 1;
+        const ScenarioLoop *l = scenario_loop_at(s, s->change[i].step);
+        const uint64_t before = earliest_step(s, i);
         uint64_t gap = s->change[i].step - before, least = 0;
+        if (l && (s->change[i].step > l->from || (i && scenario_loop_at(s, s->change[i - 1].step) == l)))
+            continue;
         if (skip_wait(c, s, want, i, gap))
             gap = i < s->changes ? s->change[i].step - before : 0;
         while (least < gap && chooser_has_effort(c) && i < s->changes) {
@@ -321,7 +361,7 @@ static bool try_change(Chooser *c, Scenario *s, size_t i, ScenarioChange x, cons
     Attempt t = begin_attempt(c, s);
 
     t.change[i] = x;
-    return accept(c, s, &t, want, NULL);
+    return chooser_accept(c, s, &t, want, NULL);
 }
 
 static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
@@ -418,6 +458,22 @@ static bool find_way(Chooser *c, uint32_t state, size_t most, Scenario *way)
     return true;
 }
 
+// Returns the first steps of a scenario, in which it makes so many of its changes.
+static Scenario cut_after(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
+{
+    Scenario out = {.init_state = s->init_state, .delta_t = s->delta_t, .steps = step, .change = s->change, .changes = changes};
+    ScenarioLoop *loop = arena_array(&c->k->work, s->loops + 1, sizeof *loop);
+
+    for (size_t i = 0; i < s->loops; i++)
+        if (s->loop[i].from + s->loop[i].period <= step) {
+            loop[out.loops] = s->loop[i];
+            loop[out.loops].to = s->loop[i].to > step ? step + 1 : s->loop[i].to;
+            out.loops++;
+        }
+    out.loop = loop;
+    return out;
+}
+
 void chooser_keep_ways(Chooser *c, const Scenario *s)
 {
     size_t before = 0;
@@ -428,7 +484,7 @@ void chooser_keep_ways(Chooser *c, const Scenario *s)
         while (before < s->changes && s->change[before].step <= e->step)
             before++;
         if (!way->init_state || before < way->changes)
-            *way = (Scenario){s->init_state, s->delta_t, e->step, s->change, before};
+            *way = cut_after(c, s, e->step, before);
     }
 }
 
@@ -449,14 +505,16 @@ static Attempt join_at(Chooser *c, const Scenario *way, const Scenario *s, uint6
     const uint64_t begin = way->steps + 1;
     size_t n = way->changes;
     Attempt t = {.anchor = NULL};
+    Scenario unrolled;
 
     arena_reset(&c->tries);
+    unrolled = scenario_unroll(&c->tries, way);
     t.change = arena_array(&c->tries, n + s->changes + k->inputs + 1, sizeof *t.change);
     if (n)
         memcpy(t.change, way->change, n * sizeof *t.change);
     for (uint32_t i = 0; i < k->inputs; i++) {
-        const ScenarioChange *now = change_at(s, k->input[i].var, after + 1), *was = change_at(way, k->input[i].var, begin);
-        ScenarioChange x = now ? *now : (ScenarioChange){0, k->input[i].var, SCENARIO_HOLD, 0, 0, 0};
+        const ScenarioChange *now = change_at(s, k->input[i].var, after + 1), *was = change_at(&unrolled, k->input[i].var, begin);
+        ScenarioChange x = now ? *now : (ScenarioChange){.var = k->input[i].var};
         if ((!now && !was) || (now && was && now->kind == SCENARIO_HOLD && was->kind == SCENARIO_HOLD && now->a == was->a))
             continue;
         x.step = begin;
@@ -467,7 +525,10 @@ static Attempt join_at(Chooser *c, const Scenario *way, const Scenario *s, uint6
             t.change[n] = s->change[i];
             t.change[n++].step += begin - (after + 1);
         }
-    t.s = (Scenario){s->init_state, s->delta_t, begin + s->steps - (after + 1), t.change, n};
+    t.loop = arena_array(&c->tries, way->loops + 1, sizeof *t.loop);
+    if (way->loops)
+        memcpy(t.loop, way->loop, way->loops * sizeof *t.loop);
+    t.s = (Scenario){s->init_state, s->delta_t, begin + s->steps - (after + 1), t.change, n, t.loop, way->loops};
     return t;
 }
 
@@ -478,6 +539,8 @@ static bool simplify_beginning(Reducer *r)
     const Scenario from = *r->s;
     uint32_t tries = 0;
 
+    if (from.loops)
+        return false;
     for (uint32_t i = r->enters; i-- > 1 && tries < MOST_JOINS && chooser_has_effort(c); ) {
         size_t before = 0;
         Scenario way;
@@ -488,7 +551,7 @@ static bool simplify_beginning(Reducer *r)
             continue;
         tries++;
         t = join_at(c, &way, &from, r->enter[i].step);
-        if (accept(c, r->s, &t, r->want, NULL)) {
+        if (chooser_accept(c, r->s, &t, r->want, NULL)) {
             keep_enters(r);
             return true;
         }
@@ -497,6 +560,15 @@ static bool simplify_beginning(Reducer *r)
 }
 
 // ---- all of it ----
+
+// Simplifies a scenario of many changes as far as few attempts do: each attempt to remove one takes a replay.
+static void shorten_long(Reducer *r)
+{
+    prefer_constants(r);
+    simplify_beginning(r);
+    if (chooser_add_loops(r->c, r->s, r->want))
+        record_enters(r);
+}
 
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
 {
@@ -507,6 +579,8 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
         return false;
     end_at(c, s, end);
     keep_enters(&r);
+    if (s->changes > MANY_CHANGES)
+        shorten_long(&r);
     for (int round = 0; round < MOST_ROUNDS && s->changes > 1; round++) {
         bool shorter = s->changes > 2 && simplify_beginning(&r);
         shorter |= drop_changes(&r);
@@ -515,8 +589,13 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
         if (!shorter)
             break;
     }
+    if (chooser_add_loops(c, s, want) && record_enters(&r)) {
+        prefer_constants(&r);
+        merge_changes(&r);
+    }
     drop_changes(&r);
     shorten_waits(c, s, want);
+    chooser_round_periods(c, s, want);
     prefer_holds(c, s, want);
     round_values(c, s, want);
     if (record_enters(&r))

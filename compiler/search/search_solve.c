@@ -7,6 +7,8 @@
 #include "compiler/search/search_wish.h"
 #include "stdlib/convert.h"
 
+enum { TREMBLE_PERCENT = 75 };        // of the new values of an input that alternates alternate by as much: a sensor that lives has noise
+
 // ---- changes ----
 
 static void add_turn(SearchRun *k, uint32_t input, SearchSetting s)
@@ -51,7 +53,13 @@ static void add_wished(SearchRun *k, uint32_t input)
         s.b = w->slope;
         search_wait_for(k, steps + 2);
     } else {
+        const SearchSetting *was = &search_settings(k, k->scratch)[input];
         s.a = search_choose_value(k, input);
+        if (was->set && was->kind == SCENARIO_ALTERNATE && search_chance(k, TREMBLE_PERCENT)) {
+            s.kind = SCENARIO_ALTERNATE;
+            s.b = s.a + (was->b - was->a);
+            s.b = search_is_within(w, s.b) ? s.b : s.a - (was->b - was->a);
+        }
     }
     add_turn(k, input, s);
 }
@@ -108,6 +116,7 @@ static void run_trial(SearchRun *k, uint32_t node)
     k->r->steps++;
     k->turn.n = 0;
     k->wait = 0;
+    k->rounds = 0;
     k->foreign = SEARCH_NONE;
     k->site_state = k->node.at[node].state;
     for (uint32_t i = 0; i < k->inputs; i++)

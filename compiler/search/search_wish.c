@@ -5,7 +5,10 @@
 #include "compiler/search/search_wish.h"
 #include "stdlib/convert.h"
 
-enum { MOST_DEPTH = 12 };
+enum {
+    MOST_DEPTH = 12,
+    SPIKE_PERCENT = 15        // of the solutions for an average change it by its newest sample alone
+};
 
 typedef enum Rel { REL_GE, REL_GT, REL_LE, REL_LT, REL_EQ, REL_NE } Rel;
 
@@ -86,21 +89,17 @@ static void wish_path(SearchRun *k, SearchPath path, int depth)
     }
 }
 
-// Chooses a store to a variable, of the current state if there is one.
+// Chooses a store to a variable that steps of the current state can execute, if there is one.
 static const SearchStore *choose_store(SearchRun *k, uint32_t var)
 {
     const SearchVar *v = &k->var[var];
-    uint32_t here = 0, at;
+    const SearchStore *out = NULL;
+    uint32_t n = 0;
 
     for (uint32_t i = 0; i < v->store.n; i++)
-        here += v->store.at[i].state == k->site_state;
-    if (here == 0)
-        return NULL;
-    at = search_pick(k, here);
-    for (uint32_t i = 0; i < v->store.n; i++)
-        if (v->store.at[i].state == k->site_state && at-- == 0)
-            return &v->store.at[i];
-    return NULL;
+        if (v->store.at[i].state == k->site_state && k->fn[v->store.at[i].fn].is_step && search_pick(k, ++n) == 0)
+            out = &v->store.at[i];
+    return out;
 }
 
 // Returns by how much a store changes its variable, if its value is the variable plus or minus something; else 0.
@@ -140,7 +139,10 @@ static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
     wish_path(k, k->path[s->stmt], depth + 1);
     step = increment_of(k, s, var);
     if (step != 0) {
-        search_wait_for(k, (x - now) / step + 1);
+        const double rounds = (x - now) / step;
+        if (rounds > (double)k->rounds && rounds < 1e6)
+            k->rounds = (uint64_t)rounds + 1;
+        search_wait_for(k, rounds + 1);
         return;
     }
     wish_number(k, s->fn, s->value, rel, x, depth + 1);
@@ -193,9 +195,12 @@ static double choose_slope(SearchRun *k, uint32_t size, double x, bool more)
     return exact * (search_chance(k, 50) ? 0.75 : 0.25);
 }
 
-// is_satisfied: the value of the window is as it should be; it should stay so.
-static void wish_window(SearchRun *k, uint32_t window, SmStat stat, Rel rel, double x, bool is_satisfied, int depth)
+// A value that is as it should be should stay so.
+static void wish_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
+    const uint32_t window = k->fn[fn].fn->ins.at[ref].var;
+    const SmStat stat = k->fn[fn].fn->ins.at[ref].stat;
+    const bool is_satisfied = satisfies(search_value_of(k, fn, ref), rel, x);
     const uint32_t size = k->m->window.at[window].size;
     const IrFn *f = k->m->sample;
     IrRef sample = IR_NONE;
@@ -223,6 +228,11 @@ static void wish_window(SearchRun *k, uint32_t window, SmStat stat, Rel rel, dou
         search_wait_for(k, size + 1);
         return;
     default: break;
+    }
+    if (stat == SM_STAT_AVG && search_chance(k, SPIKE_PERCENT)) {
+        const double average = search_value_of(k, fn, ref), newest = search_value_of(k, 0, sample);
+        wish_number(k, 0, sample, rel, newest + (x - average) * size, depth + 1);
+        return;
     }
     wish_number(k, 0, sample, rel, x, depth + 1);
     if (stat != SM_STAT_NEWEST)
@@ -327,7 +337,7 @@ static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x,
         return;
     switch (i->op) {
     case IR_load: wish_load(k, i->var, rel, x, depth); break;
-    case IR_stat: wish_window(k, i->var, i->stat, rel, x, satisfies(search_value_of(k, fn, ref), rel, x), depth); break;
+    case IR_stat: wish_window(k, fn, ref, rel, x, depth); break;
     case IR_add: case IR_sub: wish_sum(k, fn, i, rel, x, depth); break;
     case IR_mul: wish_product(k, fn, i, rel, x, depth); break;
     case IR_div: wish_quotient(k, fn, i, rel, x, depth); break;

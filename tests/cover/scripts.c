@@ -15,7 +15,7 @@
 enum { STEPS_MOST = 60, CHANGES_MOST = 12 };
 
 // What has occurred, so that the test knows whether it was thorough.
-static struct { uint64_t scripts, circles, asserts, kind[SCENARIO_COPY + 1], type[SM_TYPE_COUNT], written; } met;
+static struct { uint64_t scripts, circles, asserts, kind[SCENARIO_COPY + 1], type[SM_TYPE_COUNT], written, loops, rounds; } met;
 
 // ---- random scenarios ----
 
@@ -49,6 +49,28 @@ static int compare_changes(const void *a, const void *b)
     return x->step != y->step ? (x->step < y->step ? -1 : 1) : x->var < y->var ? -1 : x->var > y->var;
 }
 
+// Repeats the changes of some steps, and removes what cannot be repeated.
+static void add_loop(Arena *arena, const Program *p, Rng *r, Scenario *s)
+{
+    ScenarioChange *change = (ScenarioChange *)s->change;
+    ScenarioLoop *loop = arena_array(arena, 1, sizeof *loop);
+    size_t n = 0;
+
+    loop->from = s->changes ? change[rng_below(r, (uint32_t)s->changes)].step : 1;
+    loop->period = 1 + rng_below(r, 10);
+    loop->to = loop->from + loop->period + 1 + rng_below(r, 40);
+    for (size_t i = 0; i < s->changes; i++) {
+        const bool is_in = change[i].step >= loop->from && change[i].step < loop->from + loop->period;
+        if (is_in)
+            change[i].kind = SCENARIO_HOLD;
+        if (is_in ? !p->var.at[change[i].var]->written && !p->var.at[change[i].var]->parameter : change[i].step < loop->from || change[i].step >= loop->to)
+            change[n++] = change[i];
+    }
+    s->changes = n;
+    s->loop = loop;
+    s->loops = 1;
+}
+
 static Scenario any_scenario(Arena *arena, const Program *p, Rng *r)
 {
     static const uint64_t deltas[] = {1, 3, 10, 20, 1000, 250000};
@@ -71,6 +93,8 @@ static Scenario any_scenario(Arena *arena, const Program *p, Rng *r)
             change[i].kind = SCENARIO_HOLD;
         change[s.changes++] = change[i];
     }
+    if (rng_percent(r, 40))
+        add_loop(arena, p, r, &s);
     return s;
 }
 
@@ -112,9 +136,11 @@ static const char *messages(const Session *s, Arena *arena)
     return buf_text(&why);
 }
 
-static void count(const Program *p, const Scenario *s)
+static void count(Arena *arena, const Program *p, const Scenario *s)
 {
     met.scripts++;
+    met.loops += s->loops;
+    met.rounds += scenario_unroll(arena, s).changes - s->changes;
     for (size_t i = 0; i < s->changes; i++) {
         met.kind[s->change[i].kind]++;
         met.type[p->var.at[s->change[i].var]->type]++;
@@ -145,7 +171,7 @@ static const char *test_scenario(Subject *subject, const Scenario *s, Arena *are
         return messages(&subject->session, arena);
     scenario_run(arena, p, s, ref, store_step, &c);
     r = script_run(arena, &subject->session.diags, script, &ref, 1, &options);
-    count(p, s);
+    count(arena, p, s);
     met.asserts += r.asserts_passed;
     if (c.wrong)
         return c.wrong;
@@ -170,14 +196,16 @@ static const char *test_program(uint64_t seed, Arena *arena, Subject *s, const c
 
 static bool was_thorough(uint64_t programs)
 {
-    bool good = met.scripts >= 4 * programs && met.circles * 20 < met.scripts && met.asserts > 10 * met.scripts && met.written > programs / 2;
+    bool good = met.scripts >= 4 * programs && met.circles * 20 < met.scripts && met.asserts > 10 * met.scripts && met.written > programs / 2 &&
+                met.loops > programs / 2 && met.rounds > programs / 2;
 
     for (int kind = 0; kind <= SCENARIO_COPY; kind++)
         good = good && met.kind[kind] > programs;
     for (int type = 0; type < SM_TYPE_COUNT; type++)
         good = good && met.type[type] >= programs / 10;
     if (!good)
-        printf("not thorough: %" PRIu64 " scripts, %" PRIu64 " circles, %" PRIu64 " asserts, %" PRIu64 " stored inputs\n", met.scripts, met.circles, met.asserts, met.written);
+        printf("not thorough: %" PRIu64 " scripts, %" PRIu64 " circles, %" PRIu64 " asserts, %" PRIu64 " stored inputs, %" PRIu64 " loops, %" PRIu64 " changes made again\n", met.scripts,
+               met.circles, met.asserts, met.written, met.loops, met.rounds);
     return good;
 }
 

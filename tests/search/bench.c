@@ -90,6 +90,8 @@ static void list_scenarios(const Cover *c, const SearchResult *r)
         for (size_t n = 0; n < s->changes; n++)
             printf(" %lu:%s=%g%s", (unsigned long)s->change[n].step, c->p->var.at[s->change[n].var]->name->text, s->change[n].a,
                    s->change[n].kind == SCENARIO_HOLD ? "" : s->change[n].kind == SCENARIO_COPY ? "c" : s->change[n].kind == SCENARIO_RAMP ? "r" : "~");
+        for (size_t n = 0; n < s->loops; n++)
+            printf(" [%lu every %lu to %lu]", (unsigned long)s->loop[n].from, (unsigned long)s->loop[n].period, (unsigned long)s->loop[n].to);
         printf("\n");
     }
 }
@@ -123,7 +125,7 @@ typedef struct Result {
 
 static Result search_machine(Session *s, const Program *p, uint64_t steps)
 {
-    const SearchOptions o = {.seed = seed, .effort = steps};
+    const SearchOptions o = {.seed = seed, .effort = steps, .loops = true};
     Result x = {.c = cover_new(&s->arena, p)};
     const clock_t begin = clock();
     Count all;

@@ -387,7 +387,7 @@ static void check_waits(void)
     {
         const ScenarioChange change[] = {{1, index_of(&s, p, "armed"), SCENARIO_HOLD, 1, 0, 0}, {1, w.altitude, SCENARIO_HOLD, 110, 0, 0},
                                          {204, w.altitude, SCENARIO_HOLD, 49, 0, 0}, {205, w.altitude, SCENARIO_HOLD, 100, 0, 0}};
-        const Scenario given = {p->state.at[0], 10, 205, change, 4};
+        const Scenario given = {.init_state = p->state.at[0], .delta_t = 10, .steps = 205, .change = change, .changes = 4};
         r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.effort = EFFORT, .no_places = true, .watch = &watch, .given = &given, .givens = 1});
     }
     CHECK(r->find[r->places].outcome == SEARCH_REACHED && r->chosens == 1 && r->chosen[0].scenario.changes == 4);
@@ -436,7 +436,7 @@ static void check_given(uint64_t seed)
     {
         const ScenarioChange change[] = {{1, index_of(&s, p, "armed"), SCENARIO_HOLD, 1, 0, 0}, {1, w.altitude, SCENARIO_HOLD, 110.75, 0, 0},
                                          {2204, w.altitude, SCENARIO_HOLD, 49.125, 0, 0}, {2900, w.altitude, SCENARIO_HOLD, 100, 0, 0}};
-        const Scenario given = {p->state.at[0], 10, 3500, change, 4};
+        const Scenario given = {.init_state = p->state.at[0], .delta_t = 10, .steps = 3500, .change = change, .changes = 4};
         e = engine_ref_open(&s.arena, p);
         CHECK(scenario_run(&s.arena, p, &given, e, hash_given, &w) == ENGINE_OK);
         e->close(e);
@@ -445,6 +445,55 @@ static void check_given(uint64_t seed)
     CHECK(r->find[r->places].outcome == SEARCH_REACHED && r->chosens == 1 && r->chosen[0].scenario.steps == 3500);
     check_scenarios(&s, p, r);
     session_free(&s);
+}
+
+// ---- loops ----
+
+static bool has_change(const Scenario *s, size_t i, uint64_t step, double a) { return i < s->changes && s->change[i].step == step && s->change[i].a == a; }
+
+static void check_unrolled(void)
+{
+    const ScenarioChange change[] = {{1, 0, SCENARIO_HOLD, 7, 0, 0}, {3, 1, SCENARIO_HOLD, 1, 0, 0}, {5, 1, SCENARIO_HOLD, 2, 0, 0}, {14, 0, SCENARIO_HOLD, 8, 0, 0}};
+    const ScenarioLoop loop = {3, 4, 12};
+    const Scenario s = {.delta_t = 1, .steps = 20, .change = change, .changes = 4, .loop = &loop, .loops = 1};
+    Session session;
+    Scenario flat;
+
+    session_init(&session, host_alloc, NULL, &host_oom);
+    host_check(setjmp(host_oom));
+    flat = scenario_unroll(&session.arena, &s);
+    CHECK(flat.loops == 0 && flat.changes == 7 && flat.steps == 20);
+    CHECK(has_change(&flat, 0, 1, 7) && has_change(&flat, 1, 3, 1) && has_change(&flat, 2, 5, 2) && has_change(&flat, 3, 7, 1) && has_change(&flat, 4, 9, 2));
+    CHECK(has_change(&flat, 5, 11, 1) && has_change(&flat, 6, 14, 8));
+    CHECK(scenario_loop_at(&s, 2) == NULL && scenario_loop_at(&s, 3) == &loop && scenario_loop_at(&s, 6) == &loop && scenario_loop_at(&s, 7) == NULL);
+    session_free(&session);
+}
+
+// A count of a hundred and more needs as many pulses.  With loops, no scenario has more changes than a person writes; without, some have.
+static void check_loops(void)
+{
+    size_t most[2] = {0, 0};
+    volatile unsigned loops = 0;
+
+    for (volatile int with = 0; with < 2; with = with + 1) {
+        Session s;
+        Program *p;
+        SearchResult *r;
+        host_check(setjmp(host_oom));
+        p = load(&s, "winch");
+        CHECK(p != NULL);
+        if (!p)
+            return;
+        r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.seed = 1, .effort = EFFORT, .loops = with});
+        CHECK(count(r, SEARCH_NOT_FOUND) == 0);
+        for (uint32_t i = 0; i < r->chosens; i++) {
+            most[with] = r->chosen[i].scenario.changes > most[with] ? r->chosen[i].scenario.changes : most[with];
+            loops = loops + (r->chosen[i].scenario.loops > 0);
+        }
+        check_scenarios(&s, p, r);
+        session_free(&s);
+    }
+    CHECK(most[0] > 200 && most[1] <= 20 && loops > 3);
 }
 
 int main(void)
@@ -466,5 +515,7 @@ int main(void)
     check_waits();
     for (uint64_t seed = 0; seed < 8; seed++)
         check_given(seed);
+    check_unrolled();
+    check_loops();
     return test_end("search_run");
 }

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Replaces changes that a scenario makes again and again by a loop (ScenarioLoop): a count that has to reach a limit, retries, pulses.
+//
+// 1. Changes that are equal in several rounds, with equal times between them, become a loop that makes the same changes in the same steps.
+// 2. A run that enters a state several times goes around.  What it does from one entry to a later one can be done again instead of what the
+//    scenario does there, until the goal is reached or up to a last entry, from which it goes on as before.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/search/search_choose.h"
+
+enum {
+    MOST_BODY = 12,           // changes of a round
+    LEAST_SAVED = 2,          // a loop has to save so many changes
+    SOME = 3,                 // entries of a state that are tried as the beginning, as the end of a round, and as the last one
+    MOST_TRIES = 48,
+    MOST_UNROLLED = 1 << 16   // changes, in all rounds
+};
+
+static bool can_repeat(const Chooser *c, const Scenario *s, size_t from, size_t n)
+{
+    if (n < 2 || n > MOST_BODY)
+        return false;
+    for (size_t i = from; i < from + n; i++)
+        if (s->change[i].kind != SCENARIO_HOLD || c->k->input[c->input_of[s->change[i].var]].forced || scenario_loop_at(s, s->change[i].step))
+            return false;
+    return true;
+}
+
+// Inserts a loop at its place.
+static void insert_loop(Attempt *t, ScenarioLoop l)
+{
+    size_t at = t->s.loops++;
+
+    for (; at > 0 && t->loop[at - 1].from > l.from; at--)
+        t->loop[at] = t->loop[at - 1];
+    t->loop[at] = l;
+}
+
+// ---- equal rounds ----
+
+// Returns how many changes from index i on, rounds of n changes each, are equal.  The first 2 n of them are rounds.
+static size_t count_equal(const Chooser *c, const Scenario *s, size_t i, size_t n)
+{
+    size_t m = n;
+
+    if (i + 2 * n > s->changes || !can_repeat(c, s, i, n) || s->change[i + n].step == s->change[i].step)
+        return 0;
+    for (; i + m < s->changes; m++) {
+        const ScenarioChange *x = &s->change[i + m], *y = &s->change[i + m - n];
+        if (x->var != y->var || x->kind != y->kind || x->a != y->a || x->step - y->step != s->change[i + n].step - s->change[i].step)
+            break;
+    }
+    while (m >= 2 * n && i + m < s->changes && s->change[i + m].step == s->change[i + m - 1].step)
+        m--;
+    return m >= 2 * n ? m : 0;
+}
+
+// Makes a loop of the rounds that save most changes: the run is the same.  Returns false if there are none.
+static bool join_most_equal(Chooser *c, Scenario *s)
+{
+    size_t from = 0, length = 0, most = 0, saved = LEAST_SAVED - 1;
+    ScenarioLoop l;
+    Attempt t;
+
+    for (size_t n = 2; n <= MOST_BODY; n++)
+        for (size_t i = 0; i + 2 * n <= s->changes; i++) {
+            const size_t m = count_equal(c, s, i, n);
+            if (m > n + saved) {
+                from = i, length = n, most = m;
+                saved = m - n;
+            }
+        }
+    if (most == 0)
+        return false;
+    l.from = s->change[from].step;
+    l.period = s->change[from + length].step - l.from;
+    l.to = s->change[from + most - length].step + l.period;               // where the next change of the rounds would be
+    if (from + most < s->changes && s->change[from + most].step < l.to)
+        l.to = s->change[from + most].step;
+    t = chooser_begin_attempt(c, s, 0);
+    t.s.changes -= most - length;
+    memmove(t.change + from + length, s->change + from + most, (s->changes - from - most) * sizeof *t.change);
+    insert_loop(&t, l);
+    chooser_store_attempt(c, s, &t);
+    return true;
+}
+
+bool chooser_join_equal(Chooser *c, Scenario *s)
+{
+    bool joined = false;
+
+    while (c->k->o->loops && join_most_equal(c, s))
+        joined = true;
+    return joined;
+}
+
+// ---- going around ----
+
+// What could become a loop: the changes after enter `first`, up to enter `next`, in place of those up to enter `last`; 0: until the goal is reached.
+typedef struct RoundTry { uint32_t first, next, last, times; size_t left; } RoundTry;
+
+typedef struct RoundTries {
+    Chooser *c;
+    const Scenario *s;
+    SearchEnter *enter;       // of a replay
+    uint32_t enters;
+    size_t *before;           // by enter: how many changes are made before the step after it
+    VEC(RoundTry) round;
+} RoundTries;
+
+static bool is_free(const Scenario *s, uint64_t from, uint64_t to)
+{
+    for (size_t i = 0; i < s->loops; i++)
+        if (s->loop[i].from < to && s->loop[i].to > from)
+            return false;
+    return true;
+}
+
+static void add_round(RoundTries *r, const uint32_t *at, uint32_t first, uint32_t next, uint32_t last)
+{
+    const size_t begin = r->before[at[first]], end = r->before[at[next]], after = last ? r->before[at[last]] : r->s->changes;
+    const RoundTry x = {at[first], at[next], last ? at[last] : 0, last ? (last - first) / (next - first) : 0, r->s->changes - (after - end)};
+
+    if (after - end >= LEAST_SAVED && can_repeat(r->c, r->s, begin, end - begin) &&
+        is_free(r->s, r->enter[at[first]].step + 1, last ? r->enter[at[last]].step + 1 : r->s->steps + 1))
+        vec_push(&r->c->k->work, &r->round, x);
+}
+
+// Adds the rounds from one entry of a state to another.
+static void add_rounds(RoundTries *r, uint32_t state)
+{
+    uint32_t *at = ARENA_ARRAY(&r->c->k->work, uint32_t, r->enters + 1), n = 0;
+
+    for (uint32_t i = 0; i < r->enters; i++)
+        if (r->enter[i].state == state)
+            at[n++] = i;
+    for (uint32_t first = 0; first < SOME && first < n; first++)
+        for (uint32_t next = first + 1; next <= first + SOME && next < n; next++) {
+            add_round(r, at, first, next, 0);
+            for (uint32_t last = n; last-- > next + 1 && last + SOME >= n; )
+                add_round(r, at, first, next, last);
+        }
+}
+
+static int compare_rounds(const void *a, const void *b)
+{
+    const RoundTry *x = a, *y = b;
+
+    if (x->left != y->left)
+        return x->left < y->left ? -1 : 1;
+    if (x->first != y->first)
+        return x->first < y->first ? -1 : 1;
+    if (x->next != y->next)
+        return x->next < y->next ? -1 : 1;
+    return x->last < y->last ? -1 : x->last > y->last;
+}
+
+// The scenario with a loop in place of the changes after its first round.
+static Attempt repeat_round(RoundTries *r, const RoundTry *x)
+{
+    const Scenario *s = r->s;
+    const uint64_t first = r->enter[x->first].step, period = r->enter[x->next].step - first;
+    ScenarioLoop l = {first + 1, period, first + 1 + x->times * period};
+    const size_t end = r->before[x->next], after = x->last ? r->before[x->last] : s->changes;
+    Attempt t = chooser_begin_attempt(r->c, s, 0);
+
+    memmove(t.change + end, s->change + after, (s->changes - after) * sizeof *t.change);
+    t.s.changes -= after - end;
+    if (x->last) {
+        const uint64_t was = r->enter[x->last].step + 1;              // which becomes l.to
+        for (size_t i = end; i < t.s.changes; i++)
+            t.change[i].step = t.change[i].step - was + l.to;
+        for (size_t i = 0; i < t.s.loops; i++)
+            if (t.loop[i].from >= was) {
+                t.loop[i].from = t.loop[i].from - was + l.to;
+                t.loop[i].to = t.loop[i].to - was + l.to;
+            }
+        t.s.steps = t.s.steps - was + l.to;
+    } else {
+        t.s.steps += t.s.steps / 2 + 16 * period;
+        l.to = t.s.steps + 1;
+    }
+    if ((l.to - l.from) / period * (end - r->before[x->first]) > MOST_UNROLLED)
+        t.s.steps = 0;
+    insert_loop(&t, l);
+    return t;
+}
+
+static bool go_around(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    RoundTries r = {.c = c, .s = s};
+    Scenario copy = *s;
+
+    if (s->changes < 2 + LEAST_SAVED || chooser_replay(c, c->wanted, &copy, want, NULL) == 0)
+        return false;
+    r.enter = arena_copy(&c->k->work, c->enters.at, c->enters.n * sizeof *r.enter);
+    r.enters = c->enters.n;
+    r.before = arena_array(&c->k->work, r.enters + 1, sizeof *r.before);
+    for (uint32_t i = 0; i < r.enters; i++)
+        while (r.before[i] < s->changes && s->change[r.before[i]].step <= r.enter[i].step)
+            r.before[i]++;
+    for (uint32_t state = 1; state <= c->k->p->state.n; state++)
+        add_rounds(&r, state);
+    if (r.round.n)
+        qsort(r.round.at, r.round.n, sizeof *r.round.at, compare_rounds);
+    for (uint32_t i = 0; i < r.round.n && i < MOST_TRIES && chooser_has_effort(c); i++) {
+        Attempt t = repeat_round(&r, &r.round.at[i]);
+        if (t.s.steps && chooser_accept(c, s, &t, want, NULL))
+            return true;
+    }
+    return false;
+}
+
+bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    bool added = false;
+
+    while (c->k->o->loops && chooser_has_effort(c) && go_around(c, s, want))
+        added = true;
+    return chooser_join_equal(c, s) || added;
+}
+
+// ---- round periods ----
+
+// Gives a loop another period, and as many rounds.  In a shorter one all changes come sooner.
+static Attempt change_period(Chooser *c, const Scenario *s, size_t n, uint64_t period)
+{
+    const ScenarioLoop *l = &s->loop[n];
+    const uint64_t rounds = (l->to - l->from + l->period - 1) / l->period, more = l->from + rounds * period - l->to;     // modulo 2^64
+    Attempt t = chooser_begin_attempt(c, s, 0);
+
+    for (size_t i = 0; i < t.s.changes; i++)
+        if (t.change[i].step >= l->to)
+            t.change[i].step += more;
+        else if (t.change[i].step > l->from && period < l->period)
+            t.change[i].step = l->from + (t.change[i].step - l->from) * period / l->period;
+    for (size_t i = n + 1; i < t.s.loops; i++) {
+        t.loop[i].from += more;
+        t.loop[i].to += more;
+    }
+    t.loop[n].period = period;
+    t.loop[n].to += more;
+    t.s.steps = l->to > s->steps ? t.loop[n].to : s->steps + more;
+    return t;
+}
+
+static bool try_period(Chooser *c, Scenario *s, size_t n, uint64_t period, const GoalSet *want)
+{
+    Attempt t = change_period(c, s, n, period);
+
+    return chooser_accept(c, s, &t, want, NULL);
+}
+
+void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    static const uint64_t unit[] = {10000, 5000, 1000, 500, 100, 50, 20, 10, 5};
+
+    for (size_t n = 0; n < s->loops && chooser_has_effort(c); n++) {
+        while (n < s->loops && s->loop[n].period >= 4 && chooser_has_effort(c) && try_period(c, s, n, s->loop[n].period / 2, want)) { }
+        for (size_t i = 0; i < sizeof unit / sizeof *unit && chooser_has_effort(c) && n < s->loops; i++) {
+            const uint64_t was = s->loop[n].period, period = (was + unit[i] - 1) / unit[i] * unit[i];
+            if (period == was || (period <= was + was / 2 && try_period(c, s, n, period, want)))
+                break;
+        }
+    }
+}
