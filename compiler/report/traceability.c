@@ -198,7 +198,7 @@ static void add_assert(Traceability *t, const ScriptAssert *a, const ScriptItem 
 {
     TracedAssert out = {.script = t->script.n - 1, .kind = a->kind, .evaluated = r->evaluated[number], .result = result_of_assert(a, r, number)};
 
-    out.span = a->remark ? a->remark->span : a->condition ? a->condition->span : item->span;
+    out.span = a->remark ? a->remark->span : a->condition ? a->condition->span : item->guard->span;
     out.text = a->remark && a->remark->text ? a->remark->text->text : a->condition ? source_text(t->arena, a->condition->span) : "";
     if (a->remark && a->remark->requirement) {
         const uint32_t requirement = index_of(t, a->remark->requirement);

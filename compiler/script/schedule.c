@@ -122,37 +122,32 @@ static void add_containing(Arena *arena, const Entry *at, size_t from, size_t en
 
 // ---- items of one moment ----
 
-// An item that can run at one time only.  A script can have one for each step, and this is half the memory of an Entry.
-typedef struct Moment {
-    double at;
-    const ScriptItem *item;
-} Moment;
+// Items with a guard such as `at 5 s`, sorted by its time.  A script can have one for each step, and this is a quarter of the memory of an Entry.
+typedef struct Moments {
+    DueItems item;
+    uint32_t next;            // those before this one were over at the last search
+} Moments;
 
-typedef VEC(Moment) Moments;      // sorted by `at`
+static double moment_of(const ScriptItem *item) { return item->guard->number; }
 
 static int compare_moments(const void *left, const void *right)
 {
-    const Moment *a = left, *b = right;
+    const ScriptItem *const *a = left, *const *b = right;
 
-    if (a->at != b->at)
-        return a->at < b->at ? -1 : 1;
-    return a->item->number < b->item->number ? -1 : 1;
+    if (moment_of(*a) != moment_of(*b))
+        return moment_of(*a) < moment_of(*b) ? -1 : 1;
+    return (*a)->number < (*b)->number ? -1 : 1;
 }
 
-// Adds to `due` the items of the moment `now`.
-static void add_moments(Arena *arena, const Moments *list, double now, DueItems *due)
+// Adds to `due` the items of the moment `now`.  Searches from the last moment on, because time advances from call to call.
+static void add_moments(Arena *arena, Moments *list, double now, DueItems *due)
 {
-    size_t from = 0, end = list->n;
-
-    while (from < end) {
-        const size_t middle = from + (end - from) / 2;
-        if (list->at[middle].at < now)
-            from = middle + 1;
-        else
-            end = middle;
-    }
-    for (; from < list->n && list->at[from].at == now; from++)
-        vec_push(arena, due, list->at[from].item);
+    if (list->next > 0 && moment_of(list->item.at[list->next - 1]) >= now)
+        list->next = 0;
+    while (list->next < list->item.n && moment_of(list->item.at[list->next]) < now)
+        list->next++;
+    for (size_t i = list->next; i < list->item.n && moment_of(list->item.at[i]) == now; i++)
+        vec_push(arena, due, list->item.at[i]);
 }
 
 // ---- items with a period ----
@@ -201,7 +196,7 @@ enum { BY_G, BY_T, TIMES };
 // The items that can run in one state, or those of [all_states].
 typedef struct Group {
     Entries by[TIMES];
-    Moments moment[TIMES];
+    Moments moments;
     Periodics periodic;
 } Group;
 
@@ -221,7 +216,6 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
     const bool by_t = of_t.to - of_t.from < of_g.to - of_g.from;
     const Interval when = by_t ? of_t : of_g;
     const Entry e = {item, when, 0};
-    const Moment moment = {when.from, item};
     const Periodic p = {item, 0, item->guard->kind == EX_EVERY ? (uint64_t)item->guard->number : 0};
 
     // The guards around an item with a period may limit it, too.  Unless they end, its period is the shorter search.
@@ -229,23 +223,23 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
         vec_push(h->arena, &g->periodic, p);
         return;
     }
-    if (when.from == when.to)
-        vec_push(h->arena, &g->moment[by_t ? BY_T : BY_G], moment);
+    if (item->guard->kind == EX_AT && when.from == when.to)   // unless a guard around it is false then
+        vec_push(h->arena, &g->moments.item, item);
     else
         vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
 }
 
-// Reserves memory for the items of a section: moments by G for guards such as `at 5 s`, entries by G for others, also those without a limit on time.
+// Reserves memory for the items of a section: moments, and entries by G for others, also those without a limit on time.
 static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
 {
     uint32_t moments = 0;
 
-    if (g->by[BY_G].cap || g->moment[BY_G].cap)               // another section of the group has reserved what it needs
+    if (g->by[BY_G].cap || g->moments.item.cap)               // another section of the group has reserved what it needs
         return;
     for (size_t i = 0; i < section->item.n; i++)
         moments += section->item.at[i]->guard->kind == EX_AT;
-    g->moment[BY_G].cap = moments;
-    g->moment[BY_G].at = ARENA_ARRAY(h->arena, Moment, moments);
+    g->moments.item.cap = moments;
+    g->moments.item.at = ARENA_ARRAY(h->arena, const ScriptItem *, moments);
     g->by[BY_G].cap = section->item.n - moments;
     g->by[BY_G].at = ARENA_ARRAY(h->arena, Entry, g->by[BY_G].cap);
 }
@@ -262,8 +256,8 @@ static void sort_list(void *list, size_t n, size_t size, int (*compare)(const vo
 
 static void sort_group(Group *g)
 {
+    sort_list(g->moments.item.at, g->moments.item.n, sizeof *g->moments.item.at, compare_moments);
     for (int i = 0; i < TIMES; i++) {
-        sort_list(g->moment[i].at, g->moment[i].n, sizeof(Moment), compare_moments);
         sort_list(g->by[i].at, g->by[i].n, sizeof(Entry), compare_entries);
         set_latest(g->by[i].at, 0, g->by[i].n);
     }
@@ -323,7 +317,8 @@ static void add_due(const Schedule *h, Group *g, const uint64_t *cell, DueItems 
 {
     for (int k = 0; g && k < TIMES; k++) {
         const double now = ref_read(h->time[k]->type, cell[h->time[k]->index]);
-        add_moments(h->arena, &g->moment[k], now, due);
+        if (k == BY_G)
+            add_moments(h->arena, &g->moments, now, due);
         add_containing(h->arena, g->by[k].at, 0, g->by[k].n, now, due);
     }
     if (g)

@@ -202,17 +202,16 @@ static void add_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
 }
 
 // Adds an item without its guard to the section.
-static ScriptItem *add_item(ScriptCheck *k, Span span, const ScriptItem *parent, bool otherwise)
+static ScriptItem *add_item(ScriptCheck *k, const ScriptItem *parent, bool otherwise)
 {
     ScriptSection *section = &k->script->section.at[k->script->section.n - 1];
     ScriptItem *item = ARENA_NEW(k->s.arena, ScriptItem);
 
-    item->span = span;
     item->parent = parent;
     item->otherwise = otherwise;
     item->number = k->items++;
     item->first_assert = k->asserts;
-    item->machine = section->machine;
+    item->machine = section->machine & 0xffffff;
     vec_push(k->s.arena, &section->item, item);
     return item;
 }
@@ -220,7 +219,7 @@ static ScriptItem *add_item(ScriptCheck *k, Span span, const ScriptItem *parent,
 // Adds an item whose guard is true whenever it is reached.
 static ScriptItem *add_unconditional_item(ScriptCheck *k, Span span, const ScriptItem *parent, bool otherwise)
 {
-    ScriptItem *item = add_item(k, span, parent, otherwise);
+    ScriptItem *item = add_item(k, parent, otherwise);
 
     item->guard = expr_new(&k->s, EX_NUMBER, span, 0);
     item->guard->number = sm_from_i32(1);
@@ -254,7 +253,6 @@ static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts 
         case AST_STOP:
             item->stop = k->has_stop = true;
             item->stop_at = stmt->span.at;
-            item->stop_len = stmt->span.len;
             break;
         case AST_TRANSITION: case AST_IF: case AST_STMT_ERROR: case AST_ALLOWED: break;     // the parser has reported them
         }
@@ -290,7 +288,7 @@ static void check_otherwise(ScriptCheck *k, const AstStmt *in, const ScriptItem 
 
 static void check_conditional(ScriptCheck *k, const AstStmt *in, const ScriptItem *parent, bool otherwise)
 {
-    ScriptItem *item = add_item(k, in->span, parent, otherwise);
+    ScriptItem *item = add_item(k, parent, otherwise);
 
     k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
     warn_of_time_as_guard(&k->s, in->value);

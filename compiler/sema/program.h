@@ -322,7 +322,7 @@ typedef struct ScriptItem ScriptItem;
 typedef struct ScriptInput {
     Var *var;
     Expr *value;              // converted to var's type
-    uint32_t at, len;         // the position of the assignment, in the source of ScriptItem.span
+    uint32_t at, len;         // the position of the assignment, in the source of ScriptItem.guard
 } ScriptInput;
 
 // The items of one body, up to the first conditional in it.  Such a conditional is an item of its own; so is what follows it in the body, with
@@ -332,18 +332,17 @@ struct ScriptItem {
     const ScriptItem *parent; // the conditional around it; NULL: none
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the items before it
-    uint32_t machine;         // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
-    bool otherwise;           // it belongs to the `else` of the parent
-    bool by_time;             // the guard is one of check_when
-    bool stop;                // the item's body ends with @stop
-    uint32_t stop_at, stop_len;       // the position of the @stop, in the source of `span`
-    Span span;
+    uint32_t machine : 24;    // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
+    bool otherwise : 1;       // it belongs to the `else` of the parent
+    bool by_time : 1;         // the guard is one of check_when
+    bool stop : 1;            // the item's body ends with @stop
+    uint32_t stop_at;         // the position of the @stop, in the source of the guard
     VEC(ScriptInput) inputs;  // executed at once when the guard is true
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
 };
 
-static inline Span script_input_span(const ScriptItem *item, const ScriptInput *in) { return (Span){item->span.src, in->at, in->len}; }
-static inline Span script_stop_span(const ScriptItem *item) { return (Span){item->span.src, item->stop_at, item->stop_len}; }
+static inline Span script_input_span(const ScriptItem *item, const ScriptInput *in) { return (Span){item->guard->span.src, in->at, in->len}; }
+static inline Span script_stop_span(const ScriptItem *item) { return (Span){item->guard->span.src, item->stop_at, sizeof "@stop" - 1}; }
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]

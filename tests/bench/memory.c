@@ -20,7 +20,7 @@ typedef struct Budget {
 } Budget;
 
 static const Budget budgets[] = {
-    {"script_blocks", 400000, "block", 290, 165},
+    {"script_blocks", 400000, "block", 245, 125},
 };
 
 // ---- counting ----
