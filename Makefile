@@ -183,6 +183,7 @@ install: all $(B)/libsmvm.a $(B)/lib/libsmc.a $(B)/lib/$(SONAME)
 	cp compiler/smc.mk "$(DEST)/share/smc/smc.mk"
 	cp docs/*.md docs/*.svg "$(DEST)/share/smc/docs"
 	cp docs/evidence/*.md "$(DEST)/share/smc/docs/evidence"
+	cp -r editors "$(DEST)/share/smc"
 	@for f in $(INSTALLED_HEADERS); do cp $$f "$(DEST)/include/smc/$$f" || exit 1; done
 	@for f in $(INSTALLED_RUNTIME); do mkdir -p "$(DEST)/share/smc/$$(dirname $$f)" && cp $$f "$(DEST)/share/smc/$$f" || exit 1; done
 
@@ -270,7 +271,7 @@ help:
 	@echo 'make library-campaign N=100000  makes random calls into libsmc under the sanitizers, from SEED=1'
 	@echo 'make asan            runs the tests under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz            fuzzes with clang: FUZZ=target FUZZ_SECONDS=60'
-	@echo 'make docs            writes docs/diagnostics.md and the pictures of documents; wrap-docs: wraps documents at 100 columns'
+	@echo 'make docs            writes docs/diagnostics.md and the pictures of documents; wrap-docs: wraps documents at 100 columns; grammars: writes the grammars in editors/'
 	@echo 'make bench           measures what a step costs and what code weighs: W=mission, one workload; bench-scale: how compile time grows; bench-runtime: the state vector'
 	@echo 'make sizes           measures what the parts take on boards: flash, RAM, stack, cycles'
 	@echo 'make emulate MCU=atmega328p  runs an emulated Uno (atmega2560: Mega) with the firmware, for smc flash and smc device; needs libsimavr'

@@ -41,8 +41,9 @@ $(ONE_FILE): $(B)/%: $(B)/obj/tests/%.o $(B)/libsmc.a
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) -lm
 $(B)/golden: $(B)/obj/tests/golden/run.o $(B)/libsmc.a
 $(B)/diagnostics: $(B)/obj/tests/check/diagnostics.o $(B)/libsmc.a
+$(B)/editors: $(B)/obj/tests/check/editors.o $(B)/libsmc.a
 $(B)/fixes: $(B)/obj/tests/check/fixes.o $(B)/obj/tests/check/fixes_meaning.o $(B)/libsmc.a
-$(B)/golden $(B)/diagnostics $(B)/fixes:
+$(B)/golden $(B)/diagnostics $(B)/editors $(B)/fixes:
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 # -O1 builds faster than -O2, and these programs are short.
 $(ONE_FILE:$(B)/%=$(B)/obj/tests/%.o) $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/check/*.c tests/golden/*.c)): override CFLAGS := $(CFLAGS:-O2=-O1)
@@ -831,6 +832,12 @@ docs: $(B)/diagnostics
 	$(DIAGNOSTICS) >docs/diagnostics.md
 .PHONY: docs
 
+# The grammars in editors/, generated from the tables of the compiler.
+grammars: $(B)/editors
+	$(B)/editors textmate >editors/smc.tmLanguage.json
+	$(B)/editors vim >editors/vim/syntax/smc.vim
+.PHONY: grammars
+
 # Wraps the prose of documents at 100 columns.
 wrap-docs:
 	@sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh -w
@@ -880,6 +887,7 @@ $(call test, swap-clauses,         quick, $(B)/swap/clauses, $(B)/swap/clauses)
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
 $(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
+$(call test, editors,              quick, $(B)/editors, sh tests/check/editors.sh $(B)/editors)
 $(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/ignition.sm | cmp - docs/ignition.svg && $(B)/smc graph examples/tank/tank.sm | cmp - docs/tank.svg && echo 2 passed$(,) 0 failed)
 
 $(call test, prove-author-scripts, quick,, sh tests/prove/author.sh --scripts $(B)/smc)

@@ -33,6 +33,7 @@ tank.o: tank.c tank.h
 include $inst/share/smc/smc.mk
 EOF
 cd "$dir/project" || exit 1
+check "the grammars for editors are there" test -e "$inst/share/smc/editors/vim/syntax/smc.vim"
 check "what messages refer to is there" test -e "$inst/share/smc/docs/boards.md"
 check "a project builds with smc.mk" "$make" -s CC="$cc"
 check "its image is sound" "$inst/bin/smc" verify tank.smb
