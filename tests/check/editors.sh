@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # editors.sh EDITORS: checks the grammars in editors/.  They are those that the program EDITORS writes, and have every keyword of the compiler.
 # Wants python3, to read the JSON files and to try the patterns of TextMate on the lines of editors.txt, and vim, to do so in the editor.
+# Uses node with vscode-textmate and vscode-oniguruma, if they are installed.
 set -u
 editors=$1
 textmate=editors/smc.tmLanguage.json vim=editors/vim/syntax/smc.vim
@@ -61,6 +62,11 @@ if has python3; then
     add_counts "$made/scopes" 50
 else
     skip python3
+fi
+# The same by the packages of VS Code, where they are (NODE_PATH).  Without them, Python's regular expressions are near enough.
+if has node && node -e 'require("vscode-textmate"), require("vscode-oniguruma")' 2>/dev/null; then
+    node tests/check/editors.js $textmate tests/check/editors.txt >"$made/tokens" || fail "editors.js"
+    add_counts "$made/tokens" 50
 fi
 if has vim && vim --version | grep -q '+syntax'; then
     EDITORS_OUT=$made/groups HOME=$made vim -es -u NONE -i NONE -S tests/check/editors.vim </dev/null >/dev/null 2>&1
