@@ -961,7 +961,7 @@ $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh
 
 $(call test, scripts-random,       quick, $(B)/cover/scripts, $(B)/cover/scripts 1 200)
 $(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 3000 200)
-$(call test, search,               thorough, $(B)/search/bench, $(B)/search/bench --effort=20000000 --expect=tests/search/expected.txt)
+$(call test, search,               thorough, $(B)/search/bench, $(B)/search/bench --effort=32000000 --expect=tests/search/expected.txt)
 $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
