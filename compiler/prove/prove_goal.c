@@ -373,7 +373,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     const Expr *condition[3];
     SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true, .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
                        .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS, .go_on = may_go_on, .context = &stop};
     const Requirement *r = &g->all->at.at[g->requirement];
     const Expr *const part[3] = {r->a, r->b, r->c};

@@ -155,7 +155,7 @@ static void attempt_goal(SearchRun *k, uint32_t goal)
 {
     SearchGoal *g = &k->goal[goal];
     const uint64_t before = k->r->steps;
-    const bool is_hard = k->o->loops && g->cost > EASY_STEPS;
+    const bool is_hard = !k->o->plain && g->cost > EASY_STEPS;
     const uint32_t node = choose_node(k, g);
     const uint64_t steps = search_solve_goal(k, node, goal);
 

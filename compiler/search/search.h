@@ -61,7 +61,8 @@ typedef struct SearchOptions {
     const bool *writable;     // by Var.index: a scenario may set it; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
     bool no_places;           // only goals of the watch are goals
-    bool loops;               // attempts repeat changes, so that scenarios can have loops, and an input that trembles goes on trembling
+    bool loops;               // scenarios can have loops
+    bool plain;               // for one goal with few changes: no attempt repeats changes, and no input has to go on trembling
     SearchSpecials specials;
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;

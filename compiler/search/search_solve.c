@@ -55,7 +55,7 @@ static void add_wished(SearchRun *k, uint32_t input)
     } else {
         const SearchSetting *was = &search_settings(k, k->scratch)[input];
         s.a = search_choose_value(k, input);
-        if (was->set && was->kind == SCENARIO_ALTERNATE && k->o->loops && search_chance(k, TREMBLE_PERCENT)) {
+        if (was->set && was->kind == SCENARIO_ALTERNATE && !k->o->plain && search_chance(k, TREMBLE_PERCENT)) {
             s.kind = SCENARIO_ALTERNATE;
             s.b = s.a + (was->b - was->a);
             s.b = search_is_within(w, s.b) ? s.b : s.a - (was->b - was->a);
