@@ -219,7 +219,7 @@ void search_go_around(SearchRun *k, uint32_t goal)
             node = go_to(k, node, from, r);
         if (node != SEARCH_NONE && k->node.at[node].copy) {
             const double change = value_at(k, node, var) - was, rounds = change != 0 ? (wanted - was) / change + 1 : 0;
-            run_rounds(k, node, r, false, rounds < 0 ? 0 : rounds > MOST_ROUNDS ? MOST_ROUNDS : (uint64_t)rounds, goal);
+            run_rounds(k, node, r, false, rounds < 0 ? 0 : rounds > (double)MOST_ROUNDS ? MOST_ROUNDS : (uint64_t)rounds, goal);
         } else if (node != SEARCH_NONE) {
             search_drop(k, node);
         }
