@@ -23,8 +23,8 @@ void smvm_permit_code(uint32_t number, uint32_t length, const uint8_t *key, uint
 // Copies the permit of an image that the verifier accepts.  Returns false if the image has no permit.
 bool smvm_permit_read(SmvmBytes image, uint8_t *permit);
 
-// Whether the body of a BEGIN, of n bytes and at least SMVM_PERMIT_AT, permits to stop the image that runs.  SM_E_UNSIGNED: it has no
-// permit of this key for this length.  SM_E_REPLAY: its number is not above `newest`.
+// Checks whether a request BEGIN permits to stop the image that runs.  `begin`: its body, of n bytes, at least SMVM_PERMIT_AT.  SM_E_UNSIGNED:
+// it has no permit that `key` has signed for the length of the image that it announces.  SM_E_REPLAY: its number is not above `newest`.
 SmResult smvm_permit_check(const uint8_t *begin, uint8_t n, uint32_t newest, const uint8_t *key);
 
 // The code with which a host confirms the swap of an application (bytecode-vm/target/swap_link.h): over 9 bytes, 'C', the number of the swap and

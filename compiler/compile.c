@@ -19,8 +19,11 @@
 //    tokens, AST or IR ──▶ dump (--emit=tokens, ast or ir)
 //
 // Machines pass their stages one after the other; then findings about all of them together.  Images, C and IR are emitted last, and only if
-// there is no error.  A dump of tokens or the AST skips the stages after it.  All of these are artefacts (Compiled.artefact).  A tree is
-// freed when it has been checked, so a source that is needed again is parsed again.  The optimised IR of a machine is stored in
+// there is no error; C of an application is emitted before its scripts are checked.  A dump of tokens or the AST skips the stages after it.
+// All of these are artefacts (Compiled.artefact).
+//
+// Results are in Session.arena and live as long as the session.  A tree is in Session.tree, which is freed when the file has been checked, so a
+// source that is needed again is parsed again; only the tree of an application stays, in Session.arena.  The optimised IR of a machine is stored in
 // Compiled.of.  That of an application's machines is not: the limits and the emission each build it.
 //
 // Values that a variable can have are computed from the IR (facts/): analyses, passes and emit/c use them.

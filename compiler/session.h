@@ -32,7 +32,7 @@ typedef struct SourceFinder {
 // One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
-    Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been
+    Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been.  That of an .app is in `arena`
     Arena work, scratch;          // `work` is freed when a stage ends, `scratch` when a part of a stage ends
     StrPool strings;
     Diags diags;

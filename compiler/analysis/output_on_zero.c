@@ -365,7 +365,7 @@ static bool is_effect_independent_of_other_sensors(FailureTrial *z, const Failur
     return quiet >= QUIET_LEAST && !needed;
 }
 
-// Whether another failure of the sensor in the same situation has an effect with the same cause.
+// Whether another failure of the sensor in the same situation lets the same statement store the output.
 static bool has_same_effect(FailureTrial *z, const FailureCase *c, FailureKind f, const FailureEffect *e)
 {
     FailureCase other = *c;

@@ -63,7 +63,7 @@ typedef struct RefRandom {
     RefStream *stream;        // by number of the call
     uint64_t seed;
     uint64_t step;            // the current step, from 1
-    uint32_t first;           // how many calls come before these
+    uint32_t first;           // added to the numbers of calls: an engine with faults numbers its own after those of the script
 } RefRandom;
 
 void ref_random_init(RefRandom *r, Arena *arena, const ScriptRandoms *calls, uint64_t seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which conditionals of a script can be true in a step.  A guard such as `G == 500` or `T >= 100 and x > 3` is false outside an
+// Which conditionals of a script can be true in a step.  A guard such as `at 5 s`, `G == 500` or `T >= 100 and x > 3` is false outside an
 // interval of G or of T.  A step therefore evaluates only the guards whose interval contains its time, and a script with a million
 // steps costs a million short searches instead of a million times a million guards.  A guard such as `every 20 ms` waits in a heap for its
 // next time.

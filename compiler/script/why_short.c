@@ -159,7 +159,7 @@ static const State *demanded_state(const WhyShort *n, const Expr *e)
     return number >= 1 && number <= p->state.n ? p->state.at[number - 1] : NULL;
 }
 
-// Adds why the machine is in none of the states that the condition demands where it is not negated.
+// Adds a reason for each state that the condition demands, as `S == A` does outside a `not`, and that the machine is not in.
 static void add_states(WhyShort *n, const Expr *e)
 {
     const State *to = demanded_state(n, e);

@@ -166,7 +166,7 @@ typedef struct SearchRun {
     SearchGoal *goal;
     uint32_t goals, open;
     uint32_t *goal_of;        // by place: its goal; SEARCH_NONE
-    uint32_t *counter;        // by place: the counter that counts it
+    uint32_t *counter;        // by place (CoverPlace): the counter of `running` that counts how often it was executed
     bool *is_open;            // by counter
     VEC(uint32_t) touched;    // goals that came nearer in the current segment
     double *cost[2];          // by node of a decision: how far it is from being false, true

@@ -195,7 +195,7 @@ static double choose_slope(SearchRun *k, uint32_t size, double x, bool more)
     return exact * (search_chance(k, 50) ? 0.75 : 0.25);
 }
 
-// A value that is as it should be should stay so.
+// Solves for the samples of a window: its value should stay in the relation to x, or come into it.
 static void wish_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const uint32_t window = k->fn[fn].fn->ins.at[ref].var;
