@@ -200,7 +200,7 @@ static void search_shorter(SearchRun *k)
 {
     static const uint32_t most[] = {MANY_CHANGES, 1};
 
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2 && !k->o->plain; i++) {
         const uint64_t part = k->effort / SHORTER_PART, again = k->r->steps * SHORTER_TIMES, end = k->r->steps + (part < again ? part : again);
         while (k->r->steps < end && search_goes_on(k) && search_reopen(k, most[i]))
             search_until(k, end);
