@@ -48,6 +48,7 @@ static const Faults *run_campaign(Session *s, const Program *p, const Script *ss
 
     while (f->failing == 1 && faults_run_next(f))
         ;
+    faults_end(f);
     return f;
 }
 
