@@ -22,7 +22,7 @@ void report_parts_choose(Cli *c)
     c->given[OPT_FAULTS] = c->given[OPT_FAULTS] || c->given[OPT_SCRIPTS] || c->given[OPT_PAIRS];
 }
 
-// Returns the scripts of the runs.  Sets *why to a phrase if one has failed or there is none; otherwise to NULL.
+// Returns the scripts of the runs.  Sets *why to a phrase if a script has failed or the report has no script; otherwise to NULL.
 static const Script **list_scripts(Cli *c, const Report *r, const char **why)
 {
     const Script **script = ARENA_ARRAY(&c->session.arena, const Script *, r->runs + 1);
@@ -264,7 +264,7 @@ static const char *value_text(Arena *arena, const Sweep *s, double x)
     return buf_text(&b);
 }
 
-// Returns what a check means, in the words of its author; "": there are none.
+// Returns what a check means, in the words of its author; "": its author wrote no words.
 static const char *meaning_of(const SweepCheck *c)
 {
     if (c->requirement)

@@ -171,8 +171,8 @@ void *library_memory_alloc(LibraryMemory *m, void *old, uint64_t size);
 // ---- library_session.c ----
 
 bool library_is_open(const SmcSession *s);
-// Records the sentence of an error, and returns it.  `text` NULL: that of smc_result_text.
 uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v);       // its number as a parameter; UINT32_MAX: it is no parameter
+// Records r with the sentence `text`, and returns r.  `text` NULL: the sentence of smc_result_text.
 SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text);
 // Allocates memory outside the arenas; NULL: out of memory.
 void *library_compiler_alloc(void *session, void *old, size_t size);      // the SmcAllocFn of the compiler's arenas

@@ -421,7 +421,8 @@ static void note_wide(ProveExplored *out, uint32_t var)
         out->wide[out->wides++] = var;
 }
 
-// Returns the key with the most different values among the nodes, of those that are not noted and have more than `least`; `keys` if there is none.
+// Returns the key with the most different values among the nodes.  Keys that are noted, or have at most `least` values, do not count.  Returns
+// `keys` if no key is left.
 static uint32_t find_widest_key(const Explorer *x, uint32_t least)
 {
     enum { SAMPLE = 4096 };

@@ -60,7 +60,7 @@ static IrRef append_value(ProveMaker *k, IrFn *to, const IrFn *from, IrRef r)
 // The comparison of a value with a constant: value > constant, or value >= constant.
 typedef struct Threshold { const IrFn *f; IrRef value, constant; IrOp op; } Threshold;
 
-// Finds the comparison of which r, or its negation, is one.  Returns false if it is none.
+// Finds the comparison that r is, or that r negates.  Returns false if r is neither.
 static bool find_threshold(const ProveMaker *k, const IrFn *f, IrRef r, Threshold *t)
 {
     const IrIns *i = &f->ins.at[r];

@@ -70,7 +70,6 @@ static void store_chosen(Chooser *c, Scenario *s, uint32_t end, const uint8_t *r
     uint32_t *goal = ARENA_ARRAY(k->arena, uint32_t, k->goals);
     SearchScenario out = {.goal = goal, .end = k->p->state.at[end - 1]};
 
-
     for (uint32_t i = 0; i < k->goals; i++) {
         SearchFind *f = &k->r->find[k->goal[i].place];
         if (c->covered[i] || !contains(reached, i))
@@ -228,7 +227,7 @@ static bool improve(Chooser *c, SearchScenario *x)
     return true;
 }
 
-// Simplifies the scenarios with most changes again, with the effort that is left and the ways that all others have shown.
+// Simplifies the scenarios with most changes again: more effort is left now, and shorter ways that other scenarios have shown are known.
 static void improve_longest(Chooser *c)
 {
     SearchRun *k = c->k;

@@ -56,7 +56,8 @@ static size_t count_equal(const Chooser *c, const Scenario *s, size_t i, size_t 
     return m >= 2 * n ? m : 0;
 }
 
-// Makes a loop of the rounds that save most changes: the run is the same.  Returns false if there are none.
+// Replaces equal rounds of changes by a loop, those whose loop saves most changes.  The run stays the same.  Returns false if no loop saves at
+// least LEAST_SAVED changes.
 static bool join_most_equal(Chooser *c, Scenario *s)
 {
     size_t from = 0, length = 0, most = 0, saved = LEAST_SAVED - 1;
