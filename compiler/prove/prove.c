@@ -269,7 +269,7 @@ static void judge_givens(ProveRun *v)
     }
 }
 
-// Returns the number of the given run that violates the requirement after the fewest steps; `givens`: none does.  *confirmed receives the run
+// Returns the number of the given run that violates the requirement after the fewest steps; `givens`: no given run violates it.  *confirmed receives the run
 // up to there.
 static uint32_t find_violating_given(ProveRun *v, const ProveOf *of, const Scenario **confirmed)
 {

@@ -127,7 +127,7 @@ typedef struct ProveResult {
 } ProveResult;
 
 // Finds two requirements that contradict each other: both are judged in every step, or in the same steps (the same a of `a implies b`), and no
-// values of the variables meet both.  Returns false if there are none.
+// values of the variables meet both.  Returns false if no two do.
 bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second);
 
 ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o);

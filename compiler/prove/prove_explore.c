@@ -74,7 +74,7 @@ static Fact advance_time(Fact f, double delta)
     return f;
 }
 
-// Narrows the bounds of T to multiples of delta_t.  Returns false if there are none.
+// Narrows the bounds of T to multiples of delta_t.  Returns false if no multiple is within them.
 static bool round_time(Fact *f, uint64_t delta)
 {
     uint64_t lo, hi;

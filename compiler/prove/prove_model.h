@@ -3,12 +3,12 @@
 //
 // For each state, and for its first step and its later ones, one function contains the complete step: windows sample, .entry, .step and .exit
 // run, and then the requirement is judged.  Rolling windows, and what the requirement has seen, are variables that the function loads and
-// stores.  So facts about variables are all that is known between steps.
+// stores.  So only facts about variables are known between steps.
 //
 // Only what can influence the requirement is part of it (prove_make.h).
 //
 // Each block of a function is split into branches.  A branch adds one of several conditions, which exclude each other and of which one is
-// always true.  They are the ways in which the conditions at the end of the block, and the booleans that it stores, get their values.
+// always true.  They are the cases in which the conditions at the end of the block, and the booleans that it stores, get their values.
 #ifndef SMC_PROVE_MODEL_H
 #define SMC_PROVE_MODEL_H
 

@@ -56,7 +56,7 @@ static void need_window(Slicer *s, uint32_t window)
 
 static bool is_end(const IrJump *j) { return j->kind == IR_RET || j->kind == IR_GOTO; }
 
-// Returns the last block that only ends the function, in the same way; b if there is none after it.
+// Returns the last block that only ends the function, in the same way; b if no such block is after it.
 static IrBlkRef find_equal_end(const SliceFn *f, IrBlkRef b)
 {
     const IrJump *j = &f->from->blk.at[b].jump;

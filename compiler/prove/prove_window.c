@@ -15,7 +15,7 @@ static Fact whole_between(double lo, double hi)
 
 // ---- windows ----
 
-// Returns the bool of which r is the number 0 or 1; IR_NONE if there is none.
+// Returns the bool of which r is the number 0 or 1; IR_NONE if r is no such number.
 static IrRef bool_of_number(const IrFn *f, IrRef r)
 {
     const IrIns *i = &f->ins.at[r];
@@ -147,7 +147,7 @@ static void not_stored(Expr *e, void *context)
     *all = *all && (e->kind != EX_VAR || !e->var->written) && e->kind != EX_ROLL;
 }
 
-// Returns the window of the machine that has the same samples, because both sample what no step changes; IR_NONE if there is none.
+// Returns the window of the machine that has the same samples, because both sample what no step changes; IR_NONE if no window has them.
 static uint32_t same_window(const ProveMaker *k, const Window *w)
 {
     bool constant = true;

@@ -8,7 +8,7 @@
 
 enum {
     MANY_CHANGES = 2,         // a scenario with more is split, if it has several goals
-    LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter ways to the others
+    LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter runs to the others
     FEW_CHANGES = 2,          // a scenario with more is simplified once more, at most IMPROVED_ROUNDS times
     IMPROVED_ROUNDS = 3,
     IMPROVED_PART = 2,        // of the effort that is left, one part of so many is for the scenario with most changes

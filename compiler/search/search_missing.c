@@ -34,7 +34,7 @@ static double find_miss(const SearchRun *k, uint32_t fn, IrRef ref)
     return difference - difference != 0 ? SEARCH_UNKNOWN : difference < 0 ? -difference : difference;
 }
 
-// Runs the step after the nearest snapshot of a goal.  Returns false if there is none.
+// Runs the step after the nearest snapshot of a goal.  Returns false if the goal has no snapshot.
 static bool run_nearest(SearchRun *k, const SearchGoal *g)
 {
     uint32_t best = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Simplifies a scenario: fewer changes, shorter times, rounder values.  Every step of it is an attempt that is replayed, and accepted if the
-// scenario still reaches all that is wanted.
+// scenario still reaches every wanted goal.
 //
 // A change that is removed lets the states that follow begin sooner or later.  So an attempt is made first with the changes anchored to the
 // entries of their states (SearchAnchor), and then with the changes at their times.
