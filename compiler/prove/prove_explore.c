@@ -450,7 +450,9 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
     return widest;
 }
 
-typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS } ExploreEnd;
+typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS, EXPLORE_STOPPED } ExploreEnd;
+
+static bool goes_on(const Explorer *x) { return !x->limits->go_on || x->limits->go_on(x->limits->context); }
 
 static ExploreEnd explore_all(Explorer *x, const State *init)
 {
@@ -467,12 +469,14 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
             return EXPLORE_MANY_NODES;
         if (*x->visits > x->limits->visits || (x->limits->memory && arena_size(x->arena) > x->limits->memory))
             return EXPLORE_MANY_VISITS;
+        if (!goes_on(x))
+            return EXPLORE_STOPPED;
     }
     return EXPLORE_CLOSED;
 }
 
 // Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
-static void narrow(Explorer *x, const State *init)
+static ExploreEnd narrow(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
 
@@ -482,8 +486,12 @@ static void narrow(Explorer *x, const State *init)
     memset(x->out->reached, 0, x->p->machine->state.n * sizeof *x->out->reached);
     memset(x->out->entered, 0, x->p->machine->state.n * sizeof *x->out->entered);
     add_node(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
-    for (uint32_t n = 0; n < from->node.n; n++)
+    for (uint32_t n = 0; n < from->node.n; n++) {
+        if (!goes_on(x))
+            return EXPLORE_STOPPED;
         explore_step(x, &from->node.at[n]);
+    }
+    return EXPLORE_CLOSED;
 }
 
 static void new_facts(Explorer *x)
@@ -503,7 +511,7 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     new_facts(x);
     end = explore_all(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
-        narrow(x, init);
+        end = narrow(x, init);
     x->out->nodes = x->table->node.n;
     return end;
 }
