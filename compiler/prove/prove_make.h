@@ -7,6 +7,7 @@
 //     prove_slice.c     removes from the machine what cannot influence the requirement
 //     prove_judge.c     the judgement of the requirement at the end of a step
 //     prove_branch.c    the branches of a block
+//     prove_pair.c      pairs of variables that are compared with each other
 #ifndef SMC_PROVE_MAKE_H
 #define SMC_PROVE_MAKE_H
 
@@ -100,6 +101,8 @@ const bool *prove_slice(ProveMaker *k);
 
 // Emits the judgement of the step, and its two ends.
 void prove_judge_requirement(ProveMaker *k);
+// Adds the pairs of variables whose differences a proof follows.
+void prove_add_pairs(ProveMaker *k);
 // Appends the branches of block b of f to `to`.
 void prove_split_block(ProveMaker *k, ProveBlock *to, const IrFn *f, const IrBlk *b);
 

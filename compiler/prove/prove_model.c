@@ -213,5 +213,7 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     slice_machine(k);
     prove_add_windows(k);
     add_own_vars(k);
+    if (loose == PROVE_RELATED)
+        prove_add_pairs(k);
     return p;
 }

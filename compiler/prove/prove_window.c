@@ -201,7 +201,7 @@ static void find_read_windows(const ProveMaker *k, bool *read)
 // Whether a model lets a window that the requirement does not read have any value.
 static bool is_loosened(const MadeWindow *w, ProveLoosening loose)
 {
-    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
+    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || loose == PROVE_RELATED || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
 }
 
 // Computes what is known about the samples of all windows.

@@ -39,7 +39,7 @@ check()
 
 check ignition   ignition/ignition.sm     19 12 "$@"
 check chilldown  chilldown/chilldown.sm   15  6 --step=50 "$@"
-check parachutes parachutes/parachutes.sm 13  6 "$@"
+check parachutes parachutes/parachutes.sm 14  6 "$@"
 check recovery   recovery/recovery.sm     10  5 "$@"
 check stand      teststand/stand.sm       18  8 "$@"
 check monitor    teststand/monitor.sm      5  2 "$@"
