@@ -27,6 +27,8 @@ typedef struct MadeWindow {
     uint32_t first;                   // index in ProveMaker.same of window 0 of that function
     const Window *of;                 // one of the calls that read it
     uint32_t base;                    // of comparisons (prove_threshold.c): the window whose samples are compared; else IR_NONE
+    uint32_t outcome;                 // of comparisons: a variable with the sample of this step, once `is_sampled`
+    bool is_sampled;                  // the step that is being made has emitted its sample
     Fact samples;                     // what is known about them
 } MadeWindow;
 
@@ -85,6 +87,8 @@ bool prove_follows_samples(const MadeWindow *w);
 void prove_add_windows(ProveMaker *k);
 // Adds windows that compare the samples of others.
 void prove_compare_samples(ProveMaker *k);
+// Returns the comparisons that have had the same sample in this step as w will have; NULL: none.
+const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w);
 // Emits that the minimum and the maximum of a window agree with its comparison w.
 void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w);
 // Emits the samples of the windows `from` to `to` - 1, and those of their comparisons, and makes the block after them the current one.
