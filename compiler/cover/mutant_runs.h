@@ -11,7 +11,7 @@
 
 #include "compiler/cover/flat.h"
 #include "compiler/script/script.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 #include "compiler/sema/program.h"
 
 typedef struct MutantRuns MutantRuns;

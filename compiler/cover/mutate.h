@@ -10,8 +10,8 @@
 #define SMC_MUTATE_H
 
 #include "compiler/cover/flat.h"
+#include "compiler/script/scenario.h"
 #include "compiler/script/script.h"
-#include "compiler/search/scenario.h"
 
 typedef enum MutantVerdict {
     MUTANT_WAITING,           // it has not been run
