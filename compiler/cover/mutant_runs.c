@@ -61,36 +61,6 @@ struct MutantRuns {
 
 // ---- what a script and the requirements read ----
 
-static void mark_seen(Expr *e, void *context)
-{
-    bool *seen = context;
-
-    if (e->kind == EX_VAR || e->kind == EX_AT)
-        seen[e->var->index] = true;
-}
-
-static void mark_seen_by_item(const ScriptItem *item, bool *seen)
-{
-    expr_walk(item->guard, mark_seen, seen);
-    for (size_t i = 0; i < item->inputs.n; i++)
-        expr_walk(item->inputs.at[i].value, mark_seen, seen);
-    for (size_t i = 0; i < item->asserts.n; i++)
-        if (item->asserts.at[i].condition)
-            expr_walk(item->asserts.at[i].condition, mark_seen, seen);
-}
-
-static void mark_seen_by_requirements(const Requirements *rq, bool *seen)
-{
-    for (size_t i = 0; i < rq->window.n; i++)
-        expr_walk(rq->window.at[i].sample, mark_seen, seen);
-    for (size_t i = 0; i < rq->at.n; i++) {
-        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
-        for (int k = 0; k < 3; k++)
-            if (condition[k])
-                expr_walk(condition[k], mark_seen, seen);
-    }
-}
-
 // Lists the variables of the machine that the script reads, or a requirement.
 static void list_seen(Arena *arena, const Program *p, const Requirements *rq, const uint32_t *var_of, Record *r)
 {
@@ -98,13 +68,9 @@ static void list_seen(Arena *arena, const Program *p, const Requirements *rq, co
     bool *seen = arena_alloc(arena, p->var.n + s->local.n);
     uint32_t *list = ARENA_ARRAY(arena, uint32_t, p->var.n);
 
-    for (size_t i = 0; i < s->window.n; i++)
-        expr_walk(s->window.at[i].sample, mark_seen, seen);
-    for (size_t i = 0; i < s->section.n; i++)
-        for (size_t k = 0; k < s->section.at[i].item.n; k++)
-            mark_seen_by_item(s->section.at[i].item.at[k], seen);
+    script_mark_reads(s, seen);
     if (rq)
-        mark_seen_by_requirements(rq, seen);
+        requirements_mark_reads(rq, seen);
     for (uint32_t v = 0; v < p->var.n; v++)
         if (seen[v] && var_of[v] != IR_NONE)
             list[r->seens++] = v;

@@ -130,6 +130,12 @@ void format_number_shortest(Buf *out, double x);
 // Returns the variables in the order of reports and traces; allocated in `arena`.
 const Var **report_order(Arena *arena, const Program *p);
 
+// ---- script_reads.c ----
+
+// Mark the variables that a script, or a set of requirements, reads.  reads: by Var.index, of the machine and the locals of the script.
+void script_mark_reads(const Script *s, bool *reads);
+void requirements_mark_reads(const Requirements *rq, bool *reads);
+
 // ---- script_trace.c ----
 
 // CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns.  A bool is written as 1

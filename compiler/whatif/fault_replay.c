@@ -21,42 +21,6 @@ struct FaultTape {
 
 // ---- what is seen ----
 
-static void mark_seen(Expr *e, void *context)
-{
-    uint8_t *seen = context;
-
-    if (e->kind == EX_VAR)
-        seen[e->var->index] = 1;
-}
-
-static void mark_seen_by_script(const Script *s, uint8_t *seen)
-{
-    for (uint32_t i = 0; i < s->window.n; i++)
-        expr_walk(s->window.at[i].sample, mark_seen, seen);
-    for (uint32_t i = 0; i < s->section.n; i++)
-        for (uint32_t k = 0; k < s->section.at[i].item.n; k++) {
-            const ScriptItem *item = s->section.at[i].item.at[k];
-            expr_walk(item->guard, mark_seen, seen);
-            for (uint32_t n = 0; n < item->inputs.n; n++)
-                expr_walk(item->inputs.at[n].value, mark_seen, seen);
-            for (uint32_t n = 0; n < item->asserts.n; n++)
-                if (item->asserts.at[n].condition)
-                    expr_walk(item->asserts.at[n].condition, mark_seen, seen);
-        }
-}
-
-static void mark_seen_by_requirements(const Requirements *rq, uint8_t *seen)
-{
-    for (uint32_t i = 0; i < rq->window.n; i++)
-        expr_walk(rq->window.at[i].sample, mark_seen, seen);
-    for (uint32_t i = 0; i < rq->at.n; i++) {
-        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
-        for (int k = 0; k < 3; k++)
-            if (condition[k])
-                expr_walk(condition[k], mark_seen, seen);
-    }
-}
-
 // Returns the index of an input, or the number of inputs.
 static uint32_t find_input(const Faults *f, const Var *v)
 {
@@ -74,13 +38,13 @@ void fault_find_seen(FaultRunner *x)
 
     x->seen = arena_array(x->arena, f->scripts, sizeof *x->seen);
     for (uint32_t s = 0; s < f->scripts; s++) {
-        uint8_t *seen = arena_alloc(x->arena, vars + f->script[s]->local.n + 1);
+        bool *seen = arena_alloc(x->arena, vars + f->script[s]->local.n + 1);
         FaultSeen *to = &x->seen[s];
-        mark_seen_by_script(f->script[s], seen);
+        script_mark_reads(f->script[s], seen);
         if (f->options.requirements)
-            mark_seen_by_requirements(f->options.requirements, seen);
+            requirements_mark_reads(f->options.requirements, seen);
         for (uint32_t i = 0; i < x->outputs; i++)
-            seen[x->output[i]->index] = 1;
+            seen[x->output[i]->index] = true;
         for (uint32_t v = 0; v < vars; v++) {
             const Var *var = f->p->var.at[v];
             const uint32_t input = find_input(f, var);
