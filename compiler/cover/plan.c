@@ -9,7 +9,7 @@
 
 const char *const cover_kind_name[COVER_KIND_COUNT] = {
 #define KIND(constant, name, sentence) name,
-    COVER_KINDS(KIND)
+#include "compiler/cover/cover_kinds.def"
 #undef KIND
 };
 

@@ -7,12 +7,12 @@
 
 const char *const fault_kind_name[] = {
 #define KIND(constant, name, sentence) name,
-    FAULT_KINDS(KIND)
+#include "compiler/whatif/fault_kinds.def"
 #undef KIND
 };
 const char *const fault_kind_sentence[] = {
 #define KIND(constant, name, sentence) sentence,
-    FAULT_KINDS(KIND)
+#include "compiler/whatif/fault_kinds.def"
 #undef KIND
 };
 

@@ -7,24 +7,10 @@
 
 #include "compiler/script/engine.h"
 
-// The kinds of faults: constant, name in options and files, sentence.  A new kind is a row here, and a case in read_faulty of fault_engine.c and
-// in write_reading of fault_script.c.
-#define FAULT_KINDS(KIND) \
-    KIND(STUCK,   "stuck",   "the last reading before the fault stays") \
-    KIND(DEAD,    "dead",    "reads 0 or false") \
-    KIND(NAN,     "nan",     "reads NaN, which a machine sees as 0; only floats") \
-    KIND(LOW,     "low",     "reads the lowest value of its range") \
-    KIND(HIGH,    "high",    "reads the highest value of its range, or true") \
-    KIND(BELOW,   "below",   "reads too little by a part of its range") \
-    KIND(ABOVE,   "above",   "reads too much by a part of its range") \
-    KIND(NOISY,   "noisy",   "a random number is added to each reading") \
-    KIND(LATE,    "late",    "reads the value of some steps before") \
-    KIND(DROPPED, "dropped", "the last reading before the fault stays for some steps") \
-    KIND(FLIPPED, "flipped", "reads true for false and false for true; only bool")
-
+// The kinds of faults.
 typedef enum FaultKind {
 #define KIND(constant, name, sentence) FAULT_##constant,
-    FAULT_KINDS(KIND)
+#include "compiler/whatif/fault_kinds.def"
 #undef KIND
     FAULT_KIND_COUNT
 } FaultKind;

@@ -8,12 +8,12 @@
 
 const char *const fault_outcome_name[] = {
 #define OUTCOME(constant, name, words) name,
-    FAULT_OUTCOMES(OUTCOME)
+#include "compiler/whatif/fault_outcomes.def"
 #undef OUTCOME
 };
 const char *const fault_outcome_words[] = {
 #define OUTCOME(constant, name, words) words,
-    FAULT_OUTCOMES(OUTCOME)
+#include "compiler/whatif/fault_outcomes.def"
 #undef OUTCOME
 };
 

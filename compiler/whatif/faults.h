@@ -13,19 +13,10 @@
 #include "compiler/script/script.h"
 #include "compiler/whatif/fault_engine.h"
 
-// What a fault has done, the least dangerous first: constant, name in options and files, words.
-#define FAULT_OUTCOMES(OUTCOME) \
-    OUTCOME(NONE,     "none",     "no effect") \
-    OUTCOME(ABORTED,  "aborted",  "ends in an @abort state") \
-    OUTCOME(DIFFERS,  "differs",  "other outputs or states on the way") \
-    OUTCOME(ENDLESS,  "endless",  "the script does not end") \
-    OUTCOME(ELSEWHERE,"elsewhere","ends in another state") \
-    OUTCOME(FAILED,   "failed",   "an assert fails") \
-    OUTCOME(VIOLATED, "violated", "a requirement is violated")
-
+// What a fault has done, the least dangerous first.
 typedef enum FaultOutcome {
 #define OUTCOME(constant, name, words) FAULT_HAS_##constant,
-    FAULT_OUTCOMES(OUTCOME)
+#include "compiler/whatif/fault_outcomes.def"
 #undef OUTCOME
     FAULT_OUTCOME_COUNT
 } FaultOutcome;
