@@ -25,7 +25,7 @@ typedef struct FactIteration {
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     bool any_start;                   // the machine may be started in any state
     bool widened;                     // some bound was widened, so the last round may improve facts
-    FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
+    FactLimits limits;                // constants of the program and the numbers next to them, because guards stop counters there
 } FactIteration;
 
 // ---- paths into functions ----

@@ -51,7 +51,7 @@ static Predecessors *find_predecessors(const Report *r, const WrittenTransitions
         const WrittenTransition *t = &all->at[i];
         const void *from = t->all ? (const void *)t->all : t->copy.at[0]->from;
         Predecessors *s = &of[t->copy.at[0]->to->number];
-        if (s->last != from)                      // transitions are sorted by where they come from
+        if (s->last != from)                      // transitions are sorted by their source
             vec_push(r->arena, &s->name, origin_name(r, t));
         s->last = from;
     }

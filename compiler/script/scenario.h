@@ -15,11 +15,11 @@ typedef enum ScenarioKind {
     SCENARIO_HOLD,            // the value is a
     SCENARIO_ALTERNATE,       // a in the step of the change, b in the next one, then a again: a sensor with noise
     SCENARIO_RAMP,            // a in the step of the change, and b more in each step after it
-    SCENARIO_COPY             // the value that `source` has when the step begins, as a feedback has it
+    SCENARIO_COPY             // the value that `source` has when the step begins, so that a feedback follows its command
 } ScenarioKind;
 
 typedef struct ScenarioChange {
-    uint64_t step;            // the first step with it
+    uint64_t step;            // the first step in which the change applies
     uint32_t var;             // index into Program.var: what is set
     ScenarioKind kind;
     double a, b;              // stored as an assignment stores them (language.md 2.13)

@@ -97,7 +97,7 @@ static bool is_reached(const ScriptRun *r, const ScriptItem *item)
 {
     for (; item->parent; item = item->parent)
         if (!item->otherwise)
-            return is_taken(r, item->parent);         // then the parent was reached, too
+            return is_taken(r, item->parent);         // an item was reached if its parent was taken
         else if (is_taken(r, item->parent))
             return false;
     return true;

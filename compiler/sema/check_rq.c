@@ -44,7 +44,7 @@ static Expr *check_operand(Sema *s, const AstExpr *in, uint32_t *machine)
     State *state;
 
     if (in->kind != AST_NAME)
-        return in->kind == AST_PAREN ? check_expr(s, in) : NULL;      // the parser has reported anything else
+        return in->kind == AST_PAREN ? check_expr(s, in) : NULL;      // the parser has reported anything but parentheses
     state = map_find(&s->p->state_by_name, in->name);
     if (!state && is_variable) {
         report_variable_operand(s, in);

@@ -192,7 +192,7 @@ static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, co
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
 {
-    const bool is_repeated = s->all_states && s->all_states->copies > 0;           // they have been checked for another state
+    const bool is_repeated = s->all_states && s->all_states->copies > 0;           // the statements have been checked for another state
     const AstStmt *before = NULL;
     bool is_warned = false;
 
@@ -207,7 +207,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         }
         if (stmt)
             vec_push(s->arena, out, stmt);
-        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
+        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (in->at[i]->marks && s->building && !is_repeated)
             add_stmt_marks(s, in->at[i], stmt);

@@ -101,7 +101,7 @@ static void add_names_hidden_by(HiddenWords *k, const Diag *d)
 
     for (size_t i = 0; section && i < AST_LABEL_COUNT; i++)
         has_block = has_block || section->block[i].present;
-    if (!section || section->name->len == 0) {          // its header is missing or unreadable
+    if (!section || section->name->len == 0) {          // the header of the section is missing or unreadable
         k->l->sections = true;
         add_hidden_range(k, error.at, end);
     } else if (d->code == DIAG_code_before_label && section->kind == AST_STATE && !has_block) {

@@ -13,7 +13,7 @@ enum {
 typedef struct HintLine {
     const Source *src;
     const char *text;         // text of the source
-    uint32_t from, end;       // the line is text[from … end), without its line end and the spaces before that
+    uint32_t from, end;       // the line is text[from … end), without its line end and trailing spaces
     const char *line_end;     // "\n" or "\r\n", as this line ends
 } HintLine;
 

@@ -23,7 +23,7 @@ typedef struct Annotated {
     AstAnnotationTarget target;
     Str name;
     Span span;                // position of the owner's name
-    AstAnnotations *all;      // the annotations found so far
+    AstAnnotations *all;      // the annotations parsed so far
 } Annotated;
 
 // ---- the row of an annotation ----
@@ -353,7 +353,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
     if (p->failed)
         return;
     begins_another = ON_PINS >> o->target & 1u ? p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER : p->tok.kind == TOK_TYPE;
-    if (first && !p->tok.first && begins_another)            // it belongs to the declaration on the line above
+    if (first && !p->tok.first && begins_another)            // the annotation belongs to the declaration on the line above
         diag_note(p->diags, parser_report(p, DIAG_annotation_above, a.span, rows[a.kind].spelling, o->name->text),
                   o->span, DIAG_note_declared_here, o->name->text);
     if (check_not_repeated(p, o, &a) && allowed)

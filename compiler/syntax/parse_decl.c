@@ -104,7 +104,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     else if (p->tok.kind == TOK_COMMA)
         parser_fail(p, DIAG_decl_comma, parser_token_span(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
-        return;                                    // probably a declaration whose type is misspelt: parsed next
+        return;                                    // probably a declaration whose type is misspelt: the caller parses it
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
         hint_explain(p, HINT_AT_ELEMENT_END, NULL);
     else

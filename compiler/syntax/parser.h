@@ -75,7 +75,7 @@ AstExpr *parse_number(Parser *p);                       // the next token is a n
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression that must begin on this line
 bool parser_at_when(const Parser *p);                   // whether the next tokens begin a guard by time, as in `at 5 s:`
 extern const char *const parser_when_words[AST_WHENS];
-AstWhen parser_find_when(const Token *t);               // the word that a guard by time begins with; AST_WHENS: it is another one
+AstWhen parser_find_when(const Token *t);               // returns the word with which a guard by time begins; AST_WHENS: the token is no such word
 bool parser_is_before_number(const Parser *p);          // whether a number follows the next token on its line, or a malformed one
 AstExpr *parse_when(Parser *p);                         // parses that guard
 bool parser_at_state(const Parser *p);                  // whether the next tokens are a value such as `state Burn`

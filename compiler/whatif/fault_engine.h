@@ -19,8 +19,8 @@ extern const char *const fault_kind_name[FAULT_KIND_COUNT], *const fault_kind_se
 
 typedef struct FaultInput {
     const Var *var;
-    bool has_range;           // it has two different ends
-    bool range_is_seen;       // it is what the input had in the runs without a fault, because the element has no @range
+    bool has_range;           // the two ends of its range differ
+    bool range_is_seen;       // the range consists of the values that the input had in runs without a fault, because its element has no @range
     double lo, hi;
 } FaultInput;
 
@@ -37,7 +37,7 @@ typedef struct Fault {
     FaultKind kind;
 } Fault;
 
-enum { FAULTS_MOST = 2 };     // that a run can have at once
+enum { FAULTS_MOST = 2 };     // the most faults that a run can have at once
 
 typedef struct FaultEngine FaultEngine;
 

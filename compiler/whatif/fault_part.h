@@ -27,7 +27,7 @@ typedef struct Visit { uint64_t first, last; } Visit;
 
 // What a script, the requirements and the comparison of outputs see of the machine (Var.index).
 typedef struct FaultSeen {
-    VEC(uint32_t) cell;       // as the machine has it
+    VEC(uint32_t) cell;       // variables of the machine, by their values after the step
     VEC(uint32_t) outside;    // inputs that the machine itself assigns, by their true value
 } FaultSeen;
 
@@ -36,9 +36,9 @@ typedef struct FaultSlot { uint32_t slot; uint64_t value; } FaultSlot;
 typedef struct FaultStepEnd { uint32_t write, change; } FaultStepEnd;
 typedef struct FaultRecord {
     VEC(EngineWrite) write;   // of the script
-    VEC(FaultSlot) change;    // what is seen, where it changes; all of it in the first step
+    VEC(FaultSlot) change;    // the values that scripts and requirements see, where they change; all of them in the first step
     VEC(FaultStepEnd) end;    // by step: the end of its writes and changes
-    bool is_cut;              // there was no room for it
+    bool is_cut;              // the record ends early, because VALUES_MOST was reached
 } FaultRecord;
 
 typedef struct FaultTape FaultTape;
@@ -59,7 +59,7 @@ typedef struct FaultWatch {
     const State *last;        // the state that the step before ran
     uint8_t *visited;         // by State.number - 1: the run was in the state since the fault began
     FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
-    FaultResult result;       // only what is seen after a step
+    FaultResult result;       // the result so far
 } FaultWatch;
 
 struct FaultRunner {
@@ -74,7 +74,7 @@ struct FaultRunner {
     FlatMachine *flat;
     ScriptOptions o;
     const Var **output;
-    uint32_t outputs;         // elements that the machine writes, and then S
+    uint32_t outputs;         // the elements that the machine writes, and then S
     Healthy *healthy;         // by script
     Visit *visit;             // by State.number - 1: the longest one of the current script
     VEC(Fault) single;        // the faults that apply
@@ -83,7 +83,7 @@ struct FaultRunner {
     uint8_t *reads;           // by State.number - 1 and input: the state reads it
     uint8_t *alone;           // by single fault: its outcome at the current trigger
     uint8_t *visited;         // by single fault and State.number - 1: its run was in the state from the current trigger on
-    uint8_t *is_repeated;     // by single fault: an earlier one of the same input reads the same constant there
+    uint8_t *is_repeated;     // by single fault: an earlier fault of the same input reads the same constant at this trigger
     uint32_t at, i, k;        // the next run: its trigger; its fault, or its two faults i and k
     bool in_pairs;            // the single faults of the trigger have been run
     bool is_prepared;         // the current run is before trigger `at`

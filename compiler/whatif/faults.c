@@ -275,7 +275,7 @@ static bool reads_constant(const FaultRunner *x, const Fault *fault, double *val
     switch ((int)fault->kind) {
     case FAULT_STUCK:
         if (x->w->r->result.steps == 0)
-            return false;                             // it will be what the first step has
+            return false;                             // the value before the first step will be that of the first step
         *value = ref_read(in->var->type, fault_engine_true_cell(x->w->e, fault->input));
         return true;
     case FAULT_DEAD: case FAULT_NAN: *value = 0; return true;
