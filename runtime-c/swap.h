@@ -67,7 +67,7 @@ typedef struct SmSwapType {
     SmSwapReason (*check)(const void *from, const void *to, uint8_t mode);
     // Replaces `from` by `to`.  Called inside a critical section of the state vector.  Cannot fail once `check` has succeeded.
     void (*exchange)(const void *from, void *to, uint8_t mode, const SmMachine *m);
-    // The same for the return of the old machine in `to`.  Returns whether it continues; otherwise it restarts in its first @safe state.
+    // Like `exchange`, to return to the old machine, which is in `to`.  Returns whether it continues; otherwise it restarts in its first @safe state.
     bool (*give_back)(const void *from, void *to, const SmMachine *m);
     // Whether the state that the next step runs is marked @abort.
     bool (*is_aborting)(const void *slot);

@@ -55,7 +55,7 @@ typedef struct CoverRun {
 
 // Creates the folder, lists it, and reads the scripts that smc has written for this machine.  Adds them to the sources.
 int cover_read_folder(CoverRun *r, CompileInput *in);
-// Runs them.  Those that pass and reach their goals count in r->all; the edited ones also in r->given.
+// Runs the scripts that cover_read_folder has read.  Scripts that pass and reach their goals count in r->all; edited ones also in r->given.
 int cover_run_folder(CoverRun *r);
 // Returns the path for a new script: STEM.ss, or with a number if a file has this name that is not stale.
 const char *cover_new_path(CoverRun *r, const char *stem);

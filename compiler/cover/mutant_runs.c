@@ -284,7 +284,7 @@ static bool includes_change(const MutantReplay *c, const uint8_t *executed)
     return false;
 }
 
-// Returns the first point from `point` on after which what was changed is executed; the number of points if no such point follows.
+// Returns the first point, from `point` on, after which the run executes a changed statement; the number of points if no later part does.
 static uint32_t find_executed(const MutantReplay *c, uint32_t point)
 {
     while (point < c->r->point.n && !includes_change(c, c->r->executed.at[point]))
@@ -301,7 +301,7 @@ static void write_cells(const FlatMachine *f, void *state, const EngineWrite *wr
             cell[f->m->var_of[write[i].var]] = write[i].cell;
 }
 
-// Whether the script sees that the cells of the mutant are not those of a recorded step.
+// Whether a variable that the script reads has another value than in the recorded step.
 static bool has_other_cells(const MutantReplay *c, const uint64_t *recorded)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state);
@@ -412,7 +412,7 @@ static bool is_before(const MutantRuns *u, uint32_t x, uint32_t y)
     return a->noticed != b->noticed ? a->noticed > b->noticed : a->steps < b->steps;
 }
 
-// Moves the script at `i` in the order up, past those that notice less.
+// Moves the script at `i` in the order towards the start, before scripts that have noticed fewer mutants.
 static void move_up(MutantRuns *u, uint32_t i)
 {
     for (; i > 0 && is_before(u, u->order[i], u->order[i - 1]); i--) {

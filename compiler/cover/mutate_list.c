@@ -132,8 +132,8 @@ static void add_operators(Mutation *u, Expr *e, uint32_t link, SmOperator was, S
 
 static bool same_span(Span a, Span b) { return a.at == b.at && a.len == b.len; }
 
-// Whether the source contains operator i of e: its operands are on both sides of it.  The checker composes others, as
-// those of a median (list.h).
+// Whether the user wrote operator i of e: then its operands are on both sides of it in the source.  The checker adds other
+// operators, for example when it composes a median of comparisons (list.h).
 static bool is_in_source(const Expr *e, uint32_t i) { return e->arg[i]->span.at < e->arg[i + 1]->span.at && e->arg[i]->span.src == e->arg[i + 1]->span.src; }
 
 static bool is_and_or(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares two machines of a session, and lets one continue where the other is (docs/swapping.md 12).
+// Compares two machines of a session, and makes one continue from the state of the other (docs/swapping.md 12).
 #include <string.h>
 
 #include "bytecode-vm/swap.h"

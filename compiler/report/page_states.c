@@ -98,7 +98,7 @@ void report_add_all_states(Report *r, Doc *d)
     }
 }
 
-// Appends the names of the sections that run in the state, or of those that do not.
+// Appends the names of the [all_states] sections that run in the state; if not `running`, of those that do not.
 static size_t write_sections(const Report *r, Buf *out, const State *s, bool running)
 {
     const Program *p = r->analysis.p;

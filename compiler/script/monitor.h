@@ -35,7 +35,7 @@ typedef struct Monitor {
 
 // delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.
 Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t);
-// Makes the monitor judge one requirement only.  Its situations are smaller then, and others are not valid.
+// Makes the monitor judge one requirement only.  Its situations are then smaller; those from before the call become invalid.
 void monitor_judge_only(Monitor *m, size_t requirement);
 // Initialises a situation: no step has run.
 void monitor_start(const Monitor *m, void *situation);

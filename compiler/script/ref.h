@@ -79,7 +79,7 @@ typedef struct RefWindows {
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
-// The same without memory for the samples, which ref_window_place provides: ref_window_samples of 8 bytes.  Empties no window.
+// Like ref_windows_init, without memory for the samples: ref_window_place provides it, ref_window_samples times 8 bytes.  Empties no window.
 void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list);
 uint32_t ref_window_samples(const Window *what);
 void ref_window_place(RefWindow *w, void *samples);

@@ -25,7 +25,7 @@ typedef struct Healthy {
 // A visit of a state, from its first step to its last one.
 typedef struct Visit { uint64_t first, last; } Visit;
 
-// What a script, the requirements and the comparison of outputs see of the machine (Var.index).
+// The variables of the machine that a script, the requirements and the comparison of outputs read (Var.index).
 typedef struct FaultSeen {
     VEC(uint32_t) cell;       // variables of the machine, by their values after the step
     VEC(uint32_t) outside;    // inputs that the machine itself assigns, by their true value
@@ -67,7 +67,7 @@ struct FaultRunner {
     Arena *arena;             // of the results
     Arena run, copy;          // of the current run; of its copy
     Arena tapes;              // of the records of the current trigger
-    uint64_t taped;           // writes and changes in them
+    uint64_t taped;           // number of writes and changes in these records
     FaultRecord *record;      // by single fault; only with pairs
     FaultSeen *seen;          // by script
     ArenaCopy saved;
@@ -103,7 +103,7 @@ bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited)
 
 // ---- fault_replay.c ----
 
-// Lists what each script sees.  Inputs and outputs must be known.
+// Lists, for each script, what a run reads of the machine (FaultRunner.seen).  Inputs and outputs must be known.
 void fault_find_seen(FaultRunner *x);
 // Opens the engine that records the steps of x->w, around the faulty sensors.  It is in x->run.
 Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
@@ -111,8 +111,8 @@ Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
 void fault_tape_reset(FaultRunner *x);
 // Records the current run from its next step on, as that of a single fault.
 void fault_tape_begin(FaultRunner *x, uint32_t single);
-// Whether two faults have the outcome that `single`, one of them, has alone.  False: that is not known.  The current run must be before the
-// trigger, and is then used up.
+// Whether a run with both faults has the outcome that `single`, one of the two, has alone.  False: not known.  The current run must be before the
+// trigger; the call uses it up.
 bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both);
 
 // ---- fault_watch.c ----

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds pairs of faults that do what one of them does alone, without running the script.
 //
-// The run of each fault alone is recorded: what the script writes in each step, and what the script, the requirements and the comparison of outputs
-// see after it.  The machine alone then steps with both faults and the recorded writes.  As long as what is seen is as recorded, the script would
-// have written the same.  If that is so to the end of the record, the outcome is that of the fault alone.
+// The run of each fault alone is recorded: what the script writes in each step, and the values that the script, the requirements and the comparison
+// of outputs read after it.  The machine then steps with both faults and the recorded writes, without the script.  As long as the values are the
+// recorded ones, the script would have written the same.  If they are to the end of the record, the outcome is that of the fault alone.
 #include "compiler/whatif/fault_part.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ struct FaultTape {
     uint64_t *last;           // by slot: its value after the last recorded step
 };
 
-// ---- what is seen ----
+// ---- what scripts and requirements read ----
 
 // Returns the index of an input, or the number of inputs.
 static uint32_t find_input(const Faults *f, const Var *v)
@@ -58,7 +58,7 @@ void fault_find_seen(FaultRunner *x)
     }
 }
 
-// The slots of a step: what the next one runs, then the seen cells, then those of the true values.
+// A step is recorded as slots: the next state and whether its step is the first, then the values of FaultSeen.cell, then those of .outside.
 static uint32_t count_slots(const FaultSeen *s) { return 2 + s->cell.n + s->outside.n; }
 
 static uint64_t read_slot(const FaultSeen *s, const EngineStep *out, uint32_t slot)
