@@ -41,7 +41,7 @@ static void queue_state(FactIteration *v, uint32_t state)
         sweep_list_add(&v->sweep, state);
 }
 
-// Sets v->state to the next state to visit.  Returns false if there is none.
+// Sets v->state to the next state to visit.  Returns false if no state is queued.
 static bool take_queued_state(FactIteration *v)
 {
     if (v->queue.n == 0 && v->sweep.n == 0)
