@@ -105,7 +105,7 @@ enum {
     SM_ROLL_ORDER = 480        // the statistics that compare samples
 };
 #define SM_ROLL_MEDIAN_OF_3 ((uint32_t)SM_ROLL_MEDIAN | 0x8000u)        // the same as SM_ROLL_MEDIAN, of a window of three slots in emitted C
-#define SM_ROLL_ANY_ZERO 0x10000u      // only where a statistic is read: if it is 0, its sign can be wrong
+#define SM_ROLL_ANY_ZERO 0x10000u      // only for reading a statistic: a result of 0 may have the wrong sign
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
 // SM_ROLL_BLOCK: the number of ordered samples in a block that moves at once.
@@ -953,7 +953,7 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
     if (partials == 0)
         return words + 1;
     words += (sm_roll_partial_words(partials) - 1) * sm_roll_tree_words(n);
-    for (; n > 1; words += n)           // the last group is the whole window, whose result is not here: its word is the ring
+    for (; n > 1; words += n)           // the last group is the whole window, whose result is not stored
         n = (n + 1) / 2;
     return words;
 }

@@ -177,7 +177,7 @@ $(B)/swap/running $(B)/swap/storing: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(pats
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # Hosts that reach it over the link: every request cut off, lost and repeated, and hostile ones.
-$(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link stage machine) $(B)/obj/compiler/device/app_host.o $(B)/obj/compiler/device/link_host.o $(B)/runtime/sim.a $(B)/libsmc.a
+$(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link link_keys wire stage machine) $(B)/obj/compiler/device/app_host.o $(B)/obj/compiler/device/link_host.o $(B)/runtime/sim.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 

@@ -45,9 +45,9 @@ typedef struct TrialEntry {
 
 // Counts over all trials what the machine does in the step after a transition, with the inputs that led to the transition.
 typedef struct TrialNext {
-    uint32_t trials, left;            // number of trials; how many of them made another transition in this step
+    uint32_t trials, left;            // number of trials in the state; in how many of them the machine left by another transition in this step
     uint32_t transition;              // Stmt.number of the majority's transition, by the Boyer-Moore vote; 0: none is made
-    int most;                         // the counter of that vote; it is above 0 if there is a majority
+    int most;                         // the counter of the majority vote; above 0 if there is a majority
 } TrialNext;
 
 typedef struct TrialState {
@@ -61,7 +61,7 @@ typedef enum TrialSetting { TRIAL_DEFAULTS, TRIAL_LOWEST, TRIAL_HIGHEST, TRIAL_S
 typedef struct Trials {
     Analysis *a;
     TrialSetting setting;
-    uint32_t share;                   // the bounds of effort are divided by this number: 1, or with parameters how many settings there are
+    uint32_t share;                   // the bounds of effort are divided by this: 1, or the number of settings of the parameters
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
     uint64_t check_at;                // value of run->work at which trial_step lets the host end the trials
@@ -76,6 +76,7 @@ typedef struct Trials {
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition: what follows it
     bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
+    bool *rests_on;                   // by IR variable: check_output_left_on has reported that it stays on
     double *peak;                     // by IR variable: its largest magnitude in a trial
     const Var **var;                  // by IR variable: its Var
     double *wait;                     // the times that conditions compare T and G with, ascending

@@ -24,6 +24,39 @@ static bool print_failed(Cli *c, const Report *r)
     return failed;
 }
 
+// Checks the arguments that are not about the scripts.  Sets the index of the format.  Returns EXIT_OK, or EXIT_USAGE after a message.
+static int check_options(Cli *c, CompileOptions *o, OsOutput *file, size_t *format)
+{
+    if (!cli_choose_format(c, formats, FORMATS, format) || !cli_compile_options(c, o))
+        return EXIT_USAGE;
+    if (c->given[OPT_IO] && !c->given[OPT_SV])
+        return cli_usage_error(c, TEXT_io_needs_vector);
+    if (deps_wanted(c) && !deps_check_name(c, file))
+        return EXIT_USAGE;
+    if (c->given[OPT_NET] && !c->given[OPT_SV])
+        return cli_usage_error(c, TEXT_net_needs_vector);
+    return EXIT_OK;
+}
+
+// Compiles the machine and the scripts, and begins the report with the costs of the image.  Returns EXIT_OK, or EXIT_PROBLEM after messages.
+static int compile_for_report(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made, Report *r)
+{
+    const Network *net = NULL;
+
+    o->emit = EMIT_BYTECODE;
+    o->measure = true;
+    o->scripts_later = true;
+    o->warnings = NULL;                   // a report contains every finding
+    if (!compile_sources(&c->session, in, o, made) || (in->messages && !(net = session_net(&c->session, in->messages, in->vector)))) {
+        cli_print_diagnostics(c);
+        return EXIT_PROBLEM;
+    }
+    review_begin(&c->session, runs_find_machine(in, made)->program, r);
+    r->net = net;
+    review_add_costs(&c->session, runs_find_machine(in, made), made->artefact.at[0].bytes, o->step != 0, r);
+    return EXIT_OK;
+}
+
 int cmd_report(Cli *c)
 {
     static WriteReport *const writer[FORMATS] = {doc_write_html, doc_write_text, doc_write_json};
@@ -32,7 +65,6 @@ int cmd_report(Cli *c)
     CompileInput in;
     CompileOptions o;
     Compiled made;
-    const Network *net;
     Report r;
     Buf out;
     bool failed;
@@ -41,32 +73,12 @@ int cmd_report(Cli *c)
     if ((code = runs_check_arguments(c)) != EXIT_OK)
         return code;
     report_parts_choose(c);
-    if (!cli_choose_format(c, formats, FORMATS, &format) || !cli_compile_options(c, &o))
-        return EXIT_USAGE;
-    if (c->given[OPT_IO] && !c->given[OPT_SV])
-        return cli_usage_error(c, TEXT_io_needs_vector);
-    if (deps_wanted(c) && !deps_check_name(c, &file[0]))
-        return EXIT_USAGE;
-    if (c->given[OPT_NET] && !c->given[OPT_SV])
-        return cli_usage_error(c, TEXT_net_needs_vector);
+    if ((code = check_options(c, &o, &file[0], &format)) != EXIT_OK)
+        return code;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
-    o.emit = EMIT_BYTECODE;
-    o.measure = true;
-    o.scripts_later = true;
-    o.warnings = NULL;                    // a report contains every finding
-    if (!compile_sources(&c->session, &in, &o, &made)) {
-        cli_print_diagnostics(c);
-        return EXIT_PROBLEM;
-    }
-    net = in.messages ? session_net(&c->session, in.messages, in.vector) : NULL;
-    if (in.messages && !net) {
-        cli_print_diagnostics(c);
-        return EXIT_PROBLEM;
-    }
-    review_begin(&c->session, runs_find_machine(&in, &made)->program, &r);
-    r.net = net;
-    review_add_costs(&c->session, runs_find_machine(&in, &made), made.artefact.at[0].bytes, o.step != 0, &r);
+    if ((code = compile_for_report(c, &in, &o, &made, &r)) != EXIT_OK)
+        return code;
     if ((code = runs_execute(c, &r, &in, &made)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;

@@ -15,7 +15,7 @@ static const CliFormat formats[] = {{"text", {NULL, NULL, NULL}, NULL}, {"json",
 typedef struct WhyCommand {
     Cli *c;
     Arena *arena;
-    const Program *p;         // the machine or the application, as its scripts see it
+    const Program *p;         // the machine or the application in the form that its scripts run
     const Script *script;
     const Requirements *requirements;
     const char *to, *of, *unit;       // the words of the question; NULL: none

@@ -49,7 +49,7 @@ static void show_proofs(void *context, uint32_t done)
                                           (unsigned long)k->what->at.n, done < k->what->at.n ? k->what->at.at[done].id->text : ""));
 }
 
-// Records the scripts as starting points of the searches.  What they report is dropped: the report has run them before.
+// Records the runs of the scripts, as starting points of searches.  Drops their diagnostics, because the report has already run the scripts.
 static void record_scripts(Cli *c, const Report *r, ProveOptions *o)
 {
     ProveGiven *given = ARENA_ARRAY(&c->session.arena, ProveGiven, r->runs + 1);

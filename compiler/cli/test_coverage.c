@@ -73,7 +73,7 @@ int test_coverage_check_options(Cli *c)
     return EXIT_OK;
 }
 
-// Whether a total is below what is demanded.  A machine without places of a kind has covered them.
+// Whether a total is below the demanded percentage.  A machine without places of a kind meets any demand.
 static bool is_too_low(CoverTotal t, Demand d)
 {
     return d.is_set && 100.0 * t.covered < d.percent * t.possible;

@@ -17,19 +17,10 @@
 #include "compiler/script/engine.h"
 #include "compiler/sema/program.h"
 
-// The kinds of places: constant, its name in options and files, sentence.  A new kind is a row here, and code in plan.c that adds its places.
-#define COVER_KINDS(KIND) \
-    KIND(TRANSITION, "transitions", "each transition was taken; one of [all_states] from each state") \
-    KIND(STATEMENT,  "statements",  "each statement was executed") \
-    KIND(GUARD,      "guards",      "each guard, and each other decision, was true and was false") \
-    KIND(CONDITION,  "conditions",  "each condition was true and was false while it decided") \
-    KIND(WINDOW,     "windows",     "each window was full while what reads it decided") \
-    KIND(STATE,      "states",      "each state was entered, and left if it can be left") \
-    KIND(PARAMETER,  "parameters",  "each parameter had its default, and both ends of its range, in some run")
-
+// The kinds of places.
 typedef enum CoverKind {
 #define KIND(constant, name, sentence) COVER_##constant,
-    COVER_KINDS(KIND)
+#include "compiler/cover/cover_kinds.def"
 #undef KIND
     COVER_KIND_COUNT
 } CoverKind;

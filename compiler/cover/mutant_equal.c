@@ -118,7 +118,8 @@ static void add_condition(Probe *k, const Expr *e)
         k->is_full = true;
 }
 
-// Splits a chain: returns the comparison that contains the change, and adds the others as conditions.  Returns e itself if two of them do.
+// Splits a chain of comparisons such as a < b < c: returns the one that contains the change, and adds the others as conditions.  Returns e itself
+// if two of them contain it.
 static const Expr *split_chain(Probe *k, const Expr *e, const MutantEdit *d, const Expr **new)
 {
     const Expr *copy = copy_with_edits(k, e);
@@ -291,7 +292,7 @@ uint64_t mutant_step(const Program *p, const Script *const *script, uint32_t scr
 
 // ---- a mutant ----
 
-// Whether the new condition is never true while the old one is false, and the other way round.
+// Whether it is proved that the old and the new condition are always both true or both false.
 static bool has_same_truth(Probe *k, Stmt *s, const Expr *old, const Expr *new)
 {
     const Expr *only_old[] = {old, make_unary(k->arena, SM_OP_NOT, new)}, *only_new[] = {new, make_unary(k->arena, SM_OP_NOT, old)};

@@ -61,36 +61,6 @@ struct MutantRuns {
 
 // ---- what a script and the requirements read ----
 
-static void mark_seen(Expr *e, void *context)
-{
-    bool *seen = context;
-
-    if (e->kind == EX_VAR || e->kind == EX_AT)
-        seen[e->var->index] = true;
-}
-
-static void mark_seen_by_item(const ScriptItem *item, bool *seen)
-{
-    expr_walk(item->guard, mark_seen, seen);
-    for (size_t i = 0; i < item->inputs.n; i++)
-        expr_walk(item->inputs.at[i].value, mark_seen, seen);
-    for (size_t i = 0; i < item->asserts.n; i++)
-        if (item->asserts.at[i].condition)
-            expr_walk(item->asserts.at[i].condition, mark_seen, seen);
-}
-
-static void mark_seen_by_requirements(const Requirements *rq, bool *seen)
-{
-    for (size_t i = 0; i < rq->window.n; i++)
-        expr_walk(rq->window.at[i].sample, mark_seen, seen);
-    for (size_t i = 0; i < rq->at.n; i++) {
-        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
-        for (int k = 0; k < 3; k++)
-            if (condition[k])
-                expr_walk(condition[k], mark_seen, seen);
-    }
-}
-
 // Lists the variables of the machine that the script reads, or a requirement.
 static void list_seen(Arena *arena, const Program *p, const Requirements *rq, const uint32_t *var_of, Record *r)
 {
@@ -98,13 +68,9 @@ static void list_seen(Arena *arena, const Program *p, const Requirements *rq, co
     bool *seen = arena_alloc(arena, p->var.n + s->local.n);
     uint32_t *list = ARENA_ARRAY(arena, uint32_t, p->var.n);
 
-    for (size_t i = 0; i < s->window.n; i++)
-        expr_walk(s->window.at[i].sample, mark_seen, seen);
-    for (size_t i = 0; i < s->section.n; i++)
-        for (size_t k = 0; k < s->section.at[i].item.n; k++)
-            mark_seen_by_item(s->section.at[i].item.at[k], seen);
+    script_mark_reads(s, seen);
     if (rq)
-        mark_seen_by_requirements(rq, seen);
+        requirements_mark_reads(rq, seen);
     for (uint32_t v = 0; v < p->var.n; v++)
         if (seen[v] && var_of[v] != IR_NONE)
             list[r->seens++] = v;
@@ -318,7 +284,7 @@ static bool includes_change(const MutantReplay *c, const uint8_t *executed)
     return false;
 }
 
-// Returns the first point from `point` on after which what was changed is executed; the number of points if no such point follows.
+// Returns the first point, from `point` on, after which the run executes a changed statement; the number of points if no later part does.
 static uint32_t find_executed(const MutantReplay *c, uint32_t point)
 {
     while (point < c->r->point.n && !includes_change(c, c->r->executed.at[point]))
@@ -335,7 +301,7 @@ static void write_cells(const FlatMachine *f, void *state, const EngineWrite *wr
             cell[f->m->var_of[write[i].var]] = write[i].cell;
 }
 
-// Whether the script sees that the cells of the mutant are not those of a recorded step.
+// Whether a variable that the script reads has another value than in the recorded step.
 static bool has_other_cells(const MutantReplay *c, const uint64_t *recorded)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state);
@@ -446,7 +412,7 @@ static bool is_before(const MutantRuns *u, uint32_t x, uint32_t y)
     return a->noticed != b->noticed ? a->noticed > b->noticed : a->steps < b->steps;
 }
 
-// Moves the script at `i` in the order up, past those that notice less.
+// Moves the script at `i` in the order towards the start, before scripts that have noticed fewer mutants.
 static void move_up(MutantRuns *u, uint32_t i)
 {
     for (; i > 0 && is_before(u, u->order[i], u->order[i - 1]); i--) {

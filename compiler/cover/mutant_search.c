@@ -13,19 +13,19 @@ enum {
     MINIMISE_STEPS = 200000   // of the replays that make a scenario shorter
 };
 
-// What an input does from a step on.
+// The values of an input from step `step` on: a, or for a ramp a + b each step.
 typedef struct Course { double a, b; uint64_t step; bool is_ramp; } Course;
 
 // A stored situation.  The path from the root to it is the scenario that reaches it.
 typedef struct Node {
     const struct Node *parent;
-    const ScenarioChange *change;     // after the parent
+    const ScenarioChange *change;     // the changes between the parent and this node
     uint32_t changes;
     const State *start;
     uint64_t steps;           // that have run
     void *original, *mutant;  // the states of both machines
     Course *course;           // by input
-    bool differs;             // the states are not equal, which no output shows
+    bool differs;             // the states of machine and mutant differ, although no output does yet
 } Node;
 
 struct MutantSearch {
@@ -83,11 +83,11 @@ typedef struct Lockstep {
     uint64_t left;            // steps that can still run
     uint64_t replayed;        // steps of scenarios that were made shorter
     VEC(Node *) node;
-    VEC(Node *) apart;        // nodes whose states differ
-    const State *state;       // where the change is; or NULL
+    VEC(Node *) apart;        // nodes with `differs`
+    const State *state;       // the state that contains the change; or NULL
     VEC(Node *) inside;       // those of `node` that are in this state
     uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
-    const Var *what;          // what differs
+    const Var *what;          // the variable that differs
 } Lockstep;
 
 static double value_at(const Course *c, uint64_t step) { return c->is_ramp ? c->a + c->b * (double)(step - c->step) : c->a; }

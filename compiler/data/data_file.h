@@ -18,7 +18,7 @@ struct DataStream {
 };
 
 typedef struct DataFile {
-    const char *name;         // as messages show it
+    const char *name;         // the name shown in messages
     void *context;
     // Opens the file at its start.  Returns false and sets *why to a phrase, such as "it is a folder", if it cannot be read.
     bool (*open)(const struct DataFile *file, DataStream *stream, const char **why);

@@ -11,7 +11,8 @@ static const char *element_name(const Var *v) { return v->element ? v->element->
 
 static const char *special_name(const Program *p, const Var *v) { return v == p->g ? "G" : v == p->s ? "S" : v == p->t ? "T" : NULL; }
 
-// Sets the names of both machines from the match so far.  What has no match has a name that the other machine does not have.
+// Sets canonical names for both machines from the match so far: matched variables and states get the same name, all others a name that the other
+// machine does not have.
 static void set_names(ProgramDiff *d, Canon canon[2])
 {
     for (int side = 0; side < 2; side++) {

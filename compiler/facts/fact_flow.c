@@ -24,9 +24,9 @@ typedef struct FlowWalk {
     FactSlot *slot;                   // by slot
     FactEffect *effect;               // by block: its effect, or NULL
     FactPoint *begin;                 // by block: the facts at its beginning, until it is visited
-    FactPoint env;                    // the facts at the current instruction; without slots after they have become those of another block
+    FactPoint env;                    // the facts at the current instruction; without slots once they belong to another block
     SlotEnv *transferred;             // the facts that env_of_machine has transferred last, or NULL
-    const Env *transferred_to;        // its result
+    const Env *transferred_to;        // the result of that transfer
     IrBlkRef block;                   // the current block
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
     FactHome *home;                   // by temporary: a variable with the same value

@@ -233,7 +233,8 @@ static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t se
 
 static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
 
-// Searches for violations with fewer changes: special values change many inputs at once, and not each of them is removed again.
+// Searches a violation with fewer changes.  A run with special values changes many inputs at once, and simplifying does not find all that it does not
+// need.
 static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *found)
 {
     static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many

@@ -41,7 +41,7 @@
 #define SMC_PROVE_H
 
 #include "compiler/facts/fact.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 #include "compiler/sema/requirements.h"
 
 typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED, PROVE_INTERRUPTED, PROVE_VERDICTS } ProveVerdict;

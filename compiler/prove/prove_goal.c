@@ -130,7 +130,7 @@ static void hold_in_ranges(Arena *arena, const Program *p, Scenario *s)
 
 // ---- the goal ----
 
-// The distances of the conditions of the requirement in a step; of one that it does not have: those of false.
+// The distances of the conditions of a requirement in a step.  A condition that the requirement lacks counts as false.
 typedef struct Conditions { Distance a, b, c; } Conditions;
 
 static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
@@ -309,7 +309,7 @@ static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t d
     return reached;
 }
 
-// Removes changes that the goal does not need, also those that it does not need if another change has the value of a third one.
+// Removes changes that the goal does not need.  Also tries to give one change the value of another, if a third change is not needed then.
 static void simplify(Arena *arena, const GoalSearch *g, Scenario *s)
 {
     bool shorter = s->changes <= SIMPLIFY_CHANGES && s->steps <= SIMPLIFY_STEPS;

@@ -79,8 +79,7 @@ void prove_copy_block(ProveMaker *k, const IrFn *from, const IrBlk *b, IrRef *co
 // ---- windows ----
 
 void prove_merge_windows(ProveMaker *k, const Requirements *all);
-// Finds out which windows can be followed exactly.  `loose`: which of the machine's windows are not, of those that the
-// requirement does not read.
+// Decides which windows the model follows exactly.  `loose`: which windows of the machine it does not follow, unless the requirement reads them.
 void prove_find_samples(ProveMaker *k, ProveLoosening loose);
 // Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
 bool prove_follows_samples(const MadeWindow *w);
@@ -91,7 +90,7 @@ void prove_compare_samples(ProveMaker *k);
 const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w);
 // Emits that the minimum and the maximum of a window agree with its comparison w.
 void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w);
-// Emits the samples of the windows `from` to `to` - 1, and those of their comparisons, and makes the block after them the current one.
+// Emits the sampling of the windows `from` to `to` - 1, and of windows that compare their samples.  The block after it becomes the current one.
 void prove_sample_windows(ProveMaker *k, uint32_t from, uint32_t to);
 
 // ---- the slice ----

@@ -54,12 +54,12 @@ typedef struct ProveStep {
     uint32_t blocks;
 } ProveStep;
 
-// Which windows of the machine have any possible value in each step, of those that the requirement does not read.  Then the model has more runs
-// than the machine, but fewer variables.
+// Which windows of the machine the model does not follow, among those that the requirement does not read: they have any possible value in each step.
+// Then the model has more runs than the machine, but fewer variables.
 typedef enum ProveLoosening {
     PROVE_EXACT,              // none
     PROVE_COMPARED,           // none; and samples are compared with constants of the requirement (prove_threshold.c)
-    PROVE_LOOSE_LONG,         // those of more than two samples, and runs: not those of prev, rising and falling
+    PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; it follows those of prev, rising and falling
     PROVE_LOOSE_ALL,
     PROVE_RELATED,            // all; and the differences of variables are followed (prove_relate.h)
     PROVE_LOOSENINGS

@@ -167,7 +167,7 @@ static void write_remedies(const Program *p, const ProveOf *of, size_t indent, B
     buf_char(out, '\n');
 }
 
-// Of facts that are too weak, that of T is always a range.
+// Writes which variables the exploration could not follow exactly.  Leaves out T unless the machine is too large: T always has many values.
 static void write_wides(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     const bool large = of->obstacle == PROVE_TOO_LARGE;

@@ -207,7 +207,8 @@ const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w)
 
 // ---- agreement ----
 
-// Emits that a statistic of the numbers compares with the constant as the statistic of the comparisons says.  Other values are those of no run.
+// `w` samples a comparison of the samples of `base` with a constant.  Emits the condition that the minimum (or maximum) of `base` compares with the
+// constant as the minimum (or maximum) of `w` says.  No run has other values, so a path with them ends as impossible.
 static void agree(ProveMaker *k, const MadeWindow *base, const MadeWindow *w, SmStat stat)
 {
     const IrIns *compare = &w->sample->ins.at[w->operand];

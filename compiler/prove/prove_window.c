@@ -61,8 +61,8 @@ static Fact fact_of_choice(const ProveMaker *k, const MadeWindow *w, SmStat stat
     return fact_of_stat(stat, w->samples);
 }
 
-// Only a minimum or a run requires how many samples have been true, only a maximum how many false.  Before the first sample nothing has been false,
-// and nothing true.
+// Adds variables that count successive true samples, for a minimum or a run, and successive false ones, for a maximum.  The count of a run begins
+// at 0.  Others begin at the size of the window: before the first sample, all samples count as equal.
 static void add_counts(ProveMaker *k, MadeWindow *w)
 {
     const bool run = is_run(w->stats);
@@ -147,7 +147,7 @@ static void not_stored(Expr *e, void *context)
     *all = *all && (e->kind != EX_VAR || !e->var->written) && e->kind != EX_ROLL;
 }
 
-// Returns the window of the machine that has the same samples, because both sample what no step changes; IR_NONE if no window has them.
+// Returns a window of the machine that always has the same samples as w, because both sample an expression that no step changes; IR_NONE: none.
 static uint32_t same_window(const ProveMaker *k, const Window *w)
 {
     bool constant = true;
@@ -294,7 +294,7 @@ static void sample_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlk
     prove_jump_from(k, k->b, next);
 }
 
-// The same for a run.
+// Emits the same for a window that stores a run of true samples.
 static void sample_run(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
 {
     const uint32_t time = w->stats >> SM_STAT_RUN_TIME & 1 ? w->var[SM_STAT_RUN_TIME] : IR_NONE;

@@ -25,7 +25,7 @@ typedef enum DiagramChange { DIAGRAM_SAME, DIAGRAM_ADDED, DIAGRAM_REMOVED, DIAGR
 typedef struct DiagramChanges {
     const DiagramChange *state;       // by State.number - 1
     const DiagramChange *transition;  // by Transition.number
-    const char *const *was;           // by Transition.number: the condition before the change; NULL: it is the same, or there was none
+    const char *const *was;           // by Transition.number: the condition before the change; NULL: it was the same, or the transition is new
 } DiagramChanges;
 
 // Additions to the diagram; all zero: none.

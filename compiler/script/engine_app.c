@@ -13,9 +13,9 @@ typedef struct MachineOfApp {
     const Member *member;
     Engine *engine;
     EngineStep answer;
-    EngineWrite *write;       // the elements that the machine lists, then what the script writes to its locals
+    EngineWrite *write;       // writes to the elements that the machine lists, then those of the script to its locals
     uint32_t elements, writes;
-    uint64_t wait;            // ticks until it is due
+    uint64_t wait;            // ticks until the machine is due
     uint64_t periods;         // with ticks of recorded data: its periods until the last tick
     bool ran;                 // it ran a step in this tick
 } MachineOfApp;
@@ -28,8 +28,8 @@ typedef struct AppEngine {
     uint8_t *stored;
     MachineOfApp *machine;
     size_t machines;
-    bool by_rows;             // its ticks are the rows of recorded data
-    uint64_t ticks;           // that have run
+    bool by_rows;             // each row of the recorded data is a tick
+    uint64_t ticks;           // number of ticks that have run
 } AppEngine;
 
 // ---- one machine ----

@@ -78,7 +78,7 @@ typedef struct Answer {
     const Watch *w;           // of the machine of the question
     const Program *p;
     WhyWords words;
-    const WatchStmt **guard;  // the conditions of the answer whose change could matter
+    const WatchStmt **guard;  // the guards and conditions of the answer that another value could have changed
     size_t guards;
     const Var *origin[ORIGINS_MOST];  // the variables whose values explain the answer
     size_t origins;
@@ -119,7 +119,7 @@ static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
 {
     for (size_t i = 0; i < a->guards; i++)
         if (a->guard[i] == s)
-            return;                                   // two transitions have it in common
+            return;                                   // two transitions share the condition
     for (uint32_t i = 0; i < s->nodes; i++) {
         WhyLine *line;
         if (s->node[i].kind == WATCH_OPERAND)
@@ -255,7 +255,7 @@ static void explain_path(Answer *a)
     }
     add_heading(a, format_in(a->r.arena, "the shortest path is %s; its first transition:", why_path_text(a->r.arena, &path)));
     explain_transitions(a, 1, path.at[1]);
-    a->r.q.to = path.at[1];                           // what would have made a difference is about this transition
+    a->r.q.to = path.at[1];                           // the answer about other values is then about this transition
 }
 
 // ---- where values come from ----

@@ -11,8 +11,8 @@ enum {
     LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter runs to the others
     FEW_CHANGES = 2,          // a scenario with more is simplified once more, at most IMPROVED_ROUNDS times
     IMPROVED_ROUNDS = 3,
-    IMPROVED_PART = 2,        // of the effort that is left, one part of so many is for the scenario with most changes
-    LEAST_SHARE = 16          // of the effort that is left, one part of so many is for the next scenario
+    IMPROVED_PART = 2,        // this part of the remaining effort (1 / n) is for the scenario with most changes
+    LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)
 };
 
 typedef struct Candidate {
@@ -129,7 +129,8 @@ static uint8_t *set_of(const Chooser *c, const GoalSet *goals)
     return set;
 }
 
-// Shares the effort that is left: a scenario has as much of it as it has of the goals, and at least a part of it.
+// Sets the limit for simplifying a scenario.  Its part of the remaining effort is the part that its goals are of all goals without a scenario, and
+// at least 1 / LEAST_SHARE.
 static void share_effort(Chooser *c, uint32_t goals)
 {
     SearchRun *k = c->k;

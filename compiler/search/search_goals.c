@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals, and how far each step is from them.  A distance is the number of decisions of the path that still have to be passed, plus a fraction
-// for the first of them: how far its operands are from the other outcome.
+// Goals, and how far each step is from reaching them.  The distance of a step is the number of decisions on the path to the goal that do not have
+// the wanted outcome yet, plus a fraction for the first one of these: how far its operands are from that outcome.
 #include <string.h>
 
 #include "compiler/search/search_run.h"
@@ -212,7 +212,8 @@ static void find_costs(SearchRun *k, const SearchDecision *x)
     }
 }
 
-// How far a condition is from deciding with `value`: the cost of its own value, and of those of the other operands above it.
+// Returns how far a condition is from deciding with `value`: the distance of its own value, plus those of the other operands of the enclosing
+// `and` and `or`, which must not decide.
 static double find_cost_of_condition(const SearchRun *k, const FlatDecision *d, uint32_t condition, bool value)
 {
     uint32_t n = 0;

@@ -39,7 +39,7 @@ static void insert_loop(Attempt *t, ScenarioLoop l)
 
 // ---- equal rounds ----
 
-// Returns how many changes from index i on, rounds of n changes each, are equal.  The first 2 n of them are rounds.
+// Returns how many changes from index i on repeat the first n of them, at equal distances in steps; 0 if fewer than 2 n do.
 static size_t count_equal(const Chooser *c, const Scenario *s, size_t i, size_t n)
 {
     size_t m = n;
@@ -56,8 +56,8 @@ static size_t count_equal(const Chooser *c, const Scenario *s, size_t i, size_t 
     return m >= 2 * n ? m : 0;
 }
 
-// Replaces equal rounds of changes by a loop, those whose loop saves most changes.  The run stays the same.  Returns false if no loop saves at
-// least LEAST_SAVED changes.
+// Replaces the repeated changes whose loop saves most changes by that loop.  The run stays the same.  Returns false if no loop saves at least
+// LEAST_SAVED changes.
 static bool join_most_equal(Chooser *c, Scenario *s)
 {
     size_t from = 0, length = 0, most = 0, saved = LEAST_SAVED - 1;
@@ -98,15 +98,16 @@ bool chooser_join_equal(Chooser *c, Scenario *s)
 
 // ---- going around ----
 
-// What could become a loop: the changes after enter `first`, up to enter `next`, in place of those up to enter `last`; 0: until the goal is reached.
+// A loop that could be tried: it repeats the changes from transition `first` up to transition `next`, and replaces those up to transition `last`;
+// last 0: all until the goal is reached.  Numbers are indices into RoundTries.enter.
 typedef struct RoundTry { uint32_t first, next, last, times; size_t left; } RoundTry;
 
 typedef struct RoundTries {
     Chooser *c;
     const Scenario *s;
-    SearchEnter *enter;       // of a replay
+    SearchEnter *enter;       // the transitions of a replay
     uint32_t enters;
-    size_t *before;           // by enter: how many changes are made before the step after it
+    size_t *before;           // by transition: number of changes that are made before the step after it
     VEC(RoundTry) round;
 } RoundTries;
 
