@@ -39,18 +39,26 @@ R4 "of all steps"                      never lowest > highest
 R5 "by 10 per second"                  always S == Idle implies abs(y - prev(y)) <= 0.201
 R6 "rounding exceeds 0.2"              always S == Idle implies abs(y - prev(y)) <= 0.2
 R7 "a sum grows until 0.2 is rounded"  always S == Idle implies abs(sum - prev(sum)) <= 0.201
+R9 "a NaN takes the highest back"        always S == Idle implies highest >= prev(highest)
+R10 "the input of another step"        always lowest <= q
 R8 "not in the first step of Moved"    always abs(y - prev(y)) <= 0.201
 -- stdout --
 requirements of a, from state Idle, with a step every 20 ms:
-  R1  proved              the highest
-  R2  violated            not also if the median is NaN
+  R1   proved              the highest
+  R2   violated            not also if the median is NaN
 
 
-  R3  proved              the lowest
-  R4  proved              of all steps
-  R5  proved              by 10 per second
-  R6  violated            rounding exceeds 0.2
+  R3   proved              the lowest
+  R4   proved              of all steps
+  R5   proved              by 10 per second
+  R6   violated            rounding exceeds 0.2
 
 
-  R7  no violation found  a sum grows until 0.2 is rounded
-  R8  violated            not in the first step of Moved
+  R7   no violation found  a sum grows until 0.2 is rounded
+  R9   violated            a NaN takes the highest back
+
+
+  R10  violated            the input of another step
+
+
+  R8   violated            not in the first step of Moved
