@@ -122,6 +122,8 @@ static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
         p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
+    for (uint32_t n = 0; n < v->p->var.n && !v->o->assume_ranges; n++)
+        of->beyond_range |= v->p->var.at[n]->range && v->m->var_of[n] != IR_NONE && p->model[PROVE_EXACT]->var[v->m->var_of[n]].kind == PROVE_INPUT;
     for (uint32_t n = 0; n < v->m->var.n; n++)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
@@ -426,6 +428,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : o->givens ? o->given[0].run.delta_t : DELTA_T;
     result->init_state = o->init_state ? o->init_state : v.p->state.at[0];
     result->n = r->at.n;
+    result->effort = effort_of(&v);
     result->given = o->given;
     result->givens = o->givens;
     judge_givens(&v);

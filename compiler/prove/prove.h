@@ -94,6 +94,7 @@ typedef struct ProveOf {
     ProveObstacle obstacle;   // UNDECIDED
     ProveWide wide[PROVE_WIDES];      // UNDECIDED: what the last exploration could not distinguish all values of, `wides` of them
     uint32_t wides;
+    bool beyond_range;        // UNDECIDED: it depends on an element with @range, and values beyond that were not excluded
     bool *tried;              // by state from 0: some run was in it
     bool *excluded;           // by state from 0: an exploration has found that no run comes to it before it violates the requirement
     uint32_t irrelevant;      // variables that cannot influence the requirement
@@ -127,6 +128,7 @@ typedef struct ProveResult {
     uint64_t delta_t;
     const State *init_state;
     uint64_t steps;           // steps of all runs that were tried
+    uint64_t effort;          // of each search: as in the options, or the default
     const char *bug;          // a sentence: a found violation that the reference interpreter does not confirm; or NULL
 } ProveResult;
 

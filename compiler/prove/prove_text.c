@@ -184,6 +184,8 @@ static void write_wides(Arena *arena, const Program *p, const ProveOf *of, size_
     }
     if (written)
         buf_char(out, '\n');
+    if (written && !large)
+        buf_printf(out, "%*sa proof can become possible by: limits on them that the machine keeps, such as clamp(x, 0, 100)\n", (int)indent, "");
 }
 
 static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
@@ -194,6 +196,25 @@ static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, s
     write_wides(arena, p, of, indent, out);
     if (of->obstacle == PROVE_TOO_LARGE && of->wides)
         write_remedies(p, of, indent, out);
+}
+
+// Writes what the user of the command can do.
+static void write_advice(const Program *p, const ProveResult *r, const ProveOf *of, size_t indent, Buf *out)
+{
+    enum { MILLION = 1000000, LONGER = 10 };
+    const uint64_t effort = (r->effort + MILLION - 1) / MILLION * LONGER;
+    bool untried = false;
+
+    for (uint32_t s = 0; s < p->state.n; s++)
+        untried = untried || is_untried(of, s);
+    buf_printf(out, "%*swhat can help: ", (int)indent, "");
+    if (untried)
+        buf_str(out, "a script that comes to these states, named in the command; ");
+    else if (!of->premise_seen)
+        buf_str(out, "a script that comes to the premise, named in the command; ");
+    if (of->beyond_range)
+        buf_str(out, "--assume-ranges, if no element has values beyond its @range; ");
+    buf_printf(out, "--effort=%llu, which searches longer\n", (unsigned long long)effort);
 }
 
 // What was done says how long it takes, but nothing about the requirement.
@@ -278,6 +299,8 @@ void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf 
         const ProveOf *of = &r->of[i];
         buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, prove_verdict_words(of->verdict), of->what->text->text);
         prove_write_reason(arena, p, of, 6, out);
+        if (of->verdict == PROVE_UNDECIDED)
+            write_advice(p, r, of, 6, out);
     }
 }
 
