@@ -310,6 +310,7 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share)
     t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
+    t->stamp = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->limit = ARENA_ARRAY(a->arena, double *, a->m->var.n);
     t->scratch = arena_alloc(a->arena, t->run->size);
     t->before = ARENA_ARRAY(a->arena, double, a->m->var.n);
