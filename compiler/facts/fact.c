@@ -460,11 +460,6 @@ Fact fact_meet(Fact a, Fact b)
     return normalize_fact(r);
 }
 
-bool fact_equal(Fact a, Fact b)
-{
-    return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
-}
-
 bool fact_is_same(const Fact *a, const Fact *b)
 {
     return sm_bits(a->lo) == sm_bits(b->lo) && sm_bits(a->hi) == sm_bits(b->hi) && fact_equal(*a, *b);
