@@ -86,7 +86,7 @@ Fact fact_of_cell(SmType type, uint64_t bits)
 
 Fact fact_of_bool(bool may_be_false, bool may_be_true)
 {
-    return make_fact(may_be_false ? 0 : 1, may_be_true ? 1 : 0, true, false, false);
+    return (Fact){may_be_false ? 0 : 1, may_be_true ? 1 : 0, .whole = true, .f32 = true};
 }
 
 // ---- arithmetic ----
