@@ -60,7 +60,7 @@ typedef struct Explorer {
     uint32_t blocks;          // capacity of `at`
 } Explorer;
 
-static bool assumes(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
+static bool is_assumed(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
 
 // ---- facts between steps ----
 
@@ -97,7 +97,7 @@ static Fact fact_of_input(const Explorer *x, uint32_t v)
     const IrVar *var = &x->p->ir->var.at[v];
     Fact f = fact_of_type(var->type);
 
-    if (!assumes(x, PROVE_RANGES))
+    if (!is_assumed(x, PROVE_RANGES))
         return f;
     for (uint32_t k = 0; k < x->p->machine->program->var.n; k++) {
         const Var *of = x->p->machine->program->var.at[k];
@@ -120,12 +120,12 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
     case PROVE_INPUT: return fact_of_input(x, v);
     case PROVE_OUTPUT:
         if (!before)
-            return assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
-        return assumes(x, PROVE_OWN_OUTPUTS) ? *before : type;
+            return is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+        return is_assumed(x, PROVE_OWN_OUTPUTS) ? *before : type;
     case PROVE_KEPT:
         if (before)
             return *before;
-        return v < p->machine->var.n && assumes(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
+        return v < p->machine->var.n && is_assumed(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
     case PROVE_CHOICE: return p->var[v].begin;
     case PROVE_IRRELEVANT: return type;
     case PROVE_TIME: break;
@@ -134,7 +134,7 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
         return fact_of_cell(var->type, state + 1);
     if (v == p->ir->t && (first || !before))
         return fact_of_cell(var->type, 0);
-    return before ? advance_time(*before, (double)p->delta_t) : assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+    return before ? advance_time(*before, (double)p->delta_t) : is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
 }
 
 static const Env *begin_step(const Explorer *x, const Env *before, bool is_start, uint32_t state, bool first)
@@ -157,7 +157,7 @@ static const Env *begin_step(const Explorer *x, const Env *before, bool is_start
 
 static uint64_t key_of(Fact f) { return f.lo == f.hi && !f.nan ? sm_bits(f.lo == 0 ? 0.0 : f.lo) : KEY_OPEN; }
 
-static uint64_t mix(uint64_t h, uint64_t x)
+static uint64_t mix_hash(uint64_t h, uint64_t x)
 {
     h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
     return h ^ h >> 31;
@@ -225,10 +225,10 @@ static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
     uint32_t *slot;
 
     n.key = ARENA_ARRAY(x->arena, uint64_t, x->keys + 1);
-    n.hash = mix(state, first);
+    n.hash = mix_hash(state, first);
     for (uint32_t k = 0; k < x->keys; k++) {
         n.key[k] = key_of(env_get(&x->fm->shape, env, x->key[k]));
-        n.hash = mix(n.hash, n.key[k]);
+        n.hash = mix_hash(n.hash, n.key[k]);
     }
     slot = find_slot(x, t, &n);
     if (*slot) {
@@ -245,13 +245,13 @@ static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
 // ---- a step ----
 
 // Removes from env what no later block reads, and what the next step does not begin with: paths that differ in nothing else become equal.
-static const Env *forget_dead(const Explorer *x, const Env *env, const uint64_t *live)
+static const Env *forget_dead_variables(const Explorer *x, const Env *env, const uint64_t *live)
 {
     const EnvShape *shape = &x->fm->shape;
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
         const ProveVarKind kind = x->p->var[v].kind;
-        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !assumes(x, PROVE_OWN_OUTPUTS));
+        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !is_assumed(x, PROVE_OWN_OUTPUTS));
         if (lost && !bitset_has(live, v) && env_find(shape, env, v) && !(kind == PROVE_OUTPUT && x->p->var[v].stored))
             env = env_set(shape, env, v, fact_of_type(x->p->ir->var.at[v].type));
     }
@@ -270,7 +270,7 @@ static void enter_block(Explorer *x, IrBlkRef block, const Env *env)
         return;
     if (!fact_equal(time, was))
         env = env_set(&x->fm->shape, env, t, time);
-    env = forget_dead(x, env, x->step->block[block].live);
+    env = forget_dead_variables(x, env, x->step->block[block].live);
     for (uint32_t n = 0; n < at->n; n++)
         if (at->at[n] == env)
             return;
@@ -436,7 +436,7 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
         memset(seen, 0, 2 * SAMPLE * sizeof *seen);
         for (uint32_t n = 0; n < x->table->node.n && values < SAMPLE; n++) {
             const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0
-            uint64_t at = mix(value, 7) & (2 * SAMPLE - 1);
+            uint64_t at = mix_hash(value, 7) & (2 * SAMPLE - 1);
             while (seen[at] && seen[at] != value)
                 at = (at + 1) & (2 * SAMPLE - 1);
             values += seen[at] == 0;
@@ -472,7 +472,7 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
 }
 
 // Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
-static void narrow(Explorer *x, const State *init)
+static void narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
 
@@ -503,7 +503,7 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     new_facts(x);
     end = explore_all(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
-        narrow(x, init);
+        narrow_facts(x, init);
     x->out->nodes = x->table->node.n;
     return end;
 }
@@ -540,7 +540,7 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
         const ProveVarKind kind = x->p->var[v].kind;
-        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && assumes(x, PROVE_OWN_OUTPUTS)) || (v == x->p->ir->t && x->p->var[v].relevant);
+        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && is_assumed(x, PROVE_OWN_OUTPUTS)) || (v == x->p->ir->t && x->p->var[v].relevant);
         if (lasts && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
             key[n++] = v;
     }

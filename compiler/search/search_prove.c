@@ -286,7 +286,7 @@ static bool node_truth(Prover *p, const FlatDecision *d, uint32_t n)
 }
 
 // Whether a condition has the value and decides, in the current combination.
-static bool decides(Prover *p, const FlatDecision *d, uint32_t condition, bool value)
+static bool condition_decides(Prover *p, const FlatDecision *d, uint32_t condition, bool value)
 {
     uint32_t n = 0;
 
@@ -306,13 +306,13 @@ static bool decides(Prover *p, const FlatDecision *d, uint32_t condition, bool v
     return true;
 }
 
-static bool takes_path(Prover *p, const SearchSite *site)
+static bool can_take_path(Prover *p, const SearchSite *site)
 {
     for (uint32_t e = site->path.n; e-- > 0; ) {
         const FlatDecision *d = p->k->decision[site->path.elem[e].decision].d;
         if (!site->path.elem[e].is_certain)
             continue;
-        if (e == 0 && site->condition != SEARCH_NONE ? !decides(p, d, site->condition, site->value)
+        if (e == 0 && site->condition != SEARCH_NONE ? !condition_decides(p, d, site->condition, site->value)
                                                      : node_truth(p, d, d->nodes - 1) != site->path.elem[e].value)
             return false;
     }
@@ -364,7 +364,7 @@ static bool is_excluded(Prover *p, const SearchSite *site)
     if (!p->fits || combinations > MOST_COMBINATIONS)
         return false;
     do
-        if (takes_path(p, site))
+        if (can_take_path(p, site))
             return false;
     while (next_combination(p));
     return true;
@@ -389,7 +389,7 @@ static void find_reachable(const SearchRun *k, bool *reachable)
 
 // ---- goals ----
 
-static void exclude(SearchRun *k, SearchGoal *g, const char *reason)
+static void mark_impossible(SearchRun *k, SearchGoal *g, const char *reason)
 {
     SearchFind *f = &k->r->find[g->place];
 
@@ -410,7 +410,7 @@ static void prove_paths(SearchRun *k)
         for (uint32_t s = 0; s < g->site.n && excluded; s++)
             excluded = is_excluded(p, &g->site.at[s]);
         if (excluded && k->c->place.at[g->place].kind != COVER_STATE)
-            exclude(k, g, "the conditions before it and beside it exclude it");
+            mark_impossible(k, g, "the conditions before it and beside it exclude it");
     }
 }
 
@@ -428,7 +428,7 @@ static void prove_states(SearchRun *k)
         for (uint32_t s = 0; s < g->site.n && excluded; s++)
             excluded = g->site.at[s].state != 0 && !reachable[g->site.at[s].state - 1];
         if (excluded || (place->kind == COVER_STATE && !reachable[place->from->number - 1]))
-            exclude(k, g, "no run enters its state");
+            mark_impossible(k, g, "no run enters its state");
     }
 }
 

@@ -189,7 +189,7 @@ static Attempt repeat_round(RoundTries *r, const RoundTry *x)
     return t;
 }
 
-static bool go_around(Chooser *c, Scenario *s, const GoalSet *want)
+static bool replace_by_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     RoundTries r = {.c = c, .s = s};
     Scenario copy = *s;
@@ -218,7 +218,7 @@ bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     bool added = false;
 
-    while (c->k->o->loops && chooser_has_effort(c) && go_around(c, s, want))
+    while (c->k->o->loops && chooser_has_effort(c) && replace_by_loops(c, s, want))
         added = true;
     return chooser_join_equal(c, s) || added;
 }

@@ -153,7 +153,7 @@ static bool record_enters(Reducer *r)
 // An edit of an attempt: it has fewer changes then.  Returns false if it is no edit of this scenario.
 typedef bool Edit(Attempt *t, size_t i, size_t n);
 
-static bool edit_drop(Attempt *t, size_t i, size_t n)
+static bool drop_from_attempt(Attempt *t, size_t i, size_t n)
 {
     if (i + n > t->s.changes)
         return false;
@@ -236,7 +236,7 @@ static bool drop_changes(Reducer *r)
 
     for (size_t n = r->s->changes / 2; n > 0; n /= 2)
         for (size_t i = r->s->changes; i-- > 0 && chooser_has_effort(r->c); )
-            if (i + n <= r->s->changes && try_edit(r, edit_drop, i, n))
+            if (i + n <= r->s->changes && try_edit(r, drop_from_attempt, i, n))
                 shorter = true;
     return shorter;
 }
@@ -379,7 +379,7 @@ static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
         }
 }
 
-static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
+static double nearest_whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
 
 // Replaces an infinity, or another value far beyond what the machine compares with, by one of a usual size, if that is enough.
 static bool try_usual_size(Chooser *c, Scenario *s, size_t i, const SearchInput *in, const GoalSet *want)
@@ -419,7 +419,7 @@ static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
             const double f = is_part ? per[u - sizeof unit / sizeof *unit] : unit[u];
             if ((!is_part && f > 2 * size) || (is_part && !ir_is_float(in->type)))
                 continue;
-            x.a = is_part ? whole(a * f) / f : whole(a / f) * f;
+            x.a = is_part ? nearest_whole(a * f) / f : nearest_whole(a / f) * f;
             done = x.a == a;
             if (!done && (!in->range || (x.a >= in->range->lo && x.a <= in->range->hi)))
                 done = try_change(c, s, i, x, want);
@@ -443,7 +443,7 @@ static uint32_t find_simplest(const SearchRun *k, uint32_t state)
 }
 
 // Finds the simplest known way to a state: that of a chosen scenario, or that of an entry.  Returns false if it has `most` changes or more.
-static bool find_way(Chooser *c, uint32_t state, size_t most, Scenario *way)
+static bool find_scenario_to(Chooser *c, uint32_t state, size_t most, Scenario *way)
 {
     const uint32_t node = find_simplest(c->k, state);
     const Scenario *chosen = &c->way[state - 1];
@@ -459,7 +459,7 @@ static bool find_way(Chooser *c, uint32_t state, size_t most, Scenario *way)
 }
 
 // Returns the first steps of a scenario, in which it makes so many of its changes.
-static Scenario cut_after(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
+static Scenario cut_scenario(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
 {
     Scenario out = {.init_state = s->init_state, .delta_t = s->delta_t, .steps = step, .change = s->change, .changes = changes};
     ScenarioLoop *loop = arena_array(&c->k->work, s->loops + 1, sizeof *loop);
@@ -484,7 +484,7 @@ void chooser_keep_ways(Chooser *c, const Scenario *s)
         while (before < s->changes && s->change[before].step <= e->step)
             before++;
         if (!way->init_state || before < way->changes)
-            *way = cut_after(c, s, e->step, before);
+            *way = cut_scenario(c, s, e->step, before);
     }
 }
 
@@ -547,7 +547,7 @@ static bool simplify_beginning(Reducer *r)
         Attempt t;
         while (before < from.changes && from.change[before].step <= r->enter[i].step)
             before++;
-        if (r->enter[i].step + 1 > from.steps || !find_way(c, r->enter[i].state, before, &way))
+        if (r->enter[i].step + 1 > from.steps || !find_scenario_to(c, r->enter[i].state, before, &way))
             continue;
         tries++;
         t = join_at(c, &way, &from, r->enter[i].step);
