@@ -981,6 +981,7 @@ $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/rando
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
 $(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
+$(call test, prove-interrupted,    thorough,, sh tests/prove/interrupted.sh $(B)/smc)
 $(call test, why-random,           thorough, $(B)/why/random, $(B)/why/random 1 1500)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)

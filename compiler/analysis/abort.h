@@ -86,4 +86,7 @@ bool abort_is_bounded(const AbortPath *p);     // whether p can be taken and rea
 // abort_sensors.c: fills in the inputs that the paths of each row depend on, and the results of the trials.
 void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b);
 
+// abort_commands.c: reports the states that cannot abort on a bool input on which nearly all others do.
+void abort_report_skipped_inputs(Trials *t, const AbortMatrix *x);
+
 #endif

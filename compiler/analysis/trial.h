@@ -76,6 +76,7 @@ typedef struct Trials {
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition: what follows it
     bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
+    bool *rests_on;                   // by IR variable: check_output_left_on has reported that it stays on
     double *peak;                     // by IR variable: its largest magnitude in a trial
     const Var **var;                  // by IR variable: its Var
     double *wait;                     // the times that conditions compare T and G with, ascending

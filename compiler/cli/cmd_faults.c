@@ -233,8 +233,12 @@ static void run_faults(FaultsRun *r)
 
 static int report_fail_on(const FaultsRun *r)
 {
-    unsigned long n = 0;
+    unsigned long n = 0, failed = 0;
 
+    for (uint32_t i = 0; i < r->f->result.n; i++)
+        failed += r->f->result.at[i].outcome == FAULT_HAS_FAILED;
+    if (failed > 0 && !r->o.requirements)
+        cli_print_note(r->c, TEXT_faults_asserts, failed);
     if (r->f->is_cut)
         cli_print_note(r->c, TEXT_faults_cut, (unsigned long)r->f->runs);
     if (r->is_interrupted)

@@ -59,7 +59,7 @@ static int code_of_verdicts(const ProveResult *r)
     for (uint32_t i = 0; i < r->n; i++)
         if (r->of[i].verdict == PROVE_VIOLATED)
             return EXIT_PROBLEM;
-        else if (r->of[i].verdict == PROVE_UNDECIDED)
+        else if (r->of[i].verdict == PROVE_UNDECIDED || r->of[i].verdict == PROVE_INTERRUPTED)
             code = EXIT_INCONCLUSIVE;
     return code;
 }

@@ -121,32 +121,52 @@ static const char *verify_machine(PassRunner *r, const char *when)
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
-// Runs one pass.  Returns NULL, or what `verify` found wrong with the result, as a sentence.
-static const char *run_pass(PassRunner *r, const PassInfo *pass)
+// Runs n passes over functions, which are adjacent in their order.  All of them run on one function before they run on the next: the function is
+// then still in the processor's cache.
+static void run_on_functions(PassRunner *r, const PassInfo *const *pass, size_t n)
 {
-    const size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
     Facts *facts = r->facts;
 
-    if (pass->on_function) {
-        run_on_function(r, pass, r->m->sample, facts++);
-        for (size_t s = 0; s < r->m->state.n; s++)
-            for (int k = 0; k < BLOCK_COUNT; k++)
-                run_on_function(r, pass, r->m->state.at[s].block[k], facts++);
-    } else {
-        if (pass->needs & FACT_VALUES && !r->values)
-            r->values = facts_of_machine(r->arena, r->m);
-        pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
-        for (size_t f = 0; f < functions; f++)
-            r->facts[f].valid &= ~pass->invalidates;
-    }
-    if (pass->invalidates & FACT_VALUES)
-        r->values = NULL;
+    for (size_t k = 0; k < n; k++)
+        run_on_function(r, pass[k], r->m->sample, facts);
+    facts++;
+    for (size_t s = 0; s < r->m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++, facts++)
+            for (size_t k = 0; k < n; k++)
+                run_on_function(r, pass[k], r->m->state.at[s].block[b], facts);
+}
+
+static void run_on_machine(PassRunner *r, const PassInfo *pass)
+{
+    const size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
+
+    if (pass->needs & FACT_VALUES && !r->values)
+        r->values = facts_of_machine(r->arena, r->m);
+    pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
+    for (size_t f = 0; f < functions; f++)
+        r->facts[f].valid &= ~pass->invalidates;
+}
+
+// Runs n adjacent passes, n > 1 only of passes over functions.  Returns NULL, or what `verify` found wrong with the result, as a sentence.
+static const char *run_passes(PassRunner *r, const PassInfo *const *pass, size_t n)
+{
+    const PassInfo *last = pass[n - 1];
+
+    if (last->on_function)
+        run_on_functions(r, pass, n);
+    else
+        run_on_machine(r, last);
+    for (size_t k = 0; k < n; k++)
+        if (pass[k]->invalidates & FACT_VALUES)
+            r->values = NULL;
     if (r->values)
         facts_forget_visits(r->values);
     if (r->o->after)
-        r->o->after(r->o->context, pass, r->m);
-    return verify_machine(r, pass->name);
+        r->o->after(r->o->context, last, r->m);
+    return verify_machine(r, last->name);
 }
+
+static const char *run_pass(PassRunner *r, const PassInfo *pass) { return run_passes(r, &pass, 1); }
 
 // Runs the passes of a list of names.  Returns NULL, or an error as a sentence.
 static const char *run_listed_passes(PassRunner *r, const char *list)
@@ -177,19 +197,35 @@ static void prepare_facts(PassRunner *r)
     }
 }
 
+// Returns how many of the next n passes (at least 1) can run together: passes over functions, if no check or print follows each of them.
+static size_t count_passes_over_functions(const PassRunner *r, const PassInfo *const *pass, size_t n)
+{
+    size_t together = 0;
+
+    while (together < n && pass[together]->on_function && !r->o->verify && !r->o->after)
+        together++;
+    return together ? together : 1;
+}
+
 // Runs the optimiser.  Returns NULL, or an error as a sentence.
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
     PassRunner r = {arena, m, o, NULL, {NULL, 0}, NULL};
+    const PassInfo *pass[sizeof runs / sizeof *runs];
     const char *wrong;
+    size_t n = 0, together;
 
     prepare_facts(&r);
     wrong = verify_machine(&r, "before the first pass");
     if (!wrong && o->only)
         return run_listed_passes(&r, o->only);
-    for (size_t p = 0; !wrong && p < sizeof runs / sizeof runs[0]; p++)
+    for (size_t p = 0; p < sizeof runs / sizeof *runs; p++)
         if (runs[p].level <= o->level)
-            wrong = run_pass(&r, &pass_info[runs[p].pass]);
+            pass[n++] = &pass_info[runs[p].pass];
+    for (size_t p = 0; !wrong && p < n; p += together) {
+        together = count_passes_over_functions(&r, pass + p, n - p);
+        wrong = run_passes(&r, pass + p, together);
+    }
     return wrong;
 }
 

@@ -13,7 +13,7 @@ enum {
     EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
 };
 
-static const ProveLimits coarse = {1500, 300000, 0}, fine = {4000, 1500000, 0};
+static const ProveLimits coarse = {.nodes = 1500, .visits = 300000}, fine = {.nodes = 4000, .visits = 1500000};
 
 typedef struct ProveRun {
     Arena *arena;
@@ -29,10 +29,19 @@ typedef struct ProveRun {
     const ProveGiven **given_of;      // ... where each is from
     const GivenResult **judged;       // ... what each shows, by requirement
     uint32_t givens;
+    bool stopped;             // go_on has returned false
 } ProveRun;
 
 static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
-static bool goes_on(const ProveRun *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
+
+// Called by what a run starts, too: so a stop that it has noticed counts, even if go_on would return true again.
+static bool goes_on(void *run)
+{
+    ProveRun *v = run;
+
+    v->stopped = v->stopped || (v->o->go_on && !v->o->go_on(v->o->context));
+    return !v->stopped;
+}
 
 // ---- proofs ----
 
@@ -44,6 +53,8 @@ static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, bool is_
     if (v->o->visits)
         limits.visits = v->o->visits;
     limits.memory = v->o->memory ? v->o->memory : SEARCH_MEMORY;
+    limits.go_on = goes_on;
+    limits.context = v;
     *x = prove_explore(&v->models, &v->work, model, v->result->init_state, assumed, is_fine, &limits);
     of->visits += x->visits;
     of->nodes = x->nodes;
@@ -181,10 +192,8 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
         for (uint32_t n = from; n < to; n++) {
             if (is_repeated(p, attempt[n].loose))
                 continue;
-            if (!goes_on(v)) {
-                of->obstacle = PROVE_INTERRUPTED;
+            if (!goes_on(v))
                 return false;
-            }
             if (try_attempt(v, p->model[attempt[n].loose], p->assumed[set], attempt[n].is_fine, of))
                 return true;
         }
@@ -193,10 +202,10 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 
 // ---- violations ----
 
-static GoalSearch new_search(const ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+static GoalSearch new_search(ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort ? effort : 1,
-                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = v->o->go_on, .context = v->o->context};
+                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = goes_on, .context = v};
 }
 
 static GoalFound run_goal_search(ProveRun *v, ProveOf *of, const GoalSearch *g)
@@ -313,7 +322,7 @@ static bool is_violated_by_given(ProveRun *v, ProveOf *of)
 }
 
 // Proofs that take long, and searches that take long, come last: most requirements are decided before.
-static void decide_requirement(ProveRun *v, ProveOf *of)
+static void try_to_decide(ProveRun *v, ProveOf *of)
 {
     const uint64_t effort = effort_of(v);
     ProveProof proof;
@@ -332,6 +341,17 @@ static void decide_requirement(ProveRun *v, ProveOf *of)
     }
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
         of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+}
+
+// "Undecided" says how little all attempts have found.  So it is no verdict on a requirement of which some attempts were not made.
+static void decide_requirement(ProveRun *v, ProveOf *of)
+{
+    of->verdict = PROVE_INTERRUPTED;
+    if (!goes_on(v))
+        return;
+    try_to_decide(v, of);
+    if (of->verdict == PROVE_UNDECIDED && !goes_on(v))
+        of->verdict = PROVE_INTERRUPTED;
 }
 
 // ---- contradictions ----

@@ -11,6 +11,7 @@
 //                 before b`, and a step with a after one with b of `never a after b without c`.
 //     violated    the result has a scenario that violates it, confirmed by the reference interpreter.
 //     undecided   neither a proof nor a violation was found.
+//     interrupted go_on has stopped the attempts before all were made.
 //
 // How a proof works.  A step of the machine, and the judgement of the requirement after it, become one function of variables (prove_model.h).
 // The exploration (prove_explore.h) computes facts about these variables: intervals of values, by state, by the past of the requirement and by the
@@ -40,7 +41,7 @@
 #include "compiler/script/scenario.h"
 #include "compiler/sema/requirements.h"
 
-typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED } ProveVerdict;
+typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED, PROVE_INTERRUPTED, PROVE_VERDICTS } ProveVerdict;
 
 typedef enum ProveAssumption {
     PROVE_OWN_OUTPUTS,        // only the machine writes the elements that it assigns
@@ -61,8 +62,7 @@ typedef struct ProveInvariant {
 
 typedef enum ProveObstacle {
     PROVE_FACTS_TOO_WEAK,     // the facts allow a violation that no run was found to have
-    PROVE_TOO_LARGE,          // the exploration reached its limits
-    PROVE_INTERRUPTED         // go_on has stopped it
+    PROVE_TOO_LARGE           // the exploration reached its limits
 } ProveObstacle;
 
 // The run of a script: a starting point of searches for violations (prove_given.h).
@@ -111,7 +111,7 @@ typedef struct ProveOptions {
     size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It decides only if it is reached
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
-    bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never
+    bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is interrupted.  NULL: never
     void *context;
 } ProveOptions;
 

@@ -13,8 +13,10 @@ enum {
     CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
     CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
+    PATIENCE = 4,                     // so many times as many changes are allowed if the limits are bounds that an exploration has found
     NARROWINGS = 3,
     LIMITS_MOST = 256,
+    ROUNDS = 5,                       // of explorations, each with the bounds that the one before has found as its limits
     MANY_VALUES = 4,                  // of a key: more are worth a mention
     BESIDE = 5                        // limits of a constant: itself, and its neighbours
 };
@@ -50,6 +52,10 @@ typedef struct Explorer {
     const ProveLimits *limits;
     uint64_t *visits;
     FactLimits widening;
+    double *limit;            // those of `widening`
+    double *found;            // the bounds of the last nodes, `founds` of them: the limits of the next exploration
+    size_t founds;
+    uint32_t patience;
     ProveTable *table;        // receives nodes
     bool widens;              // false: in the last rounds
     ProveExplored *out;
@@ -206,12 +212,12 @@ static void join_at_node(Explorer *x, uint32_t number, const Env *env)
     static const double round[] = {-FACT_EXACT, -1e6, -1, 0, 1, 255, 65535, 1e6, FACT_EXACT};
     static const FactLimits few = {round, sizeof round / sizeof *round};
     ProveNode *n = &x->table->node.at[number];
-    const FactLimits *widen = !x->widens || n->changes < CHANGES_BEFORE_WIDENING ? NULL : n->changes < CHANGES_BEFORE_FEW_LIMITS ? &x->widening : &few;
+    const FactLimits *widen = !x->widens || n->changes < CHANGES_BEFORE_WIDENING ? NULL : n->changes < CHANGES_BEFORE_FEW_LIMITS * x->patience ? &x->widening : &few;
     const Env *now = env_join(&x->fm->shape, n->env, env, widen);
 
     if (now == n->env)
         return;
-    if (x->widens && n->changes > CHANGES_MOST)
+    if (x->widens && n->changes > CHANGES_MOST * x->patience)
         now = begin_step(x, NULL, false, n->state, n->first);
     n->env = now;
     n->changes++;
@@ -389,10 +395,9 @@ static void add_limits_of(double *limit, size_t *n, const IrFn *f, const IrIns *
 }
 
 // Returns the constants of the machine and of the requirement with their neighbours: guards stop counters and times there.
-static FactLimits find_limits(Arena *arena, const ProveModel *p)
+static FactLimits find_limits(double *limit, const ProveModel *p)
 {
     const double delta = (double)p->delta_t, beside[BESIDE] = {0, -1, 1, -delta, delta};
-    double *limit = ARENA_ARRAY(arena, double, LIMITS_MOST);
     size_t n = 0;
 
     add_limit(limit, &n, 0);
@@ -450,7 +455,9 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
     return widest;
 }
 
-typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS } ExploreEnd;
+typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS, EXPLORE_STOPPED } ExploreEnd;
+
+static bool goes_on(const Explorer *x) { return !x->limits->go_on || x->limits->go_on(x->limits->context); }
 
 static ExploreEnd explore_all(Explorer *x, const State *init)
 {
@@ -467,12 +474,14 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
             return EXPLORE_MANY_NODES;
         if (*x->visits > x->limits->visits || (x->limits->memory && arena_size(x->arena) > x->limits->memory))
             return EXPLORE_MANY_VISITS;
+        if (!goes_on(x))
+            return EXPLORE_STOPPED;
     }
     return EXPLORE_CLOSED;
 }
 
 // Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
-static void narrow_facts(Explorer *x, const State *init)
+static ExploreEnd narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
 
@@ -482,8 +491,12 @@ static void narrow_facts(Explorer *x, const State *init)
     memset(x->out->reached, 0, x->p->machine->state.n * sizeof *x->out->reached);
     memset(x->out->entered, 0, x->p->machine->state.n * sizeof *x->out->entered);
     add_node(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
-    for (uint32_t n = 0; n < from->node.n; n++)
+    for (uint32_t n = 0; n < from->node.n; n++) {
+        if (!goes_on(x))
+            return EXPLORE_STOPPED;
         explore_step(x, &from->node.at[n]);
+    }
+    return EXPLORE_CLOSED;
 }
 
 static void new_facts(Explorer *x)
@@ -493,7 +506,21 @@ static void new_facts(Explorer *x)
         x->fm->shape.unique = env_table_new(x->arena);        // equal facts become the same pointer
     x->at = NULL;
     x->blocks = 0;
-    x->widening = find_limits(x->arena, x->p);
+}
+
+// Collects the bounds of the facts of all nodes.
+static void find_bounds(Explorer *x)
+{
+    x->founds = 0;
+    add_limit(x->found, &x->founds, 0);
+    for (uint32_t n = 0; n < x->table->node.n; n++)
+        for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
+            const Fact *f = env_find(&x->fm->shape, x->table->node.at[n].env, v);
+            if (!f || f->lo > f->hi || x->p->var[v].kind == PROVE_INPUT || x->p->var[v].kind == PROVE_CHOICE)
+                continue;
+            add_limit(x->found, &x->founds, f->lo);
+            add_limit(x->found, &x->founds, f->hi);
+        }
 }
 
 static ExploreEnd explore_once(Explorer *x, const State *init)
@@ -503,8 +530,10 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     new_facts(x);
     end = explore_all(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
-        narrow_facts(x, init);
+        end = narrow_facts(x, init);
     x->out->nodes = x->table->node.n;
+    if (end == EXPLORE_CLOSED && x->out->violated)
+        find_bounds(x);
     return end;
 }
 
@@ -547,37 +576,71 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
     return n;
 }
 
-ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
+// Explores with these limits of widening.  `visits`: those of explorations before.
+static ProveExplored explore_within(Explorer *x, Arena *arena, Arena *work, const State *init_state, bool fine, uint64_t visits)
 {
-    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)p->machine->state.n * p->ir->var.n)};
-    Explorer x = {.p = p, .assumed = assumed, .limits = limits, .visits = &out.visits, .out = &out};
+    const ProveModel *p = x->p;
+    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)p->machine->state.n * p->ir->var.n), .visits = visits};
     uint32_t *key = ARENA_ARRAY(arena, uint32_t, p->ir->var.n);
     ExploreEnd end;
 
     out.reached = ARENA_ARRAY(arena, bool, p->machine->state.n);
     out.entered = ARENA_ARRAY(arena, bool, p->machine->state.n);
-    x.keys = choose_keys(&x, fine, key);
-    x.key = key;
+    x->out = &out;
+    x->visits = &out.visits;
+    x->keys = choose_keys(x, fine, key);
+    x->key = key;
     do {
-        uint32_t widest = x.keys;
+        uint32_t widest = x->keys;
         arena_reset(work);
-        x.arena = work;
+        x->arena = work;
         out.violated = out.premise = false;
         memset(out.reached, 0, p->machine->state.n * sizeof *out.reached);
         memset(out.entered, 0, p->machine->state.n * sizeof *out.entered);
-        end = explore_once(&x, init_state);
+        end = explore_once(x, init_state);
         if (end == EXPLORE_MANY_NODES)
-            widest = find_widest_key(&x, 1);
-        if (end == EXPLORE_MANY_NODES && widest == x.keys)
+            widest = find_widest_key(x, 1);
+        if (end == EXPLORE_MANY_NODES && widest == x->keys)
             end = EXPLORE_MANY_VISITS;
         else if (end == EXPLORE_MANY_NODES) {
             note_wide(&out, key[widest]);
-            key[widest] = key[--x.keys];
+            key[widest] = key[--x->keys];
         }
     } while (end == EXPLORE_MANY_NODES);
-    for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(&x, MANY_VALUES)) != x.keys; n++)
+    for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(x, MANY_VALUES)) != x->keys; n++)
         note_wide(&out, key[widest]);
     out.closed = end == EXPLORE_CLOSED;
+    return out;
+}
+
+// Whether the bounds of the last exploration are other limits than its own.  If so, they are the next ones.
+static bool take_bounds(Explorer *x)
+{
+    double *const was = x->limit;
+    const bool differ = x->founds != x->widening.n || memcmp(x->found, was, x->founds * sizeof *was) != 0;
+
+    x->limit = x->found;
+    x->found = was;
+    x->widening = (FactLimits){x->limit, x->founds};
+    x->patience = PATIENCE;
+    return differ;
+}
+
+// A bound that has been widened too far stays so where a state is repeated, because narrowing explores only one step.  But the bounds of the states that
+// follow are those of a run, such as the sum of two times.  So they are the limits of another exploration.
+ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
+{
+    Explorer x = {.p = p, .assumed = assumed, .limits = limits, .patience = 1, .limit = ARENA_ARRAY(arena, double, LIMITS_MOST), .found = ARENA_ARRAY(arena, double, LIMITS_MOST)};
+    ProveExplored out;
+
+    x.widening = find_limits(x.limit, p);
+    out = explore_within(&x, arena, work, init_state, fine, 0);
+    for (int round = 1; round < ROUNDS && out.closed && out.violated && take_bounds(&x); round++) {
+        const ProveExplored other = explore_within(&x, arena, work, init_state, fine, out.visits);
+        out.visits = other.visits;
+        if (other.closed)
+            out = other;
+    }
     return out;
 }
 

@@ -17,6 +17,8 @@ typedef struct ProveLimits {
     uint32_t nodes;           // with more, a key is given up
     uint64_t visits;          // of branches, each once per path to its block; after these, the exploration gives up
     size_t memory;            // bytes of the exploration; 0: no limit
+    bool (*go_on)(void *context);     // false stops; or NULL
+    void *context;
 } ProveLimits;
 
 typedef struct ProveExplored {

@@ -51,7 +51,7 @@ static void add_requirements(const Report *r, DocTable *t)
 
 static void add_proofs(const Report *r, DocTable *t)
 {
-    unsigned long of[PROVE_UNDECIDED + 1] = {0};
+    unsigned long of[PROVE_VERDICTS] = {0};
     Buf out;
 
     if (!r->proofs)
@@ -59,7 +59,7 @@ static void add_proofs(const Report *r, DocTable *t)
     for (uint32_t i = 0; i < r->proofs->n; i++)
         of[r->proofs->of[i].verdict]++;
     buf_init(&out, r->arena);
-    for (int v = PROVE_UNDECIDED; v >= PROVE_PROVED; v--)
+    for (int v = PROVE_VERDICTS - 1; v >= PROVE_PROVED; v--)
         add_count(&out, of[v], prove_verdict_words((ProveVerdict)v));
     add_verdict(t, "proofs", "Proofs", of[PROVE_VIOLATED] ? VERDICT_BAD : of[PROVE_PROVED] == r->proofs->n ? VERDICT_GOOD : VERDICT_OPEN, buf_text(&out));
 }

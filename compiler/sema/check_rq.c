@@ -181,6 +181,8 @@ Requirements *check_requirements(CheckContext *c, const AstFile *const *file, si
     hidden->word.arena = c->arena;
     out->program = p;
     out->by_id.arena = c->arena;
+    for (size_t i = 0; i < n; i++)
+        add_names_of_sections(c, file[i], hidden);
     sema_init(&s, c, hidden, p, &out->window);
     s.in_script = s.in_requirements = true;
     s.step = p->step;

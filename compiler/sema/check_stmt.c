@@ -46,8 +46,7 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
         d = diag_report(s->diags, DIAG_write_global_time, span, name->text);
     } else if (v->state_of) {
         d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
-        if (!s->in_script)
-            diag_label(s->diags, d, DIAG_label_change_state);
+        diag_label(s->diags, d, s->in_script ? DIAG_label_first_state : DIAG_label_change_state);
     } else if (v->kind == VAR_LOCAL) {
         d = diag_report(s->diags, DIAG_write_constant, span, name->text);
     } else

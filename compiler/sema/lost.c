@@ -136,3 +136,19 @@ HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
     add_hidden_names(c, f, l);
     return l;
 }
+
+void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames *l)
+{
+    HiddenWords k = {l, c->strings, f, 0};
+    const char *text = f->src->text;
+
+    for (size_t i = 0; i < c->diags->list.n; i++) {
+        const Diag *e = c->diags->list.at[i];
+        uint32_t end = e->span.at;
+        if (e->code != DIAG_requirement_section || e->span.src != f->src)
+            continue;
+        while (end < f->src->len && text[end] != '"')          // the text of the next requirement
+            end++;
+        add_hidden_range(&k, e->span.at, end);
+    }
+}

@@ -27,6 +27,7 @@ typedef struct HiddenNames {
 } HiddenNames;
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
+void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames *to);     // those of the sections that requirements cannot have
 void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *to);
 
 // One machine or script being checked.

@@ -58,6 +58,10 @@ Diag *hint_report_general(HintCase *c)
     case HINT_AT_OPTION:
         c->general = parser_fail(p, DIAG_option_unknown, parser_token_span(p), p->tok.text->text);
         break;
+    case HINT_AT_DEFINITION_VALUE:
+        c->general = parser_fail(p, DIAG_definition_without_value, parser_missing_span(p),
+                                 parser_text(p, parser_span(p, &p->last)), parser_describe_found(p));
+        break;
     case HINT_AT_END: case HINT_AT_ELEMENT_END: case HINT_AT_PIN_END:
         c->general = parser_fail(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok));
         break;
@@ -70,7 +74,7 @@ Diag *hint_report_general(HintCase *c)
 void hint_init_index(HintIndex *index)
 {
     static const HintContext with_message[] = {HINT_AT_VALUE, HINT_AT_LONE_VALUE, HINT_AT_END, HINT_AT_ELEMENT_END, HINT_AT_PIN_NUMBER,
-                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // the contexts with a general diagnostic
+                                             HINT_AT_PIN_END, HINT_AT_OPTION, HINT_AT_DEFINITION_VALUE};      // the contexts with a general diagnostic
 
     memset(index, 0, sizeof *index);
     for (size_t i = 0; i < sizeof with_message / sizeof *with_message; i++)

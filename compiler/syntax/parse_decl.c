@@ -185,7 +185,7 @@ static void parse_definition(Parser *p, AstSection *s)
     str_declare(p->strings, d.name);
     parser_advance(p);
     if (p->tok.kind != TOK_ASSIGN || p->tok.first) {
-        parser_fail(p, DIAG_definition_without_value, parser_missing_span(p), d.name->text, parser_describe_found(p));
+        hint_explain(p, HINT_AT_DEFINITION_VALUE, NULL);
         return;
     }
     parser_advance(p);

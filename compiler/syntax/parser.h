@@ -101,6 +101,7 @@ void parser_report_annotation_in_block(Parser *p);                    // reports
 void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
 void parse_net(Parser *p, struct AstNet *net);          // the whole file
 void parse_requirements(Parser *p, struct AstRequirements *into);     // the whole file
+bool parser_at_requirement(const Parser *p);            // whether the next tokens begin a requirement
 AstExpr *parse_condition_of(Parser *p);                 // parses `e` or `a implies b`, which must begin on this line
 bool parser_is_word(const Parser *p, const char *word); // whether the current token is this name, on the line of the last token
 void parser_skip_section(Parser *p);                           // skips to the next line that begins with a header, without reading tokens

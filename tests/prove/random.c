@@ -35,7 +35,7 @@ typedef struct Test {
     uint64_t *cell;           // by Program.var
 } Test;
 
-static struct { uint64_t programs, verdict[4], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted; } met;
+static struct { uint64_t programs, verdict[PROVE_VERDICTS], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted; } met;
 
 // ---- values ----
 
