@@ -346,7 +346,7 @@ static bool reads_initial_value(const MutantReplay *c)
     return c->r->reads_constants;
 }
 
-// Whether the recorded run can be used.
+// Whether the recorded run can be used for this mutant, instead of a run of the script.
 static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !reads_initial_value(c)); }
 
 // Returns the point before the first difference that the script sees; the number of points if it sees none.

@@ -9,8 +9,8 @@
 enum {
     NODES_MOST = 512,         // stored situations
     SEEN_SLOTS = 4096,        // a power of two
-    AROUND_MOST = 100000,     // steps of an extension for a time that the change concerns
-    MINIMISE_STEPS = 200000   // of the replays that make a scenario shorter
+    AROUND_MOST = 100000,     // most steps of an extension that waits for a time in the changed condition
+    MINIMISE_STEPS = 200000   // limit on the steps of all replays that make a scenario shorter
 };
 
 // The values of an input from step `step` on: a, or for a ramp a + b each step.

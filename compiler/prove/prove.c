@@ -6,11 +6,11 @@
 #include "compiler/prove/prove_goal.h"
 
 enum {
-    DELTA_T = 10,             // of a machine without a step, and without given runs
-    EFFORT = 30000000,        // steps of searches for a violation
-    FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
-    FEW_CHANGES = 4,          // of inputs in a scenario: with more, other searches try to find a simpler one
-    EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
+    DELTA_T = 10,             // the step, if neither the machine nor a given run has one
+    EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
+    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of them run before the proofs that take long
+    FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
+    EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
 
 static const ProveLimits coarse = {.nodes = 1500, .visits = 300000}, fine = {.nodes = 4000, .visits = 1500000};
@@ -234,7 +234,7 @@ static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes
 // need.
 static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *found)
 {
-    static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many
+    static const uint32_t share[] = {FIRST_SHARE, 4};     // 1 / n of the effort
 
     for (uint32_t n = 0; n < sizeof share / sizeof *share && found->changes > FEW_CHANGES && goes_on(v); n++) {
         GoalSearch g = new_search(v, of, GOAL_VIOLATION, n + 1, effort_of(v) / share[n]);
@@ -321,7 +321,7 @@ static bool is_violated_by_given(ProveRun *v, ProveOf *of)
     return true;
 }
 
-// Proofs that take long, and searches that take long, come last: most requirements are decided before.
+// Tries, in this order: given runs, short proofs, a short search, long proofs, a long search.  Most requirements are decided early.
 static void try_to_decide(ProveRun *v, ProveOf *of)
 {
     const uint64_t effort = effort_of(v);
@@ -343,7 +343,7 @@ static void try_to_decide(ProveRun *v, ProveOf *of)
         of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
 }
 
-// "Undecided" says how little all attempts have found.  So it is no verdict on a requirement of which some attempts were not made.
+// The verdict "undecided" means that all attempts failed.  If the caller stops before all were made, the verdict is "interrupted" instead.
 static void decide_requirement(ProveRun *v, ProveOf *of)
 {
     of->verdict = PROVE_INTERRUPTED;

@@ -11,13 +11,13 @@
 enum {
     ENVS_MOST = 96,           // facts of different paths to a block that are not joined
     CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
-    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, to a few round numbers
+    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
-    PATIENCE = 4,                     // so many times as many changes are allowed if the limits are bounds that an exploration has found
+    PATIENCE = 4,                     // factor on these numbers of changes, if the limits are bounds that an earlier exploration has found
     NARROWINGS = 3,
     LIMITS_MOST = 256,
-    ROUNDS = 5,                       // of explorations, each with the bounds that the one before has found as its limits
-    MANY_VALUES = 4,                  // of a key: more are worth a mention
+    ROUNDS = 5,                       // number of explorations; the limits of each are the bounds that the previous one has found
+    MANY_VALUES = 4,                  // a key with more values than this can be named as an obstacle to a proof
     BESIDE = 5                        // limits of a constant: itself, and its neighbours
 };
 
@@ -29,7 +29,7 @@ typedef struct ProveNode {
     const Env *env;           // the facts when the step begins
     uint64_t *key;            // by key: its value as the bits of an F64, or KEY_OPEN
     uint64_t hash;
-    uint32_t state;           // from 0
+    uint32_t state;           // number of the state, from 0
     uint32_t changes;
     bool first, queued;
 } ProveNode;
@@ -39,7 +39,7 @@ typedef struct ProveTable {
     uint32_t *slot;           // hash table: 1 + the number of a node; 0: empty
     uint32_t slots;           // a power of 2
     VEC(uint32_t) queue;
-    uint32_t next;            // of the queue
+    uint32_t next;            // index of the first entry of the queue that is not explored yet
 } ProveTable;
 
 typedef struct Explorer {
@@ -480,7 +480,8 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
     return EXPLORE_CLOSED;
 }
 
-// Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
+// Explores one step from each node again, without widening.  The nodes cover every run, so the start and the ends of these steps cover every
+// run, too, with tighter bounds.
 static ExploreEnd narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
@@ -576,7 +577,7 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
     return n;
 }
 
-// Explores with these limits of widening.  `visits`: those of explorations before.
+// Explores with the limits of widening in x.  `visits`: number of visits of earlier explorations.
 static ProveExplored explore_within(Explorer *x, Arena *arena, Arena *work, const State *init_state, bool fine, uint64_t visits)
 {
     const ProveModel *p = x->p;

@@ -359,7 +359,7 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
 // Returns how much a step costs.  The reference computes the statistics of a window from all its samples.
 static uint64_t cost_of_step(const Monitor *m)
 {
-    enum { SAMPLES = 64 };                // as much as the other parts of a step
+    enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step
     uint64_t samples = 0;
 
     for (size_t n = 0; n < m->windows.n; n++)

@@ -320,7 +320,7 @@ void search_choose(SearchRun *k)
     GoalSet want = {NULL, 0, 0};
     const uint64_t full = k->effort;
 
-    // A step for each goal that was not found is left, to describe it.
+    // Reserves one step for each goal that was not found: search_describe_missing needs it.
     if (k->effort - k->r->steps > k->reserve + k->open)
         k->effort -= k->open;
     k->stop_at = k->effort;

@@ -26,14 +26,15 @@ typedef struct Value {
     uint64_t bits;
 } Value;
 
-// A value, or two, whose regions are enumerated.
+// A value that is compared with constants, or a pair of values that are compared with each other, and the regions in which the results of these
+// comparisons stay the same.  All combinations of regions are enumerated.
 typedef struct RegionGroup {
-    uint32_t x, y;            // y: SEARCH_NONE, x is compared with constants
+    uint32_t x, y;            // y SEARCH_NONE: x is compared with constants
     double constant[MOST_REGIONS];
     uint32_t constants;
-    uint32_t region, regions; // the current one
-    double least, most;       // of x
-    bool whole, nan;          // of x: only whole numbers; NaN as well
+    uint32_t region, regions; // index of the current region; number of regions
+    double least, most;       // bounds of x
+    bool whole, nan;          // x has only whole numbers; x can be NaN
 } RegionGroup;
 
 typedef struct Prover {

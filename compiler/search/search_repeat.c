@@ -13,7 +13,7 @@ enum {
     MOST_LEGS = 24,
     LEG_TRIES = 4,            // attempts to leave a state
     MOST_ROUNDS = 2048,
-    SHARE = 16                // of the effort, one part of so many is the most for an attempt
+    SHARE = 16                // an attempt uses at most 1 / SHARE of the effort
 };
 
 // A segment that is repeated.

@@ -9,16 +9,18 @@
 #include "compiler/search/search_choose.h"
 #include "compiler/search/search_wish.h"
 
-#define UNUSUAL_SIZE 1e15     // of a value that no sensor has
+#define UNUSUAL_SIZE 1e15     // no sensor has values of this magnitude
 
 enum {
     MOST_ROUNDS = 3,
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
-    LONG_WAIT = 16,           // steps; skip_wait tries to replace longer waits by one of 1 to SHORTEST_WAITS steps,
-    SHORTEST_WAITS = 2,       // with up to MOST_DELAY steps more after the change
+    // skip_wait tries to replace a wait of more than LONG_WAIT steps before a change by a wait of 1 to SHORTEST_WAITS steps.  What follows the change
+    // can then be delayed by up to MOST_DELAY steps.
+    LONG_WAIT = 16,
+    SHORTEST_WAITS = 2,
     MOST_DELAY = 3,
-    MANY_CHANGES = 12,        // with more, what takes few replays is tried first
-    MOST_JOINS = 64           // entered states from which a shorter beginning is tried, the last ones
+    MANY_CHANGES = 12,        // a scenario with more changes is first simplified by the edits that take few replays
+    MOST_JOINS = 64           // a shorter beginning is tried for the last transitions of a run, at most this many
 };
 
 // ---- attempts ----
@@ -129,11 +131,11 @@ typedef struct Reducer {
     Chooser *c;
     Scenario *s;
     const GoalSet *want;
-    SearchEnter *enter;       // of a replay of *s
+    SearchEnter *enter;       // the transitions of a replay of *s
     uint32_t enters;
 } Reducer;
 
-// Keeps the entries of states of the last replay, one of *s.
+// Stores the transitions of the last replay, which was one of *s.
 static void keep_enters(Reducer *r)
 {
     r->enter = arena_copy(&r->c->k->work, r->c->enters.at, r->c->enters.n * sizeof *r->enter);
@@ -150,7 +152,7 @@ static bool record_enters(Reducer *r)
     return true;
 }
 
-// An edit of an attempt: it has fewer changes then.  Returns false if it is no edit of this scenario.
+// Edits an attempt so that it has fewer changes.  Returns false if the edit does not apply to this scenario.
 typedef bool Edit(Attempt *t, size_t i, size_t n);
 
 static bool drop_from_attempt(Attempt *t, size_t i, size_t n)
@@ -161,7 +163,7 @@ static bool drop_from_attempt(Attempt *t, size_t i, size_t n)
     return true;
 }
 
-// Change i gets the value of the next change of its variable, which is removed; n: 1.
+// Gives change i the value of the next change of its variable, and removes that change.  n is 1.
 static bool edit_merge(Attempt *t, size_t i, size_t n)
 {
     size_t next = i + n;
@@ -178,7 +180,7 @@ static bool edit_merge(Attempt *t, size_t i, size_t n)
     return true;
 }
 
-// The variable of change i has the value of this change from the first step on.  n is ignored.
+// Gives the variable of change i the value of this change from the first step on.  n is ignored.
 static bool edit_constant(Attempt *t, size_t i, size_t n)
 {
     const ScenarioChange x = t->change[i];
@@ -333,7 +335,7 @@ static uint64_t earliest_step(const Scenario *s, size_t i)
     return l ? l->to : i ? s->change[i - 1].step : 1;
 }
 
-// Shortens the time before each change outside loops, as far as halving finds.
+// Shortens the time before each change outside loops: halves it as often as the goal is still reached.
 static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
 {
     for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {

@@ -10,7 +10,7 @@ enum {
     RUN_STEPS = 8,            // the most changes of a run, one after another
     MOST_FIRST = 6,           // inputs that change together at the beginning
     MOST_LATER = 2,           // inputs that change together later
-    SETTLE_PERCENT = 10       // of the changes are followed by more than one step
+    SETTLE_PERCENT = 10       // after so many of a hundred changes, the machine runs for more than one step
 };
 
 static double value_beyond(const SearchInput *in, bool above)
