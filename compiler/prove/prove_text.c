@@ -196,7 +196,7 @@ static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, s
         write_remedies(p, of, indent, out);
 }
 
-// What was done says how long it takes, but nothing about the requirement.
+// Writes how much was tried before the interruption, which shows how long the requirement takes, but nothing about it.
 static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
 {
     if (of->steps == 0 && of->visits == 0)

@@ -209,7 +209,7 @@ static void search_shorter(SearchRun *k)
     }
 }
 
-static void search(SearchRun *k)
+static void run_search(SearchRun *k)
 {
     const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
 
@@ -294,7 +294,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     search_begin_solving(k);
     search_build_flat(k);
     run_given(k);
-    search(k);
+    run_search(k);
     search_choose(k);
     search_describe_missing(k);
     arena_free(&k->flats);
