@@ -9,7 +9,7 @@
 
 enum {
     OTHERS_LEAST = 3,             // states that must abort on the input before one that does not is reported
-    OTHERS_FOR_EACH = 3           // so many for each state that does not
+    OTHERS_FOR_EACH = 3           // and if several do not: this many for each of them
 };
 
 static bool reads(const Expr *e, const Var *v)

@@ -231,7 +231,7 @@ static void run_faults(FaultsRun *r)
     progress_end(&k);
 }
 
-static int judge(const FaultsRun *r)
+static int report_fail_on(const FaultsRun *r)
 {
     unsigned long n = 0, failed = 0;
 
@@ -280,7 +280,7 @@ static int run_and_report(FaultsRun *r, size_t format)
         code = whatif_write(r->c, &out);
     }
     if (code == EXIT_OK)
-        code = judge(r);
+        code = report_fail_on(r);
     faults_end(r->f);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

@@ -12,7 +12,7 @@ struct TestCoverage {
     const Program *p;
 };
 
-typedef struct Demand { bool is_set; double percent; } Demand;       // of one kind, by --min-coverage
+typedef struct Demand { bool is_set; double percent; } Demand;       // what --min-coverage demands of a kind of places
 
 // The kinds of --min-coverage: those of coverage by their numbers, and requirements, which test_traceability.c judges.
 enum { DEMAND_REQUIREMENTS = COVER_KIND_COUNT, DEMANDS };

@@ -51,7 +51,7 @@ typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // n pl
 typedef struct Cover {
     Arena *arena;
     const Program *p;
-    uint64_t identity;        // of the machine and its state vector, as texts
+    uint64_t identity;        // a hash of the sources of the machine and its state vector
     CoverPlaces place;        // at[0] is no place, so that the number 0 means none
     uint64_t *hits;           // by place: how often, or of conditions and windows at least once
     const IrMachine *m;       // the machine before any pass
@@ -91,7 +91,7 @@ typedef struct CoverGap {
     Span span;
     uint32_t place;
     const char *text;         // "`pressure > 400` was never false while it decided"
-    bool is_impossible;       // then the text has the reason
+    bool is_impossible;       // no run can cover the place, and `text` has the reason
 } CoverGap;
 typedef VEC(CoverGap) CoverGaps;
 

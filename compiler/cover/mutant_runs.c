@@ -121,7 +121,7 @@ static void add_point(MutantRuns *u, Record *r)
 }
 
 // Returns by Stmt.number whether it was executed since the last call.
-static uint8_t *take_executed(MutantRuns *u)
+static uint8_t *collect_executed(MutantRuns *u)
 {
     const Cover *c = u->cover;
     uint8_t *executed = arena_alloc(u->arena, u->p->stmts + 1);
@@ -155,7 +155,7 @@ static void record_run(MutantRuns *u, Record *r)
     while (!r->run.ended && u->values + r->write.n + r->value.n < VALUES_MOST) {
         add_point(u, r);
         run_continue(&r->run, r->run.result.steps + r->every);
-        vec_push(u->arena, &r->executed, take_executed(u));
+        vec_push(u->arena, &r->executed, collect_executed(u));
     }
     r->is_complete = r->run.ended;
     u->values += r->write.n + r->value.n;
@@ -194,7 +194,7 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     passes = run_whole(u, r, &work, &r->steps);
     if (!passes && u->failing == u->records)
         u->failing = script;
-    r->reached = take_executed(u);
+    r->reached = collect_executed(u);
     list_seen(u->arena, u->p, u->requirements, u->original->m->var_of, r);
     if (passes && run_has_points(r->script))
         record_run(u, r);
@@ -334,7 +334,7 @@ static bool run_to_next_point(MutantReplay *c, uint32_t point)
 static void go_to_point(MutantReplay *c, uint32_t point) { memcpy(c->u->state, c->r->point.at[point].machine, c->u->original->size); }
 
 // Whether the script can see an initial value that was changed, before the first step.
-static bool sees_start(const MutantReplay *c)
+static bool reads_initial_value(const MutantReplay *c)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state), *original = flat_cells(c->u->original, c->r->point.at[0].machine);
     const uint32_t *var_of = c->mutant->m->var_of;
@@ -346,8 +346,8 @@ static bool sees_start(const MutantReplay *c)
     return c->r->reads_constants;
 }
 
-// Whether the recorded run can be used.
-static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !sees_start(c)); }
+// Whether the recorded run can be used for this mutant, instead of a run of the script.
+static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !reads_initial_value(c)); }
 
 // Returns the point before the first difference that the script sees; the number of points if it sees none.
 static uint32_t find_difference(MutantReplay *c)
@@ -376,7 +376,7 @@ static uint32_t find_difference(MutantReplay *c)
 }
 
 // Runs the script on the mutant from a point on.  Returns whether it passes.
-static bool passes_from(MutantReplay *c, uint32_t point)
+static bool passes_from_point(MutantReplay *c, uint32_t point)
 {
     ScriptRun *run = &c->r->run;
 
@@ -389,7 +389,7 @@ static bool passes_from(MutantReplay *c, uint32_t point)
 }
 
 // Runs the script on the mutant.  Returns whether it passes.
-static bool passes(MutantReplay *c, Arena *work)
+static bool passes_script(MutantReplay *c, Arena *work)
 {
     uint64_t steps;
     uint32_t point;
@@ -398,7 +398,7 @@ static bool passes(MutantReplay *c, Arena *work)
         return true;
     if (can_replay(c)) {
         point = find_difference(c);
-        return point == c->r->point.n || passes_from(c, point);
+        return point == c->r->point.n || passes_from_point(c, point);
     }
     engine_flat_set(c->u->engine, c->mutant, arena_alloc(work, c->mutant->size));
     return run_whole(c->u, c->r, work, &steps);
@@ -432,7 +432,7 @@ uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *muta
     for (uint32_t i = 0; i < u->records; i++) {
         const uint32_t script = u->order[i];
         c.r = &u->record[script];
-        if (passes(&c, work))
+        if (passes_script(&c, work))
             continue;
         *violated = u->violated;
         c.r->noticed++;

@@ -282,7 +282,7 @@ static void list_statements(Mutation *u, const Stmts *list)
         list_statement(u, list->at[i]);
 }
 
-// What windows sample, which is computed at every step.
+// Lists the changes in what windows sample.
 static void list_windows(Mutation *u)
 {
     u->stmt = NULL;
@@ -301,7 +301,7 @@ static bool sizes_a_window(const Program *p)
     return false;
 }
 
-// Initial values that are numbers.  If a window's size depends on some local, they are left out, because windows are not built again.
+// Lists the initial values that are numbers.  None if the size of a window depends on a local, because windows are not built again.
 static void list_initial_values(Mutation *u)
 {
     u->stmt = NULL;

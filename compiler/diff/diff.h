@@ -67,7 +67,7 @@ typedef struct DiffRun {
     const char *old_state, *new_state;        // the states that the two machines ran in this step
     DiffValue value[DIFF_VALUES_MAX];         // the first elements whose values differ after the step
     uint32_t values;
-    const char *old_result, *new_result;      // "passed after 101 steps"
+    const char *old_result, *new_result;      // the results of the script, such as "passed after 101 steps"
 } DiffRun;
 
 typedef struct ProgramDiff {

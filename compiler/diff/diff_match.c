@@ -222,7 +222,7 @@ static Texts describe_state(Arena *arena, const Canon *c, const State *s)
 }
 
 // Returns how much two sorted lists have in common, in percent.
-static unsigned likeness(const Texts *a, const Texts *b)
+static unsigned similarity_of(const Texts *a, const Texts *b)
 {
     size_t i = 0, k = 0, common = 0;
 
@@ -256,7 +256,7 @@ static bool match_state(ProgramDiff *d, Canon canon[2])
         for (size_t k = 0; k < d->new.p->state.n && !d->state_of[s->number]; k++) {
             const State *other = d->new.p->state.at[k];
             const Texts theirs = describe_state(d->arena, &canon[1], other);
-            const unsigned like = d->old_state_of[other->number] ? 0 : likeness(&mine, &theirs);
+            const unsigned like = d->old_state_of[other->number] ? 0 : similarity_of(&mine, &theirs);
             if (like > best) {
                 best = like;
                 from = s;

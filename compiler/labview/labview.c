@@ -135,7 +135,7 @@ static int32_t finish(const Call *c, SmcResult r)
     return r;
 }
 
-// The same for an error that libsmc did not find.
+// Ends the call like `finish`, with an error that libsmc did not report.
 static int32_t finish_refused(const Call *c, SmcResult r)
 {
     finish(c, SMC_OK);

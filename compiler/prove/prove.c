@@ -6,11 +6,11 @@
 #include "compiler/prove/prove_goal.h"
 
 enum {
-    DELTA_T = 10,             // of a machine without a step, and without given runs
-    EFFORT = 30000000,        // steps of searches for a violation
-    FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
-    FEW_CHANGES = 4,          // of inputs in a scenario: with more, other searches try to find a simpler one
-    EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
+    DELTA_T = 10,             // the step, if neither the machine nor a given run has one
+    EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
+    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of them run before the proofs that take long
+    FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
+    EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
 
 static const ProveLimits coarse = {.nodes = 1500, .visits = 300000}, fine = {.nodes = 4000, .visits = 1500000};
@@ -213,7 +213,7 @@ static GoalSearch new_search(ProveRun *v, const ProveOf *of, GoalKind kind, uint
                         .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = goes_on, .context = v};
 }
 
-static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
+static GoalFound run_goal_search(ProveRun *v, ProveOf *of, const GoalSearch *g)
 {
     GoalFound found = goal_search(v->arena, &v->work, v->cover, g);
 
@@ -226,11 +226,11 @@ static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
     return found;
 }
 
-static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+static GoalFound search_goal(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     const GoalSearch g = new_search(v, of, kind, seed, effort);
 
-    return search_as(v, of, &g);
+    return run_goal_search(v, of, &g);
 }
 
 static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
@@ -239,13 +239,13 @@ static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes
 // need.
 static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *found)
 {
-    static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many
+    static const uint32_t share[] = {FIRST_SHARE, 4};     // 1 / n of the effort
 
     for (uint32_t n = 0; n < sizeof share / sizeof *share && found->changes > FEW_CHANGES && goes_on(v); n++) {
         GoalSearch g = new_search(v, of, GOAL_VIOLATION, n + 1, effort_of(v) / share[n]);
         g.usual_values = true;
         g.givens = 0;
-        const Scenario *other = search_as(v, of, &g).scenario;
+        const Scenario *other = run_goal_search(v, of, &g).scenario;
         if (other && is_simpler(other, found))
             found = other;
     }
@@ -255,7 +255,7 @@ static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
-    const GoalFound found = search_for(v, of, GOAL_VIOLATION, seed, effort);
+    const GoalFound found = search_goal(v, of, GOAL_VIOLATION, seed, effort);
 
     of->premise_seen = of->premise_seen || found.premise_seen || found.scenario;
     if (!found.scenario)
@@ -321,12 +321,12 @@ static bool is_violated_by_given(ProveRun *v, ProveOf *of)
     of->premise_seen = true;
     g.given = given;
     g.givens = 1;
-    simpler = search_as(v, of, &g).scenario;
+    simpler = run_goal_search(v, of, &g).scenario;
     of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, given) ? simpler : given);
     return true;
 }
 
-// Proofs that take long, and searches that take long, come last: most requirements are decided before.
+// Tries, in this order: given runs, short proofs, a short search, long proofs, a long search.  Most requirements are decided early.
 static void try_to_decide(ProveRun *v, ProveOf *of)
 {
     const uint64_t effort = effort_of(v);
@@ -345,11 +345,11 @@ static void try_to_decide(ProveRun *v, ProveOf *of)
         }
     }
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
-        of->premise_seen = search_for(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+        of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
 }
 
-// "Undecided" says how little all attempts have found.  So it is no verdict on a requirement of which some attempts were not made.
-static void decide(ProveRun *v, ProveOf *of)
+// The verdict "undecided" means that all attempts failed.  If the caller stops before all were made, the verdict is "interrupted" instead.
+static void decide_requirement(ProveRun *v, ProveOf *of)
 {
     of->verdict = PROVE_INTERRUPTED;
     if (!goes_on(v))
@@ -375,7 +375,7 @@ static Expr *new_expr(Arena *arena, ExprKind kind, SmOperator op, Expr *a, Expr 
 }
 
 // Returns what a requirement that is judged step by step requires of a step with its premise.
-static Expr *required(Arena *arena, const Requirement *r)
+static Expr *condition_to_meet(Arena *arena, const Requirement *r)
 {
     return r->kind == REQUIREMENT_NEVER ? new_expr(arena, EX_UNARY, SM_OP_NOT, r->a, NULL) : r->b;
 }
@@ -392,14 +392,14 @@ static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *al
 
 static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
 
-static bool contradict(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
+static bool contradict_each_other(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
 {
     const Expr *of_a = premise_of(a), *of_b = premise_of(b);
 
     if (!is_judged_alone(a) || !is_judged_alone(b) || (of_a != of_b && (!of_a || !of_b || !expr_equal(of_a, of_b, NULL))))
         return false;
-    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, required(arena, a), required(arena, b)))
-        && can_be_true(arena, m, all, of_a, required(arena, a)) && can_be_true(arena, m, all, of_a, required(arena, b));
+    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, condition_to_meet(arena, a), condition_to_meet(arena, b)))
+        && can_be_true(arena, m, all, of_a, condition_to_meet(arena, a)) && can_be_true(arena, m, all, of_a, condition_to_meet(arena, b));
 }
 
 bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second)
@@ -410,7 +410,7 @@ bool prove_find_contradiction(Arena *arena, const Requirements *r, const Require
         for (uint32_t k = i + 1; k < r->at.n; k++) {
             *first = &r->at.at[i];
             *second = &r->at.at[k];
-            if (contradict(arena, m, r, *first, *second))
+            if (contradict_each_other(arena, m, r, *first, *second))
                 return true;
         }
     return false;
@@ -440,7 +440,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
         if (o->progress)
             o->progress(o->context, i);
         arena_reset(&v.models);
-        decide(&v, &result->of[i]);
+        decide_requirement(&v, &result->of[i]);
     }
     return result;
 }

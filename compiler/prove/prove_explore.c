@@ -12,13 +12,13 @@
 enum {
     ENVS_MOST = 96,           // facts of different paths to a block that are not joined
     CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
-    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, to a few round numbers
+    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
-    PATIENCE = 4,                     // so many times as many changes are allowed if the limits are bounds that an exploration has found
+    PATIENCE = 4,                     // factor on these numbers of changes, if the limits are bounds that an earlier exploration has found
     NARROWINGS = 3,
     LIMITS_MOST = 256,
-    ROUNDS = 5,                       // of explorations, each with the bounds that the one before has found as its limits
-    MANY_VALUES = 4,                  // of a key: more are worth a mention
+    ROUNDS = 5,                       // number of explorations; the limits of each are the bounds that the previous one has found
+    MANY_VALUES = 4,                  // a key with more values than this can be named as an obstacle to a proof
     BESIDE = 5                        // limits of a constant: itself, and its neighbours
 };
 
@@ -30,7 +30,7 @@ typedef struct ProveNode {
     const Env *env;           // the facts when the step begins
     uint64_t *key;            // by key: its value as the bits of an F64, or KEY_OPEN
     uint64_t hash;
-    uint32_t state;           // from 0
+    uint32_t state;           // number of the state, from 0
     uint32_t changes;
     bool first, queued;
 } ProveNode;
@@ -40,7 +40,7 @@ typedef struct ProveTable {
     uint32_t *slot;           // hash table: 1 + the number of a node; 0: empty
     uint32_t slots;           // a power of 2
     VEC(uint32_t) queue;
-    uint32_t next;            // of the queue
+    uint32_t next;            // index of the first entry of the queue that is not explored yet
 } ProveTable;
 
 typedef struct Explorer {
@@ -71,7 +71,7 @@ typedef struct Explorer {
     uint32_t blocks;          // capacity of `at`
 } Explorer;
 
-static bool assumes(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
+static bool is_assumed(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
 
 // ---- facts between steps ----
 
@@ -108,7 +108,7 @@ static Fact fact_of_input(const Explorer *x, uint32_t v)
     const IrVar *var = &x->p->ir->var.at[v];
     Fact f = fact_of_type(var->type);
 
-    if (!assumes(x, PROVE_RANGES))
+    if (!is_assumed(x, PROVE_RANGES))
         return f;
     for (uint32_t k = 0; k < x->p->machine->program->var.n; k++) {
         const Var *of = x->p->machine->program->var.at[k];
@@ -131,12 +131,12 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
     case PROVE_INPUT: return fact_of_input(x, v);
     case PROVE_OUTPUT:
         if (!before)
-            return assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
-        return assumes(x, PROVE_OWN_OUTPUTS) ? *before : type;
+            return is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+        return is_assumed(x, PROVE_OWN_OUTPUTS) ? *before : type;
     case PROVE_KEPT:
         if (before)
             return *before;
-        return v < p->machine->var.n && assumes(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
+        return v < p->machine->var.n && is_assumed(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
     case PROVE_CHOICE: return p->var[v].begin;
     case PROVE_IRRELEVANT: return type;
     case PROVE_DIFFERENCE: return type;       // begin_differences
@@ -146,7 +146,7 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
         return fact_of_cell(var->type, state + 1);
     if (v == p->ir->t && (first || !before))
         return fact_of_cell(var->type, 0);
-    return before ? advance_time(*before, (double)p->delta_t) : assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+    return before ? advance_time(*before, (double)p->delta_t) : is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
 }
 
 // Whether a variable has the value of the step before when a step begins.
@@ -154,7 +154,7 @@ static bool lasts(const Explorer *x, uint32_t v)
 {
     const ProveVarKind kind = x->p->var[v].kind;
 
-    return kind == PROVE_KEPT || (kind == PROVE_OUTPUT && assumes(x, PROVE_OWN_OUTPUTS));
+    return kind == PROVE_KEPT || (kind == PROVE_OUTPUT && is_assumed(x, PROVE_OWN_OUTPUTS));
 }
 
 // Adds the differences to the facts with which a step begins.
@@ -190,7 +190,7 @@ static const Env *begin_step(const Explorer *x, const Env *before, bool is_start
 
 static uint64_t key_of(Fact f) { return f.lo == f.hi && !f.nan ? sm_bits(f.lo == 0 ? 0.0 : f.lo) : KEY_OPEN; }
 
-static uint64_t mix(uint64_t h, uint64_t x)
+static uint64_t mix_hash(uint64_t h, uint64_t x)
 {
     h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
     return h ^ h >> 31;
@@ -258,10 +258,10 @@ static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
     uint32_t *slot;
 
     n.key = ARENA_ARRAY(x->arena, uint64_t, x->keys + 1);
-    n.hash = mix(state, first);
+    n.hash = mix_hash(state, first);
     for (uint32_t k = 0; k < x->keys; k++) {
         n.key[k] = key_of(env_get(&x->fm->shape, env, x->key[k]));
-        n.hash = mix(n.hash, n.key[k]);
+        n.hash = mix_hash(n.hash, n.key[k]);
     }
     slot = find_slot(x, t, &n);
     if (*slot) {
@@ -278,13 +278,13 @@ static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
 // ---- a step ----
 
 // Removes from env what no later block reads, and what the next step does not begin with: paths that differ in nothing else become equal.
-static const Env *forget_dead(const Explorer *x, const Env *env, const uint64_t *live)
+static const Env *forget_dead_variables(const Explorer *x, const Env *env, const uint64_t *live)
 {
     const EnvShape *shape = &x->fm->shape;
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
         const ProveVarKind kind = x->p->var[v].kind;
-        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !assumes(x, PROVE_OWN_OUTPUTS));
+        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !is_assumed(x, PROVE_OWN_OUTPUTS));
         if (lost && !bitset_has(live, v) && env_find(shape, env, v) && !(kind == PROVE_OUTPUT && x->p->var[v].stored))
             env = env_set(shape, env, v, fact_of_type(x->p->ir->var.at[v].type));
     }
@@ -303,7 +303,7 @@ static void enter_block(Explorer *x, IrBlkRef block, const Env *env)
         return;
     if (!fact_equal(time, was))
         env = env_set(&x->fm->shape, env, t, time);
-    env = forget_dead(x, env, x->step->block[block].live);
+    env = forget_dead_variables(x, env, x->step->block[block].live);
     for (uint32_t n = 0; n < at->n; n++)
         if (at->at[n] == env)
             return;
@@ -489,7 +489,7 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
         memset(seen, 0, 2 * SAMPLE * sizeof *seen);
         for (uint32_t n = 0; n < x->table->node.n && values < SAMPLE; n++) {
             const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0
-            uint64_t at = mix(value, 7) & (2 * SAMPLE - 1);
+            uint64_t at = mix_hash(value, 7) & (2 * SAMPLE - 1);
             while (seen[at] && seen[at] != value)
                 at = (at + 1) & (2 * SAMPLE - 1);
             values += seen[at] == 0;
@@ -528,8 +528,9 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
     return EXPLORE_CLOSED;
 }
 
-// Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
-static ExploreEnd narrow(Explorer *x, const State *init)
+// Explores one step from each node again, without widening.  The nodes cover every run, so the start and the ends of these steps cover every
+// run, too, with tighter bounds.
+static ExploreEnd narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
 
@@ -578,7 +579,7 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     new_facts(x);
     end = explore_all(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
-        end = narrow(x, init);
+        end = narrow_facts(x, init);
     x->out->nodes = x->table->node.n;
     if (end == EXPLORE_CLOSED && x->out->violated)
         find_bounds(x);
@@ -623,7 +624,7 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
     return n;
 }
 
-// Explores with these limits of widening.  `visits`: those of explorations before.
+// Explores with the limits of widening in x.  `visits`: number of visits of earlier explorations.
 static ProveExplored explore_within(Explorer *x, Arena *arena, Arena *work, const State *init_state, bool fine, uint64_t visits)
 {
     const ProveModel *p = x->p;

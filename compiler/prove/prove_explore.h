@@ -14,8 +14,8 @@
 #include "compiler/prove/prove_model.h"
 
 typedef struct ProveLimits {
-    uint32_t nodes;           // with more, a key is given up
-    uint64_t visits;          // of branches, each once per path to its block; after these, the exploration gives up
+    uint32_t nodes;           // limit on nodes: when it is reached, the exploration begins again with one key less
+    uint64_t visits;          // limit on visits of branches, one for each path to a block: when it is reached, the exploration gives up
     size_t memory;            // bytes of the exploration; 0: no limit
     bool (*go_on)(void *context);     // false stops; or NULL
     void *context;
@@ -23,7 +23,7 @@ typedef struct ProveLimits {
 
 typedef struct ProveExplored {
     bool closed;              // the exploration is complete: the following fields are true of every run
-    bool violated, premise;   // some step may violate the requirement; could do so
+    bool violated, premise;   // some step may violate the requirement; may have its premise
     uint32_t nodes;
     uint32_t wide[PROVE_WIDES];       // variables with too many values to be keys, or with most values when the exploration gave up; `wides` of them
     uint32_t wides;

@@ -42,7 +42,7 @@ typedef struct ProveBranch {
 typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED, PROVE_END_IMPOSSIBLE } ProveEnd;       // IMPOSSIBLE: no run comes here
 
 typedef struct ProveBlock {
-    ProveEnd end;             // not PROVE_END_NONE: the step ends here
+    ProveEnd end;             // how the step ends in this block; PROVE_END_NONE: it continues
     VEC(ProveBranch) branch;
     uint64_t *live;           // set of variables that this block or a later one loads
 } ProveBlock;

@@ -217,7 +217,7 @@ static void write_advice(const Program *p, const ProveResult *r, const ProveOf *
     buf_printf(out, "--effort=%llu, which searches longer\n", (unsigned long long)effort);
 }
 
-// What was done says how long it takes, but nothing about the requirement.
+// Writes how much was tried before the interruption, which shows how long the requirement takes, but nothing about it.
 static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
 {
     if (of->steps == 0 && of->visits == 0)

@@ -37,7 +37,7 @@ static bool is_equal_value(const IrFn *f, IrRef r, const IrFn *g, IrRef s)
 }
 
 // Appends an instruction that is in no block: only its value is used (prove_copy_value).
-static IrRef append(ProveMaker *k, IrFn *f, IrIns i)
+static IrRef append_instruction(ProveMaker *k, IrFn *f, IrIns i)
 {
     vec_push(k->arena, &f->ins, i);
     return f->ins.n - 1;
@@ -52,7 +52,7 @@ static IrRef append_value(ProveMaker *k, IrFn *to, const IrFn *from, IrRef r)
     i = from->ins.at[r];
     i.a = append_value(k, to, from, i.a);
     i.b = append_value(k, to, from, i.b);
-    return append(k, to, i);
+    return append_instruction(k, to, i);
 }
 
 // ---- comparisons ----
@@ -92,7 +92,7 @@ static void add_comparison(ProveMaker *k, uint32_t base, const Threshold *t)
     sample->ins.at = arena_copy(k->arena, sample->ins.at, sample->ins.n * sizeof *sample->ins.at);
     sample->ins.cap = sample->ins.n;
     compare.b = append_value(k, sample, t->f, t->constant);
-    made.operand = append(k, sample, compare);
+    made.operand = append_instruction(k, sample, compare);
     made.sample = sample;
     made.stats &= 1u << SM_STAT_MIN | 1u << SM_STAT_MAX;
     made.is_boolean = true;
@@ -209,7 +209,7 @@ const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w)
 
 // `w` samples a comparison of the samples of `base` with a constant.  Emits the condition that the minimum (or maximum) of `base` compares with the
 // constant as the minimum (or maximum) of `w` says.  No run has other values, so a path with them ends as impossible.
-static void agree(ProveMaker *k, const MadeWindow *base, const MadeWindow *w, SmStat stat)
+static void emit_agreement(ProveMaker *k, const MadeWindow *base, const MadeWindow *w, SmStat stat)
 {
     const IrIns *compare = &w->sample->ins.at[w->operand];
     const IrBlkRef next = prove_new_block(k), impossible = prove_new_block(k), side[2] = {prove_new_block(k), prove_new_block(k)};
@@ -233,5 +233,5 @@ void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w)
 
     for (int stat = SM_STAT_MIN; stat <= SM_STAT_MAX; stat++)
         if (w->stats >> stat & 1)
-            agree(k, base, w, (SmStat)stat);
+            emit_agreement(k, base, w, (SmStat)stat);
 }

@@ -140,7 +140,7 @@ static void find_longest(ProveMaker *k, const IrFn *f, uint32_t first)
     }
 }
 
-static void not_stored(Expr *e, void *context)
+static void check_never_stored(Expr *e, void *context)
 {
     bool *all = context;
 
@@ -152,7 +152,7 @@ static uint32_t same_window(const ProveMaker *k, const Window *w)
 {
     bool constant = true;
 
-    expr_walk(w->sample, not_stored, &constant);
+    expr_walk(w->sample, check_never_stored, &constant);
     for (uint32_t n = 0; constant && n < k->m->window.n; n++) {
         const Window *of = k->m->window.at[n].first;
         const uint32_t stat = 1u << w->stat, stats = k->m->window.at[n].stats;
@@ -323,7 +323,7 @@ static void sample_run(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef 
 }
 
 // Emits what a sample changes in the newest and in the oldest sample, and continues in block `next`.  In the first step they are the same.
-static void sample_ends(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRef next)
+static void sample_newest_and_oldest(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRef next)
 {
     const uint32_t oldest = w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? w->var[SM_STAT_OLDEST] : IR_NONE;
     IrBlkRef first;
@@ -344,7 +344,7 @@ static void sample_ends(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRe
 }
 
 // Emits the sample of a window of booleans whose value is known, and continues in block `next`.
-static void sample_known(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
+static void sample_known_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
 {
     IrBlkRef ends;
 
@@ -355,7 +355,7 @@ static void sample_known(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRe
     ends = prove_new_block(k);
     sample_boolean(k, w, value, ends);
     k->b = ends;
-    sample_ends(k, w, prove_emit_number(k, value), next);
+    sample_newest_and_oldest(k, w, prove_emit_number(k, value), next);
 }
 
 // Ends the current block: continues in `yes` or in `no`, by the sample of a window of booleans.
@@ -384,12 +384,12 @@ static void sample_window(ProveMaker *k, MadeWindow *w)
             k->b = side[value];
             if (w->base != IR_NONE)
                 prove_emit_set(k, w->outcome, value);
-            sample_known(k, w, value, next);
+            sample_known_boolean(k, w, value, next);
         }
         w->is_sampled = w->base != IR_NONE;
     } else {
         const IrRef value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first);
-        sample_ends(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
+        sample_newest_and_oldest(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
     }
     k->b = next;
 }

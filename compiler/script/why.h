@@ -56,17 +56,17 @@ typedef enum WhyKind {
 
 // An input with which the step would have had another outcome.
 typedef struct WhyChange {
-    const Var *var;           // of the machine
-    uint64_t cell, was;       // the value that was tried; that of the run
+    const Var *var;           // the input
+    uint64_t cell, was;       // the value that was tried; the value in the run
     double limit;             // the value with which the variable is compared, if any
     int side;                 // the value tried is the limit (0), or the next one of its type above (1) or below (-1)
     const State *next;        // the target of the transition that the step then makes; NULL: none
-    uint64_t stored;          // of a question about a variable: its value after the step
+    uint64_t stored;          // if the question is about a variable: its value after the changed step
 } WhyChange;
 
 typedef struct WhyLine {
     WhyKind kind;
-    unsigned depth;           // of indentation
+    unsigned depth;           // levels of indentation
     Span at;                  // the position in the source; src NULL: no position
     const char *text;
     const Expr *e;            // GUARD, CONDITION: the expression

@@ -163,7 +163,7 @@ static void attempt_goal(SearchRun *k, uint32_t goal)
     if (is_hard && k->foreign != SEARCH_NONE && search_chance(k, AROUND_PERCENT))
         search_go_around(k, goal);
     else if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))
-        walk_from(k, search_find_nearest_entry(k, k->foreign, k->foreign_value));
+        walk_from(k, search_find_nearest_entry(k, k->foreign, k->foreign_value, 0));
     else if (is_hard && search_chance(k, k->rounds > 1 ? COUNT_PERCENT : PULSE_PERCENT))
         search_run_pulses(k, node, goal);
     else
@@ -209,7 +209,7 @@ static void search_shorter(SearchRun *k)
     }
 }
 
-static void search(SearchRun *k)
+static void run_search(SearchRun *k)
 {
     const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
 
@@ -294,7 +294,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     search_begin_solving(k);
     search_build_flat(k);
     run_given(k);
-    search(k);
+    run_search(k);
     search_choose(k);
     search_describe_missing(k);
     arena_free(&k->flats);

@@ -62,7 +62,7 @@ typedef struct SearchOptions {
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
     bool no_places;           // only goals of the watch are goals
     bool loops;               // scenarios can have loops
-    bool plain;               // for one goal with few changes: no attempt repeats changes, and no input has to go on trembling
+    bool plain;               // for one goal with few changes: no attempt repeats changes, and inputs with noise may become constant
     SearchSpecials specials;
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;

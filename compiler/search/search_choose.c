@@ -98,7 +98,7 @@ static uint8_t *reached_set(const Chooser *c)
 // ---- simplifying ----
 
 // Returns the goals of a set that no chosen scenario reaches.
-static GoalSet find_left(Chooser *c, const uint32_t *goal, uint32_t n)
+static GoalSet find_unreached(Chooser *c, const uint32_t *goal, uint32_t n)
 {
     GoalSet out = {NULL, 0, 0};
 
@@ -168,7 +168,7 @@ static void choose_scenario(Chooser *c, const Candidate *from, const GoalSet *wa
     while (x.s.changes > LONG_CHANGES && want->n > 1 && c->k->r->steps < c->k->effort) {
         part = find_first(c, want);
         choose_scenario(c, &x, &part);
-        left = find_left(c, want->at, want->n);
+        left = find_unreached(c, want->at, want->n);
         want = &left;
     }
     if (want->n == 0)
@@ -181,9 +181,9 @@ static void choose_scenario(Chooser *c, const Candidate *from, const GoalSet *wa
         x.end = c->end;
     }
     if (x.s.changes > MANY_CHANGES && want->n > 1 && c->k->r->steps < c->k->effort) {
-        part = find_left(c, want->at, half);
+        part = find_unreached(c, want->at, half);
         choose_scenario(c, &x, &part);
-        part = find_left(c, want->at + half, want->n - half);
+        part = find_unreached(c, want->at + half, want->n - half);
         choose_scenario(c, &x, &part);
         return;
     }
@@ -208,7 +208,7 @@ static SearchScenario *find_longest(const Chooser *c, const bool *tried)
 }
 
 // Simplifies a chosen scenario for the same goals.  Returns whether it has fewer changes now.
-static bool improve(Chooser *c, SearchScenario *x)
+static bool simplify_chosen(Chooser *c, SearchScenario *x)
 {
     SearchRun *k = c->k;
     GoalSet want = {NULL, 0, 0};
@@ -240,7 +240,7 @@ static void improve_longest(Chooser *c)
         memset(tried, 0, c->chosen.n + 1);
         while ((x = find_longest(c, tried)) != NULL && k->r->steps < k->effort && !k->r->stopped) {
             tried[x - c->chosen.at] = true;
-            any |= improve(c, x);
+            any |= simplify_chosen(c, x);
         }
     }
 }
@@ -320,7 +320,7 @@ void search_choose(SearchRun *k)
     GoalSet want = {NULL, 0, 0};
     const uint64_t full = k->effort;
 
-    // A step for each goal that was not found is left, to describe it.
+    // Reserves one step for each goal that was not found: search_describe_missing needs it.
     if (k->effort - k->r->steps > k->reserve + k->open)
         k->effort -= k->open;
     k->stop_at = k->effort;

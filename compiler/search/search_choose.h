@@ -68,7 +68,7 @@ bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want);
 // Gives loops periods that a person would write.
 void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);
 
-// Keeps what the last replay, one of `s`, shows about runs to states.
+// Stores in `way` the beginnings of `s`, as its last replay has shown, that enter a state with fewer changes than known so far.
 void chooser_keep_ways(Chooser *c, const Scenario *s);
 // Returns the scenario that leads to a node.
 Scenario chooser_scenario_of(SearchRun *k, Arena *arena, uint32_t node);

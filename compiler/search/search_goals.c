@@ -247,7 +247,7 @@ static bool operands_changed(const SearchRun *k, SearchDecision *x)
     return changed;
 }
 
-static void come_near(SearchRun *k, uint32_t g, double distance)
+static void note_distance(SearchRun *k, uint32_t g, double distance)
 {
     SearchGoal *goal = &k->goal[g];
 
@@ -261,7 +261,7 @@ static void come_near(SearchRun *k, uint32_t g, double distance)
     }
 }
 
-static void watch(void *watcher, uint32_t kept)
+static void measure_goals(void *watcher, uint32_t kept)
 {
     SearchRun *k = watcher;
     SearchDecision *x = &k->decision[k->kept[kept]];
@@ -278,7 +278,7 @@ static void watch(void *watcher, uint32_t kept)
         cost = e->condition == SEARCH_NONE ? k->cost[e->value][root] : find_cost_of_condition(k, x->d, e->condition, e->value);
         if (cost == 0 && e->level > 0)
             continue;
-        come_near(k, e->goal, e->level + cost / (1 + cost));
+        note_distance(k, e->goal, e->level + cost / (1 + cost));
         if (k->goal[e->goal].run_best < k->goal[e->goal].best) {
             k->goal[e->goal].best = k->goal[e->goal].run_best;
             k->goal[e->goal].best_elem = (SearchElem){k->kept[kept], e->value, true};
@@ -383,7 +383,7 @@ void search_build_flat(SearchRun *k)
     p->decision = kept;
     p->watched = watched;
     k->flat = flat_new(&k->flats, k->m, p);
-    k->flat->watch = watch;
+    k->flat->watch = measure_goals;
     k->flat->watcher = k;
     quiet = ARENA_NEW(&k->flats, FlatProbes);
     *quiet = *p;

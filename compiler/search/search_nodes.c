@@ -223,7 +223,7 @@ typedef struct Segment {
     uint32_t from;
     const SearchTurn *turn;
     uint32_t turns;
-    bool is_exact;            // all its steps run: a part of a given run
+    bool is_exact;            // all steps run, even if a goal is reached: the segment is part of a given run
 } Segment;
 
 static uint32_t depth_after(const SearchRun *k, const Segment *g)
@@ -515,7 +515,7 @@ static void sort_touched(SearchRun *k)
         }
 }
 
-// Leaves in `touched` the goals for which a snapshot of this segment is worth having.
+// Removes from `touched` the goals for which a snapshot of this segment would be no better than those of their pools.
 static void select_touched(SearchRun *k)
 {
     uint32_t kept = 0;

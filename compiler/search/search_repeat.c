@@ -13,7 +13,7 @@ enum {
     MOST_LEGS = 24,
     LEG_TRIES = 4,            // attempts to leave a state
     MOST_ROUNDS = 2048,
-    SHARE = 16                // of the effort, one part of so many is the most for an attempt
+    SHARE = 16                // an attempt uses at most 1 / SHARE of the effort
 };
 
 // A segment that is repeated.
@@ -68,7 +68,7 @@ static uint64_t choose_width(SearchRun *k)
 }
 
 // Replaces the value of each change by the one that its input has now.
-static void take_back(SearchRun *k)
+static void undo_changes(SearchRun *k)
 {
     for (uint32_t i = 0; i < k->turn.n; i++) {
         SearchTurn *t = &k->turn.at[i];
@@ -87,7 +87,7 @@ void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal)
 
     if (k->turn.n > 0) {
         add_leg(k, &k->legs, r, high);
-        take_back(k);
+        undo_changes(k);
         add_leg(k, &k->legs, r, low);
         k->node.at[node].users++;
         run_rounds(k, node, r, true, count, goal);
@@ -136,7 +136,7 @@ static const SearchExit *choose_exit_towards(SearchRun *k, uint32_t from, const 
 
 // Goes from a node towards a state, by one transition or more, and adds the legs.  The caller uses the node once.  Returns the node that was
 // reached, used once instead, or SEARCH_NONE.
-static uint32_t go_to(SearchRun *k, uint32_t node, uint32_t to, SearchRound *r)
+static uint32_t go_to_state(SearchRun *k, uint32_t node, uint32_t to, SearchRound *r)
 {
     uint32_t *distance = arena_array(&k->legs, k->p->state.n, sizeof *distance), tries = LEG_TRIES;
     const uint64_t most = k->r->steps + k->effort / SHARE;
@@ -167,12 +167,12 @@ static uint32_t go_to(SearchRun *k, uint32_t node, uint32_t to, SearchRound *r)
     return SEARCH_NONE;
 }
 
-uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted)
+uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, uint32_t state)
 {
     double least = SEARCH_UNKNOWN;
     uint32_t best = SEARCH_NONE, n = 0;
 
-    for (uint32_t s = 0; s < k->p->state.n; s++)
+    for (uint32_t s = state ? state - 1 : 0; s < (state ? state : k->p->state.n); s++)
         for (uint32_t i = 0; i < k->entries[s]; i++) {
             const uint32_t node = k->entry[s * SEARCH_ENTRIES + i].node;
             const double x = sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->node.at[node].copy)[var]) - wanted;
@@ -186,11 +186,14 @@ uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted)
     return best;
 }
 
-// Chooses a state that stores a variable.
-static uint32_t choose_storing_state(SearchRun *k, uint32_t var)
+// Chooses a state that stores a variable: often the preferred one, if it does.
+static uint32_t choose_storing_state(SearchRun *k, uint32_t var, uint32_t preferred)
 {
     uint32_t n = 0, out = 0;
 
+    for (uint32_t i = 0; i < k->var[var].store.n; i++)
+        if (k->var[var].store.at[i].state == preferred && preferred != 0 && search_chance(k, 50))
+            return preferred;
     for (uint32_t i = 0; i < k->var[var].store.n; i++)
         if (k->var[var].store.at[i].state && search_pick(k, ++n) == 0)
             out = k->var[var].store.at[i].state;
@@ -204,9 +207,11 @@ static double value_at(const SearchRun *k, uint32_t node, uint32_t var)
 
 void search_go_around(SearchRun *k, uint32_t goal)
 {
-    const uint32_t var = k->foreign, to = choose_storing_state(k, var);
+    // From another state, perhaps no path leads to the goal without losing the count.
+    const uint32_t own = search_chance(k, 50) ? k->site_state : 0;
+    const uint32_t var = k->foreign, to = choose_storing_state(k, var, own);
     const double wanted = k->foreign_value;
-    uint32_t node = search_find_nearest_entry(k, var, wanted), from;
+    uint32_t node = search_find_nearest_entry(k, var, wanted, own), from;
     SearchRound *r = ARENA_NEW(&k->legs, SearchRound);
     double was;
 
@@ -214,9 +219,9 @@ void search_go_around(SearchRun *k, uint32_t goal)
         was = value_at(k, node, var);
         from = k->node.at[node].state;
         k->node.at[node].users++;
-            node = go_to(k, node, to, r);
+            node = go_to_state(k, node, to, r);
         if (node != SEARCH_NONE && from != to)
-            node = go_to(k, node, from, r);
+            node = go_to_state(k, node, from, r);
         if (node != SEARCH_NONE && k->node.at[node].copy) {
             const double change = value_at(k, node, var) - was, rounds = change != 0 ? (wanted - was) / change + 1 : 0;
             run_rounds(k, node, r, false, rounds < 0 ? 0 : rounds > (double)MOST_ROUNDS ? MOST_ROUNDS : (uint64_t)rounds, goal);

@@ -76,7 +76,7 @@ static bool join_most_equal(Chooser *c, Scenario *s)
         return false;
     l.from = s->change[from].step;
     l.period = s->change[from + length].step - l.from;
-    l.to = s->change[from + most - length].step + l.period;               // where the next change of the rounds would be
+    l.to = s->change[from + most - length].step + l.period;               // the step in which the next round would begin
     if (from + most < s->changes && s->change[from + most].step < l.to)
         l.to = s->change[from + most].step;
     t = chooser_begin_attempt(c, s, 0);
@@ -158,7 +158,7 @@ static int compare_rounds(const void *a, const void *b)
     return x->last < y->last ? -1 : x->last > y->last;
 }
 
-// The scenario with a loop in place of the changes after its first round.
+// Returns the scenario with a loop in place of the rounds after the first one.
 static Attempt repeat_round(RoundTries *r, const RoundTry *x)
 {
     const Scenario *s = r->s;
@@ -170,7 +170,7 @@ static Attempt repeat_round(RoundTries *r, const RoundTry *x)
     memmove(t.change + end, s->change + after, (s->changes - after) * sizeof *t.change);
     t.s.changes -= after - end;
     if (x->last) {
-        const uint64_t was = r->enter[x->last].step + 1;              // which becomes l.to
+        const uint64_t was = r->enter[x->last].step + 1;              // the step after the repeated rounds, which moves to l.to
         for (size_t i = end; i < t.s.changes; i++)
             t.change[i].step = t.change[i].step - was + l.to;
         for (size_t i = 0; i < t.s.loops; i++)
@@ -189,7 +189,7 @@ static Attempt repeat_round(RoundTries *r, const RoundTry *x)
     return t;
 }
 
-static bool go_around(Chooser *c, Scenario *s, const GoalSet *want)
+static bool replace_by_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     RoundTries r = {.c = c, .s = s};
     Scenario copy = *s;
@@ -218,7 +218,7 @@ bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     bool added = false;
 
-    while (c->k->o->loops && chooser_has_effort(c) && go_around(c, s, want))
+    while (c->k->o->loops && chooser_has_effort(c) && replace_by_loops(c, s, want))
         added = true;
     return chooser_join_equal(c, s) || added;
 }

@@ -205,7 +205,7 @@ static IrRef find_sampled(const SearchRun *k, uint32_t window)
     return IR_NONE;
 }
 
-// Solves for the samples of a window: its value should stay in the relation to x, or come into it.
+// Adds wishes for what a window samples, so that its statistic is in the relation `rel` to x.
 static void wish_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const uint32_t window = k->fn[fn].fn->ins.at[ref].var;
@@ -334,7 +334,7 @@ static void wish_load(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
         wish_var(k, var, rel, x, depth);
 }
 
-// Wishes that a temporary compares to x as `rel` says.
+// Adds wishes so that a temporary is in the relation `rel` to x.
 static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const IrIns *i = &k->fn[fn].fn->ins.at[ref];
@@ -375,7 +375,7 @@ static Rel relation_of(IrOp op, bool truth)
     }
 }
 
-// An input that is compared with an output can follow it.
+// If a comparison compares an input with an output, adds the wish that the input follows the output, as a feedback does.
 static void wish_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
 {
     const IrFn *f = k->fn[fn].fn;
@@ -406,7 +406,7 @@ static void wish_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool trut
         wish_number(k, fn, i->a, rel, search_value_of(k, fn, i->b), depth);
 }
 
-// Wishes that one of two has the value: one that has it already, mostly.
+// Adds wishes so that one of two nodes has the value; mostly the one that already has it.
 static void wish_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
 {
     const bool has_a = (search_value_of(k, fn, a) != 0) == truth, has_b = (search_value_of(k, fn, b) != 0) == truth;

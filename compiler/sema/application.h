@@ -98,7 +98,7 @@ typedef struct AppFile {
     bool wrong_kind;          // its name has the wrong extension, so it need not be opened
     const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
     const char *problem;      // set by the caller if src is NULL: why the file cannot be read
-    size_t machines;          // how many machines of the application are of this file
+    size_t machines;          // number of machines of the application that this file defines
     size_t unbound;           // 1 + the index in AppFiles.instance of the first one without bindings; 0: none
 } AppFile;
 
