@@ -60,8 +60,12 @@ static const char *any_relation(Arena *arena, Rng *r)
 
 static const char *any_condition(Arena *arena, Rng *r, int depth)
 {
+    static const char *const counted[] = {"k >= %u and T > %u", "k > %u and T >= %u", "k >= %u or T < %u", "not (k < %u) and T > %u"};
+
     if (kind.windows && rng_percent(r, 40))
         return any_relation(arena, r);
+    if (kind.counts && rng_percent(r, 50))
+        return format_in(arena, counted[rng_below(r, 4)], (unsigned)rng_below(r, 5), (unsigned)rng_below(r, 4) * 10);
     if (depth == 0 || rng_percent(r, 40))
         return any_atom(arena, r);
     return format_in(arena, rng_percent(r, 80) ? "(%s) %s (%s)" : "not ((%s) %s (%s))", any_condition(arena, r, depth - 1), rng_percent(r, 50) ? "and" : "or",
