@@ -64,6 +64,8 @@ static void relate_condition(Prover *p, uint32_t group, IrRef condition)
         break;
     default: return;
     }
+    p->group[group].least = 0;
+    p->group[group].nan = false;
     region_add_condition(p, &p->sample, condition);
 }
 

@@ -167,8 +167,12 @@ static Leaf leaf_of(const Prover *p, const RegionView *v, IrRef ref)
     Leaf l = {IR_ne, v->value_of[ref], SEARCH_NONE, 0, false};
     double c;
 
-    if (ir_op_info[i->op].types != IR_T_COMPARE)
+    if (ir_op_info[i->op].types != IR_T_COMPARE) {
+        while (v->fn->ins.at[ref].op == IR_cvt && v->fn->ins.at[ref].type == SM_BOOL)        // true if the number is not 0
+            ref = v->fn->ins.at[ref].a;
+        l.x = v->value_of[ref];
         return l;
+    }
     l.op = i->op;
     l.x = v->value_of[i->a];
     if (constant_of(p, v->value_of[i->b], &c)) {

@@ -13,6 +13,7 @@ enum {
     MOST_LEGS = 24,
     LEG_TRIES = 4,            // attempts to leave a state
     MOST_ROUNDS = 2048,
+    OWN_PERCENT = 33,         // of the ways around begin in the state of the goal
     SHARE = 16                // an attempt uses at most 1 / SHARE of the effort
 };
 
@@ -208,7 +209,7 @@ static double value_at(const SearchRun *k, uint32_t node, uint32_t var)
 void search_go_around(SearchRun *k, uint32_t goal)
 {
     // From another state, perhaps no path leads to the goal without losing the count.
-    const uint32_t own = search_chance(k, 50) ? k->site_state : 0;
+    const uint32_t own = search_chance(k, OWN_PERCENT) ? k->site_state : 0;
     const uint32_t var = k->foreign, to = choose_storing_state(k, var, own);
     const double wanted = k->foreign_value;
     uint32_t node = search_find_nearest_entry(k, var, wanted, own), from;

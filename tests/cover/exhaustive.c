@@ -12,8 +12,8 @@
 #include "tests/diff/cover_model.h"
 #include "tests/diff/subject.h"
 
-// Every second machine has windows of at most WINDOW_MOST samples.  Then a situation also has the inputs of the steps before.
-enum { SITUATIONS_MOST = 700, SITUATIONS_PLAIN = 400, COMBINATIONS = 12, CELLS_MOST = 8, T_MOST = 50, WINDOW_MOST = 3 };
+// Every second machine has windows of at most WINDOW_MOST samples.  Then a situation also has the inputs of the steps before, and n is at most 2.
+enum { SITUATIONS_MOST = 400, COMBINATIONS = 12, COMBINATIONS_OF_WINDOWS = 6, CELLS_MOST = 8, T_MOST = 50, WINDOW_MOST = 3 };
 
 static struct { uint64_t machines, plain, whole, situations, places, impossible, unreached, reached, missed; } met;
 
@@ -48,8 +48,24 @@ static const char *any_atom(Arena *arena, Rng *r)
     }
 }
 
+// A window's argument beside the window: what one says about the other is what proofs are about.
+static const char *any_relation(Arena *arena, Rng *r)
+{
+    static const char *const form[] = {"(%s) and %s", "(%s) and not (%s)", "not (%s) and %s", "(%s) or %s", "(%s) or not (%s)"};
+    const char *const window = any_window(arena, r);
+    const bool of_b = strstr(window, "b,") || strstr(window, "b)");
+
+    return format_in(arena, form[rng_below(r, 5)], window, of_b ? "b" : format_in(arena, "n > %u", (unsigned)rng_below(r, 3)));
+}
+
 static const char *any_condition(Arena *arena, Rng *r, int depth)
 {
+    static const char *const counted[] = {"k >= %u and T > %u", "k > %u and T >= %u", "k >= %u or T < %u", "not (k < %u) and T > %u"};
+
+    if (kind.windows && rng_percent(r, 40))
+        return any_relation(arena, r);
+    if (kind.counts && rng_percent(r, 50))
+        return format_in(arena, counted[rng_below(r, 4)], (unsigned)rng_below(r, 5), (unsigned)rng_below(r, 4) * 10);
     if (depth == 0 || rng_percent(r, 40))
         return any_atom(arena, r);
     return format_in(arena, rng_percent(r, 80) ? "(%s) %s (%s)" : "not ((%s) %s (%s))", any_condition(arena, r, depth - 1), rng_percent(r, 50) ? "and" : "or",
@@ -165,7 +181,7 @@ static bool add(Enumeration *e, const Situation *s)
     for (uint32_t i = 0; i < e->count; i++)
         if (e->at[i].next == s->next && e->at[i].first == s->first && e->at[i].history == s->history && memcmp(e->at[i].cell, s->cell, sizeof s->cell) == 0)
             return true;
-    if (e->count == (kind.windows ? SITUATIONS_MOST : SITUATIONS_PLAIN))
+    if (e->count == SITUATIONS_MOST)
         return false;
     e->at[e->count++] = *s;
     return true;
@@ -184,7 +200,7 @@ static bool enumerate(Enumeration *e, uint32_t starts)
         add(e, &s);
     }
     for (uint32_t i = 0; i < e->count; i++)
-        for (uint32_t input = 0; input < COMBINATIONS; input++) {
+        for (uint32_t input = 0; input < (kind.windows ? COMBINATIONS_OF_WINDOWS : COMBINATIONS); input++) {
             Situation s = {.before = i, .input = input, .depth = e->at[i].depth + 1, .start = e->at[i].start};
             replay(e, &e->at[i]);
             step_both(e, e->at[i].depth, input);

@@ -505,6 +505,7 @@ int main(void)
     check_machine_of("lock", 1);
     check_machine_of("stuck", 0);
     check_machine_of("impossible", 15);
+    check_machine_of("bounds", 8);
     check_determinism();
     check_stop();
     check_effort();
