@@ -81,7 +81,8 @@ typedef struct Trials {
     const Var **var;                  // by IR variable: its Var
     double *wait;                     // the times that conditions compare T and G with, ascending
     uint32_t waits;
-    bool stamped;                     // some variable contains a time: waits may begin at any time
+    bool *stamp;                      // by IR variable: assignments store G in it, and waits begin at that time
+    bool stamped;                     // some variable is computed from a time: waits may begin at any time
     double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     double run_time;                  // the longest time that a condition must be true (`held`); 0: none
@@ -122,9 +123,16 @@ static inline bool trial_is_entering(const void *situation) { return ((const IrS
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
 // Returns how many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
+// Returns how many steps can follow before a timer or a counter reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
+uint32_t trial_steps_to_limit(const Trials *t, const double *before, const void *situation);
 // Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  If the machine
 // has conditions that must be true for some time, samples windows with the inputs of the last step; else windows keep their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
+// Whether two changes of a variable, in two steps, are equal apart from rounding.
+bool trial_is_even(double before, double now);
+// Advances like trial_skip_steps.  Variables that have changed by the same amount in the last two steps continue to do so, and others keep
+// their values.  That is a guess: the last two steps led from the variables `earlier` to `before`, and from there to the situation.
+void trial_leap(const Trials *t, const double *earlier, const double *before, void *situation, uint32_t steps);
 // Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition, skips
 // the steps that remain before the next timer or counter reaches its limit.  Returns false if none will: nothing can change any more.
 bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace);

@@ -285,6 +285,14 @@ static int write_pairs(CoverRun *r, const CoverSettings *s)
 
 // ---- the command ----
 
+// Places that the search has proved impossible, though facts alone do not exclude them.
+static void accept_proofs(CoverRun *r)
+{
+    for (uint32_t i = 1; i < r->all->place.n; i++)
+        if (r->result->find[i].outcome == SEARCH_IMPOSSIBLE && r->all->hits[i] == 0)
+            r->all->place.at[i].impossible = r->result->find[i].reason;
+}
+
 static bool has_open_goal(const CoverRun *r)
 {
     for (uint32_t i = 1; i < r->all->place.n; i++)
@@ -303,6 +311,7 @@ static int search_and_write(CoverRun *r, const CoverSettings *s)
     if (has_open_goal(r)) {
         r->result = run_search(r, s, NULL);
         code = write_found(r);
+        accept_proofs(r);
     }
     if (code == EXIT_OK && r->c->given[OPT_MUST_NOT])
         code = write_pairs(r, s);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc report: one page about a machine for a design review. Findings are those of `smc check` with the same files. Costs are
 // those of the image that `smc build` makes. The scripts run on the VM, on an image with names.
+#include "compiler/base/os_signal.h"
 #include "compiler/cli/deps.h"
 #include "compiler/cli/report_parts.h"
 #include "compiler/cli/runs.h"
@@ -9,7 +10,10 @@ typedef void WriteReport(const Doc *d, Buf *out);
 
 static const CliFormat formats[] = {
     {"html", {".html", ".htm", NULL}, "a browser"}, {"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
-enum { FORMATS = sizeof formats / sizeof *formats };
+enum {
+    FORMATS = sizeof formats / sizeof *formats,
+    MOST_SECONDS = 10000000       // of --time: about 116 days
+};
 
 // Prints which scripts have failed, before the parts that take time.  Returns whether one has.
 static bool print_failed(Cli *c, const Report *r)
@@ -22,6 +26,22 @@ static bool print_failed(Cli *c, const Report *r)
             failed = true;
         }
     return failed;
+}
+
+static void print_unfinished(Cli *c, const Report *r)
+{
+    for (size_t i = 0; i < r->unfinished.n; i++)
+        cli_print_note(c, TEXT_report_unfinished, r->unfinished.at[i]);
+}
+
+// Whether a search has found a run that violates a requirement.
+static bool is_violated(const Report *r)
+{
+    bool any = false;
+
+    for (uint32_t i = 0; r->proofs && i < r->proofs->n && !any; i++)
+        any = r->proofs->of[i].verdict == PROVE_VIOLATED;
+    return any;
 }
 
 // Checks the arguments that are not about the scripts.  Sets the index of the format.  Returns EXIT_OK, or EXIT_USAGE after a message.
@@ -67,6 +87,7 @@ int cmd_report(Cli *c)
     Compiled made;
     Report r;
     Buf out;
+    uint64_t seconds = 0;
     bool failed;
     int code;
 
@@ -75,6 +96,8 @@ int cmd_report(Cli *c)
     report_parts_choose(c);
     if ((code = check_options(c, &o, &file[0], &format)) != EXIT_OK)
         return code;
+    if (c->given[OPT_TIME] && (!cli_read_count(c->value[OPT_TIME], &seconds) || seconds > MOST_SECONDS))
+        return cli_usage_error(c, TEXT_number_from_1, "--time", c->value[OPT_TIME]);
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     if ((code = compile_for_report(c, &in, &o, &made, &r)) != EXIT_OK)
@@ -84,15 +107,22 @@ int cmd_report(Cli *c)
         return code;
     }
     failed = print_failed(c, &r);
-    if ((code = report_parts_run(c, &r, runs_find_machine(&in, &made)->scripted, &o)) != EXIT_OK)
+    os_signals_begin();
+    os_signals_delay();                   // a signal ends the parts, and the process when the page is written
+    code = report_parts_run(c, &r, runs_find_machine(&in, &made)->scripted, &o, (double)seconds);
+    if (code == EXIT_OK) {
+        print_unfinished(c, &r);
+        buf_init(&out, &c->session.arena);
+        writer[format](report_build(&r), &out);
+        file[0].bytes = buf_text(&out);
+        file[0].n = out.n;
+        if (deps_wanted(c))
+            deps_add_rule(c, file, &files, deps_list_inputs(c));
+        code = cli_write_outputs(c, file, files);
+    }
+    os_signals_resume();
+    os_signals_end();
+    if (code != EXIT_OK)
         return code;
-    buf_init(&out, &c->session.arena);
-    writer[format](report_build(&r), &out);
-    file[0].bytes = buf_text(&out);
-    file[0].n = out.n;
-    if (deps_wanted(c))
-        deps_add_rule(c, file, &files, deps_list_inputs(c));
-    if ((code = cli_write_outputs(c, file, files)) != EXIT_OK)
-        return code;
-    return failed ? EXIT_PROBLEM : EXIT_OK;
+    return failed || is_violated(&r) ? EXIT_PROBLEM : EXIT_OK;
 }

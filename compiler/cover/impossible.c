@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds places that no run can cover, by facts (facts.h).  The facts assume that the machine can be started in any state, as a script can do
-// it, and that elements and locals that scripts write have any value.  A place with several copies is impossible only if all of them are.
+// Finds places that no run can cover, by facts (facts.h).  A place with several copies is impossible only if all of them are.
 
 #include "compiler/analysis/transitions.h"
-#include "compiler/cover/cover.h"
-#include "compiler/facts/facts.h"
+#include "compiler/cover/judge.h"
 
 // The search for the places that facts exclude.
 typedef struct Finder {
-    Cover *c;
+    const Cover *c;
+    Arena *arena;
     FactMachine *facts;
     bool *possible;           // by place
+    const char **reason;      // by place
     uint32_t decision;        // index of the next decision, in the order of the code
     const IrFn *fn;           // the current function, and its facts
     FactFlow flow;
@@ -44,8 +44,8 @@ static void append_operand(const Finder *k, Buf *out, IrRef ref)
 
     if (i->op == IR_const || (is_infinite(f.lo) && is_infinite(f.hi)))
         return;
-    buf_printf(out, "%s`%s` is ", out->n ? " and " : "", source_text(k->c->arena, i->span));
-    append_bounds(out, k->c->arena, f);
+    buf_printf(out, "%s`%s` is ", out->n ? " and " : "", source_text(k->arena, i->span));
+    append_bounds(out, k->arena, f);
 }
 
 // Returns why a condition never has the value `value`.
@@ -54,7 +54,7 @@ static const char *reason_for(const Finder *k, IrRef ref, bool value)
     const IrIns *i = &k->fn->ins.at[ref];
     Buf out;
 
-    buf_init(&out, k->c->arena);
+    buf_init(&out, k->arena);
     if (ir_op_info[i->op].types == IR_T_COMPARE) {
         append_operand(k, &out, i->a);
         append_operand(k, &out, i->b);
@@ -112,12 +112,12 @@ static void judge_place(Finder *k, uint32_t place, bool possible, const char *re
     if (possible)
         mark_possible(k, place);
     else
-        k->c->place.at[place].impossible = reason;
+        k->reason[place] = reason;
 }
 
 static void judge_decision(Finder *k, const FlatDecision *d)
 {
-    NodeFact *fact = arena_array(k->c->arena, d->nodes, sizeof *fact);
+    NodeFact *fact = arena_array(k->arena, d->nodes, sizeof *fact);
     const bool single = d->nodes == 1;
 
     judge_values(k, d, fact);
@@ -160,15 +160,23 @@ static void skip_block(Finder *k, const IrBlk *b)
             k->decision++;
 }
 
-static void judge_function(Finder *k, const IrFn *f, const Env *begin)
+// Judges a function by the facts about another form of it, which has the same instructions and blocks.
+static void judge_function(Finder *k, const IrFn *f, const IrFn *form, const Env *begin)
 {
     k->fn = f;
-    k->flow = facts_of_function(k->facts, f, begin);
+    k->flow = facts_of_function(k->facts, form, begin);
     for (uint32_t b = 0; b < f->blk.n; b++)
         if (k->flow.reached[b])
             judge_block(k, &f->blk.at[b]);
         else
             skip_block(k, &f->blk.at[b]);
+}
+
+static void skip_function(Finder *k, const IrFn *f)
+{
+    k->fn = f;
+    for (uint32_t b = 0; b < f->blk.n; b++)
+        skip_block(k, &f->blk.at[b]);
 }
 
 // Copies the verdict on the samples of each shared window to every other place that counts the same samples.
@@ -178,28 +186,39 @@ static void copy_verdicts_to_shared(Finder *k)
         for (uint32_t n = 0; n < k->c->shared.at[i].n; n++) {
             const CoverShared s = k->c->shared.at[i];
             k->possible[s.to + n] = k->possible[s.to + n] || k->possible[s.from + n];
-            k->c->place.at[s.to + n].impossible = k->c->place.at[s.from + n].impossible;
+            k->reason[s.to + n] = k->reason[s.from + n];
         }
 }
 
 static bool is_judged(CoverKind kind) { return kind == COVER_TRANSITION || kind == COVER_STATEMENT || kind == COVER_GUARD || kind == COVER_CONDITION; }
 
-void cover_find_impossible(Cover *c)
+void cover_judge_by_facts(const Cover *c, Arena *arena, FactMachine *facts, bool any_start, const char **reason)
 {
-    Finder k = {.c = c, .facts = facts_of_machine(c->arena, c->m), .possible = arena_alloc(c->arena, c->place.n)};
+    Finder k = {.c = c, .arena = arena, .facts = facts, .possible = arena_alloc(arena, c->place.n), .reason = reason};
 
     if (c->m->sample)
-        judge_function(&k, c->m->sample, facts_at_begin_of_sample(k.facts));
+        judge_function(&k, c->m->sample, facts->m->sample, facts_at_begin_of_sample(facts));
     for (size_t s = 0; s < c->m->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++)
-            if (c->m->state.at[s].block[b])
-                judge_function(&k, c->m->state.at[s].block[b], facts_at_begin(k.facts, s, b));
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            const IrFn *f = c->m->state.at[s].block[b];
+            if (f && (any_start || facts_may_reach(facts, s, b)))
+                judge_function(&k, f, facts->m->state.at[s].block[b], facts_at_begin(facts, s, b));
+            else if (f)
+                skip_function(&k, f);
+        }
     copy_verdicts_to_shared(&k);
-    for (uint32_t i = 1; i < c->place.n; i++) {
-        CoverPlace *p = &c->place.at[i];
-        if (!is_judged(p->kind) || k.possible[i] || c->hits[i] > 0)
-            p->impossible = NULL;
-        else if (!p->impossible)
-            p->impossible = "no run reaches it";
-    }
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (!is_judged(c->place.at[i].kind) || k.possible[i] || c->hits[i] > 0)
+            reason[i] = NULL;
+        else if (!reason[i])
+            reason[i] = "no run reaches it";
+}
+
+void cover_find_impossible(Cover *c)
+{
+    const char **reason = arena_array(c->arena, c->place.n, sizeof *reason);
+
+    cover_judge_by_facts(c, c->arena, facts_of_machine(c->arena, c->m), true, reason);
+    for (uint32_t i = 1; i < c->place.n; i++)
+        c->place.at[i].impossible = reason[i];
 }

@@ -9,7 +9,7 @@
 // One function being narrowed.  The tables are indexed by the original temporaries of the function.  New temporaries have higher
 // numbers and no entries.
 typedef struct Narrow {
-    Arena *arena;
+    Arena *arena, *work;      // for what stays in the function; for tables
     IrFn *f;
     const Fact *fact;         // the possible values of the temporary
     uint32_t *uses;           // the temporary's use count

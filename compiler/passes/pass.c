@@ -29,6 +29,8 @@ typedef struct PassRunner {
     Facts *facts;                     // facts[0] of the sample function, then those of every state's functions
     VarNotes notes;
     FactMachine *values;              // NULL: not computed yet, or invalidated
+    Arena work;                       // for tables about the function on which passes run
+    size_t instructions;              // of the functions about which `work` has tables
 } PassRunner;
 
 static const PassInfo *find_pass(const char *name, size_t n)
@@ -62,24 +64,42 @@ VarNote *find_variable_note(VarNotes *n, uint32_t var)
     return note;
 }
 
+// ---- tables ----
+
+enum { TABLES_MAX = 1000 };           // instructions about which `work` has tables before it is freed: these stay in the processor's cache
+
+// Frees the tables about functions in `work`, if they are many.  *instructions: of these functions; f is the last of them.
+static void free_tables(Arena *work, size_t *instructions, const IrFn *f)
+{
+    *instructions += f->ins.n;
+    if (*instructions < TABLES_MAX)
+        return;
+    arena_reset(work);
+    *instructions = 0;
+}
+
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass)
 {
+    size_t instructions = 0;
+    Arena work;
+
+    arena_init_within(&work, arena);
     if (m->sample)
-        pass(arena, m->sample, facts_of_function(values, m->sample, facts_at_begin_of_sample(values)));
+        pass(arena, &work, m->sample, facts_of_function(values, m->sample, facts_at_begin_of_sample(values)));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[s].block[b])
-                pass(arena, m->state.at[s].block[b], facts_of_block(values, s, b));
+            if (m->state.at[s].block[b]) {
+                pass(arena, &work, m->state.at[s].block[b], facts_of_block(values, s, b));
+                free_tables(&work, &instructions, m->state.at[s].block[b]);
+            }
 }
 
 // ---- running ----
 
 static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts *facts)
 {
-    if (!f)
-        return;
     if (pass->needs & ~facts->valid & FACT_USES) {
-        facts->uses = ir_count_uses(r->arena, f);
+        facts->uses = ir_count_uses(r->o->verify ? r->arena : &r->work, f);       // verify_machine compares them later
         facts->valid |= FACT_USES;
     }
     pass->on_function(r->arena, f, facts);
@@ -121,19 +141,28 @@ static const char *verify_machine(PassRunner *r, const char *when)
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
+// Runs n passes on one function.  Their tables, and with them the use counts, are then free.
+static void run_in_turn(PassRunner *r, const PassInfo *const *pass, size_t n, IrFn *f, Facts *facts)
+{
+    if (!f)
+        return;
+    for (size_t k = 0; k < n; k++)
+        run_on_function(r, pass[k], f, facts);
+    free_tables(&r->work, &r->instructions, f);
+    if (!r->o->verify)
+        facts->valid &= ~(unsigned)FACT_USES;
+}
+
 // Runs n passes over functions, which are adjacent in their order.  All of them run on one function before they run on the next: the function is
 // then still in the processor's cache.
 static void run_on_functions(PassRunner *r, const PassInfo *const *pass, size_t n)
 {
     Facts *facts = r->facts;
 
-    for (size_t k = 0; k < n; k++)
-        run_on_function(r, pass[k], r->m->sample, facts);
-    facts++;
+    run_in_turn(r, pass, n, r->m->sample, facts++);
     for (size_t s = 0; s < r->m->state.n; s++)
-        for (int b = 0; b < BLOCK_COUNT; b++, facts++)
-            for (size_t k = 0; k < n; k++)
-                run_on_function(r, pass[k], r->m->state.at[s].block[b], facts);
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            run_in_turn(r, pass, n, r->m->state.at[s].block[b], facts++);
 }
 
 static void run_on_machine(PassRunner *r, const PassInfo *pass)
@@ -188,12 +217,14 @@ static void prepare_facts(PassRunner *r)
 {
     size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
 
+    arena_init_within(&r->work, r->arena);
     r->facts = ARENA_ARRAY(r->arena, Facts, functions);
     r->notes.at = ARENA_ARRAY(r->arena, VarNote, r->m->var.n);
     for (size_t f = 0; f < functions; f++) {
         r->facts[f].m = r->m;
         r->facts[f].notes = &r->notes;
         r->facts[f].soft = r->o->soft;
+        r->facts[f].work = &r->work;
     }
 }
 
@@ -210,7 +241,7 @@ static size_t count_passes_over_functions(const PassRunner *r, const PassInfo *c
 // Runs the optimiser.  Returns NULL, or an error as a sentence.
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
-    PassRunner r = {arena, m, o, NULL, {NULL, 0}, NULL};
+    PassRunner r = {.arena = arena, .m = m, .o = o};
     const PassInfo *pass[sizeof runs / sizeof *runs];
     const char *wrong;
     size_t n = 0, together;
@@ -232,7 +263,7 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 // Runs the passes for C on a copy of m.  Returns NULL, or a sentence about what is wrong.
 static const char *run_passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, IrMachine **out)
 {
-    PassRunner r = {arena, ir_copy(arena, m), o, NULL, {NULL, 0}, NULL};
+    PassRunner r = {.arena = arena, .m = ir_copy(arena, m), .o = o};
     const char *wrong = NULL;
 
     prepare_facts(&r);

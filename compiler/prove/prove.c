@@ -103,10 +103,10 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 }
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false},
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false}, {PROVE_RELATED, false},
                                                                           {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
 
-enum { ATTEMPTS_FIRST = 4, ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 5, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
@@ -167,6 +167,7 @@ static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool i
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
     of->is_loose = model->loosened > 0;
     of->is_compared = model->compared > 0;
+    of->is_related = model->pairs > 0;
     of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
     of->invariant = invariants_of(v, model, &x);
     return true;
@@ -179,6 +180,8 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
 
     if (loose == PROVE_COMPARED)
         return p->model[loose]->compared == 0;
+    if (loose == PROVE_RELATED)
+        return p->model[loose]->pairs == 0;
     return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 

@@ -19,6 +19,9 @@
 // values that the facts already cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are
 // computed with the language's own arithmetic, with infinities, NaN and saturation.
 //
+// Facts about single variables are too weak where a requirement compares two of them.  The last attempt before long ones also follows the differences
+// of the variables that it compares (prove_relate.h).
+//
 // Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
 // not read: first all of them, then those of more than two samples.  Where that fails, later attempts know what is
 // true of all samples of a window (prove_threshold.c).
@@ -96,6 +99,7 @@ typedef struct ProveOf {
     uint32_t irrelevant;      // variables that cannot influence the requirement
     bool is_loose;            // PROVED, VACUOUS: with windows of any value (prove_model_new)
     bool is_compared;         // PROVED, VACUOUS: with samples that are compared with constants of the requirement
+    bool is_related;          // PROVED, VACUOUS: with the differences of variables
     uint32_t nodes;           // abstract states of the last exploration (prove_explore.h)
     uint64_t steps;           // of all runs that were tried
     uint64_t visits;          // paths from block to block that all explorations visited

@@ -6,6 +6,7 @@
 #include "compiler/base/bitset.h"
 #include "compiler/facts/env_table.h"
 #include "compiler/ir/eval.h"
+#include "compiler/prove/prove_relate.h"
 #include "stdlib/convert.h"
 
 enum {
@@ -62,6 +63,10 @@ typedef struct Explorer {
     const ProveStep *step;    // the current one
     const ProveNode *from;
     const ProveBranch *branch;
+    bool is_taken;            // the facts allow the branch, ...
+    const Env *taken;         // ... and these are the facts at its end
+    uint32_t *holder;         // memory for prove_relate, for fewer than `holders` temporaries
+    uint32_t holders;
     ProveEnvs *at;            // by block of the step: the facts at its beginning, by path
     uint32_t blocks;          // capacity of `at`
 } Explorer;
@@ -134,6 +139,7 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
         return v < p->machine->var.n && is_assumed(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
     case PROVE_CHOICE: return p->var[v].begin;
     case PROVE_IRRELEVANT: return type;
+    case PROVE_DIFFERENCE: return type;       // begin_differences
     case PROVE_TIME: break;
     }
     if (v == p->ir->s)
@@ -141,6 +147,27 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
     if (v == p->ir->t && (first || !before))
         return fact_of_cell(var->type, 0);
     return before ? advance_time(*before, (double)p->delta_t) : is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+}
+
+// Whether a variable has the value of the step before when a step begins.
+static bool lasts(const Explorer *x, uint32_t v)
+{
+    const ProveVarKind kind = x->p->var[v].kind;
+
+    return kind == PROVE_KEPT || (kind == PROVE_OUTPUT && is_assumed(x, PROVE_OWN_OUTPUTS));
+}
+
+// Adds the differences to the facts with which a step begins.
+static const Env *begin_differences(const Explorer *x, const Env *before, bool is_start, const Env *env)
+{
+    const EnvShape *shape = &x->fm->shape;
+
+    for (uint32_t n = 0; n < x->p->pairs; n++) {
+        const ProvePair *pair = &x->p->pair[n];
+        if (is_start || (lasts(x, pair->x) && lasts(x, pair->y)))
+            env = env_set(shape, env, pair->var, is_start ? prove_difference(env_get(shape, env, pair->x), env_get(shape, env, pair->y)) : env_get(shape, before, pair->var));
+    }
+    return env;
 }
 
 static const Env *begin_step(const Explorer *x, const Env *before, bool is_start, uint32_t state, bool first)
@@ -156,7 +183,7 @@ static const Env *begin_step(const Explorer *x, const Env *before, bool is_start
         if (!fact_equal(f, fact_of_type(x->p->ir->var.at[v].type)))
             env = env_set(shape, env, v, f);
     }
-    return env;
+    return begin_differences(x, before, is_start, env);
 }
 
 // ---- nodes ----
@@ -320,34 +347,55 @@ static void visit_edge(void *context, const IrJump *end, const Env *env)
 
     if (end != &x->branch->fn->blk.at[1].jump)
         return;
-    if (x->branch->then == IR_NONE)
-        end_step(x, env);
+    x->is_taken = true;
+    x->taken = env;
+}
+
+// Whether the differences allow the branch.  If so, adds them to the facts at its end.
+static bool relate_variables(Explorer *x, const Fact *of, const Env *begin)
+{
+    const IrFn *f = x->branch->fn;
+
+    if (x->p->pairs == 0)
+        return true;
+    if (f->ins.n >= x->holders) {
+        x->holders = f->ins.n * 2 + 1;
+        x->holder = ARENA_ARRAY(x->arena, uint32_t, x->holders);
+    }
+    return prove_relate(&(ProveFlow){x->p, &x->fm->shape, f, of, x->holder, begin}, &x->taken);
+}
+
+static void follow_branch(Explorer *x, const ProveBranch *branch, const Env *env)
+{
+    const FactEnds ends = {.visit = visit_edge, .context = x, .all = true};
+    const Fact *of;
+
+    x->branch = branch;
+    x->is_taken = false;
+    ++*x->visits;
+    of = facts_flow(x->fm, branch->fn, env, &ends).of;
+    if (!x->is_taken || !relate_variables(x, of, env))
+        return;
+    if (branch->then == IR_NONE)
+        end_step(x, x->taken);
     else
-        enter_block(x, x->branch->then, env);
+        enter_block(x, branch->then, x->taken);
 }
 
 static void visit_block(Explorer *x, IrBlkRef b)
 {
-    static const FactEnds no_ends;
     const ProveBlock *block = &x->step->block[b];
-    FactEnds ends = no_ends;
 
     if (block->end == PROVE_END_IMPOSSIBLE)
         return;
-    ends.visit = visit_edge;
-    ends.context = x;
-    ends.all = true;
     for (uint32_t n = 0; n < x->at[b].n; n++) {
         const Env *env = x->at[b].at[n];
         if (block->end != PROVE_END_NONE)
             x->out->premise |= env_get(&x->fm->shape, env, x->p->premise).hi > 0;
         if (block->end == PROVE_END_VIOLATED)
             x->out->violated = true;
-        for (uint32_t k = 0; k < block->branch.n && block->end != PROVE_END_VIOLATED; k++) {
-            x->branch = &block->branch.at[k];
-            ++*x->visits;
-            facts_flow(x->fm, x->branch->fn, env, &ends);
-        }
+        for (uint32_t k = 0; k < block->branch.n && block->end != PROVE_END_VIOLATED; k++)
+            follow_branch(x, &block->branch.at[k], env);
     }
 }
 
@@ -506,7 +554,7 @@ static void new_facts(Explorer *x)
     if (!x->fm->shape.unique)
         x->fm->shape.unique = env_table_new(x->arena);        // equal facts become the same pointer
     x->at = NULL;
-    x->blocks = 0;
+    x->blocks = x->holders = 0;
 }
 
 // Collects the bounds of the facts of all nodes.
@@ -569,9 +617,8 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
     uint32_t n = 0;
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
-        const ProveVarKind kind = x->p->var[v].kind;
-        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && is_assumed(x, PROVE_OWN_OUTPUTS)) || (v == x->p->ir->t && x->p->var[v].relevant);
-        if (lasts && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
+        const bool changes = lasts(x, v) || (v == x->p->ir->t && x->p->var[v].relevant);
+        if (changes && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
             key[n++] = v;
     }
     return n;

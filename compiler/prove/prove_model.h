@@ -21,6 +21,7 @@ typedef enum ProveVarKind {
     PROVE_KEPT,               // changed by the functions alone
     PROVE_CHOICE,             // begins each step with a value of `begin`, whatever it was
     PROVE_TIME,               // G, S or T
+    PROVE_DIFFERENCE,         // of a pair; no function reads or writes it
     PROVE_IRRELEVANT          // no function reads it, so nothing is known about it
 } ProveVarKind;
 
@@ -60,8 +61,14 @@ typedef enum ProveLoosening {
     PROVE_COMPARED,           // none; and samples are compared with constants of the requirement (prove_threshold.c)
     PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; it follows those of prev, rising and falling
     PROVE_LOOSE_ALL,
+    PROVE_RELATED,            // all; and the differences of variables are followed (prove_relate.h)
     PROVE_LOOSENINGS
 } ProveLoosening;
+
+// Two variables that are compared with each other, and the variable whose fact has the bounds of their difference x - y.
+typedef struct ProvePair { uint32_t x, y, var; } ProvePair;
+
+enum { PROVE_PAIRS = 15 };
 
 typedef struct ProveModel {
     Arena *arena;
@@ -72,6 +79,8 @@ typedef struct ProveModel {
     ProveVar *var;            // by variable of ir
     uint32_t compared;        // windows of comparisons
     uint32_t loosened;        // windows that have any value because of `loose`
+    ProvePair pair[PROVE_PAIRS];      // `pairs` of them
+    uint32_t pairs;
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement
     ProveStep *(*step)[2];    // by state from 0, and whether it is the first step in the state; made when first asked for

@@ -97,6 +97,7 @@ static void add_comparison(ProveMaker *k, uint32_t base, const Threshold *t)
     made.stats &= 1u << SM_STAT_MIN | 1u << SM_STAT_MAX;
     made.is_boolean = true;
     made.base = base;
+    made.is_sampled = false;
     k->window = arena_grow(k->arena, k->window, k->windows * sizeof *k->window, (k->windows + 1u) * sizeof *k->window);
     k->window[k->windows++] = made;
 }
@@ -125,6 +126,20 @@ static void compare_equal_samples(ProveMaker *k, const IrFn *f, IrRef condition)
     }
 }
 
+// Adds the windows of comparisons for a condition of a statistic of window n: also of other windows with the same samples and this statistic, such as the last
+// two samples of which the requirement reads the last three.
+static void compare_same_samples(ProveMaker *k, uint32_t n, const Threshold *t)
+{
+    const MadeWindow of = k->window[n];
+    const SmStat stat = t->f->ins.at[t->value].stat;
+
+    for (uint32_t other = 0; other < k->of_both; other++) {
+        const MadeWindow w = k->window[other];
+        if (has_bounds(&w) && w.stats >> stat & 1 && k->same[other] == other && is_equal_value(of.sample, of.operand, w.sample, w.operand))
+            add_comparison(k, other, t);
+    }
+}
+
 // Adds the windows of comparisons for value r of f, and for the samples of the windows that it reads.  `first`: that of f; read: by window, whether
 // it has been visited.
 static void compare_in_value(ProveMaker *k, const IrFn *f, IrRef r, uint32_t first, bool *read)
@@ -137,7 +152,7 @@ static void compare_in_value(ProveMaker *k, const IrFn *f, IrRef r, uint32_t fir
     if (find_threshold(k, f, r, &t) && f->ins.at[t.value].op == IR_stat) {
         const uint32_t n = k->same[first + f->ins.at[t.value].var];
         if (has_bounds(&k->window[n]))
-            add_comparison(k, n, &t);
+            compare_same_samples(k, n, &t);
     }
     if (i->op == IR_stat) {
         const MadeWindow w = k->window[k->same[first + i->var]];
@@ -162,6 +177,32 @@ void prove_compare_samples(ProveMaker *k)
         if (k->condition[c])
             compare_in_value(k, k->condition[c], k->condition[c]->blk.at[0].jump.cond, 0, read);
     k->model->compared = k->windows - k->of_both;
+}
+
+// ---- outcomes ----
+
+// Whether a value is the same everywhere in a step.
+static bool is_constant_in_step(const ProveMaker *k, const IrFn *f, IrRef r)
+{
+    const IrIns *i = r == IR_NONE ? NULL : &f->ins.at[r];
+
+    if (!i || i->op == IR_const)
+        return true;
+    if (i->op == IR_load)
+        return k->model->var[i->var].kind == PROVE_INPUT || (k->model->var[i->var].kind == PROVE_KEPT && !k->model->var[i->var].stored);
+    return i->op != IR_stat && i->op != IR_sample && i->op != IR_store && is_constant_in_step(k, f, i->a) && is_constant_in_step(k, f, i->b);
+}
+
+// The facts about a condition are not the condition: that the second largest of three inputs is above 28 is known of a path, but not of the inputs.  So windows of
+// different sizes have the same samples only if these are computed once.
+const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w)
+{
+    for (uint32_t n = k->of_both; n < k->windows; n++) {
+        const MadeWindow *other = &k->window[n];
+        if (other->is_sampled && is_equal_value(other->sample, other->operand, w->sample, w->operand) && is_constant_in_step(k, w->sample, w->operand))
+            return other;
+    }
+    return NULL;
 }
 
 // ---- agreement ----

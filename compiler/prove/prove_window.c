@@ -201,7 +201,7 @@ static void find_read_windows(const ProveMaker *k, bool *read)
 // Whether a model lets a window that the requirement does not read have any value.
 static bool is_loosened(const MadeWindow *w, ProveLoosening loose)
 {
-    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
+    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || loose == PROVE_RELATED || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
 }
 
 // Computes what is known about the samples of all windows.
@@ -253,9 +253,13 @@ void prove_add_windows(ProveMaker *k)
     find_longest(k, k->judge.sample, k->of_machine);
     for (int c = 0; c < 3; c++)
         find_longest(k, k->condition[c], 0);
-    for (uint32_t n = 0; n < k->windows; n++)
-        if (k->window[n].used)
-            add_window_vars(k, &k->window[n]);
+    for (uint32_t n = 0; n < k->windows; n++) {
+        if (!k->window[n].used)
+            continue;
+        add_window_vars(k, &k->window[n]);
+        if (k->window[n].base != IR_NONE)
+            k->window[n].outcome = prove_add_var(k, SM_F64, PROVE_CHOICE, whole_between(0, 1));
+    }
 }
 
 // ---- samples ----
@@ -354,24 +358,37 @@ static void sample_known_boolean(ProveMaker *k, const MadeWindow *w, bool value,
     sample_newest_and_oldest(k, w, prove_emit_number(k, value), next);
 }
 
-static void sample_window(ProveMaker *k, const MadeWindow *w)
+// Ends the current block: continues in `yes` or in `no`, by the sample of a window of booleans.
+static void branch_on_sample(ProveMaker *k, const MadeWindow *w, IrBlkRef yes, IrBlkRef no)
 {
-    IrBlkRef next, yes, no;
-    IrRef value;
+    const MadeWindow *same = w->base == IR_NONE ? NULL : prove_find_outcome(k, w);
+
+    if (same)
+        prove_branch_if_above(k, same->outcome, 0, yes, no);
+    else
+        prove_branch_from(k, k->b, prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first), yes, no);
+}
+
+static void sample_window(ProveMaker *k, MadeWindow *w)
+{
+    IrBlkRef next, side[2];
 
     if (!prove_follows_samples(w))
         return;                                   // its statistics are choices
-    value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first);
     next = prove_new_block(k);
     if (w->is_boolean) {
-        yes = prove_new_block(k);
-        no = prove_new_block(k);
-        prove_branch_from(k, k->b, value, yes, no);
-        k->b = yes;
-        sample_known_boolean(k, w, true, next);
-        k->b = no;
-        sample_known_boolean(k, w, false, next);
+        side[0] = prove_new_block(k);
+        side[1] = prove_new_block(k);
+        branch_on_sample(k, w, side[1], side[0]);
+        for (int value = 1; value >= 0; value--) {
+            k->b = side[value];
+            if (w->base != IR_NONE)
+                prove_emit_set(k, w->outcome, value);
+            sample_known_boolean(k, w, value, next);
+        }
+        w->is_sampled = w->base != IR_NONE;
     } else {
+        const IrRef value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first);
         sample_newest_and_oldest(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
     }
     k->b = next;

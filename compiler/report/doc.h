@@ -92,6 +92,7 @@ typedef struct DocPart {
     const char *caption;      // FIGURE: text below it; or NULL
     DocFigure figure;         // FIGURE: how it is laid out
     const char *print;        // FIGURE: what is printed instead of `text`; or NULL
+    int32_t width;            // FIGURE: of a diagram, in pixels
     DocTable *table;          // TABLE: the table
     DocList *list;            // LIST: the list
     Span span;                // EXCERPT: the marked part of the source

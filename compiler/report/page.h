@@ -44,6 +44,7 @@ typedef struct Report {
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
+    VEC(const char *) unfinished; // the parts that were stopped before they were complete, as phrases
 } Report;
 
 Doc *report_build(Report *r);

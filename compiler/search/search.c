@@ -163,7 +163,7 @@ static void attempt_goal(SearchRun *k, uint32_t goal)
     if (is_hard && k->foreign != SEARCH_NONE && search_chance(k, AROUND_PERCENT))
         search_go_around(k, goal);
     else if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))
-        walk_from(k, search_find_nearest_entry(k, k->foreign, k->foreign_value));
+        walk_from(k, search_find_nearest_entry(k, k->foreign, k->foreign_value, 0));
     else if (is_hard && search_chance(k, k->rounds > 1 ? COUNT_PERCENT : PULSE_PERCENT))
         search_run_pulses(k, node, goal);
     else

@@ -167,12 +167,12 @@ static uint32_t go_to_state(SearchRun *k, uint32_t node, uint32_t to, SearchRoun
     return SEARCH_NONE;
 }
 
-uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted)
+uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, uint32_t state)
 {
     double least = SEARCH_UNKNOWN;
     uint32_t best = SEARCH_NONE, n = 0;
 
-    for (uint32_t s = 0; s < k->p->state.n; s++)
+    for (uint32_t s = state ? state - 1 : 0; s < (state ? state : k->p->state.n); s++)
         for (uint32_t i = 0; i < k->entries[s]; i++) {
             const uint32_t node = k->entry[s * SEARCH_ENTRIES + i].node;
             const double x = sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->node.at[node].copy)[var]) - wanted;
@@ -186,11 +186,14 @@ uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted)
     return best;
 }
 
-// Chooses a state that stores a variable.
-static uint32_t choose_storing_state(SearchRun *k, uint32_t var)
+// Chooses a state that stores a variable: often the preferred one, if it does.
+static uint32_t choose_storing_state(SearchRun *k, uint32_t var, uint32_t preferred)
 {
     uint32_t n = 0, out = 0;
 
+    for (uint32_t i = 0; i < k->var[var].store.n; i++)
+        if (k->var[var].store.at[i].state == preferred && preferred != 0 && search_chance(k, 50))
+            return preferred;
     for (uint32_t i = 0; i < k->var[var].store.n; i++)
         if (k->var[var].store.at[i].state && search_pick(k, ++n) == 0)
             out = k->var[var].store.at[i].state;
@@ -204,9 +207,11 @@ static double value_at(const SearchRun *k, uint32_t node, uint32_t var)
 
 void search_go_around(SearchRun *k, uint32_t goal)
 {
-    const uint32_t var = k->foreign, to = choose_storing_state(k, var);
+    // From another state, perhaps no path leads to the goal without losing the count.
+    const uint32_t own = search_chance(k, 50) ? k->site_state : 0;
+    const uint32_t var = k->foreign, to = choose_storing_state(k, var, own);
     const double wanted = k->foreign_value;
-    uint32_t node = search_find_nearest_entry(k, var, wanted), from;
+    uint32_t node = search_find_nearest_entry(k, var, wanted, own), from;
     SearchRound *r = ARENA_NEW(&k->legs, SearchRound);
     double was;
 

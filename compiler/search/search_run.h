@@ -243,8 +243,8 @@ static inline SearchSetting *search_settings(const SearchRun *k, char *block) { 
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
 
-// Returns the entry of any state at which a variable is nearest to a value; SEARCH_NONE: no state has been entered.
-uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted);
+// Returns the entry of a state (0: any) at which a variable is nearest to a value; SEARCH_NONE: it has not been entered.
+uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, uint32_t state);
 // Makes the changes of k->turn and undoes them, again and again, from the node for which they were solved.
 void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal);
 // Goes from an entry through a state that stores k->foreign, and back to the first state, again and again.

@@ -66,6 +66,32 @@ static void remove_overwritten(Scenario *s, ScenarioChange *change)
     s->changes = n;
 }
 
+static bool is_in_loop(const Scenario *s, uint32_t var)
+{
+    for (size_t i = 0; i < s->changes; i++)
+        if (s->change[i].var == var && scenario_loop_at(s, s->change[i].step))
+            return true;
+    return false;
+}
+
+// Removes changes to the value that the input has already, which need no replay: every step has the same inputs as before.
+static void remove_idle(const Chooser *c, Scenario *s, ScenarioChange *change)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->changes; i++) {
+        const SearchInput *in = &c->k->input[c->input_of[change[i].var]];
+        const IrVar *v = &c->k->m->var.at[in->at];
+        bool is_idle = change[i].kind == SCENARIO_HOLD && change[i].a == sm_cell_to_f64(in->type, v->space == IR_LOCAL ? v->init : 0);
+        for (size_t j = 0; j < n; j++)
+            if (change[j].var == change[i].var)
+                is_idle = change[i].kind == SCENARIO_HOLD && change[j].kind == SCENARIO_HOLD && change[j].a == change[i].a;
+        if (!is_idle || in->forced || is_in_loop(s, change[i].var))
+            change[n++] = change[i];
+    }
+    s->changes = n;
+}
+
 // Removes loops that repeat nothing, and lets the others begin with their first change.
 static void tidy_loops(Scenario *s, ScenarioLoop *loop)
 {
@@ -107,6 +133,7 @@ bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, co
         return false;
     end_at(c, &t->s, end);
     remove_overwritten(&t->s, t->change);
+    remove_idle(c, &t->s, t->change);
     tidy_loops(&t->s, t->loop);
     chooser_store_attempt(c, s, t);
     return true;
@@ -576,10 +603,14 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
 {
     Reducer r = {c, s, want, NULL, 0};
     const uint64_t end = chooser_replay(c, c->wanted, s, want, NULL);
+    Attempt start;
 
     if (end == 0)
         return false;
     end_at(c, s, end);
+    start = begin_attempt(c, s);
+    remove_idle(c, &start.s, start.change);
+    chooser_store_attempt(c, s, &start);
     keep_enters(&r);
     if (s->changes > MANY_CHANGES)
         shorten_long(&r);

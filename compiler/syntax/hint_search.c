@@ -85,14 +85,12 @@ void hint_init_index(HintIndex *index)
     }
 }
 
-// Reports the likeliest cause if the grammar does not allow the next tokens, or if another language gives them another meaning.
-HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
+// Reports the first row of the context that matches, or else the general diagnostic.
+static HintResult explain_by_rows(Parser *p, HintContext context, AstExpr *e)
 {
     HintCase c = {p, context, e, NULL};
     HintResult result = HINT_NONE;
 
-    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
-        return HINT_NONE;
     for (size_t i = p->hints.first_row[context]; i < HINT_ROWS && hints[i].context == context && result == HINT_NONE; i++) {
         const Hint *h = &hints[i];
         if (!is_token_in(h->here, &p->tok) || !is_token_in(h->before, &p->last) || !is_token_in(h->after, &p->ahead) ||
@@ -108,6 +106,14 @@ HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
     if (result == HINT_NONE)
         hint_report_general(&c);
     return result;
+}
+
+// Reports the likeliest cause if the grammar does not allow the next tokens, or if another language gives them another meaning.
+HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
+{
+    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
+        return HINT_NONE;
+    return explain_by_rows(p, context, e);
 }
 
 // ---- tokens ----

@@ -12,16 +12,34 @@
 #include "tests/diff/cover_model.h"
 #include "tests/diff/subject.h"
 
-enum { SITUATIONS_MOST = 400, COMBINATIONS = 12, CELLS_MOST = 8, T_MOST = 50 };
+// Every second machine has windows of at most WINDOW_MOST samples.  Then a situation also has the inputs of the steps before.
+enum { SITUATIONS_MOST = 700, SITUATIONS_PLAIN = 400, COMBINATIONS = 12, CELLS_MOST = 8, T_MOST = 50, WINDOW_MOST = 3 };
 
-static struct { uint64_t machines, whole, situations, places, impossible, unreached, reached, missed; } met;
+static struct { uint64_t machines, plain, whole, situations, places, impossible, unreached, reached, missed; } met;
 
 // ---- machines ----
+
+// Whether the machine has windows, and counts without a limit.
+typedef struct Kind { bool windows, counts; } Kind;
+static Kind kind;
+
+static const char *any_window(Arena *arena, Rng *r)
+{
+    static const char *const of_number[] = {"roll_min(n, 2) >= %u", "roll_max(n, 2) < %u", "roll_avg(n, 2) > %u", "roll_median(n, 3) == %u", "prev(n) > %u"};
+    static const char *const of_condition[] = {"held(b, 20 ms)", "held(not b, 2 steps)", "roll_min(b, 3)", "roll_max(b, 3)", "roll_avg(b, 3) > 0.5", "roll_avg(b, 2) == 1",
+                                               "held(n > %u, 10 ms)", "held(n <= %u, 3 steps)", "rising(b)", "falling(n >= %u)", "roll_min(n > %u, 2)", "roll_max(n == %u, 2)"};
+    const bool number = rng_percent(r, 40);
+    const unsigned which = rng_below(r, number ? sizeof of_number / sizeof *of_number : sizeof of_condition / sizeof *of_condition);
+
+    return format_in(arena, number ? of_number[which] : of_condition[which], (unsigned)rng_below(r, 3));
+}
 
 static const char *any_atom(Arena *arena, Rng *r)
 {
     static const char *const op[] = {"<", "<=", ">", ">=", "==", "!="};
 
+    if (kind.windows && rng_percent(r, 50))
+        return any_window(arena, r);
     switch (rng_below(r, 4)) {
     case 0:  return rng_percent(r, 50) ? "b" : "not b";
     case 1:  return format_in(arena, "n %s %u", op[rng_below(r, 6)], (unsigned)rng_below(r, 3));
@@ -40,6 +58,10 @@ static const char *any_condition(Arena *arena, Rng *r, int depth)
 
 static void print_statement(Arena *arena, Rng *r, uint32_t states, int depth, Buf *out)
 {
+    if (kind.counts && rng_percent(r, 30)) {
+        buf_str(out, "    k = k + 1\n");
+        return;
+    }
     switch (rng_below(r, 6)) {
     case 0:  buf_str(out, "    k < 3: k = k + 1\n"); return;
     case 1:  buf_str(out, rng_percent(r, 50) ? "    k = n\n" : "    k = 0\n"); return;
@@ -61,10 +83,13 @@ static const Source *any_machine(Session *s, Rng *r, Buf *out)
 {
     const uint32_t states = 2 + rng_below(r, 3);
 
-    buf_str(out, "[state_vector]\nU64 G\nU32 S\nbool b @read_only\nU8 n @read_only\nbool out\n[local]\nU8 k = 0\n");
+    kind.windows = rng_percent(r, 50);
+    kind.counts = rng_percent(r, 30);
+    buf_str(out, "[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nbool b @read_only\nU8 n @read_only\nbool out\n");
+    buf_str(out, rng_percent(r, 50) ? "U8 k\n" : "[local]\nU8 k = 0\n");
     for (uint32_t i = 1; i <= states; i++) {
         buf_printf(out, "[S%u]\n", (unsigned)i);
-        if (rng_percent(r, 40))
+        if (i == 1 || rng_percent(r, 40))
             buf_str(out, ".entry\n    k = 0\n");
         buf_str(out, ".step\n");
         for (uint32_t n = 1 + rng_below(r, 3); n > 0; n--)
@@ -80,6 +105,7 @@ typedef struct Situation {
     uint32_t depth;                   // steps from the start
     uint32_t start;                   // State.number of the start
     uint64_t cell[CELLS_MOST];        // without G and inputs
+    uint64_t history;                 // of a machine with windows: the inputs of the last steps, as many as have run
     uint32_t next;
     bool first;
 } Situation;
@@ -137,9 +163,9 @@ static void fill(const Enumeration *e, Situation *s)
 static bool add(Enumeration *e, const Situation *s)
 {
     for (uint32_t i = 0; i < e->count; i++)
-        if (e->at[i].next == s->next && e->at[i].first == s->first && memcmp(e->at[i].cell, s->cell, sizeof s->cell) == 0)
+        if (e->at[i].next == s->next && e->at[i].first == s->first && e->at[i].history == s->history && memcmp(e->at[i].cell, s->cell, sizeof s->cell) == 0)
             return true;
-    if (e->count == SITUATIONS_MOST)
+    if (e->count == (kind.windows ? SITUATIONS_MOST : SITUATIONS_PLAIN))
         return false;
     e->at[e->count++] = *s;
     return true;
@@ -163,6 +189,8 @@ static bool enumerate(Enumeration *e, uint32_t starts)
             replay(e, &e->at[i]);
             step_both(e, e->at[i].depth, input);
             fill(e, &s);
+            if (kind.windows)
+                s.history = (e->at[i].history << 8 | (input + 1)) & ((UINT64_C(1) << 8 * (WINDOW_MOST - 1)) - 1);
             is_whole = add(e, &s) && is_whole;
         }
     return is_whole;
@@ -216,10 +244,11 @@ static const char *test_machine(uint64_t seed, Arena *arena, Session *s, const c
     e.b = ((const Var *)map_find(&e.p->by_name, str_c(&s->strings, "b")))->index;
     e.n = ((const Var *)map_find(&e.p->by_name, str_c(&s->strings, "n")))->index;
     e.at = arena_array(arena, SITUATIONS_MOST, sizeof *e.at);
-    is_whole = enumerate(&e, 1);                    // a search starts in the first state
+    is_whole = enumerate(&e, 1) && !kind.windows;   // a search starts in the first state; other values have other averages
     cover_settle(run);
     met.machines++;
-    met.whole += is_whole;
+    met.plain += !kind.windows && !kind.counts;
+    met.whole += is_whole && !kind.counts;
     met.situations += e.count;
     if ((wrong = cover_model_compare(e.engine[0], run, arena)) != NULL)
         return wrong;
@@ -233,10 +262,10 @@ static const char *test_machine(uint64_t seed, Arena *arena, Session *s, const c
 
 static bool was_thorough(uint64_t count)
 {
-    const bool good = met.whole * 10 >= count * 8 && met.situations > 10 * count && met.impossible > count / 4 && met.reached > count;
+    const bool good = met.whole * 10 >= met.plain * 8 && met.plain * 4 > count && met.situations > 10 * count && met.impossible > count / 4 && met.reached > count;
 
-    printf("%" PRIu64 " machines, %" PRIu64 " enumerated, %" PRIu64 " situations; of %" PRIu64 " places %" PRIu64 " impossible, %" PRIu64
-           " neither reached nor proved, %" PRIu64 " missed by the search\n", met.machines, met.whole, met.situations, met.places, met.impossible, met.unreached,
+    printf("%" PRIu64 " machines, %" PRIu64 " without windows and counts, of which %" PRIu64 " enumerated; %" PRIu64 " situations; of %" PRIu64 " places %" PRIu64 " impossible, %" PRIu64
+           " neither reached nor proved, %" PRIu64 " missed by the search\n", met.machines, met.plain, met.whole, met.situations, met.places, met.impossible, met.unreached,
            met.missed);
     return good;
 }

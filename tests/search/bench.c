@@ -3,6 +3,7 @@
 //
 //     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…
 //     bench [--effort=STEPS] [--seed=N] --expect=FILE       runs the machines of a table, and fails if one comes less far (expected.txt)
+//     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible
 //
 // A machine MACHINE.sm uses the vector MACHINE.sv, or the only .sv of its folder, if there is one.
 #include <dirent.h>
@@ -15,7 +16,7 @@
 #include "compiler/session.h"
 #include "tests/unit/host.h"
 
-static uint64_t effort = SEARCH_EFFORT, seed = 1;
+static uint64_t effort = SEARCH_EFFORT, seed = 1, random_steps;
 static int lists;
 static unsigned passed, failed;
 
@@ -181,6 +182,131 @@ static void run(const char *path)
     session_free(&s);
 }
 
+// ---- random runs ----
+
+enum { CONSTANTS_MOST = 400, LONGEST_RUN = 20, LONGEST_HOLD = 15 };       // the latter as powers of 2, in steps
+
+typedef struct RandomRuns {
+    const Cover *c;
+    uint64_t state;           // of the random numbers
+    double constant[CONSTANTS_MOST];
+    uint32_t constants;
+    bool *is_input;           // by Var.index
+    uint64_t *due;            // by Var.index: the step of the next change
+    unsigned hold;            // changes are up to 2^hold steps apart in this run
+} RandomRuns;
+
+static uint64_t any(RandomRuns *r, uint64_t below)
+{
+    uint64_t z = r->state += UINT64_C(0x9e3779b97f4a7c15);
+
+    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+    return (z ^ z >> 31) % below;
+}
+
+static void add_constants(RandomRuns *r, const IrFn *f)
+{
+    for (uint32_t i = 0; f && i < f->ins.n; i++)
+        if (f->ins.at[i].op == IR_const && f->ins.at[i].type == SM_F64 && r->constants < CONSTANTS_MOST)
+            r->constant[r->constants++] = sm_cell_to_f64(SM_F64, f->ins.at[i].bits);
+}
+
+// A value that the machine compares with or one beside it, one in the range of the input or an end of it, or any small number.
+static double any_value(RandomRuns *r, const Var *v)
+{
+    static const double beside[] = {0, 0, 1, -1, 0.1, -0.1};
+    const Range *range = v->range;
+
+    if (v->type == SM_BOOL)
+        return (double)any(r, 2);
+    if (range && any(r, 100) < 40)
+        return any(r, 4) == 0 ? any(r, 2) ? range->hi : range->lo : range->lo + (range->hi - range->lo) * (double)any(r, 1001) / 1000;
+    if (r->constants && any(r, 100) < 85)
+        return r->constant[any(r, r->constants)] + beside[any(r, 6)];
+    return any(r, 4) == 0 ? (double)any(r, 2000001) - 1000000 : (double)any(r, 201) - 100;
+}
+
+static void change_inputs(RandomRuns *r, uint64_t *cell, uint64_t step)
+{
+    for (uint32_t i = 0; i < r->c->p->var.n; i++) {
+        const Var *v = r->c->p->var.at[i];
+        if (!r->is_input[i] || r->c->m->var_of[i] == IR_NONE || r->due[i] > step)
+            continue;
+        cell[r->c->m->var_of[i]] = scenario_cell(r->c->p, &(ScenarioChange){.var = i, .kind = SCENARIO_HOLD, .a = any_value(r, v)}, step + 1, NULL);
+        r->due[i] = step + 1 + any(r, UINT64_C(1) << any(r, r->hold + 1));
+    }
+}
+
+static void make_random_runs(RandomRuns *r, uint64_t delta_t)
+{
+    FlatMachine *f = r->c->flat;
+    char *run = calloc(1, f->size);
+    uint64_t left = random_steps;
+
+    while (left > 0) {
+        uint64_t steps = UINT64_C(1) << (4 + any(r, LONGEST_RUN - 3));
+        steps = steps < left ? steps : left;
+        left -= steps;
+        r->hold = (unsigned)any(r, LONGEST_HOLD + 1);
+        memset(r->due, 0, r->c->p->var.n * sizeof *r->due);
+        flat_start(f, run, 1);
+        for (uint64_t i = 0; i < steps; i++) {
+            uint64_t *cell = flat_cells(f, run);
+            change_inputs(r, cell, i);
+            cell[r->c->m->g] = i * delta_t;
+            flat_step(f, run);
+        }
+    }
+    free(run);
+}
+
+static void compare_counts(const char *path, Cover *run, const SearchResult *found)
+{
+    unsigned impossible = 0, covered = 0, wrong = 0;
+
+    cover_settle(run);
+    for (uint32_t i = 1; i < run->place.n; i++) {
+        impossible += found->find[i].outcome == SEARCH_IMPOSSIBLE;
+        covered += run->hits[i] > 0;
+        wrong += found->find[i].outcome == SEARCH_IMPOSSIBLE && run->hits[i] > 0;
+    }
+    printf("%s: %lu random steps, seed %lu: %u of %u places covered, %u impossible, of which %u are covered\n", path, (unsigned long)random_steps, (unsigned long)seed,
+           covered, (unsigned)run->place.n - 1, impossible, wrong);
+    fflush(stdout);
+    failed += wrong > 0 || covered == 0;
+}
+
+// Makes random runs of a machine.  Each place that the search has proved impossible has to be without a count.
+static void run_randomly(const char *path)
+{
+    Session s;
+    Program *p;
+    Cover *judged;
+    SearchResult *found;
+    Cover *run;
+    RandomRuns r = {.state = seed};
+
+    host_check(setjmp(host_oom));
+    p = open_machine(&s, path);
+    judged = cover_new(&s.arena, p);
+    cover_settle(judged);
+    found = search_run(&s.arena, judged, &(SearchOptions){.seed = 1, .effort = 1000});
+    r.c = run = cover_new(&s.arena, p);
+    r.is_input = calloc(p->var.n, sizeof *r.is_input);
+    r.due = calloc(p->var.n, sizeof *r.due);
+    search_default_inputs(p, r.is_input);
+    add_constants(&r, r.c->m->sample);
+    for (uint32_t i = 0; i < r.c->m->state.n; i++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            add_constants(&r, r.c->m->state.at[i].block[b]);
+    make_random_runs(&r, found->delta_t);
+    compare_counts(path, run, found);
+    free(r.is_input);
+    free(r.due);
+    session_free(&s);
+}
+
 // ---- the table ----
 
 typedef struct Expected { char path[300]; unsigned reached, impossible, missing; int median, most; } Expected;
@@ -239,9 +365,11 @@ int main(int argc, char **argv)
             seed = strtoull(argv[i] + 7, NULL, 10);
         else if (strncmp(argv[i], "--expect=", 9) == 0)
             return check_table(argv[i] + 9);
+        else if (strncmp(argv[i], "--random=", 9) == 0)
+            random_steps = strtoull(argv[i] + 9, NULL, 10);
         else if (strcmp(argv[i], "--list") == 0)
             lists++;
         else
-            run(argv[i]);
-    return 0;
+            (random_steps ? run_randomly : run)(argv[i]);
+    return failed != 0;
 }

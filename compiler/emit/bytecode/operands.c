@@ -74,7 +74,8 @@ static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to
 // Returns the index of the constant in the hash table, or of the free entry where it would be added.
 static size_t find_const_slot(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
 {
-    size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
+    const uint64_t folded = bits ^ bits >> 32;       // the low half of most F64 is 0
+    size_t i = (size_t)(folded * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
 
     while (table[i] != BC_NONE && m->operand.at[table[i]].bits != bits)
         i = (i + 1) & (cap - 1);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places of a machine that facts exclude.
+#ifndef SMC_JUDGE_H
+#define SMC_JUDGE_H
+
+#include "compiler/cover/cover.h"
+#include "compiler/facts/facts.h"
+
+// Sets reason[place] to why no run covers the place; NULL: facts do not exclude it, or it has been covered.  The machine of `facts` is that of c or
+// another form of it: a function has the same instructions and blocks, and more instructions after these.  `any_start`: runs can begin in any state.
+void cover_judge_by_facts(const Cover *c, Arena *arena, FactMachine *facts, bool any_start, const char **reason);
+
+#endif

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/cover/run_facts.h"
+
+#include <string.h>
+
+#include "compiler/cover/judge.h"
+
+enum { MOST_ROUNDS = 4 };     // a bound after one transition can lead to another one: each round has the facts of the round before
+
+struct RunFacts {
+    Arena *arena;
+    IrMachine m;              // a copy: variables that are no inputs are locals
+    FactMachine *facts;
+    uint64_t delta_t;
+    bool counts;              // some transition has a bound
+};
+
+// ---- the machine ----
+
+static void make_private(IrMachine *m, Arena *arena, const bool *is_input)
+{
+    m->var.at = arena_copy(arena, m->var.at, m->var.n * sizeof *m->var.at);
+    for (uint32_t v = 0; v < m->var.n; v++) {
+        IrVar *var = &m->var.at[v];
+        if (is_input[v] || v == m->g || v == m->s || var->space == IR_TIME)
+            continue;
+        if (var->space == IR_ELEMENT)
+            var->init = 0;
+        var->space = IR_LOCAL;
+        var->outside = false;
+    }
+}
+
+static void make_functions(IrMachine *m, Arena *arena)
+{
+    m->state.at = arena_copy(arena, m->state.at, m->state.n * sizeof *m->state.at);
+    for (uint32_t s = 0; s < m->state.n; s++) {
+        const IrFn *f = m->state.at[s].block[BLOCK_STEP];
+        IrFn *form;
+        if (!f)
+            continue;
+        form = arena_copy(arena, f, sizeof *f);
+        form->ins.at = arena_copy(arena, f->ins.at, f->ins.n * sizeof *f->ins.at);
+        form->ins.cap = f->ins.n;
+        form->blk.at = arena_copy(arena, f->blk.at, f->blk.n * sizeof *f->blk.at);
+        form->blk.cap = f->blk.n;
+        for (uint32_t b = 0; b < f->blk.n; b++) {
+            form->blk.at[b].ins.at = arena_copy(arena, f->blk.at[b].ins.at, f->blk.at[b].ins.n * sizeof *f->blk.at[b].ins.at);
+            form->blk.at[b].ins.cap = f->blk.at[b].ins.n;
+        }
+        m->state.at[s].block[BLOCK_STEP] = form;
+    }
+}
+
+// ---- what a state counts ----
+
+static double low_of(Drift d, double before)
+{
+    const double counted = before + d.by[0];
+
+    return !d.is_relative || (d.is_number && d.number[0] < counted) ? d.number[0] : counted;
+}
+
+static double high_of(Drift d, double before)
+{
+    const double counted = before + d.by[1];
+
+    return !d.is_relative || (d.is_number && d.number[1] > counted) ? d.number[1] : counted;
+}
+
+DriftInState run_facts_drift(RunFacts *r, uint32_t state, uint32_t var)
+{
+    const IrFn *entry = r->m.state.at[state - 1].block[BLOCK_ENTRY], *step = r->m.state.at[state - 1].block[BLOCK_STEP];
+    DriftInState out = {.has_low = false};
+    Drift first = {.is_relative = true}, each;
+    DriftPaths paths;
+    Fact before;
+
+    if (!step || r->m.var.at[var].space != IR_LOCAL || r->m.var.at[var].outside || drift_cap(r->m.var.at[var].type) == 0 || !facts_may_reach(r->facts, state - 1, BLOCK_ENTRY))
+        return out;
+    before = env_get(&r->facts->shape, facts_at_begin(r->facts, state - 1, BLOCK_ENTRY), var);
+    if (entry) {
+        paths = drift_of_function(r->arena, entry, var);
+        first = drift_at_returns(entry, &paths);
+    }
+    paths = drift_of_function(r->arena, step, var);
+    each = drift_at_returns(step, &paths);
+    if (first.any || each.any || (!first.is_relative && !first.is_number))
+        return out;
+    out.bound[0] = low_of(first, before.lo);
+    out.bound[1] = high_of(first, before.hi);
+    out.each[0] = each.is_relative ? each.by[0] : 0;
+    out.each[1] = each.is_relative ? each.by[1] : 0;
+    out.has_low = !each.is_number;
+    out.has_high = !each.is_number || each.number[1] <= out.bound[1];
+    return out;
+}
+
+// ---- bounds after transitions ----
+
+static IrRef append(Arena *arena, IrFn *f, IrBlk *blk, IrIns i)
+{
+    vec_push(arena, &f->ins, i);
+    vec_push(arena, &blk->ins, f->ins.n - 1);
+    return f->ins.n - 1;
+}
+
+// Appends a store of the maximum of a variable and a number.
+static void append_maximum(RunFacts *r, IrFn *f, IrBlk *blk, uint32_t var, double least)
+{
+    const SmType type = r->m.var.at[var].type;
+    const IrIns load = {.op = IR_load, .type = type, .a = IR_NONE, .b = IR_NONE, .var = var}, number = {.op = IR_const, .type = SM_F64, .a = IR_NONE, .b = IR_NONE};
+    IrIns wide = {.op = IR_cvt, .type = SM_F64, .b = IR_NONE}, bound = number, most = {.op = IR_max, .type = SM_F64}, store = {.op = IR_store, .type = type, .b = IR_NONE, .var = var};
+    IrIns narrow = {.op = IR_cvt, .type = type, .b = IR_NONE};
+
+    wide.a = append(r->arena, f, blk, load);
+    bound.bits = sm_bits(sm_from_u64((uint64_t)least));
+    most.a = append(r->arena, f, blk, wide);
+    most.b = append(r->arena, f, blk, bound);
+    narrow.a = append(r->arena, f, blk, most);
+    store.a = append(r->arena, f, blk, narrow);
+    append(r->arena, f, blk, store);
+}
+
+// The lower bound of a variable at the end of a block that ends with a transition.
+static double bound_at_end(const RunFacts *r, const DriftInState *d, Drift end, double time, SmType type)
+{
+    const double steps = time / (double)r->delta_t, cap = drift_cap(type);
+    const double least = d->bound[0] + d->each[0] * steps + end.by[0];
+
+    return least < cap ? least : cap;
+}
+
+// Adds the bound of a variable to each transition of a state.  Returns whether that is more than facts know.
+static bool bound_transitions(RunFacts *r, uint32_t state, uint32_t var)
+{
+    IrFn *f = r->m.state.at[state - 1].block[BLOCK_STEP];
+    const DriftInState d = run_facts_drift(r, state, var);
+    const FactEnds ends = {.exits = true};
+    DriftPaths paths;
+    FactFlow flow;
+    bool more = false;
+
+    if (!d.has_low || d.each[0] == 0)
+        return false;
+    paths = drift_of_function(r->arena, f, var);
+    flow = facts_flow(r->facts, f, facts_at_begin(r->facts, state - 1, BLOCK_STEP), &ends);
+    for (uint32_t b = 0; b < f->blk.n; b++) {
+        IrBlk *blk = &f->blk.at[b];
+        double least, time;
+        if (blk->jump.kind != IR_GOTO || !flow.reached[b] || !paths.reached[b] || paths.at_end[b].any || paths.at_end[b].is_number)
+            continue;
+        time = env_get(&r->facts->shape, flow.exit[b].env, r->m.t).lo;
+        least = bound_at_end(r, &d, paths.at_end[b], time, r->m.var.at[var].type);
+        if (!(least > env_get(&r->facts->shape, flow.exit[b].env, var).lo + 1))
+            continue;
+        append_maximum(r, f, blk, var, least);
+        more = true;
+    }
+    return more;
+}
+
+static bool is_first_store(const IrFn *f, uint32_t i)
+{
+    for (uint32_t before = 0; before < i; before++)
+        if (f->ins.at[before].op == IR_store && f->ins.at[before].var == f->ins.at[i].var)
+            return false;
+    return true;
+}
+
+static bool bound_all(RunFacts *r)
+{
+    bool more = false;
+
+    for (uint32_t s = 0; s < r->m.state.n; s++) {
+        const IrFn *f = r->m.state.at[s].block[BLOCK_STEP];
+        const uint32_t own = f && facts_may_reach(r->facts, s, BLOCK_STEP) ? f->ins.n : 0;
+        for (uint32_t i = 0; i < own; i++)
+            if (f->ins.at[i].op == IR_store && is_first_store(f, i))
+                more |= bound_transitions(r, s + 1, f->ins.at[i].var);
+    }
+    return more;
+}
+
+RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t)
+{
+    RunFacts *r = ARENA_NEW(arena, RunFacts);
+
+    r->arena = arena;
+    r->m = *m;
+    r->delta_t = delta_t;
+    make_private(&r->m, arena, is_input);
+    make_functions(&r->m, arena);
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        r->facts = facts_from_first_state(arena, &r->m);
+        if (round + 1 == MOST_ROUNDS || !bound_all(r))
+            break;
+        r->counts = true;
+    }
+    return r;
+}
+
+// ---- places ----
+
+void run_facts_exclude(RunFacts *r, const Cover *c, Arena *texts, const char **reason)
+{
+    cover_judge_by_facts(c, r->arena, r->facts, false, reason);
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (reason[i])
+            reason[i] = r->counts ? format_in(texts, "%s, if only inputs change, and delta_t is %lu", reason[i], (unsigned long)r->delta_t)
+                                  : format_in(texts, "%s, if only inputs change", reason[i]);
+}

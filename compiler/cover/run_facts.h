@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facts about the runs of a search: they begin in the first state, G advances by the same amount in each step, and no code outside the machine
+// writes other variables than the inputs.  So what the machine stores in an element is known, as if it were a local.
+//
+// If each step of a state adds to a variable, and a transition out of it needs a time in the state, then the variable is at least so large after the
+// transition.  The facts are computed for a form of the machine in which that transition stores the maximum of the variable and this bound, which
+// is the variable itself.
+#ifndef SMC_RUN_FACTS_H
+#define SMC_RUN_FACTS_H
+
+#include "compiler/cover/cover.h"
+#include "compiler/cover/drift.h"
+
+typedef struct RunFacts RunFacts;
+
+// `is_input`: by IR variable.
+RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t);
+// Sets reason[place] to why no such run covers the place, as a text in `texts`; NULL: unknown.
+void run_facts_exclude(RunFacts *r, const Cover *c, Arena *texts, const char **reason);
+// What is known about a variable in .step of a state (State.number).
+DriftInState run_facts_drift(RunFacts *r, uint32_t state, uint32_t var);
+
+#endif
