@@ -357,8 +357,8 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
     return s->steps == 0 ? NULL : s;
 }
 
-// Returns how much a step costs.  The reference computes the statistics of a window from all its samples.
-static uint64_t cost_of_step(const Monitor *m)
+// The reference computes the statistics of a window from all its samples.
+uint64_t goal_cost_of_step(const Monitor *m)
 {
     enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step
     uint64_t samples = 0;
@@ -390,7 +390,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
         if (part[k])
             condition[watch.conditions++] = part[k];
     o.writable = goal_inputs(work, g->all->program);
-    o.effort = (g->effort - 1) / cost_of_step(w->monitor) + 1;
+    o.effort = (g->effort - 1) / goal_cost_of_step(w->monitor) + 1;
     found = search_run(work, c, &o);
     out.steps = found->steps;
     if (found->find[found->places].outcome == SEARCH_REACHED) {

@@ -229,6 +229,19 @@ static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
                    (unsigned long long)of->visits);
 }
 
+static void write_near(const ProveNear *n, size_t indent, Buf *out)
+{
+    buf_printf(out, "%*sthe script %s violates it in its step %llu if ", (int)indent, "", n->given->name, (unsigned long long)n->step);
+    for (uint32_t i = 0; i < n->vars; i++) {
+        buf_printf(out, "%s%s is ", i ? " and " : "", n->var[i]->name->text);
+        script_write_value(out, n->var[i]->type, n->value[i]);
+    }
+    if (n->from == n->to)
+        buf_printf(out, " in its step %llu\n", (unsigned long long)n->from);
+    else
+        buf_printf(out, " from its step %llu to %llu\n", (unsigned long long)n->from, (unsigned long long)n->to);
+}
+
 void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     const char *script;
@@ -250,6 +263,8 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
     case PROVE_VIOLATED:
         if (of->given)
             buf_printf(out, "%*sthe script %s violates it in its step %llu\n", (int)indent, "", of->given->name, (unsigned long long)of->given_step);
+        if (of->near)
+            write_near(of->near, indent, out);
         buf_printf(out, "%*safter %lu steps\n", (int)indent, "", (unsigned long)of->scenario->steps);
         script = prove_script(arena, p, of);
         if (script)
@@ -361,6 +376,19 @@ static void write_json_obstacle(Arena *arena, const Program *p, const ProveOf *o
     buf_char(out, ']');
 }
 
+static void write_json_near(Arena *arena, const ProveNear *n, Buf *out)
+{
+    buf_str(out, ",\"violated_near\":");
+    json_put_string(out, n->given->name);
+    buf_printf(out, ",\"violated_near_step\":%llu,\"other_inputs\":[", (unsigned long long)n->step);
+    for (uint32_t i = 0; i < n->vars; i++) {
+        buf_str(out, i ? ",{\"name\":" : "{\"name\":");
+        json_put_string(out, n->var[i]->name->text);
+        buf_printf(out, ",\"value\":%s,\"from_step\":%llu,\"to_step\":%llu}", const_text(arena, n->value[i]), (unsigned long long)n->from, (unsigned long long)n->to);
+    }
+    buf_char(out, ']');
+}
+
 static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
 {
     const char *separator = "";
@@ -391,6 +419,8 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
             json_put_string(out, of->given->name);
             buf_printf(out, ",\"violated_by_step\":%llu", (unsigned long long)of->given_step);
         }
+        if (of->near)
+            write_json_near(arena, of->near, out);
     }
     buf_char(out, '}');
 }
