@@ -321,7 +321,7 @@ $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) 
 #      run its code on smaller machines.
 #   6. conformance-c-small compiles what conformance-O2 compiles with one macro; stdlib_roll_small runs that code under the sanitizers.
 ASAN_LEAVES_OUT = check-words check-wrap check-sentences check-links check-layers check-hints check-codes check-builtins check-arguments check-clauses \
-                  check-citations check-licence check-last-return check-places check-configurations check-headers check-headers-targets check-names \
+                  check-citations check-licence check-columns check-last-return check-places check-configurations check-headers check-headers-targets check-names \
                   check-imports check-commits documents mutants-places runner \
                   check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small
 SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
@@ -913,6 +913,7 @@ $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | aw
 $(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md tests/check/clauses.txt -)
 $(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
+$(call test, check-columns,        quick,, sh tests/check/files.sh code | LC_ALL=C awk -f tests/check/columns.awk tests/check/columns.txt -)
 $(call test, check-last-return,    quick,, sh tests/check/files.sh code | awk -f tests/check/last_return.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)

@@ -48,7 +48,10 @@ static Quantity invert_if(const Quantity *a, double power)
     return out;
 }
 
-static Quantity drop_unusable_unit(Quantity q) { return q.kind == QUANTITY_UNIT && !measure_is_usable(&q.unit) ? quantity_of_kind(QUANTITY_UNKNOWN) : q; }
+static Quantity drop_unusable_unit(Quantity q)
+{
+    return q.kind == QUANTITY_UNIT && !measure_is_usable(&q.unit) ? quantity_of_kind(QUANTITY_UNKNOWN) : q;
+}
 
 Quantity quantity_product(const Quantity *a, const Quantity *b, double power)
 {
@@ -138,7 +141,8 @@ Quantity quantity_sum(const Quantity *a, const Quantity *b, bool minus)
     out = quantity_one_of(a, &negated);
     out.constant = a->constant && b->constant;
     out.shift = a->scaled == b->scaled ? a->shift + sign * b->shift : 0;
-    if (measure_is_temperature(&a->unit))                // 20 degC + 5 K, 293 K - 273.15 K, 20 degC - 15 degC; but 20 degC + 15 degC is part of an average
+    // 20 degC + 5 K, 293 K - 273.15 K, 20 degC - 15 degC; but 20 degC + 15 degC is part of an average
+    if (measure_is_temperature(&a->unit))
         out.zero_unknown = minus || !has_zero(a) || !has_zero(b);
     return out;
 }
@@ -178,7 +182,8 @@ static QuantityFit fit_scales(const Quantity *a, const Quantity *b, QuantityUse 
     if (is_near(ratio * factor, 1, 0.02) || is_plain_gain(ratio))
         return QUANTITY_DIFFERS;
     // The weights of a filter, as in 0.9 * a + 0.1 * b.
-    return use == QUANTITY_ADDED && is_near(a->factor + b->factor, 1, 1e-9) && a->factor > 0 && b->factor > 0 ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;
+    return use == QUANTITY_ADDED && is_near(a->factor + b->factor, 1, 1e-9) && a->factor > 0 && b->factor > 0
+           ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;
 }
 
 // Whether a is measured in gn and b is a plain number: both count how many times gn.

@@ -486,7 +486,8 @@ static void make_probe(Plan *k, const NoteTable *t, const Decision *d, FlatDecis
         ref[c] = t->notes->at[*note_slot(t, d->condition.at[c], d->link.at[c]) - 1].ref;
     for (uint32_t w = 0; w < d->full.n; w++)
         d->full.at[w].window = k->c->m->window_of[d->full.at[w].window];
-    *out = (FlatDecision){t->notes->at[d->note].fn, t->notes->at[d->note].ref, d->node.at, d->node.n, ref, d->condition.n, d->full.at, d->full.n, d->hit};
+    *out = (FlatDecision){t->notes->at[d->note].fn, t->notes->at[d->note].ref, d->node.at, d->node.n, ref, d->condition.n, d->full.at, d->full.n,
+                          d->hit};
 }
 
 // Finds the code of each decision, and makes the probes in the order of the code.

@@ -139,7 +139,8 @@ static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
     const RefWindows *windows = &w->monitor->windows;
     const Distance none = distance_of_value(false);
 
-    return (Conditions){r->a ? distance_of(r->a, cell, windows) : none, r->b ? distance_of(r->b, cell, windows) : none, r->c ? distance_of(r->c, cell, windows) : none};
+    return (Conditions){r->a ? distance_of(r->a, cell, windows) : none, r->b ? distance_of(r->b, cell, windows) : none,
+                        r->c ? distance_of(r->c, cell, windows) : none};
 }
 
 static bool is_true(Distance d) { return d.to_true == 0; }
@@ -373,8 +374,10 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     const Expr *condition[3];
     SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true, .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
-                       .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS, .go_on = may_go_on, .context = &stop};
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true,
+                       .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
+                       .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS,
+                       .go_on = may_go_on, .context = &stop};
     const Requirement *r = &g->all->at.at[g->requirement];
     const Expr *const part[3] = {r->a, r->b, r->c};
     const SearchResult *found;

@@ -190,7 +190,8 @@ static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, s
 {
     buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
     write_untried(p, of, indent, out);
-    buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
+    buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes,
+               (unsigned long long)of->visits);
     write_wides(arena, p, of, indent, out);
     if (of->obstacle == PROVE_TOO_LARGE && of->wides)
         write_remedies(p, of, indent, out);
@@ -202,7 +203,8 @@ static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
     if (of->steps == 0 && of->visits == 0)
         buf_printf(out, "%*sinterrupted before anything was tried\n", (int)indent, "");
     else
-        buf_printf(out, "%*sinterrupted after %llu steps of runs and %llu paths of proofs; this says nothing about it\n", (int)indent, "", (unsigned long long)of->steps,
+        buf_printf(out, "%*sinterrupted after %llu steps of runs and %llu paths of proofs; this says nothing about it\n", (int)indent, "",
+                   (unsigned long long)of->steps,
                    (unsigned long long)of->visits);
 }
 
@@ -269,7 +271,8 @@ void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf 
 
     for (uint32_t i = 0; i < r->n; i++)
         width = r->of[i].what->id->len > width ? r->of[i].what->id->len : width;
-    buf_printf(out, "requirements of %s, from state %s, with a step every %llu", p->name->text, r->init_state->name->text, (unsigned long long)r->delta_t);
+    buf_printf(out, "requirements of %s, from state %s, with a step every %llu", p->name->text, r->init_state->name->text,
+               (unsigned long long)r->delta_t);
     if (p->uses_time_unit)
         buf_printf(out, " %s", time_unit_name(p->time_unit));
     buf_str(out, ":\n");
@@ -343,7 +346,8 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     json_put_string(out, of->what->id->text);
     buf_str(out, ",\"text\":");
     json_put_string(out, of->what->text->text);
-    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"abstract_states\":%lu,\"paths\":%llu,\"assumptions\":[", prove_verdict_name(of->verdict),
+    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"abstract_states\":%lu,\"paths\":%llu,\"assumptions\":[",
+               prove_verdict_name(of->verdict),
                of->premise_seen ? "true" : "false", (unsigned long long)of->steps, (unsigned long)of->nodes, (unsigned long long)of->visits);
     for (int a = 0; a < PROVE_ASSUMPTIONS; a++)
         if (of->assumed >> a & 1) {
@@ -356,7 +360,8 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     if (of->verdict == PROVE_UNDECIDED)
         write_json_obstacle(arena, p, of, out);
     if (of->verdict == PROVE_VIOLATED) {
-        buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps, (unsigned long)of->scenario->changes);
+        buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps,
+                   (unsigned long)of->scenario->changes);
         json_put_string(out, prove_script(arena, p, of));
         if (of->given) {
             buf_str(out, ",\"violated_by\":");

@@ -190,7 +190,8 @@ static void label_membership(Diags *diags, Diag *d, const Membership *m)
                    format_in(diags->arena, "%s <= %s <= %s", text_of(diags->arena, m->member[0]), m->left, text_of(diags->arena, m->member[1])));
     } else if (!is_state && !are_numbers(m) && !m->is_negated) {              // valve in Burn: while the machine is in that state
         const char *states = format_comparisons(diags->arena, m, "S");
-        diag_label(diags, d, DIAG_label_compare_or_state, format_in(diags->arena, m->n > 1 ? "%s and (%s)" : "%s and %s", m->left, states), comparisons);
+        diag_label(diags, d, DIAG_label_compare_or_state, format_in(diags->arena, m->n > 1 ? "%s and (%s)" : "%s and %s", m->left, states),
+                   comparisons);
     } else {
         const char *text = needs_parens(m) ? format_in(diags->arena, "(%s)", comparisons) : comparisons;
         diag_label(diags, d, DIAG_label_write, text);
@@ -248,7 +249,8 @@ HintResult hint_report_membership(HintCase *c)
         return HINT_NONE;
     m.left = name_of_left(p->arena, left->span, left->kind == AST_NAME && left->name->declared);
     m.left_is_operand = follows_arithmetic(text, left->span.at);
-    d = parser_report(p, DIAG_foreign_word, (Span){p->lex.src, p->tok.at, in - p->tok.at}, parser_text(p, (Span){p->lex.src, p->tok.at, in - p->tok.at}));
+    d = parser_report(p, DIAG_foreign_word, (Span){p->lex.src, p->tok.at, in - p->tok.at},
+                      parser_text(p, (Span){p->lex.src, p->tok.at, in - p->tok.at}));
     c->e->kind = AST_ERROR;
     if (!read_list(&m, in, p->parens > 0)) {
         label_each(p->diags, d, m.left_is_operand ? "x" : m.left);

@@ -20,7 +20,8 @@ typedef struct Token {
     TokenKind kind;
     bool first;               // the first token on its line
     uint32_t at, len;         // offset and length in the source
-    Str text;                 // NAME, TYPE, words: as written; ADDRESS: with its port; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
+    Str text;                 // NAME, TYPE, words: as written; ADDRESS: with its port; HEADER, LABEL, ANNOTATION: the name without its punctuation;
+                              // TEXT: without quotes
     SmType type;              // TYPE: which type it names
     SmF64 number;             // NUMBER: its value
 } Token;

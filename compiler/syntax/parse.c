@@ -342,7 +342,8 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
 // Reports section s if f already contains a section of this kind and a file can have only one.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
-    const bool is_single = s->kind == AST_STATE_VECTOR || s->kind == AST_PINS || ((s->kind == AST_LOCAL || s->kind == AST_OPTIONS) && f->kind != FILE_SS);
+    const bool is_single = s->kind == AST_STATE_VECTOR || s->kind == AST_PINS ||
+        ((s->kind == AST_LOCAL || s->kind == AST_OPTIONS) && f->kind != FILE_SS);
 
     if (!is_single)
         return;
