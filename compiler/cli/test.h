@@ -25,6 +25,7 @@ typedef struct TestResult {
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
     const char *seed;         // of its random numbers; "" or NULL: it draws no random numbers
+    bool is_limit;            // a limit of --min-coverage, not a test
     const char *requirements; // the requirements that it has tested, with spaces between them; "" or NULL: none
 } TestResult;
 
