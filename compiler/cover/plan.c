@@ -266,8 +266,9 @@ static void add_condition_places(Plan *k, const Decision *d)
 
 static void add_decision(Plan *k, const Expr *root, bool is_guard)
 {
-    const Key key = {KEY_DECISION, root->span.at, root->span.len, 0};
-    CoverPlace p = {.kind = COVER_GUARD, .value = true, .span = root->span, .where = root->span, .part_of = k->inside, .assigned = !is_guard};
+    const Key key = {KEY_DECISION, root->span.at, root->span.len, k->in_window};
+    CoverPlace p = {.kind = COVER_GUARD, .value = true, .span = root->span, .where = root->span, .part_of = k->inside, .assigned = !is_guard,
+                    .sampled = k->in_window};
     const uint32_t first_pending = (uint32_t)k->pending.n;
     Decision d = {.root = root, .note = UINT32_MAX};
     bool is_new;

@@ -254,7 +254,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parse_block(p, &ignored);
     else
         parser_skip_line(p);
-    if (p->diags->errors == errors && !reported)
+    if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // otherwise the header is wrong
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
     if (d && colon)
