@@ -329,7 +329,7 @@ void search_choose(SearchRun *k)
     while ((best = choose_best(&c, all, n, &want)) != NULL) {
         best->used = true;
         choose_scenario(&c, best, &want);
-        if (find_left(&c, want.at, want.n).n)     // what results of it can reach less than it does
+        if (find_unreached(&c, want.at, want.n).n)     // what results of it can reach less than it does
             store_chosen(&c, &best->s, best->end, best->reached);
     }
     improve_longest(&c);
