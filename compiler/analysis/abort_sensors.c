@@ -6,6 +6,7 @@
 // reported as unable to abort only if two things are true: no trial aborts, and every transition to an abort depends on the failed
 // sensor.
 #include "compiler/analysis/abort.h"
+#include "compiler/analysis/trial_gaps.h"
 #include "compiler/analysis/trial_checks.h"
 
 enum {
@@ -120,7 +121,7 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 }
 
 // Runs trials of a state, with or without commands, and with or without a failed sensor.  Returns true if a trial aborted.  Also returns
-// true if the trials do not show that the state cannot abort: no trial stayed in the state, or too few could be run.
+// true if the trials do not show that the state cannot abort: no trial stayed in the state, or, with a failed sensor, too few could be run.
 static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -134,7 +135,11 @@ static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const
         found = find_aborting_trial(k, &s->entry.at[n]);
     k->failed = NULL;
     k->aborted = found;
-    return found || !k->stayed || k->t->run->work >= k->until;
+    if (failed && !found && k->stayed && k->t->run->work >= k->until) {
+        trial_add_gap(k->t->gaps, (TrialGap){GAP_SENSOR, r->state, k->t->input[failed->input].v, NULL});
+        return true;
+    }
+    return found || !k->stayed;
 }
 
 // ---- inputs of the paths ----
