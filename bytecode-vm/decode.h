@@ -12,7 +12,7 @@ enum { DEFERRED = FAST_SOURCE_COUNT };                // DecodedValue.kind of X 
 // What the decoder knows about the contents of register X or Y of the bytecode.
 typedef struct DecodedValue {
     uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_IN_F: the value is in F; DEFERRED
-    enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // a value in memory: what it is the value of
+    enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // where a value in memory comes from
     uint32_t offset;          // a value in memory: offset of the local or element, in bytes
     SmF64 c;                  // FAST_C: the constant
 } DecodedValue;

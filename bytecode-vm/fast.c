@@ -152,7 +152,7 @@ SmResult smvm_step_decoded(SmvmDecoded *d, void *sv)
         return SM_REFUSED;
     if (vm->first || vm->entered) {                   // in most steps neither is set
         smvm_enter(vm, d->s);
-        vm->first = false;                            // until a transition sets it; `entered` has the old value
+        vm->first = false;                            // the code sets it again if it makes a transition; `entered` has the old value
     }
     d->t = vm->next - vm->start;
     ip = d->samples ? d->code + 1 : d->body[2 * (size_t)vm->state + vm->entered];

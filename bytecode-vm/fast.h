@@ -148,7 +148,7 @@ struct SmvmDecoded {
     SmVm *vm;
     void *sv;                 // the state vector that addresses in the code point into
     const void *g;            // element G of that vector
-    void *s;                  // its element S
+    void *s;                  // the machine's element S
     SmvmParts parts;          // the parts of the machine's memory
     uint64_t t;               // T, updated at the start of each step: instructions read it as an operand in memory
     SmvmWord *code;           // the words, which begin with the sample function

@@ -41,7 +41,7 @@ typedef enum SmvmOp {
     SMVM_OP_FIRST = 0x80              // bytes below are never opcodes
 } SmvmOp;
 
-enum { SMVM_RAW = SM_TYPE_COUNT };    // as the type of a local: an F64 that is stored as it is, NaN included
+enum { SMVM_RAW = SM_TYPE_COUNT };    // as the type of a local: an F64 that is stored unchanged, NaN included
 
 // Lists, each of which applies the macro M to all of it.  SMVM_EACH_TYPE: the types of values in memory, in the order of their numbers
 // (SmType).  SMVM_EACH_KIND: also RAW.  SMVM_EACH_RELATION: every set of relations that an opcode can have (jxy, jxn).
@@ -156,7 +156,7 @@ static inline bool smvm_read_varint(SmvmBytes image, SmvmAt *at, SmvmAt end, uin
     *at = r.at;
     if (found == SMVM_VARINT_OK)
         *value = r.n;
-    else if (found == SMVM_VARINT_TOO_LARGE)          // then the varint has four bytes
+    else if (found == SMVM_VARINT_TOO_LARGE)          // a value that is too large has four bytes
         *value = SMVM_VARINT_MID + ((smvm_u8(image, first) & 7u) * UINT32_C(0x200000) + smvm_u8(image, first + 1) * UINT32_C(0x4000) +
                                     smvm_u8(image, first + 2) * UINT32_C(0x80) + smvm_u8(image, first + 3));
     return found != SMVM_VARINT_CUT_SHORT;
@@ -179,7 +179,7 @@ enum { SMVM_HAS_MACHINE = 1, SMVM_HAS_CODE = 2, SMVM_HAS_INIT = 4, SMVM_HAS_SAFE
 typedef struct SmvmSectionKind {
     uint8_t id, version;
     uint8_t requires, forbids, provides;  // sets of these flags: required and forbidden before it; set by it
-    uint8_t part;             // offset in SmvmMachine of the fields for its offset and size; 0: it has none
+    uint8_t part;             // offset in SmvmMachine of the fields for the section's offset and size; 0: it has no such fields
 } SmvmSectionKind;
 
 typedef struct SmvmSection {  // a section as its table entry describes it; not checked

@@ -92,7 +92,7 @@ typedef struct Interpreter {
     uint8_t *sv, *locals;
     const SmvmTables *t;
 #if SMVM_SPECIALIZE
-    uint64_t stored;          // the bits of the first 64 outputs that this step stored, until it ends
+    uint64_t stored;          // the bits of the first 64 outputs that this step has stored; written to the state at its end
 #else
     Number x, y;
 #endif

@@ -18,7 +18,7 @@ typedef struct LongestPath {
     struct { uint32_t at, cost; } pending[SMVM_JOINS];  // pending targets; the nearest is last
     uint8_t pending_count;
     bool is_reachable;        // the next instruction is reachable
-    bool is_summing;          // there were too many targets, so `cost` adds up every instruction
+    bool is_summing;          // true: `pending` was too small for all targets, so `cost` is the sum over every instruction, an upper bound
     uint32_t cost;            // cost of the longest path to the next instruction
     uint32_t end_cost, goto_cost;  // the longest path that ends with `end`, with `goto`; 0: no path
     uint32_t sample_cost;     // cost of the sample function

@@ -39,7 +39,7 @@ typedef double SmF64;
 #ifdef __cplusplus
 extern "C" {
 #endif
-#ifdef SMVM_LIBRARY           // building the library: it exports what is declared here
+#ifdef SMVM_LIBRARY           // defined while the library is built, which exports these functions
 #pragma GCC visibility push(default)
 #endif
 
@@ -178,7 +178,7 @@ SmvmAt smvm_ram_size(const SmvmMachine *m);
 typedef struct SmvmVector {
     void *at;                 // aligned as a uint64_t
     uint32_t size;            // in bytes
-    uint32_t layout;          // its layout hash, to compare with the machine's
+    uint32_t layout;          // hash of the layout of the state vector, to compare with the machine's
 } SmvmVector;
 
 // Starts a machine in state `state` (1 is the initial state), in memory that the caller owns.  The memory must be aligned as an array
@@ -242,8 +242,8 @@ typedef struct SmvmParameter {
     uint8_t type;             // SmType
     SmvmAt offset;            // among the locals, in bytes
     SmvmAt name_at, name_size, unit_at, unit_size;        // offsets of its texts in the image, and their lengths; unit_size 0: no unit
-    SmF64 lowest, highest;    // its range
-    SmF64 standard, value;    // its default, and the value with which the machine starts
+    SmF64 lowest, highest;    // the range of the parameter
+    SmF64 standard, value;    // the default value, and the value with which the machine starts
 } SmvmParameter;
 
 // Reads parameter `number` of a machine, counted from 0.  Returns false if the machine has no such parameter.

@@ -15,7 +15,7 @@ typedef struct SwapName {
     SmvmName name;
     uint32_t hash;            // hash of the name
     uint32_t number;          // number of the state or window; or offset of the local among the locals
-    uint32_t source;          // for what `to` keeps: `number` in `from`
+    uint32_t source;          // for a variable that `to` keeps: its `number` in `from`
     uint32_t numbers;         // of a parameter: offset of its range in the image
     uint8_t kind, fate;       // SmvmSwapKind or SWAP_PARAMETER; SmvmSwapFate
     uint8_t type;             // SmType of the local
@@ -68,7 +68,7 @@ static uint32_t end_of_parameters(const SmvmMachine *m)
     uint32_t end = 0;
 
     while (smvm_read_parameter(&r, &p))
-        end = p.location.offset + p.bytes;            // they are in the order of their offsets
+        end = p.location.offset + p.bytes;            // parameters are listed by offset
     return end;
 }
 

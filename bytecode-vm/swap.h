@@ -55,10 +55,10 @@ void smvm_write_state(const SmVm *vm, const SmvmMachine *m, void *sv);
 
 typedef enum SmvmSwapKind { SMVM_SWAP_STATE, SMVM_SWAP_LOCAL, SMVM_SWAP_SAMPLE } SmvmSwapKind;
 typedef enum SmvmSwapFate {
-    SMVM_SWAP_KEPT,           // both machines have it
-    SMVM_SWAP_ADDED,          // only `to` has it: a local begins at its initial value, a window empty
-    SMVM_SWAP_REMOVED,        // only `from` has it
-    SMVM_SWAP_CHANGED         // both have it, with different types; it begins as if only `to` had it
+    SMVM_SWAP_KEPT,           // both machines have the variable
+    SMVM_SWAP_ADDED,          // only `to` has the variable: a local begins at its initial value, a window empty
+    SMVM_SWAP_REMOVED,        // only `from` has the variable
+    SMVM_SWAP_CHANGED         // both have the variable, with different types; it begins as if only `to` had it
 } SmvmSwapFate;
 
 typedef struct SmvmSwapItem {

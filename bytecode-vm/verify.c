@@ -20,7 +20,7 @@ enum {
     K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
     GX = SMVM_SHAPE_GX
 };
-#define GY SMVM_SHAPE_GY                              // these three are no enumerators: they may be too large for an int
+#define GY SMVM_SHAPE_GY                              // GY and the next two are no enumerators: they may be too large for an int
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
@@ -257,7 +257,7 @@ static bool is_valid_end(const Verifier *c, const SmvmParameterEntry *p, uint8_t
 {
     const SmvmAt end = smvm_parameter_number(p, (uint8_t)(which + 1));
     const uint8_t type = (uint8_t)p->location.type, top = smvm_u8(c->in.image, (SmvmAt)(end - 1));
-    const uint8_t exponent = type == SM_F64 ? 0xf0 : 0x80;            // its bits in the byte below
+    const uint8_t exponent = type == SM_F64 ? 0xf0 : 0x80;            // bits of the exponent in the byte below the most significant one
 
     if (type == SM_BOOL)
         return top <= 1;

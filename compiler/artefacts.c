@@ -112,61 +112,74 @@ static Buf *add_app_file(Compilation *c, const char *stem, const char *end)
     return add_artefact(c, 0, format_in(&c->s->arena, "%s%s", stem, end), NULL);
 }
 
-static EmitCOptions app_c_options(Compilation *c, const char *stem, const char *source, const char *suffix)
-{
-    EmitCOptions e;
+// Two output files with C that are generated from one source.
+typedef struct CPair {
+    EmitCOptions o;
+    Buf *header, *code;
+} CPair;
 
-    memset(&e, 0, sizeof e);
-    e.header = format_in(&c->s->arena, "%s.h", stem);
-    e.source = format_in(&c->s->arena, "%s%s", source, suffix);
-    e.runtime = true;
-    e.soft = c->o->soft;
-    return e;
+// Adds `stem`.h and `stem`.c, which are generated from the file `source``suffix`.
+static CPair add_app_pair(Compilation *c, const char *stem, Str source, const char *suffix)
+{
+    CPair f;
+
+    memset(&f, 0, sizeof f);
+    f.o.header = format_in(&c->s->arena, "%s.h", stem);
+    f.o.source = format_in(&c->s->arena, "%s%s", source->text, suffix);
+    f.o.runtime = true;
+    f.o.soft = c->o->soft;
+    f.code = add_app_file(c, stem, ".c");
+    f.header = add_app_file(c, stem, ".h");
+    return f;
+}
+
+// Returns the image of a machine that runs as bytecode; NULL after a report.
+static const Buf *app_image(Compilation *c, const Program *p)
+{
+    const ImageOptions o = {c->o->names, NULL};
+    Buf *bytes = new_buf(c->s);
+    IrMachine *m;
+
+    c->s->locals = artefacts_image_locals(c->o);
+    m = session_ir(c->s, p, c->o->opt_level);
+    c->s->locals = LOCALS_READ;
+    return session_image(c->s, &m, 1, &o, bytes) ? bytes : NULL;
+}
+
+// Adds NAME_app.c and NAME_app.h, which contain the images.  Returns false after a report.
+static bool emit_app_tables(Compilation *c, const App *a)
+{
+    const Buf **image = ARENA_ARRAY(&c->s->arena, const Buf *, a->machine.n);
+    const char *stem = format_in(&c->s->arena, "%s_app", a->name->text);
+    Buf *code = add_app_file(c, stem, ".c"), *header = add_app_file(c, stem, ".h");
+
+    for (size_t i = 0; i < a->machine.n; i++)
+        if (a->machine.at[i]->bytecode && (image[i] = app_image(c, a->machine.at[i]->program)) == NULL)
+            return false;
+    emit_c_app(&c->s->arena, a, image, header, code);
+    return true;
 }
 
 void artefacts_emit_app(Compilation *c, const App *a)
 {
-    const ImageOptions image_options = {c->o->names, NULL};
-    const Buf **image = ARENA_ARRAY(&c->s->arena, const Buf *, a->machine.n);
-    const char *stem = format_in(&c->s->arena, "%s_app", a->name->text);
-    Buf *code = add_app_file(c, stem, ".c"), *header = add_app_file(c, stem, ".h");
-    EmitCOptions e;
+    CPair f;
 
-    for (size_t i = 0; i < a->machine.n; i++)
-        if (a->machine.at[i]->bytecode) {
-            Buf *bytes = new_buf(c->s);
-            IrMachine *m;
-            c->s->locals = artefacts_image_locals(c->o);
-            m = session_ir(c->s, a->machine.at[i]->program, c->o->opt_level);
-            c->s->locals = LOCALS_READ;
-            if (!session_image(c->s, &m, 1, &image_options, bytes))
-                return;
-            image[i] = bytes;
-        }
-    emit_c_app(&c->s->arena, a, image, header, code);
-
-    stem = a->sv->name->text;
-    e = app_c_options(c, stem, stem, ".sv");
-    code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
-    emit_c_state_vector(&c->s->arena, a->sv, &e, header, code);
+    if (!emit_app_tables(c, a))
+        return;
+    f = add_app_pair(c, a->sv->name->text, a->sv->name, ".sv");
+    emit_c_state_vector(&c->s->arena, a->sv, &f.o, f.header, f.code);
     for (size_t i = 0; i < a->machine.n; i++)
         if (!a->machine.at[i]->bytecode) {
             const Program *p = a->machine.at[i]->program;
-            stem = p->name->text;
-            e = app_c_options(c, stem, p->stem->text, ".sm");
-            code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
-            session_emit_c(c->s, session_ir(c->s, p, c->o->opt_level), &e, header, code);
+            f = add_app_pair(c, p->name->text, p->stem, ".sm");
+            session_emit_c(c->s, session_ir(c->s, p, c->o->opt_level), &f.o, f.header, f.code);
         }
     if (a->pins) {
-        stem = format_in(&c->s->arena, "%s_io", a->io_name->text);
-        e = app_c_options(c, stem, a->io_name->text, ".io");
-        code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
-        emit_c_io(&c->s->arena, a->pins, &e, header, code);
+        f = add_app_pair(c, format_in(&c->s->arena, "%s_io", a->io_name->text), a->io_name, ".io");
+        emit_c_io(&c->s->arena, a->pins, &f.o, f.header, f.code);
     }
     if (a->net) {
-        stem = format_in(&c->s->arena, "%s_net", a->net_name->text);
-        e = app_c_options(c, stem, a->net_name->text, ".net");
-        code = add_app_file(c, stem, ".c"), header = add_app_file(c, stem, ".h");
-        emit_c_net(&c->s->arena, a->net, &e, header, code);
+        f = add_app_pair(c, format_in(&c->s->arena, "%s_net", a->net_name->text), a->net_name, ".net");
+        emit_c_net(&c->s->arena, a->net, &f.o, f.header, f.code);
     }
 }

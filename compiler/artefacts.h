@@ -14,7 +14,7 @@ typedef struct Compilation {
     Compiled *out;
     const Program **program;      // the machines without errors
     size_t programs;
-    size_t only_machine;          // its index in `in`; SIZE_MAX: there is not exactly one machine
+    size_t only_machine;          // index of the machine in `in`; SIZE_MAX: there is not exactly one machine
 } Compilation;
 
 // How code outside a machine accesses the locals of a machine that becomes an image.

@@ -30,10 +30,10 @@ typedef struct SmtCase {
     const TestFile *f;
     DiagSelection warn;       // as its header `warn` selects
     CaseSources sources;
-    const Program *p;         // the machine as the scripts run it; NULL: none, or it has errors
+    const Program *p;         // the machine in the form that the scripts run; NULL: none, or it has errors
     const Requirements *requirements;         // of all parts .rq; NULL: none, or they have errors
     const Script **script;    // by part; NULL: not a script, or it has errors
-    bool has_runs;            // it is expected to compile, has compiled, and has scripts: case_run_scripts applies
+    bool has_runs;            // the case is expected to compile, has compiled, and has scripts: case_run_scripts applies
     Buf why;                  // every way in which the results differ from those expected, one or more lines each
 } SmtCase;
 

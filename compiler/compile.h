@@ -32,7 +32,7 @@ typedef struct CompileInput {
     size_t n;
     const Source *vector;         // the state vector of every machine, of all pins and messages; or NULL
     const Source *pins;           // the pins that the image contains; or NULL
-    const Source *messages;       // messages that a report lists, and that nothing else reads; or NULL
+    const Source *messages;       // messages (.net) for a report; nothing else reads them; or NULL
     const MachineInstance *instance;      // the bindings of the only machine, with `vector`; or NULL
     CompileApp *app;              // the application if at[0] is one; every other source is then a script of it; or NULL
 } CompileInput;
@@ -40,7 +40,7 @@ typedef struct CompileInput {
 typedef enum CompileEmit {
     EMIT_NOTHING,
     EMIT_BYTECODE,                // one image of all machines
-    EMIT_ARRAY,                   // that image as a C array
+    EMIT_ARRAY,                   // the image of EMIT_BYTECODE as a C array
     EMIT_C,                       // C of each source; for an application, of everything that it names
     EMIT_IR, EMIT_AST, EMIT_TOKENS        // the result of a stage, as text
 } CompileEmit;
@@ -72,12 +72,12 @@ typedef struct CompiledSource {
     Network *net;
     Script *script;
     const Requirements *requirements;         // of a machine: those of all its files of requirements
-    bool is_included;             // another script of the call includes this one, which is not a script by itself
+    bool is_included;             // another script of the call includes this one, so it does not run by itself
 } CompiledSource;
 
 // A file to write.
 typedef struct Artefact {
-    size_t source;                // index of the source that it is generated from
+    size_t source;                // index of the source from which the artefact is generated
     const char *name;             // the file's name, for the C of an application; otherwise NULL, and `suffix` determines the name:
     const char *suffix;           // the default name is the source's stem and suffix, such as ".smb"; NULL: for standard output
     Buf *bytes;

@@ -16,7 +16,7 @@ typedef struct CompileLimits {
     uint32_t ram;             // bytes of RAM, windows included
     uint32_t step;            // bytecode instructions of the longest step
     uint32_t cycles;          // processor cycles of the longest step on an ATmega
-    const Board *board;       // whose firmware runs the machine; NULL: any
+    const Board *board;       // the board whose firmware runs the machine; NULL: no particular board
 } CompileLimits;
 
 static inline bool limits_exist(const CompileLimits *l) { return l->ram || l->step || l->cycles || l->board; }
@@ -26,7 +26,7 @@ typedef struct LimitSubject {
     const Program *p;
     IrMachine *ir;
     const uint8_t *image;     // contains only this machine, with line numbers
-    uint32_t length;          // bytes of the image without them
+    uint32_t length;          // bytes of the image without its line numbers
 } LimitSubject;
 
 // Reports by how much a machine exceeds the limits.

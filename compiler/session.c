@@ -489,7 +489,7 @@ static const char *name_broken_pass(Session *s, const Program *p, int opt_level,
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = reuse_or_build_ir(s, p);
-    PassOptions o = {opt_level, NULL, s->check_passes, false, print_after_pass, s};
+    PassOptions o = {opt_level, NULL, s->check_passes, false, s->print_after ? print_after_pass : NULL, s};
     const char *wrong;
 
     mark_locals(m, s->locals);

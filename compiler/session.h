@@ -13,9 +13,9 @@
 
 // What code outside a machine does with the machine's locals between two steps.
 typedef enum SessionLocals {
-    LOCALS_READ,              // reads them: scripts, and in C any code
-    LOCALS_HIDDEN,            // does nothing with them: an image without names
-    LOCALS_SWAPPED            // reads and writes them: an image with names, because a swap copies locals by name (swapping.md 12)
+    LOCALS_READ,              // scripts read the locals; of emitted C, any code
+    LOCALS_HIDDEN,            // nothing outside the machine reads the locals: an image without names
+    LOCALS_SWAPPED            // a swap reads and writes the locals by name: an image with names (swapping.md 12)
 } SessionLocals;
 
 // Finds the files that scripts include.
@@ -32,7 +32,7 @@ typedef struct SourceFinder {
 // One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
-    Arena tree;                   // the syntax tree of the file that is being checked; freed when it has been.  That of an .app is in `arena`
+    Arena tree;                   // memory for the syntax tree of the file that is being checked; freed after the check.  The tree of an .app is in `arena`
     Arena work, scratch;          // `work` is freed when a stage ends, `scratch` when a part of a stage ends
     StrPool strings;
     Diags diags;

@@ -5,7 +5,7 @@
 
 #include "compiler/syntax/parse.h"
 
-enum { DEPTH_MAX = 64 };      // the most files of which each includes the next; bounds the recursion
+enum { DEPTH_MAX = 64 };      // limit on the depth of includes; bounds the recursion
 
 // The files of a script that have been found so far.
 typedef struct Search {

@@ -43,7 +43,7 @@ struct SmApp;
 // code.
 typedef struct SmWriting {
     SmResult (*restore)(struct SmApp *app);               // restores the saved state vector, before init of the tasks
-    void (*write)(struct SmApp *app, uint64_t budget);    // writes what is pending; logs for at most `budget` nanoseconds
+    void (*write)(struct SmApp *app, uint64_t budget);    // writes pending data; log data for at most `budget` nanoseconds
     void (*close)(struct SmApp *app, const SmTick *last); // appends a last record, then writes everything pending
 } SmWriting;
 

@@ -28,7 +28,7 @@ typedef enum SmEventKind {
 } SmEventKind;
 
 typedef struct SmEvent {
-    uint64_t time;            // nanoseconds from the start of the application to the tick in which it happened
+    uint64_t time;            // from the start of the application to the tick of the event, in nanoseconds
     uint32_t a, b;            // meaning depends on `kind`: events.def
     uint16_t source;          // number of the task, machine or executor (each kind is numbered separately, from 0)
     uint8_t kind;             // SmEventKind

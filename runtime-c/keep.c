@@ -204,7 +204,7 @@ static uint8_t claim_half(SmKeep *k)
         return 0;
     into = k->writing != 1 && k->waiting != 1 ? 1 : k->writing != 2 && k->waiting != 2 ? 2 : k->waiting;
     if (into == k->waiting) {
-        k->waiting = 0;                                   // withdrawn, so that the writer does not start on it now
+        k->waiting = 0;                                   // withdrawn before the writer could start on it
         k->replaced++;
     }
     sm_handover_unlock(k->lock);

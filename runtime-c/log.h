@@ -33,7 +33,7 @@ typedef struct SmLog {
     PalLogFile out;
     PalLock lock;             // protects head, end and tail
     uint32_t head, end;       // of the step: position of the next block; end of the last block before the ring wrapped around
-    uint32_t tail, checksummed;    // of the drain: start of what is not yet being written; end of the blocks that have their checksum
+    uint32_t tail, checksummed;    // of the drain: start of the bytes that are not being written yet; end of the blocks that have their checksum
     uint32_t cursor;          // the log's cursor in the event ring
     uint32_t dropped, lost;   // totals: records dropped for lack of space, events overwritten before the step read them
     uint32_t dropped_reported, lost_reported;  // parts of these totals that the log already reports

@@ -39,7 +39,7 @@ extern "C" {
 enum {
     SM_NET_HEADER = 16, SM_NET_CODE = 16, SM_NET_CRC = 4,     // bytes of the parts of a message
     SM_NET_KEY = 16,                                          // bytes of a key
-    SM_NET_BURST = 8                                          // packets that one step reads from one channel or connection, at most
+    SM_NET_BURST = 8                                          // the most packets that one step reads from a channel or connection
 };
 
 #define SM_NET_RETRY_LEAST ((uint64_t)100 * PAL_MILLISECOND)  // pauses before a client connects again
@@ -138,7 +138,7 @@ typedef struct SmNetChannel {
     uint64_t period, timeout; // nanoseconds; period: only of messages that are sent; timeout 0: none
     const SmNetPlace *statistic, *age, *run;      // run: of type U32; NULL if absent
     uint8_t statistics;
-    uint64_t *value;          // one for each field
+    uint64_t *value;          // by field: the value in the message
     uint8_t *bytes;           // message.size bytes
     // The fields below belong to the runtime; initially all zero.
     uint32_t count[SM_NET_COUNTS];    // modulo 2^32; other threads read them with sm_shared_read (shared.h)
@@ -149,7 +149,7 @@ typedef struct SmNetChannel {
     bool fresh;               // `value` has a message that is not stored yet
     bool open, sent_any;
     bool due;                 // a message is sent in this step
-    uint64_t retry, pause;    // of a client: the tick time at which it connects again, and how long it has waited for it
+    uint64_t retry, pause;    // of a client: the tick time at which it connects again, and how long it waits before that attempt
 } SmNetChannel;
 
 typedef struct SmNet {

@@ -36,7 +36,7 @@ extern "C" {
 
 // One machine of a swap.  What it points to must stay unchanged while the swap is PREPARING.
 typedef struct SmSwapChange {
-    const char *machine;      // its name in the application
+    const char *machine;      // name of the machine in the application
     const uint8_t *image;     // the new image (.smb), with one machine
     uint32_t size;            // bytes
     uint8_t mode;             // SmSwapMode; there is no default
@@ -67,7 +67,7 @@ typedef struct SmSwapType {
     SmSwapReason (*check)(const void *from, const void *to, uint8_t mode);
     // Replaces `from` by `to`.  Called inside a critical section of the state vector.  Cannot fail once `check` has succeeded.
     void (*exchange)(const void *from, void *to, uint8_t mode, const SmMachine *m);
-    // The same for the return of the old machine in `to`.  Returns whether it continues; otherwise it restarts in its first @safe state.
+    // Like `exchange`, to return to the old machine, which is in `to`.  Returns whether it continues; otherwise it restarts in its first @safe state.
     bool (*give_back)(const void *from, void *to, const SmMachine *m);
     // Whether the state that the next step runs is marked @abort.
     bool (*is_aborting)(const void *slot);
@@ -105,7 +105,7 @@ typedef struct SmSwapGate {
 // Serves requests from outside the program (bytecode-vm/target/swap_link.h).  All functions are called by the thread that writes the log.
 typedef struct SmSwapService {
     SmResult (*open)(struct SmSwapService *self, SmApp *app);    // before init of the tasks.  A failure prevents the start
-    void (*serve)(struct SmSwapService *self, uint64_t budget);   // handles what has arrived, for at most `budget` nanoseconds
+    void (*serve)(struct SmSwapService *self, uint64_t budget);   // handles received requests, for at most `budget` nanoseconds
     void (*close)(struct SmSwapService *self);
 } SmSwapService;
 
@@ -145,11 +145,11 @@ typedef struct SmSwaps {
     SmStateVec *sv;
     SmEvents *events;
     const SmElement *armed;   // a bool: while it is true, swaps are refused; NULL: never
-    const SmRange *written;   // the elements that anything else stores: other machines, inputs, messages, the runtime
+    const SmRange *written;   // the elements that other code stores: other machines, inputs, messages, the runtime
     uint16_t writtens;
     // The fields below belong to the runtime; initially all zero.
     uint32_t is_open;         // shared.h: the lock is open
-    PalLock lock;             // protects everything below, SmSwapGate.is_in_tick, and what SmSwappable has for the runtime
+    PalLock lock;             // protects everything below, SmSwapGate.is_in_tick, and the fields of SmSwappable for the runtime
     SmSwapStatus status;
     bool refusal_due;         // the refusal is not yet in the events
     bool end_due;             // the confirmation is not yet in the events

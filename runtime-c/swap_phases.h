@@ -11,7 +11,7 @@ typedef enum SmSwapMode {
 typedef enum SmSwapPhase {
     SM_SWAP_IDLE,             // no swap has begun yet
     SM_SWAP_PREPARING, SM_SWAP_WAITING, SM_SWAP_TRIAL,            // a swap is in progress: another one cannot begin
-    SM_SWAP_CONFIRMED, SM_SWAP_RETURNED, SM_SWAP_REFUSED          // it has ended
+    SM_SWAP_CONFIRMED, SM_SWAP_RETURNED, SM_SWAP_REFUSED          // the swap has ended
 } SmSwapPhase;
 
 // Whether a swap is in progress.

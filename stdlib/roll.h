@@ -38,7 +38,8 @@
 // In a window with a median, the smallest and largest have no additional cost.  With SM_ROLL_SMALL a window stores only its slots and, for a
 // median, the samples in order.  Average, smallest and largest then visit all slots, and adding a sample for a median moves up to n samples.
 //
-// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.  The file is long because it is
+// one library in this order: emitted C contains the snippets that a machine needs in the order of the file, and each uses only earlier ones.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
 
@@ -105,7 +106,7 @@ enum {
     SM_ROLL_ORDER = 480        // the statistics that compare samples
 };
 #define SM_ROLL_MEDIAN_OF_3 ((uint32_t)SM_ROLL_MEDIAN | 0x8000u)        // the same as SM_ROLL_MEDIAN, of a window of three slots in emitted C
-#define SM_ROLL_ANY_ZERO 0x10000u      // only where a statistic is read: if it is 0, its sign can be wrong
+#define SM_ROLL_ANY_ZERO 0x10000u      // only for reading a statistic: a result of 0 may have the wrong sign
 // SM_ROLL_SHORT: the longest window whose average is summed up when it is read, and which is sorted by one pass over all samples.
 // SM_ROLL_SCAN: the longest window whose smallest and largest are found by visiting all samples.
 // SM_ROLL_BLOCK: the number of ordered samples in a block that moves at once.
@@ -615,7 +616,7 @@ SM_ROLL_INLINE SmF64 sm_roll_load_f64(const unsigned char *at) { SmF64 x; memcpy
 // The smaller number, or the larger if `up`.  A comparison in this form is one instruction on x86.
 SM_ROLL_INLINE float sm_roll_extreme_of_f32(bool up, float a, float b) { return (up ? b < a : a < b) ? a : b; }
 // snippet: sm_roll_extreme_of_f64
-// The same for F64.
+// The smaller F64, or the larger if `up`.
 SM_ROLL_INLINE SmF64 sm_roll_extreme_of_f64(bool up, SmF64 a, SmF64 b) { return (up ? sm_lt(b, a) : sm_lt(a, b)) ? a : b; }
 // snippet: sm_roll_extreme_of_two
 // The smaller key, or the larger if `up`.
@@ -673,7 +674,7 @@ SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, uint32_t n, Sm
     return end;
 }
 // snippet: sm_roll_extreme_f64
-// The same for F64.
+// As sm_roll_extreme_f32, for numbers of type F64.
 SM_ROLL_INLINE SmF64 sm_roll_extreme_f64(const unsigned char *at, SmRollSize left, bool up)
 {
     SmF64 end = sm_roll_load_f64(at), a, b;
@@ -748,7 +749,7 @@ SM_ROLL_INLINE float sm_roll_middle_f32(const unsigned char *at)
     return sm_roll_extreme_of_f32(true, lo, sm_roll_extreme_of_f32(false, hi, c));
 }
 // snippet: sm_roll_middle_f64
-// The same for F64.
+// As sm_roll_middle_f32, for numbers of type F64.
 SM_ROLL_INLINE SmF64 sm_roll_middle_f64(const unsigned char *at)
 {
     const SmF64 a = sm_roll_load_f64(at), b = sm_roll_load_f64(at + 8), c = sm_roll_load_f64(at + 16);
@@ -770,7 +771,7 @@ SM_ROLL_INLINE SmF64 sm_roll_middle_number(const uint64_t *w, uint32_t kind)
     return sm_from_bits(((a & b) | (a & c) | (b & c)) < 0 ? 0x8000000000000000u : 0);
 }
 // snippet: sm_roll_key_of_rank
-// The key of the ordered sample of a rank.
+// The key of the sample that has this rank in ascending order.
 SM_ROLL_INLINE SmRollKey sm_roll_key_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
     const unsigned char *const sorted = (const unsigned char *)(w + sm_roll_slots_at(n, kind)) + sm_roll_row_bytes(n, kind);
@@ -953,7 +954,7 @@ static inline uint32_t sm_roll_words(uint32_t n, uint32_t kind)
     if (partials == 0)
         return words + 1;
     words += (sm_roll_partial_words(partials) - 1) * sm_roll_tree_words(n);
-    for (; n > 1; words += n)           // the last group is the whole window, whose result is not here: its word is the ring
+    for (; n > 1; words += n)           // the last group is the whole window, whose result is not stored
         n = (n + 1) / 2;
     return words;
 }

@@ -55,7 +55,7 @@ extern const SmOpInfo sm_op_info[SM_OP_COUNT];         // indexed by SmOperator
 typedef enum SmStat {
     SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE,
     SM_STAT_OLDEST, SM_STAT_NEWEST,       // samples
-    SM_STAT_CHANGE,                       // the newest minus the oldest sample; 0 while there is one
+    SM_STAT_CHANGE,                       // the newest minus the oldest sample; 0 if there is only one
     SM_STAT_ELAPSED,                      // of a window of times: the newest minus the oldest
     SM_STAT_RUN_STEPS, SM_STAT_RUN_TIME,  // of a run of true samples: how many, at most the size; the time from the first to the newest
     SM_STAT_COUNT
@@ -78,8 +78,8 @@ typedef enum SmBuiltin {
 typedef struct SmBuiltinInfo {
     const char *name;
     const char *sentence;   // describes the result, for messages and docs
-    uint8_t arguments;      // how many it has; a roll function has 2
-    uint8_t most;           // how many it can have: SM_LIST_MAX for a function of a list of values, else `arguments`
+    uint8_t arguments;      // number of its arguments; a roll function has 2
+    uint8_t most;           // the most arguments: SM_LIST_MAX for a function of a list of values, else `arguments`
     bool is_roll;
     bool is_sampled;        // prev and similar
     SmStat stat;            // for a roll function: the statistic that it returns

@@ -177,7 +177,7 @@ $(B)/swap/running $(B)/swap/storing: $(B)/swap/%: $(B)/obj/tests/swap/%.o $(pats
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
 # Hosts that reach it over the link: every request cut off, lost and repeated, and hostile ones.
-$(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link stage machine) $(B)/obj/compiler/device/app_host.o $(B)/obj/compiler/device/link_host.o $(B)/runtime/sim.a $(B)/libsmc.a
+$(B)/swap/link: $(patsubst %,$(B)/obj/tests/swap/%.o,link link_keys wire stage machine) $(B)/obj/compiler/device/app_host.o $(B)/obj/compiler/device/link_host.o $(B)/runtime/sim.a $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
@@ -230,7 +230,7 @@ compare-campaign: $(B)/compare/random
 .PHONY: compare-campaign
 
 # tests/prove: verdicts on random requirements of random machines, against random runs.  `make prove-campaign N=10000 SEED=1 STEPS=100000`.
-$(B)/prove/random: $(B)/obj/tests/prove/random.o $(GEN_OBJ) $(B)/libsmc.a
+$(B)/prove/random: $(B)/obj/tests/prove/random.o $(B)/obj/tests/prove/related_text.o $(GEN_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
@@ -981,6 +981,7 @@ $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/rando
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
 $(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
+$(call test, prove-interrupted,    thorough,, sh tests/prove/interrupted.sh $(B)/smc)
 $(call test, why-random,           thorough, $(B)/why/random, $(B)/why/random 1 1500)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)

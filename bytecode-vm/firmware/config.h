@@ -51,7 +51,7 @@ static inline uint8_t smvm_firmware_byte(uint16_t at)
 #define FIRMWARE_SLOTS 1
 #define FIRMWARE_MEMORY 1024
 #define FIRMWARE_EVENTS 4
-#define FIRMWARE_LOG 0        // an Uno has no RAM for it: its stack needs nearly all
+#define FIRMWARE_LOG 0        // an Uno has no RAM for a log: the stack needs nearly all of it
 #define FIRMWARE_BODY 48
 #define AVR_SERIAL_RING 64
 #define SM_ROLL_WAITING 9

@@ -24,7 +24,7 @@ enum {
     PERIOD = 10,              // ms, for an image that was sent without one
     EEPROM_WRITE = 4,         // ms, rounded up: no byte write starts if it would still be in progress at the next step
     MS_CYCLES = F_CPU / 1000, // CPU cycles of a millisecond
-    STEP_CYCLES = MS_CYCLES / 10 * 9      // cycles that a step may take per millisecond of its period: clock and line use the others
+    STEP_CYCLES = MS_CYCLES / 10 * 9      // cycles that a step may take per millisecond of its period: clock and line use the rest
 };
 // The chip divides its clock to these with an error of 2.1 %.  (115,200 at 8 MHz would be 3.5 % off.)
 #define BITS_PER_SECOND (F_CPU == 8000000 ? UINT32_C(57600) : UINT32_C(115200))
@@ -198,7 +198,7 @@ static void run_built_in(void)
     SmvmVerdict why;
 
     if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) != 0 || run_image((SmvmBytes)(uint16_t)built_in, PERIOD) != SM_OK)
-        board.built_in_size = 0;           // the agent must not report it as running
+        board.built_in_size = 0;           // so that the agent does not report it as running
 }
 
 // ---- callbacks for the agent ----

@@ -35,7 +35,7 @@ typedef struct SmvmSlot {
     uint32_t first;           // number of the state in which the machine starts
     SmvmBytes built_in;       // the image with which the application was built
     uint32_t built_in_size;
-    SmvmSwap *plan, *back;    // what this slot takes over from the other one, and the other one from this; NULL: nothing
+    SmvmSwap *plan, *back;    // what this slot copies from the other one, and the other one from this; NULL: nothing
 } SmvmSlot;
 
 // For SmSwappable.type; its slots are SmvmSlots.

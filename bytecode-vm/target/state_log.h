@@ -23,7 +23,7 @@
 extern "C" {
 #endif
 
-enum { STATE_LOG_CREDIT = 64, STATE_LOG_LEAST = 8 };   // STATE_LOG_LEAST: with room for fewer records, nothing is stored
+enum { STATE_LOG_CREDIT = 64, STATE_LOG_LEAST = 8 };   // STATE_LOG_LEAST: a memory with room for fewer records stores nothing
 
 typedef struct StateLog {
     SmvmBytes image;

@@ -467,7 +467,7 @@ SmResult smvm_store_confirm(Store *s, uint32_t checksum)
     if (c->confirmed)
         return SM_OK;
     if (!authenticate(s, c->active, &number))
-        return SM_E_UNSIGNED;          // its slot has changed since it was chosen
+        return SM_E_UNSIGNED;          // the slot has changed since it was chosen
     if (smvm_store_has_key(s) && number > load32(c->newest))
         store32(c->newest, number);
     c->confirmed = 1;

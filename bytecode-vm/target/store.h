@@ -49,7 +49,7 @@ typedef struct StoreChoice {
     uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
     uint8_t previous;         // the image that runs again if the trial fails
     uint8_t tries;            // remaining units of a trial, STORE_START for each start
-    uint8_t confirmed;        // 1: the active image is not on trial, because the host confirmed it or it is a fallback; 0: it is on trial
+    uint8_t confirmed;        // 1: the active image is not on trial, because a host confirmed it or it is a fallback; 0: on trial
     uint8_t ended;            // why the trial of the image with checksum_previous ended: STORE_STARTS_USED …; 0: it has not ended
     uint8_t zeros[2];
     uint8_t checksum[4];      // checksum of the active image; a slot whose image has another checksum does not run
@@ -74,7 +74,7 @@ typedef struct Store {
     uint16_t session;         // the host's number for this update; 0: no update
     uint8_t target;           // the slot that the update writes
     bool is_accepted;         // smvm_store_end has accepted the image
-    SmvmAt length, next;      // size of the image; how many bytes of it are written
+    SmvmAt length, next;      // size of the image; number of bytes written so far
     uint8_t checksum[4];      // checksum of the image, as sent by the host
 } Store;
 

@@ -90,8 +90,8 @@ typedef struct SmSwapLink {
     uint32_t length, checksum, received;  // of the current transfer; `received`: bytes so far
     uint64_t heard;           // PAL clock time of its last request
     uint32_t number;          // SmSwapStatus.number of the last swap that came over the link; 0: none
-    uint32_t swap_checksum;   // its checksum
-    uint32_t swap_number;     // with a key: the number that it was signed with
+    uint32_t swap_checksum;   // the checksum of the received swap
+    uint32_t swap_number;     // with a key: the number with which the swap was signed
     bool is_number_used;      // the number of the current transfer is checked and stored
 } SmSwapLink;
 

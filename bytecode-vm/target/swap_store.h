@@ -39,7 +39,7 @@ typedef struct SmSwapSet {
 
 typedef struct SmSwapStore {
     SmSwapStorage storage;    // the first field: SM_SWAP_STORE_STORAGE
-    const char *memory;       // its name, for pal_nvm_open
+    const char *memory;       // name of the memory, for pal_nvm_open
     uint32_t room;            // most bytes of a set
     const uint8_t *key;       // SMVM_KEY bytes, valid when the storage opens; NULL: sets have no code
     // The fields below belong to the module; initially all zero.

@@ -75,7 +75,7 @@ const State *abort_next_state(const AbortMatrix *x, const State *s);
 
 // Indexed by state (State.number - 1).
 typedef struct AbortBound {
-    bool *bound;                  // it is an @abort state, or all its transitions lead to bound states
+    bool *bound;                  // by state: it is an @abort state, or all its transitions lead to bound states
     uint32_t *steps;              // of a bound state: the most steps until the machine is in the @abort state, or ABORT_NOT_BOUNDED
     const State **next;           // of a bound state that is not an @abort state: the next state on the longest path
 } AbortBound;
@@ -85,5 +85,8 @@ bool abort_is_bounded(const AbortPath *p);     // whether p can be taken and rea
 
 // abort_sensors.c: fills in the inputs that the paths of each row depend on, and the results of the trials.
 void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b);
+
+// abort_commands.c: reports the states that cannot abort on a bool input on which nearly all others do.
+void abort_report_skipped_inputs(Trials *t, const AbortMatrix *x);
 
 #endif

@@ -75,4 +75,6 @@ void check_abort(Trials *t)
 
     for (size_t s = 0; s < x.n && x.declared; s++)
         report_row(t->a, &x, &x.row[s]);
+    if (x.declared)
+        abort_report_skipped_inputs(t, &x);
 }

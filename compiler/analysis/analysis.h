@@ -28,7 +28,7 @@ typedef struct StmtFact {
 } StmtFact;
 
 typedef struct Analysis {
-    unsigned groups;              // 1u << DiagGroup for each group whose warnings are wanted
+    unsigned groups;              // the groups whose warnings are enabled: a set of 1u << DiagGroup
     uint64_t step;                // how much the global time G advances per step; 0: unknown
     Arena *kept;                  // memory that is freed after all analyses
     Arena *arena;                 // working memory of one analysis, freed after it.  Data that a diagnostic stores (such as the

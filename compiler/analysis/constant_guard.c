@@ -98,7 +98,7 @@ static const char *facts_text(const ReachWalk *k, const Stmt *s)
         return NULL;
     name = source_text(arena, e->span);
     f = fact_of_expr(k->a, env_of_stmt(k->a, s), e);
-    open = f.lo - f.lo != 0;                          // `open`: there is no finite lower bound; `endless`: no finite upper bound
+    open = f.lo - f.lo != 0;                          // `open`: the range has no finite lower bound; `endless`: no finite upper bound
     endless = f.hi - f.hi != 0;
     if (f.lo > f.hi || f.nan || (open && endless))
         return NULL;

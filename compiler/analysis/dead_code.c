@@ -203,7 +203,7 @@ static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
     if (step->n == 0)
         return;
     if (!entry_leaves) {
-        if (!always_leaves(step))             // otherwise .step runs only once, directly after .entry, whose guards still apply
+        if (!always_leaves(step))             // a .step that always leaves runs only once, directly after .entry, whose guards still apply
             forget_earlier_guards(k);
         walk_block(k, BLOCK_STEP);
         return;

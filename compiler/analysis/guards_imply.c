@@ -3,7 +3,7 @@
 
 #include "stdlib/math.h"
 
-enum { PAIRS_MAX = 64 };              // most pairs of subexpressions compared in one query: `and` and `or` multiply them
+enum { PAIRS_MAX = 64 };              // limit on the pairs of subexpressions compared in one query: `and` and `or` multiply them
 
 typedef struct ImplySearch {
     const uint32_t *window_of;        // the machine's IrMachine.window_of, for expr_equal

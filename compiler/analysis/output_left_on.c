@@ -43,6 +43,7 @@ static void report_outputs(const LeftOnSearch *l, const State *s)
     Diag *d = diag_report(a->diags, DIAG_output_left_on, s->span, s->name->text, trial_check_join_names(a->arena, l->output, l->outputs));
 
     for (uint32_t i = 0; i < l->outputs; i++) {
+        l->t->rests_on[a->m->var_of[l->output[i]->index]] = true;
         diag_note_declaration(a->diags, d, DIAG_OUTPUTS, l->output[i]->span);
         diag_note_step(a->diags, d, l->on[i]->span, DIAG_note_switched_on, l->output[i]->name->text);
         diag_note_step(a->diags, d, l->via[i]->stmt->span, DIAG_note_still_on, l->output[i]->name->text, s->name->text);

@@ -11,9 +11,9 @@
 #include "compiler/sema/measure.h"
 
 typedef enum QuantityKind {
-    QUANTITY_UNKNOWN,             // without a unit, or computed from such values: can be anything
+    QUANTITY_UNKNOWN,             // no unit, or computed from values without one: can be anything
     QUANTITY_NUMBER,              // computed from numbers alone: `factor`
-    QUANTITY_PLAIN,               // certainly a plain number: a bool, a sign, an exponential; fits everything that is added or compared
+    QUANTITY_PLAIN,               // certainly a plain number, such as a bool, a sign or an exponential; can be added to and compared with anything
     QUANTITY_UNIT                 // has `unit`
 } QuantityKind;
 

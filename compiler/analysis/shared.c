@@ -3,10 +3,10 @@
 // for the time (G) and the state (S) of a machine must not be written by others.  An input pin counts as a writer.
 #include "compiler/analysis/analysis.h"
 
-typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // a machine and where it uses an element; p NULL: none
+typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // where machine p uses an element; p NULL: no machine does
 
 typedef struct Owners {           // which machines use an element, and how
-    SharedUse writer, state, time;    // the machine that assigns it; the machine whose S it is; whose G
+    SharedUse writer, state, time;    // the machine that assigns it; that has it as S; that has it as G
 } Owners;
 
 typedef struct SharedVector {

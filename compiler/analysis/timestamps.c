@@ -6,7 +6,7 @@
 
 // ---- sums ----
 
-static TimeSum not_a_sum(void) { return (TimeSum){.linear = false}; }
+static TimeSum no_time_sum(void) { return (TimeSum){.linear = false}; }
 
 static TimeSum sum_of_number(SmF64 x)
 {
@@ -45,13 +45,13 @@ static TimeSum sum_of_product(const Timestamps *m, const Expr *e)
     const TimeSum a = time_sum_of(m, e->arg[0]), b = time_sum_of(m, e->arg[1]);
 
     if (!a.linear || !b.linear)
-        return not_a_sum();
+        return no_time_sum();
     if (is_number(&b))
         return scale_sum(a, e->op == SM_OP_MUL ? sm_mul(a.number, b.number) : sm_div(a.number, b.number));
     if (e->op == SM_OP_MUL && is_number(&a))
         return scale_sum(b, sm_mul(a.number, b.number));
     if (a.time || a.stamp || b.time || b.stamp)
-        return not_a_sum();
+        return no_time_sum();
     return (TimeSum){.linear = true, .other = true, .number = sm_from_i32(0)};
 }
 
@@ -62,7 +62,7 @@ static TimeSum sum_of_operator(const Timestamps *m, const Expr *e)
     if (e->op == SM_OP_MUL || e->op == SM_OP_DIV)
         return sum_of_product(m, e);
     if (e->op != SM_OP_ADD && e->op != SM_OP_SUB)
-        return not_a_sum();
+        return no_time_sum();
     b = time_sum_of(m, e->arg[1]);
     if (e->op == SM_OP_ADD)
         b.number = sm_neg(b.number);
@@ -79,13 +79,13 @@ TimeSum time_sum_of(const Timestamps *m, const Expr *e)
     case EX_VAR: return e->var->is_constant ? sum_of_number(expr_constant_value(e)) : sum_of_var(m, e->var);
     case EX_BINARY: return sum_of_operator(m, e);
     case EX_UNARY:
-        s = e->op == SM_OP_NEG ? time_sum_of(m, e->arg[0]) : not_a_sum();
+        s = e->op == SM_OP_NEG ? time_sum_of(m, e->arg[0]) : no_time_sum();
         s.number = sm_neg(s.number);
         return s;
-    case EX_CALL: return expr_is_constant(e) ? sum_of_number(expr_constant_value(e)) : not_a_sum();
+    case EX_CALL: return expr_is_constant(e) ? sum_of_number(expr_constant_value(e)) : no_time_sum();
     case EX_CHAIN: case EX_ROLL: case EX_EVERY: case EX_AT: case EX_RANDOM: break;
     }
-    return not_a_sum();
+    return no_time_sum();
 }
 
 // ---- locals ----

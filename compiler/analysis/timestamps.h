@@ -18,7 +18,7 @@ Timestamps timestamps_of(Arena *arena, const Program *p);
 
 // How an expression depends on time, if it is a sum of variables and constants.
 typedef struct TimeSum {
-    bool linear;              // it contains only numbers and variables, added and scaled by constants
+    bool linear;              // the expression contains only numbers and variables, added and scaled by constants
     bool time;                // it contains T or G
     bool stamp;               // it contains a local with a time
     bool shifted;             // it contains a local with a shifted time

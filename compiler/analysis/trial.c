@@ -309,7 +309,9 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share)
         t->by_time[a->transition.at[i].stmt->number] = input_deps_of_condition(deps, a->transition.at[i].when).time;
     t->next = ARENA_ARRAY(a->arena, TrialNext, a->p->stmts + 1u);
     t->actuator = ARENA_ARRAY(a->arena, bool, a->m->var.n);
+    t->rests_on = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->peak = ARENA_ARRAY(a->arena, double, a->m->var.n);
+    t->stamp = ARENA_ARRAY(a->arena, bool, a->m->var.n);
     t->limit = ARENA_ARRAY(a->arena, double *, a->m->var.n);
     t->scratch = arena_alloc(a->arena, t->run->size);
     t->before = ARENA_ARRAY(a->arena, double, a->m->var.n);

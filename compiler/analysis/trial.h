@@ -45,9 +45,9 @@ typedef struct TrialEntry {
 
 // Counts over all trials what the machine does in the step after a transition, with the inputs that led to the transition.
 typedef struct TrialNext {
-    uint32_t trials, left;            // number of trials; how many of them made another transition in this step
+    uint32_t trials, left;            // number of trials in the state; in how many of them the machine left by another transition in this step
     uint32_t transition;              // Stmt.number of the majority's transition, by the Boyer-Moore vote; 0: none is made
-    int most;                         // the counter of that vote; it is above 0 if there is a majority
+    int most;                         // the counter of the majority vote; above 0 if there is a majority
 } TrialNext;
 
 typedef struct TrialState {
@@ -61,7 +61,7 @@ typedef enum TrialSetting { TRIAL_DEFAULTS, TRIAL_LOWEST, TRIAL_HIGHEST, TRIAL_S
 typedef struct Trials {
     Analysis *a;
     TrialSetting setting;
-    uint32_t share;                   // the bounds of effort are divided by this number: 1, or with parameters how many settings there are
+    uint32_t share;                   // the bounds of effort are divided by this: 1, or the number of settings of the parameters
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
     uint64_t check_at;                // value of run->work at which trial_step lets the host end the trials
@@ -76,11 +76,13 @@ typedef struct Trials {
     bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
     TrialNext *next;                  // by Stmt.number of a transition: what follows it
     bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
+    bool *rests_on;                   // by IR variable: check_output_left_on has reported that it stays on
     double *peak;                     // by IR variable: its largest magnitude in a trial
     const Var **var;                  // by IR variable: its Var
     double *wait;                     // the times that conditions compare T and G with, ascending
     uint32_t waits;
-    bool stamped;                     // some variable contains a time: waits may begin at any time
+    bool *stamp;                      // by IR variable: assignments store G in it, and waits begin at that time
+    bool stamped;                     // some variable is computed from a time: waits may begin at any time
     double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     double run_time;                  // the longest time that a condition must be true (`held`); 0: none
@@ -121,9 +123,16 @@ static inline bool trial_is_entering(const void *situation) { return ((const IrS
 uint32_t trial_steps_to_event(const Trials *t, const double *before, const void *situation);
 // Returns how many steps can follow before a timer reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
 uint32_t trial_steps_to_timer(const Trials *t, const void *situation);
+// Returns how many steps can follow before a timer or a counter reaches a limit, whatever else changes; TRIAL_MANY: no limit is ahead.
+uint32_t trial_steps_to_limit(const Trials *t, const double *before, const void *situation);
 // Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).  If the machine
 // has conditions that must be true for some time, samples windows with the inputs of the last step; else windows keep their samples.
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps);
+// Whether two changes of a variable, in two steps, are equal apart from rounding.
+bool trial_is_even(double before, double now);
+// Advances like trial_skip_steps.  Variables that have changed by the same amount in the last two steps continue to do so, and others keep
+// their values.  That is a guess: the last two steps led from the variables `earlier` to `before`, and from there to the situation.
+void trial_leap(const Trials *t, const double *earlier, const double *before, void *situation, uint32_t steps);
 // Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition, skips
 // the steps that remain before the next timer or counter reaches its limit.  Returns false if none will: nothing can change any more.
 bool trial_advance_to_event(Trials *t, void *situation, const double *in, IrTrace *trace);

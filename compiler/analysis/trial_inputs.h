@@ -7,7 +7,7 @@
 #include "compiler/analysis/trial.h"
 #include "compiler/base/bitset.h"
 
-// Fills in the fields input, state[].relevant, actuator, wait, limit and count of *t.  Its fields run, state and var must be set.
+// Fills in the fields input, state[].relevant, actuator, wait, stamp, stamped, limit and count of *t.  Its fields run, state and var must be set.
 void trial_find_inputs(Trials *t);
 
 // ---- parts of trial_find_inputs ----
@@ -26,9 +26,10 @@ typedef struct TrialFinder {
     VEC(TrialComparison) comparison;
     VEC(const Stmt *) assign;     // every assignment, in file order
     VEC(uint32_t) assign_state;   // for each entry of `assign`, the number of its state
-    double *value, *saved;        // by Var.index: the current values while readings are searched; a copy of them
+    double *value, *saved;        // by Var.index: the current values while readings are searched; a copy of these values
     uint32_t state;               // number of the state whose statements are visited
     uint64_t *bits;               // a set of inputs, for one expression
+    bool reads_time;              // the current expression reads G
     bool *read;                   // by Var.index: a guard or another value reads it
     bool *zeroed;                 // by Var.index: some assignment sets it to 0
     bool *bounded;                // by Var.index: some assigned value is bounded
@@ -41,8 +42,8 @@ void trial_add_inputs(TrialFinder *f, const Expr *e, const uint64_t *of, uint64_
 
 // Each sets these fields of the Trials:
 void trial_find_groups(TrialFinder *f);            // input[].group
-void trial_find_readings(TrialFinder *f);          // input[].reading and the fields after it
-void trial_find_waits(TrialFinder *f);             // wait, stamped
+void trial_find_readings(TrialFinder *f);          // fills in input[].reading and the fields after it
+void trial_find_waits(TrialFinder *f);             // wait, stamp, stamped
 void trial_find_counters(TrialFinder *f);          // limit, count
 void trial_find_actuators(TrialFinder *f);         // actuator
 

@@ -70,7 +70,7 @@ static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t whic
     const size_t n = f->comparison.n;
     double *d = ARENA_ARRAY(f->arena, double, n * POINTS + 1);
 
-    set(f, which, at[0]);
+    set(f, which, bit == IR_NONE ? 0 : at[0]);            // a timestamp that the machine has stored is a time that has passed
     compute_vars(f);
     for (size_t k = 0; k < POINTS; k++) {
         set(f, which, at[k]);
@@ -191,11 +191,28 @@ void trial_find_readings(TrialFinder *f)
 
 // ---- times ----
 
-static void record_if_time(Expr *e, void *context)
+static void mark_if_time(Expr *e, void *context)
 {
     TrialFinder *f = context;
 
-    f->t->stamped |= e->kind == EX_VAR && e->var == f->p->g;
+    f->reads_time |= e->kind == EX_VAR && e->var == f->p->g;
+}
+
+// Marks the variables that store a time.  The time itself, as in `launch = time`, is exact: waits begin there.  After an expression such as
+// `deadline = time + 500`, they may begin at any time.
+static void find_stamps(TrialFinder *f)
+{
+    Trials *t = f->t;
+
+    for (size_t i = 0; i < f->assign.n; i++) {
+        const Stmt *s = f->assign.at[i];
+        f->reads_time = false;
+        expr_walk(s->value, mark_if_time, f);
+        if (f->reads_time && s->value->kind == EX_VAR)
+            t->stamp[t->a->m->var_of[s->var->index]] = true;
+        else
+            t->stamped |= f->reads_time;
+    }
 }
 
 void trial_find_waits(TrialFinder *f)
@@ -210,6 +227,5 @@ void trial_find_waits(TrialFinder *f)
     for (uint32_t k = 0; k < r.n; k++)
         if (r.at[k] > 0 && r.at[k] < 1e12)
             t->wait[t->waits++] = sm_ceil(r.at[k]);
-    for (size_t i = 0; i < f->assign.n; i++)
-        expr_walk(f->assign.at[i]->value, record_if_time, f);
+    find_stamps(f);
 }

@@ -61,11 +61,16 @@ static double steps_to_limit(double from, double limit, double by)
 static double steps_to_next_wait(const Trials *t, const void *situation)
 {
     const IrSituation *s = situation;
+    const double *var = trial_vars(t, situation);
     double n = endless;
 
     for (uint32_t w = 0; w < t->waits; w++)
         if (t->wait[w] >= s->last_g - s->start)
             n = sm_min(n, steps_to_limit(s->last_g - s->start, t->wait[w], t->dt));
+    for (uint32_t v = 0; v < t->run->m->var.n; v++)
+        for (uint32_t w = 0; w < t->waits && t->stamp[v]; w++)
+            if (t->wait[w] >= s->last_g - var[v])
+                n = sm_min(n, steps_to_limit(s->last_g - var[v], t->wait[w], t->dt));
     for (uint32_t w = 0; w < t->waits && t->stamped; w++)
         n = sm_min(n, sm_max(sm_ceil(sm_max(t->wait[w] / 2, (s->last_g - s->start) / 4) / t->dt) - 1, 0));
     return n;
@@ -97,6 +102,18 @@ uint32_t trial_steps_to_event(const Trials *t, const double *before, const void 
     return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
 }
 
+// Returns how many steps can follow before a timer or a counter reaches a limit, whatever else changes.
+uint32_t trial_steps_to_limit(const Trials *t, const double *before, const void *situation)
+{
+    const double *var = trial_vars(t, situation);
+    double n = steps_to_next_wait(t, situation);
+
+    for (uint32_t v = 0; v < t->run->m->var.n; v++)
+        for (const double *l = t->limit[v]; l && *l == *l && var[v] != before[v]; l++)
+            n = sm_min(n, steps_to_limit(var[v], *l, var[v] - before[v]));
+    return n >= endless ? TRIAL_MANY : (uint32_t)sm_min(n, 1e8);
+}
+
 // Advances time and counters by `steps` steps that change the variables like the last step (see trial_steps_to_event).
 void trial_skip_steps(const Trials *t, const double *before, void *situation, uint32_t steps)
 {
@@ -111,6 +128,22 @@ void trial_skip_steps(const Trials *t, const double *before, void *situation, ui
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
     if (t->run_time > 0)
         ir_run_fill_windows(t->run, situation, (uint32_t)sm_min(n, t->window), t->dt, NULL, NULL);
+}
+
+// Whether two changes of a variable are equal, apart from rounding.
+bool trial_is_even(double before, double now) { return sm_abs(now - before) <= 1e-6 * sm_abs(now); }
+
+// Advances like trial_skip_steps.  Variables that have changed by the same amount in the last two steps continue to do so.
+void trial_leap(const Trials *t, const double *earlier, const double *before, void *situation, uint32_t steps)
+{
+    double *var = ir_run_vars(t->run, situation);
+    const IrMachine *m = t->run->m;
+
+    for (uint32_t v = 0; v < m->var.n; v++)
+        if (m->var.at[v].writable && v != m->g && v != m->t && v != m->s && !t->limit[v] &&
+            trial_is_even(before[v] - earlier[v], var[v] - before[v]))
+            var[v] = ir_convert(m->var.at[v].type, var[v] + steps * (var[v] - before[v]));
+    trial_skip_steps(t, before, situation, steps);
 }
 
 // Runs with constant inputs: steps until a transition, or until only timers and counters change, at most 40; then, without a transition,

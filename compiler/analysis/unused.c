@@ -182,7 +182,7 @@ static void check_windows(Analysis *a, const NeededParts *all)
 
     for (size_t i = 0; i < a->p->window.n; i++) {
         const Span span = a->p->window.at[i].span;
-        if (a->p->window.at[i].stat == SM_STAT_ELAPSED)            // part of held or rate, whose own window is reported
+        if (a->p->window.at[i].stat == SM_STAT_ELAPSED)            // ELAPSED is a part of `held` or `rate`, whose own window is reported
             continue;
         if (!is_needed[span.at])
             diag_report(a->diags, DIAG_unused_window, span, "nothing depends on what it feeds");

@@ -33,7 +33,7 @@ typedef struct WindowTrial {
     double *earlier;              // the inputs whose samples fill the window in `full`
     double *before, *before_full; // variables before a step
     bool same;                    // sensors have had their current readings since the machine's start
-    bool later;                   // both windows are full, or both machines are in another state: a difference now has an earlier cause
+    bool later;                   // both windows are full, or both machines are in another state: a difference from here on has an earlier cause
     const Stmt *guard;            // the first guard whose value differed between the two
     uint32_t samples;             // number of samples in the window when that guard differed
     uint64_t until;               // value of Trials.run.work at which the search stops

@@ -10,7 +10,7 @@ struct ArenaChunk {
     size_t size;          // usable bytes after this header
 };
 
-#ifndef ARENA_FIRST_CHUNK                // a test defines it as so small that every allocation calls the host's allocator
+#ifndef ARENA_FIRST_CHUNK                // a test defines it so small that every allocation calls the host's allocator
 #define ARENA_FIRST_CHUNK (32 * 1024)
 #define ARENA_LARGEST_CHUNK (16 * 1024 * 1024)
 #endif

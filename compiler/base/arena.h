@@ -19,13 +19,13 @@ typedef struct Arena {
     ArenaChunk *chunk;    // the list of chunks, the newest first
     char *next, *end;     // the free part of the newest chunk
     char *zeroed_end;     // memory from `next` up to zeroed_end is zeroed
-    ArenaChunk *spare;    // of an arena within another one: chunks that it has freed, for later allocations
+    ArenaChunk *spare;    // if the arena is inside another one: chunks that it has freed, for later allocations
 } Arena;
 
 void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom);
 void arena_free(Arena *a);                       // frees every chunk; the arena may be used again
 void arena_reset(Arena *a);                      // frees every object, but keeps the newest chunk for later allocations
-size_t arena_size(const Arena *a);               // bytes of its chunks, those that are spare left out
+size_t arena_size(const Arena *a);               // returns the bytes of its chunks, without the spare ones
 // Initialises an arena whose chunks are memory of `parent`, so that freeing the parent frees it.  For objects that arena_reset frees often: this
 // arena keeps all its chunks for later allocations, because the parent cannot free them.
 void arena_init_within(Arena *a, Arena *parent);

@@ -73,7 +73,7 @@ bool os_is_private(const char *path);              // whether only its owner can
 
 double os_seconds(void);                           // returns the time of a monotonic clock, in seconds
 bool os_is_terminal(int fd);
-bool os_shows_colors(int fd);                      // whether it is a terminal that understands ANSI escape sequences
+bool os_shows_colors(int fd);                      // whether fd is a terminal that understands ANSI escape sequences
 const char *os_getenv(const char *name);           // returns the value of a variable; NULL if unset or empty
 
 #endif

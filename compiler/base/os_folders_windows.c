@@ -57,7 +57,7 @@ bool os_make_folder(const char *path, const char **why)
     if (!ok)
         *why = windows_reason(wide ? GetLastError() : ERROR_NOT_ENOUGH_MEMORY);
     free(wide);
-    return ok || os_is_folder(path);                      // another process has created it
+    return ok || os_is_folder(path);                      // another process may have created the folder
 }
 
 static int compare_names(const void *a, const void *b)

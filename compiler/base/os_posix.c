@@ -439,7 +439,7 @@ bool os_make_folder(const char *path, const char **why)
     if (os_is_folder(path) || mkdir(path, 0777) == 0)
         return true;
     error = errno;
-    if (os_is_folder(path))                               // another process has created it
+    if (os_is_folder(path))                               // another process has created the folder
         return true;
     *why = strerror(error);
     return false;

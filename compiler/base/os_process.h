@@ -21,8 +21,8 @@ bool os_run_program(const char *const *argv, const char *output, const char *tem
 // A partner: a child process whose standard input and output are connected to this process.  After a partner has died, the next write or
 // read fails; no signal is raised.
 typedef struct OsPartner {
-    int fd;                   // both directions; on Windows, this process writes to it
-    int from;                 // on Windows: this process reads from it
+    int fd;                   // the process's standard input and output; on Windows, only its input: the caller writes to it
+    int from;                 // on Windows: the process's output, which the caller reads
     long pid;
 } OsPartner;
 

@@ -331,7 +331,7 @@ bool os_run_program(const char *const *argv, const char *output, const char *tem
         interrupted = os_signal_waiting() != 0;
     if (interrupted)
         *why = "interrupted";
-    TerminateJobObject(job, 1);                           // processes that outlived it, too
+    TerminateJobObject(job, 1);                           // also ends processes that the program started and that still run
     GetExitCodeProcess(process, &code);
     *exit_code = (int)code;
     CloseHandle(process);

@@ -211,7 +211,7 @@ int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait)
         return receive_from_socket((SOCKET)port, bytes, room, wait);
     if (!set_timeouts(port, wait) || !ReadFile(port, bytes, (DWORD)room, &got, NULL))
         return -1;
-    return got > 0 ? (int)got : ClearCommError(port, &state, NULL) ? 0 : -1;      // some drivers read nothing from a device that is gone
+    return got > 0 ? (int)got : ClearCommError(port, &state, NULL) ? 0 : -1;      // the device may be gone: some drivers then report 0 bytes read instead of an error
 }
 
 void os_serial_close(int fd)

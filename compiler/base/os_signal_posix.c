@@ -70,7 +70,7 @@ void os_signals_begin(void)
     for (int i = 0; i < NUMBERS; i++)
         if (sigaction(numbers[i], NULL, &before[i]) == 0 && before[i].sa_handler == SIG_DFL)
             sigaction(numbers[i], &action, NULL);
-    signal(SIGXFSZ, SIG_IGN);                         // a file above the size limit: write reports it instead
+    signal(SIGXFSZ, SIG_IGN);                         // at the size limit of a file, write then returns an error
 }
 
 void os_signals_end(void)

@@ -7,7 +7,7 @@
 
 enum { EXIT_BY_CONTROL_C = (int)0xC000013A };         // STATUS_CONTROL_C_EXIT, with which the system ends a process
 
-static SRWLOCK lock = SRWLOCK_INIT;                   // guards everything below
+static SRWLOCK lock = SRWLOCK_INIT;                   // protects all variables of this file
 static char *unfinished[OS_UNFINISHED];
 static int waiting, held, begun;
 

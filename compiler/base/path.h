@@ -19,7 +19,8 @@ static inline bool path_is_separator(char c)
 // Returns the name of the file in a path: what follows its last separator, or the path itself.  On Windows a drive, as in C:tank.sm, is
 // not part of the name.
 const char *path_file_name(const char *path);
-// The same with both separators on every system, for names that go into images and generated code: they do not depend on the system.
+// Like path_file_name, but with / and \ as separators on every system.  For names in images and generated code, which must not depend on the
+// system.
 const char *path_portable_name(const char *path);
 bool path_is_absolute(const char *path);
 // Returns the path of the file that `from` names as `name`: relative to the folder of `from`, unless it is absolute.

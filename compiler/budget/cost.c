@@ -18,7 +18,7 @@ typedef struct ImageIns {
     uint32_t at;                  // offset of the instruction in the image
     uint8_t op;
     uint32_t to;                  // target of its jump, in the image; 0: not a jump
-    uint32_t line, units;         // its source line; the cost of this instruction alone
+    uint32_t line, units;         // the source line of the instruction; the cost of this instruction alone
     uint32_t longest_from_here[PATH_KINDS];     // by kind of end: cost of the longest path, this instruction included; 0: there is no path
 } ImageIns;
 
@@ -32,7 +32,7 @@ typedef struct ImageFn {
 typedef struct ImageReader {
     Arena *arena;
     CostUnit unit;
-    uint32_t always;              // the cost of a step besides the functions that it runs
+    uint32_t always;              // the cost of a step besides that of the functions that it runs
     SmvmMachine m;
     Cycles cycles;                // state after the last instruction that was read
     SmvmLines lines;              // the first row of the line table that begins after the instruction being read

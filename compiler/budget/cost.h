@@ -46,7 +46,7 @@ typedef struct Cost {
     CostWindow *window;
     uint32_t window_count;
     uint32_t code;                // bytes of instructions in the image
-    uint32_t functions;           // the elementary functions that it calls: bit n for number n (stdlib/elementary.def)
+    uint32_t functions;           // the elementary functions that the machine calls: bit n for number n (stdlib/elementary.def)
 } Cost;
 
 // Computes the cost of machine `number`, counted from 0, of an image that the verifier has accepted.

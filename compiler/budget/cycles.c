@@ -164,7 +164,7 @@ static uint32_t cycles_of_store(Cycles *c, uint8_t type) { return row_cost(c, (C
 // Returns the cycles of an operation on the registers.
 static uint32_t cycles_of_operation(Cycles *c, uint8_t op)
 {
-    const bool is_binary = op < SMVM_neg;              // from there on, opcodes have the operand X alone
+    const bool is_binary = op < SMVM_neg;              // opcodes from SMVM_neg on have the operand X alone
     const bool is_logic = op == SMVM_and || op == SMVM_or, whole_before = c->x.whole && (!is_binary || c->y.whole);
 
     c->x = is_binary ? reg_of_binary(op, &c->x, &c->y) : reg_of_unary(op, &c->x);

@@ -38,8 +38,8 @@ typedef enum CyclesChip { CYCLES_FLASH, CYCLES_EEPROM } CyclesChip;       // an 
 
 // What is known about a register.
 typedef struct CyclesReg {
-    bool whole;               // it always contains a whole number
-    bool signed_;             // that number may be negative
+    bool whole;               // the value is always a whole number
+    bool signed_;             // this number may be negative
     uint32_t most;            // the largest possible magnitude of that number
 } CyclesReg;
 

@@ -44,15 +44,15 @@ struct Cli {
     size_t files;
     bool given[OPT_COUNT];
     const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
-    VEC(const Source *) scripts;          // the scripts that have been read, and those that they include
+    VEC(const Source *) scripts;          // the scripts that have been read, and the files that they include
     VEC(const char *) data;               // the paths of the files with recorded data that scripts name
-    VEC(const Source *) included;         // those of them that no argument names
+    VEC(const Source *) included;         // the files of `file` and of includes that no argument names
     VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
     Buf bindings;                         // the values of all --bind, one on each line
     Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
-    PlainMessages plain;                  // the other messages printed so far, for the same document
-    Buf message_file;                     // what --message-file will contain, unless that is SARIF
+    PlainMessages plain;                  // messages that are no diagnostics, printed so far; for the same document
+    Buf message_file;                     // content of the file of --message-file, unless that is SARIF
     const char *last_error;               // the last message of cli_print_error; allocated in the session
 };
 
@@ -122,7 +122,7 @@ bool cli_is_standard_output(const Cli *c, OptionId id);         // whether an op
 typedef struct CliFormat {
     const char *name;
     const char *suffix[3];                // endings of file names in this format, such as ".dot"; NULL: end of the list
-    const char *viewer;                   // a program to view it with, if a terminal cannot display it: "a browser"
+    const char *viewer;                   // what to open the format with, if a terminal cannot display it: "a browser"
 } CliFormat;
 // Stores the index in `format` of the format that --format names. Without --format, the suffix of the -o name decides; without both, it is
 // the first format, unless that would be printed on a terminal that cannot display it. Returns false after a message.

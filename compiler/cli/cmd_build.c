@@ -210,22 +210,11 @@ static int check_c_options(Cli *c, CompileEmit emit)
     return EXIT_OK;
 }
 
-// Checks that the inputs, the kind of output and the options are compatible.  Returns EXIT_OK, or EXIT_USAGE after a message.
-static int check_arguments(Cli *c, CompileEmit emit)
+// Checks that all inputs are of one kind, and that smc build accepts this kind.  Returns EXIT_OK, or EXIT_USAGE after a message.
+static int check_kinds(Cli *c, CompileEmit emit, FileKind first)
 {
-    FileKind kind, first = FILE_SM;
-
-    if (c->files == 0)
-        return cli_usage_error(c, TEXT_build_what);
-    if (!cli_check_sources(c, true))
-        return EXIT_USAGE;
-    file_kind(c->file[0], &first);
-    if (is_stage_text(emit))
-        return check_c_options(c, emit);
-    if (first == FILE_APP)
-        return check_app_arguments(c);
     for (size_t i = 0; i < c->files; i++) {
-        kind = FILE_SM;
+        FileKind kind = FILE_SM;
         file_kind(c->file[i], &kind);
         if (kind == FILE_APP)
             return cli_usage_error(c, TEXT_app_built_alone);
@@ -244,20 +233,48 @@ static int check_arguments(Cli *c, CompileEmit emit)
         return cli_usage_error(c, TEXT_requirements_not_built, c->file[0]);
     if (first == FILE_SV && (is_image(emit) || emit == EMIT_IR))
         return cli_usage_error(c, TEXT_vector_alone, emit == EMIT_IR ? "IR" : "bytecode");
+    return EXIT_OK;
+}
+
+// Checks the names of the outputs.  Returns EXIT_OK, or EXIT_USAGE after a message.
+static int check_output_names(Cli *c, CompileEmit emit)
+{
     if (emit == EMIT_BYTECODE && !c->given[OPT_EMIT] && c->given[OPT_OUTPUT] &&
         (has_suffix(c->value[OPT_OUTPUT], ".c") || has_suffix(c->value[OPT_OUTPUT], ".h")))
         return cli_usage_error(c, TEXT_name_for_c, c->value[OPT_OUTPUT]);
-    if (emit == EMIT_C && c->given[OPT_OUTPUT] && !check_c_pair_name(c, c->value[OPT_OUTPUT]))
+    if (emit != EMIT_C)
+        return EXIT_OK;
+    if (c->given[OPT_OUTPUT] && !check_c_pair_name(c, c->value[OPT_OUTPUT]))
         return EXIT_USAGE;
-    for (size_t i = 0; i < c->files && emit == EMIT_C; i++) {
+    for (size_t i = 0; i < c->files; i++) {
         const char *path = output_path(c, c->file[i], ".c");
         if (strpbrk(path_file_name(path), "\"\\"))           // #include "…" could not name its header
             return cli_usage_error(c, TEXT_c_not_includable, path);
     }
-    if (emit == EMIT_C && c->files > 1 && c->given[OPT_OUTPUT] && !is_to_folder(c))
+    if (c->files > 1 && c->given[OPT_OUTPUT] && !is_to_folder(c))
         return cli_usage_error(c, TEXT_several_outputs, c->value[OPT_OUTPUT], c->value[OPT_OUTPUT]);
-    if (emit == EMIT_C && c->files > 1 && c->given[OPT_PREFIX])
+    if (c->files > 1 && c->given[OPT_PREFIX])
         return cli_usage_error(c, TEXT_several_prefixes);
+    return EXIT_OK;
+}
+
+// Checks that the inputs, the kind of output and the options are compatible.  Returns EXIT_OK, or EXIT_USAGE after a message.
+static int check_arguments(Cli *c, CompileEmit emit)
+{
+    FileKind first = FILE_SM;
+    int code;
+
+    if (c->files == 0)
+        return cli_usage_error(c, TEXT_build_what);
+    if (!cli_check_sources(c, true))
+        return EXIT_USAGE;
+    file_kind(c->file[0], &first);
+    if (is_stage_text(emit))
+        return check_c_options(c, emit);
+    if (first == FILE_APP)
+        return check_app_arguments(c);
+    if ((code = check_kinds(c, emit, first)) != EXIT_OK || (code = check_output_names(c, emit)) != EXIT_OK)
+        return code;
     return check_c_options(c, emit);
 }
 

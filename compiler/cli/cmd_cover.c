@@ -144,7 +144,7 @@ static void end_progress(CoverProgress *k)
         cli_print(k->r->c, 2, &out);
 }
 
-static SearchResult *search(CoverRun *r, const CoverSettings *s, const SearchWatch *watch)
+static SearchResult *run_search(CoverRun *r, const CoverSettings *s, const SearchWatch *watch)
 {
     CoverProgress progress = {r, os_seconds(), 0, false};
     const SearchOptions o = {.seed = s->seed, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .delta_t = s->delta_t, .kinds = r->kinds, .given = r->recorded.at, .givens = r->recorded.n,
@@ -267,7 +267,7 @@ static int write_pairs(CoverRun *r, const CoverSettings *s)
     }
     if (!is_open || r->was_interrupted)
         return EXIT_OK;
-    SearchResult *found = search(r, s, &m->watch);
+    SearchResult *found = run_search(r, s, &m->watch);
     for (uint32_t i = 0; i < m->at.n && code == EXIT_OK; i++) {
         const SearchFind *f = &found->find[found->places + i];
         const MustNot *pair = &m->at.at[i];
@@ -309,7 +309,7 @@ static int search_and_write(CoverRun *r, const CoverSettings *s)
     os_signals_begin();
     os_signals_delay();
     if (has_open_goal(r)) {
-        r->result = search(r, s, NULL);
+        r->result = run_search(r, s, NULL);
         code = write_found(r);
         accept_proofs(r);
     }
@@ -329,7 +329,7 @@ static int write_dependencies(CoverRun *r)
     return cli_write_outputs(r->c, &out[1], 1);
 }
 
-static int finish(CoverRun *r, const CoverSettings *s)
+static int write_results(CoverRun *r, const CoverSettings *s)
 {
     const CoverTotals t = cover_count(r);
     Buf out;
@@ -347,7 +347,7 @@ static int finish(CoverRun *r, const CoverSettings *s)
     return r->was_interrupted || t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
 }
 
-static int cover(CoverRun *r, CompileInput *in, size_t given, const CompileOptions *o, const Compiled *made, CoverSettings *s)
+static int cover_machine(CoverRun *r, CompileInput *in, size_t given, const CompileOptions *o, const Compiled *made, CoverSettings *s)
 {
     int code;
 
@@ -360,7 +360,7 @@ static int cover(CoverRun *r, CompileInput *in, size_t given, const CompileOptio
     cover_settle(r->given);
     cover_settle(r->all);
     if ((code = search_and_write(r, s)) == EXIT_OK && (code = write_dependencies(r)) == EXIT_OK)
-        code = finish(r, s);
+        code = write_results(r, s);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();
     return code;
@@ -391,5 +391,5 @@ int cmd_cover(Cli *c)
     if ((code = runs_compile(c, &in, &o, &made)) != EXIT_OK)
         return code;
     r.p = runs_find_machine(&in, &made)->scripted;
-    return cover(&r, &in, given, &o, &made, &settings);
+    return cover_machine(&r, &in, given, &o, &made, &settings);
 }

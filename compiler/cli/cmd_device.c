@@ -114,7 +114,7 @@ static int erase_image(BoardLine *b, Buf *out)
     if (device_erase_image(&b->host, checksum) || (was_in_slot && b->host.answered && b->host.result == SM_E_MISSING)) {
         // SM_E_MISSING: the first answer was lost, and the request that followed found nothing more to erase.
         code = list_images(b, out);
-        if (runs)                        // the board does not stop it: it may be holding a valve, and only the user knows when to stop that
+        if (runs)                        // the board refuses to stop a running machine: only the user knows when it is safe to stop it
             buf_printf(out, "image %s is erased, but it runs until the next start of the board: press its reset button, or switch it off and on\n", word);
         return code;
     }

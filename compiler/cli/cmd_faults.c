@@ -231,10 +231,14 @@ static void run_faults(FaultsRun *r)
     progress_end(&k);
 }
 
-static int judge(const FaultsRun *r)
+static int report_fail_on(const FaultsRun *r)
 {
-    unsigned long n = 0;
+    unsigned long n = 0, failed = 0;
 
+    for (uint32_t i = 0; i < r->f->result.n; i++)
+        failed += r->f->result.at[i].outcome == FAULT_HAS_FAILED;
+    if (failed > 0 && !r->o.requirements)
+        cli_print_note(r->c, TEXT_faults_asserts, failed);
     if (r->f->is_cut)
         cli_print_note(r->c, TEXT_faults_cut, (unsigned long)r->f->runs);
     if (r->is_interrupted)
@@ -276,7 +280,7 @@ static int run_and_report(FaultsRun *r, size_t format)
         code = whatif_write(r->c, &out);
     }
     if (code == EXIT_OK)
-        code = judge(r);
+        code = report_fail_on(r);
     faults_end(r->f);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

@@ -10,7 +10,7 @@ typedef struct Fix {
     Cli *c;
     CompileInput in;
     CompileOptions o;
-    const Source **was;       // by argument: the source as it was read first
+    const Source **was;       // by argument: the source as first read, before any edit
     size_t *fixed;            // by argument: number of findings fixed
 } Fix;
 
@@ -119,7 +119,7 @@ int cmd_fix(Cli *c)
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &f.in)) != EXIT_OK)
         return code;
-    f.in.app = NULL;          // what an application names is fixed in calls of its own
+    f.in.app = NULL;          // files that an application names are fixed by separate calls
     f.was = ARENA_ARRAY(&c->session.arena, const Source *, c->files);
     f.fixed = ARENA_ARRAY(&c->session.arena, size_t, c->files);
     for (size_t i = 0; i < c->files; i++)

@@ -134,7 +134,7 @@ int cmd_log(Cli *c)
     memset(&f, 0, sizeof f);
     f.arena = &c->session.arena;
     f.name = strcmp(c->file[0], "-") == 0 ? "<stdin>" : c->file[0];
-    f.log = log_read(f.arena, (const uint8_t *)bytes, (uint32_t)n);       // refers to the bytes as long as it is used
+    f.log = log_read(f.arena, (const uint8_t *)bytes, (uint32_t)n);       // f.log points into `bytes`, which must live as long
     code = write_flight(c, &f, format);
     os_alloc(NULL, bytes, 0);
     return code;

@@ -198,7 +198,7 @@ static int judge_score(MutateRun *r)
     return EXIT_PROBLEM;
 }
 
-static int mutate(MutateRun *r, uint64_t max_steps, size_t format)
+static int mutate_machine(MutateRun *r, uint64_t max_steps, size_t format)
 {
     uint32_t failing;
     int code;
@@ -282,5 +282,5 @@ int cmd_mutate(Cli *c)
     r.requirements = runs_find_machine(&in, &made)->requirements;
     if ((code = check_scripts(&r, &in, &made)) != EXIT_OK)
         return code;
-    return mutate(&r, max_steps, format);
+    return mutate_machine(&r, max_steps, format);
 }

@@ -59,7 +59,7 @@ static int code_of_verdicts(const ProveResult *r)
     for (uint32_t i = 0; i < r->n; i++)
         if (r->of[i].verdict == PROVE_VIOLATED)
             return EXIT_PROBLEM;
-        else if (r->of[i].verdict == PROVE_UNDECIDED)
+        else if (r->of[i].verdict == PROVE_UNDECIDED || r->of[i].verdict == PROVE_INTERRUPTED)
             code = EXIT_INCONCLUSIVE;
     return code;
 }
@@ -135,7 +135,7 @@ static int run_scripts(Cli *c, const CompileInput *in, const Compiled *made, con
 // The limits of a search and of a proof; 0: the defaults.
 typedef struct ProveSettings { uint64_t effort, memory; } ProveSettings;
 
-static int prove(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, const ProveSettings *s, size_t format)
+static int prove_requirements(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, const ProveSettings *s, size_t format)
 {
     const Program *p = what->program;
     ProveProgress progress = {c, what};
@@ -201,5 +201,5 @@ int cmd_prove(Cli *c)
     what = requirements_without_scripts(c, &in, runs_find_machine(&in, &made));
     if ((code = run_scripts(c, &in, &made, what->program, &given)) != EXIT_OK)
         return code;
-    return prove(c, what, &given, &o, &settings, format);
+    return prove_requirements(c, what, &given, &o, &settings, format);
 }

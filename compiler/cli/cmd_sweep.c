@@ -35,7 +35,7 @@ static const char *number_text(const SweepRun *r, double x)
     return buf_text(&b);
 }
 
-// Writes the points of a line, those in a row with the same result as one.
+// Writes the points of a line.  Successive points with the same result are written as one range.
 static void write_line(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepLine *l = &r->s->line[axis];
@@ -119,7 +119,7 @@ static void write_text(const SweepRun *r, Buf *out)
 
 // ---- CSV and JSON ----
 
-// Calls f for each point: those of the map, or of the only line.
+// Calls f for each point of the map of two parameters, or of the line of the only parameter.
 static void each_point(const SweepRun *r, void (*f)(const SweepRun *r, const SweepPoint *p, Buf *out), Buf *out)
 {
     const uint32_t n = r->o.axes == 2 ? r->s->point.n : r->s->line[0].at.n;

@@ -15,7 +15,7 @@ static const CliFormat formats[] = {{"text", {NULL, NULL, NULL}, NULL}, {"json",
 typedef struct WhyCommand {
     Cli *c;
     Arena *arena;
-    const Program *p;         // the machine or the application, as its scripts see it
+    const Program *p;         // the machine or the application in the form that its scripts run
     const Script *script;
     const Requirements *requirements;
     const char *to, *of, *unit;       // the words of the question; NULL: none
@@ -173,7 +173,7 @@ static const char *list_machines(const WhyCommand *y)
 }
 
 // Whether the machine is meant by the question: it has the state, or assigns the variable.  An input belongs to the first one that has it.
-static bool is_meant(const WhyCommand *y, size_t machine)
+static bool can_answer_for(const WhyCommand *y, size_t machine)
 {
     const Var *v = find_variable(y, machine);
 
@@ -263,7 +263,7 @@ static int choose_machine(WhyCommand *y)
     if (word && !y->p->joint)
         return cli_usage_error(y->c, TEXT_why_machine_of_app);
     for (size_t i = 0; i < machine_count(y); i++)
-        if (word ? strcmp(word, machine_name(y, i)) == 0 : machine_count(y) == 1 || is_meant(y, i)) {
+        if (word ? strcmp(word, machine_name(y, i)) == 0 : machine_count(y) == 1 || can_answer_for(y, i)) {
             found = i;
             n++;
         }
@@ -292,7 +292,7 @@ static int find_names(WhyCommand *y)
 // ---- the command ----
 
 // Compiles the machine and the script.  EXIT_OK, or the exit code after messages.
-static int compile(WhyCommand *y)
+static int compile_machine_and_script(WhyCommand *y)
 {
     Cli *c = y->c;
     CompileInput in;
@@ -338,7 +338,7 @@ static int report_status(WhyCommand *y, const WhyAnswer *a)
     return EXIT_PROBLEM;
 }
 
-static int answer(WhyCommand *y, size_t format)
+static int write_answer(WhyCommand *y, size_t format)
 {
     WhyAnswer a;
     Buf out;
@@ -366,9 +366,9 @@ int cmd_why(Cli *c)
 
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format))
         return EXIT_USAGE;
-    if ((code = read_arguments(&y)) != EXIT_OK || (code = read_options(&y)) != EXIT_OK || (code = compile(&y)) != EXIT_OK ||
+    if ((code = read_arguments(&y)) != EXIT_OK || (code = read_options(&y)) != EXIT_OK || (code = compile_machine_and_script(&y)) != EXIT_OK ||
         (code = settings_read(c, y.p, &y.setting)) != EXIT_OK || (code = read_time(&y)) != EXIT_OK || (code = choose_machine(&y)) != EXIT_OK ||
         (code = find_names(&y)) != EXIT_OK)
         return code;
-    return answer(&y, format);
+    return write_answer(&y, format);
 }

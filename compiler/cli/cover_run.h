@@ -16,7 +16,7 @@ typedef struct OldScript {
     const char *path;
     const Source *src;
     enum { OLD_EDITED, OLD_VALID, OLD_STALE } verdict;
-    const char *why;          // STALE: "it fails", or another reason, as a phrase
+    const char *why;          // STALE: why the script is not used, as a phrase: "it fails"
     bool is_replaced;         // STALE: a new script has its name
 } OldScript;
 
@@ -28,7 +28,7 @@ typedef struct NewScript {
 } NewScript;
 
 // A pair of states without a transition.
-typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;       // path: the script that shows it; NULL: none
+typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;       // path: the script that makes the forbidden transition; NULL: none
 
 typedef struct CoverRun {
     Cli *c;
@@ -41,13 +41,13 @@ typedef struct CoverRun {
     GoalTexts *text;
     unsigned kinds;           // 1u << CoverKind of each kind that has goals
     VEC(const Script *) script;       // the given ones
-    VEC(Scenario) recorded;           // their runs, as far as they are scenarios
+    VEC(Scenario) recorded;           // the runs of the given scripts, as far as scenarios can express them
     VEC(OldScript) old;
     VEC(NewScript) new_one;
     VEC(CoverPair) pair;
     const char **name;        // the names in the folder; `names` of them
     size_t names;
-    const SearchResult *result;       // NULL: nothing had to be searched
+    const SearchResult *result;       // the result of the search; NULL: there was nothing to search
     bool was_interrupted;
 } CoverRun;
 
@@ -55,7 +55,7 @@ typedef struct CoverRun {
 
 // Creates the folder, lists it, and reads the scripts that smc has written for this machine.  Adds them to the sources.
 int cover_read_folder(CoverRun *r, CompileInput *in);
-// Runs them.  Those that pass and reach their goals count in r->all; the edited ones also in r->given.
+// Runs the scripts that cover_read_folder has read.  Scripts that pass and reach their goals count in r->all; edited ones also in r->given.
 int cover_run_folder(CoverRun *r);
 // Returns the path for a new script: STEM.ss, or with a number if a file has this name that is not stale.
 const char *cover_new_path(CoverRun *r, const char *stem);

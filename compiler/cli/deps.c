@@ -54,7 +54,7 @@ void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 
     buf_init(out, &c->session.arena);
     if (c->given[OPT_DEPS_NAME])
-        buf_str(out, c->value[OPT_DEPS_NAME]);             // verbatim, as compilers do: it can be several names
+        buf_str(out, c->value[OPT_DEPS_NAME]);             // as compilers do, without escaping: it can be several names
     else
         for (size_t i = 0; i < *n; i++) {
             buf_str(out, i ? " " : "");

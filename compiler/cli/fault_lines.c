@@ -184,7 +184,7 @@ int fault_lines_write_scripts(FaultLines *l)
             out[n++] = (OsOutput){l->at.at[i].script, l->at.at[i].text, strlen(l->at.at[i].text)};
     }
     code = outputs_check(l->c, out, n);
-    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // one by one: their number has no limit
+    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // parsed one at a time: a list can have any number
         code = cli_write_outputs(l->c, &out[i], 1);
     return code;
 }

@@ -11,8 +11,8 @@
 typedef struct FaultLine {
     const FaultResult *r;     // the result of the first run of this line
     uint32_t others;          // how many other triggers have the same outcome
-    const char *script;       // the file that reproduces it; NULL: none
-    const char *text;         // its contents
+    const char *script;       // the file that reproduces the fault; NULL: none
+    const char *text;         // the contents of the file
 } FaultLine;
 
 typedef struct FaultLines {

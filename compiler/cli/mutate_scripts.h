@@ -12,7 +12,7 @@ void mutate_show_progress(const Mutation *u, ProgressLine *k);
 
 typedef struct MutateScripts {
     const char **by_mutant;   // by index in mutation_list: the script that fails on the mutant; NULL: none
-    unsigned long scripts, shown;     // how many there are; how many mutants they show
+    unsigned long scripts, shown;     // number of scripts written; number of mutants that they show
 } MutateScripts;
 
 // Writes the scripts of all mutants for which inputs were found into a folder, which is created.  A script that also fails on later mutants is

@@ -184,7 +184,7 @@ static bool is_table(const Head *h, const char *first, const char *kinds)
         if (*at++ != ',' || !read_csv_field(&at, lf, &field, &n) || !is_name(field, n))
             return false;
         else
-            at -= at < lf;                                         // its comma begins the next column
+            at -= at < lf;                                         // a comma belongs to the column after it
     for (at = lf + 1; at < end && (lf = memchr(at, '\n', (size_t)(end - at))) != NULL; at = lf + 1)
         for (size_t i = 0; i < columns; i++) {
             const char kind = i < strlen(kinds) ? kinds[i] : '#';
@@ -350,7 +350,7 @@ static bool is_message_text(const Head *h)
 
 // Every kind of file that smc writes through an option, and how to recognise it.
 static const struct {
-    const char *mark;                     // what the file begins with, as matches_pattern reads it; or NULL
+    const char *mark;                     // how a file that smc has written begins, as matches_pattern reads it; or NULL
     bool (*is_written_by_smc)(const Head *h);
 } kinds[] = {
     {NULL, is_image},                                                     // build, sign, set

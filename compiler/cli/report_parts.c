@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 
+#include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
 #include "compiler/cli/fault_lines.h"
 #include "compiler/cli/mutate_scripts.h"
@@ -13,6 +14,27 @@
 
 enum { SWEEP_POINTS = 21 };   // values of each parameter, before the search for boundaries
 
+enum { QUICK_EFFORT = 2000000 };      // steps of a first search for a violation, if the time is limited
+
+// When the parts stop: at a signal, and at the end of the time that the user has given.  Each part may take its share of the time that is left.
+typedef struct PartsClock {
+    double end, part_end;         // in seconds; 0: no limit
+    uint32_t parts;               // parts that are still to run
+} PartsClock;
+
+static void begin_part(PartsClock *k)
+{
+    const double now = os_seconds();
+
+    k->part_end = k->end > 0 ? now + (k->end - now) / k->parts : 0;
+    k->parts--;
+}
+
+static bool may_go_on(const PartsClock *k)
+{
+    return !os_signal_waiting() && (k->part_end == 0 || os_seconds() < k->part_end);
+}
+
 void report_parts_choose(Cli *c)
 {
     static const OptionId part[] = {OPT_PROVE, OPT_MUTATE, OPT_FAULTS, OPT_SWEEP};
@@ -21,6 +43,9 @@ void report_parts_choose(Cli *c)
         c->given[part[i]] = c->given[part[i]] || c->given[OPT_ALL];
     c->given[OPT_FAULTS] = c->given[OPT_FAULTS] || c->given[OPT_SCRIPTS] || c->given[OPT_PAIRS];
 }
+
+// Notes a part that was not completed.
+static void add_unfinished(Report *r, const char *part) { vec_push(r->arena, &r->unfinished, part); }
 
 // Returns the scripts of the runs.  Sets *why to a phrase if a script has failed or the report has no script; otherwise to NULL.
 static const Script **list_scripts(Cli *c, const Report *r, const char **why)
@@ -38,7 +63,9 @@ static const Script **list_scripts(Cli *c, const Report *r, const char **why)
 
 // ---- proofs ----
 
-typedef struct ProofProgress { ProgressLine line; const Requirements *what; } ProofProgress;
+typedef struct ProofProgress { ProgressLine line; const Requirements *what; const PartsClock *clock; } ProofProgress;
+
+static bool proofs_may_go_on(void *context) { return may_go_on(((ProofProgress *)context)->clock); }
 
 static void show_proofs(void *context, uint32_t done)
 {
@@ -49,7 +76,7 @@ static void show_proofs(void *context, uint32_t done)
                                           (unsigned long)k->what->at.n, done < k->what->at.n ? k->what->at.at[done].id->text : ""));
 }
 
-// Records the scripts as starting points of the searches.  What they report is dropped: the report has run them before.
+// Records the runs of the scripts, as starting points of searches.  Drops their diagnostics, because the report has already run the scripts.
 static void record_scripts(Cli *c, const Report *r, ProveOptions *o)
 {
     ProveGiven *given = ARENA_ARRAY(&c->session.arena, ProveGiven, r->runs + 1);
@@ -63,12 +90,28 @@ static void record_scripts(Cli *c, const Report *r, ProveOptions *o)
     o->given = given;
 }
 
-// Decides the requirements.  EXIT_PROBLEM if two of them contradict each other, which is printed.
-static int run_proofs(Cli *c, Report *r, const CompileOptions *o)
+// Decides all requirements with a small effort, then the others with the usual one: so a limited time is not spent on the first of them.
+static const ProveResult *run_in_two_passes(Report *r, ProveOptions *o)
 {
-    ProofProgress k = {{c, 0, false}, r->requirements};
-    ProveOptions options = {.delta_t = o->step, .progress = show_proofs, .context = &k};
+    ProveResult *first, *second;
+
+    o->effort = QUICK_EFFORT;
+    first = prove_run(r->arena, r->requirements, o);
+    o->effort = 0;
+    second = prove_run(r->arena, r->requirements, o);
+    for (uint32_t i = 0; i < first->n; i++)
+        if (second->of[i].verdict == PROVE_INTERRUPTED)
+            second->of[i] = first->of[i];
+    return second;
+}
+
+// Decides the requirements.  EXIT_PROBLEM if two of them contradict each other, which is printed.
+static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClock *clock)
+{
+    ProofProgress k = {{c, 0, false}, r->requirements, clock};
+    ProveOptions options = {.delta_t = o->step, .progress = show_proofs, .go_on = proofs_may_go_on, .context = &k};
     const Requirement *first, *second;
+    unsigned long interrupted = 0;
 
     if (!r->requirements)
         return EXIT_OK;
@@ -79,17 +122,22 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o)
         return EXIT_PROBLEM;
     }
     record_scripts(c, r, &options);
-    r->proofs = prove_run(&c->session.arena, r->requirements, &options);
+    r->proofs = clock->part_end > 0 ? run_in_two_passes(r, &options) : prove_run(r->arena, r->requirements, &options);
     progress_end(&k.line);
+    for (uint32_t i = 0; i < r->proofs->n; i++)
+        interrupted += r->proofs->of[i].verdict == PROVE_INTERRUPTED;
+    if (interrupted)
+        add_unfinished(r, format_in(r->arena, "proofs of %lu of %lu requirements", interrupted, (unsigned long)r->proofs->n));
     return EXIT_OK;
 }
 
 // ---- changes of the machine ----
 
-static void run_mutants(Cli *c, Report *r, const Program *p)
+static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *clock)
 {
     const Script **script = list_scripts(c, r, &r->not_mutated);
     ProgressLine k = {c, 0, false};
+    bool goes_on;
     Mutation *u;
 
     if (r->not_mutated) {
@@ -98,11 +146,13 @@ static void run_mutants(Cli *c, Report *r, const Program *p)
         return;
     }
     u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
-    while (mutation_run_next(u))
+    while ((goes_on = may_go_on(clock)) && mutation_run_next(u))
         mutate_show_progress(u, &k);
-    while (mutation_search_next(u, MUTATE_SEARCH_STEPS))
+    while (goes_on && (goes_on = may_go_on(clock)) && mutation_search_next(u, MUTATE_SEARCH_STEPS))
         mutate_show_progress(u, &k);
     progress_end(&k);
+    if (!goes_on)
+        add_unfinished(r, "changes that no script notices");
     mutation_end(u);
     r->mutation = u;
 }
@@ -222,13 +272,14 @@ static void fill_faults(Arena *arena, const FaultLines *l, ReportFaults *out)
     out->is_cut = f->is_cut;
 }
 
-static int run_faults(Cli *c, Report *r, const Program *p)
+static int run_faults(Cli *c, Report *r, const Program *p, const PartsClock *clock)
 {
     FaultOptions o = {.pairs = c->given[OPT_PAIRS], .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements};
     ReportFaults *out = ARENA_NEW(&c->session.arena, ReportFaults);
     const Script **script = list_scripts(c, r, &out->not_run);
     FaultLines l = {.c = c, .p = p};
     ProgressLine k = {c, 0, false};
+    bool goes_on;
     int code;
 
     r->faults = out;
@@ -240,12 +291,15 @@ static int run_faults(Cli *c, Report *r, const Program *p)
     }
     fault_lines_set_defaults(&o);
     l.f = faults_new(&c->session.arena, p, script, (uint32_t)r->runs, &o);
-    while (faults_run_next(l.f))
+    while ((goes_on = may_go_on(clock)) && faults_run_next(l.f))
         fault_lines_show_progress(l.f, &k);
     progress_end(&k);
+    if (!goes_on)
+        add_unfinished(r, "faults of sensors");
     fault_lines_collect(&l, false);
     code = fault_lines_write_scripts(&l);
     fill_faults(&c->session.arena, &l, out);
+    out->is_cut |= !goes_on;
     out->has_scripts = l.scripts > 0;
     faults_end(l.f);
     return code;
@@ -321,12 +375,13 @@ static ReportSweepOf fill_sweep(Arena *arena, const Sweep *s)
 }
 
 // Sweeps each parameter over its range.
-static void run_sweeps(Cli *c, Report *r, const Program *p)
+static void run_sweeps(Cli *c, Report *r, const Program *p, const PartsClock *clock)
 {
     Arena *arena = &c->session.arena;
     ReportSweep *out = ARENA_NEW(arena, ReportSweep);
     const Script **script = list_scripts(c, r, &out->not_run);
     ProgressLine k = {c, 0, false};
+    bool goes_on = true;
 
     r->sweep = out;
     if (out->not_run) {
@@ -336,30 +391,48 @@ static void run_sweeps(Cli *c, Report *r, const Program *p)
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
         Sweep *s;
+        if (!(goes_on = may_go_on(clock)))
+            break;
         if (v->kind != VAR_LOCAL || !v->parameter || !(v->parameter->lo < v->parameter->hi))
             continue;
         s = sweep_new(arena, p, script, (uint32_t)r->runs, &(SweepOptions){.axis = {{.parameter = v, .lo = v->parameter->lo, .hi = v->parameter->hi, .n = SWEEP_POINTS}},
                                                                            .axes = 1, .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements});
-        while (sweep_run_next(s))
+        while ((goes_on = may_go_on(clock)) && sweep_run_next(s))
             if (progress_is_due(&k))
                 progress_show(&k, format_in(arena, "sweep of '%.40s': %lu runs", v->name->text, (unsigned long)s->runs));
-        vec_push(arena, &out->of, fill_sweep(arena, s));
+        if (goes_on)
+            vec_push(arena, &out->of, fill_sweep(arena, s));
         sweep_end(s);
     }
     progress_end(&k);
+    if (!goes_on)
+        add_unfinished(r, "margins of parameters");
 }
 
-int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *o)
+int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *o, double seconds)
 {
-    int code;
+    static const OptionId part[] = {OPT_PROVE, OPT_MUTATE, OPT_FAULTS, OPT_SWEEP};
+    PartsClock clock = {seconds > 0 ? os_seconds() + seconds : 0, 0, 0};
+    int code = EXIT_OK;
 
-    if (c->given[OPT_PROVE] && (code = run_proofs(c, r, o)) != EXIT_OK)
-        return code;
-    if (c->given[OPT_FAULTS] && (code = run_faults(c, r, p)) != EXIT_OK)
-        return code;
-    if (c->given[OPT_SWEEP])
-        run_sweeps(c, r, p);
-    if (c->given[OPT_MUTATE])
-        run_mutants(c, r, p);
-    return EXIT_OK;
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++)
+        clock.parts += c->given[part[i]];
+    // Those that are done soon come first, and leave their time to the others.
+    if (c->given[OPT_SWEEP]) {
+        begin_part(&clock);
+        run_sweeps(c, r, p, &clock);
+    }
+    if (c->given[OPT_MUTATE]) {
+        begin_part(&clock);
+        run_mutants(c, r, p, &clock);
+    }
+    if (c->given[OPT_FAULTS]) {
+        begin_part(&clock);
+        code = run_faults(c, r, p, &clock);
+    }
+    if (c->given[OPT_PROVE] && code == EXIT_OK) {
+        begin_part(&clock);
+        code = run_proofs(c, r, o, &clock);
+    }
+    return code;
 }

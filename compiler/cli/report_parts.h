@@ -10,7 +10,8 @@
 // Replaces --all by the options of all parts, and lets --scripts and --pairs imply --faults.
 void report_parts_choose(Cli *c);
 // Runs the requested parts on the scripts of r, which have run.  p: the machine as its scripts run it.  A part that cannot run is not an error: the
-// page and a note say why.  EXIT_OK, or the exit code after a message.
-int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *o);
+// page and a note say why.  One that a signal or the end of `seconds` (0: no limit) stops is in r->unfinished, and the page has what was found until
+// then.  EXIT_OK, or the exit code after a message.
+int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *o, double seconds);
 
 #endif

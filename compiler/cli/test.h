@@ -24,15 +24,15 @@ typedef struct TestResult {
     int code;                 // the exit code of the command that this result requires
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
-    const char *seed;         // of its random numbers; "" or NULL: it draws no random numbers
-    const char *requirements; // the requirements that it has tested, with spaces between them; "" or NULL: none
+    const char *seed;         // the seed of its random numbers; "" or NULL: it draws none
+    const char *requirements; // the ids of the requirements that it has tested, separated by spaces; "" or NULL: none
 } TestResult;
 
 // The result of a requirement in all scripts of the call.
 typedef struct TestRequirement {
     const Requirement *what;
     RequirementTotal total;
-    const char *implemented;  // where the machine has it as a mark: "tank.sm:7, tank.sm:12"; ""
+    const char *implemented;  // where the machine is marked with @req of this requirement: "tank.sm:7, tank.sm:12"; ""
     const char *judged;       // where it was judged and how often: "a.ss: 101, b.ss: 7"; ""
     const char *asserts;      // the asserts of scripts that test it and were evaluated: "a.ss:12"; ""
 } TestRequirement;
@@ -42,14 +42,14 @@ typedef struct TestRun {      // one call of smc test
     Arena *arena;
     unsigned engines;         // bits requested; 0: as each case specifies, or vm
     unsigned absent;          // engines that were requested but not available
-    const char *why_absent;   // why they are not available, as a sentence
-    bool c_was_tried, c_runs; // whether the C compiler runs, once it has been tried
+    const char *why_absent;   // why the results are not available, as a sentence
+    bool c_was_tried, c_runs; // c_was_tried: the C compiler has been tried; c_runs: it works
     int code;                 // an exit code that no single result causes: -Werror makes a warning about requirements an error
     size_t left_out;          // runs on absent engines that were omitted from cases
     uint64_t max_steps;
     uint64_t seed;            // the value of --seed
     VEC(const char *) path;   // .smt cases to run, in order
-    VEC(const Script *) script;               // those that ran
+    VEC(const Script *) script;               // the scripts that ran
     VEC(TestResult) result;
     VEC(TestRequirement) requirement;         // in the order of their files
     const char *traceability; // the line that sums up --traceability; NULL: none

@@ -12,7 +12,7 @@ struct TestCoverage {
     const Program *p;
 };
 
-typedef struct Demand { bool is_set; double percent; } Demand;       // of one kind, by --min-coverage
+typedef struct Demand { bool is_set; double percent; } Demand;       // what --min-coverage demands of a kind of places
 
 // The kinds of --min-coverage: those of coverage by their numbers, and requirements, which test_traceability.c judges.
 enum { DEMAND_REQUIREMENTS = COVER_KIND_COUNT, DEMANDS };
@@ -73,7 +73,7 @@ int test_coverage_check_options(Cli *c)
     return EXIT_OK;
 }
 
-// Whether a total is below what is demanded.  A machine without places of a kind has covered them.
+// Whether a total is below the demanded percentage.  A machine without places of a kind meets any demand.
 static bool is_too_low(CoverTotal t, Demand d)
 {
     return d.is_set && 100.0 * t.covered < d.percent * t.possible;

@@ -20,8 +20,8 @@ typedef struct MachineTest {
     Buf report;               // report of the last script: what it printed, and then the final values
     size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
-    TestCoverage *coverage;   // what --coverage measures; or NULL
-    Traceability *matrix;     // what --traceability writes; or NULL
+    TestCoverage *coverage;   // results of --coverage; or NULL
+    Traceability *matrix;     // results of --traceability; or NULL
 } MachineTest;
 
 // Returns a script's name in results: standard input has the name that diagnostics use.
@@ -42,7 +42,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
     for (size_t i = 0; i < c->files; i++)
         if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
-            m->begin = os_seconds();          // the time spent so far counts only for the first script
+            m->begin = os_seconds();          // the time before the first script counts for the first script only
         }
 }
 
@@ -67,7 +67,7 @@ static int exit_code_of(ScriptOutcome o)
     switch (o) {
     case SCRIPT_PASSED: return EXIT_OK;
     case SCRIPT_FAILED: case SCRIPT_ENDLESS: case SCRIPT_TIME_OVERFLOW: case SCRIPT_NO_DATA: return EXIT_PROBLEM;
-    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: case SCRIPT_CANCELLED: return EXIT_INTERNAL;      // this command cancels no run
+    case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: case SCRIPT_CANCELLED: return EXIT_INTERNAL;      // smc test cancels no run
     }
     return EXIT_INTERNAL;
 }

@@ -9,7 +9,7 @@ enum { BLOCK = 1 << 16, NEAR_MOST = 3 };      // bytes buffered before a write; 
 struct TestTrace {
     Cli *c;
     const Program *p;
-    const Requirements *requirements;     // those that the scripts judge; or NULL
+    const Requirements *requirements;     // the requirements that the scripts judge; or NULL
     const Var **column;
     size_t columns;
     bool is_exact;

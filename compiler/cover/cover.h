@@ -17,19 +17,10 @@
 #include "compiler/script/engine.h"
 #include "compiler/sema/program.h"
 
-// The kinds of places: constant, its name in options and files, sentence.  A new kind is a row here, and code in plan.c that adds its places.
-#define COVER_KINDS(KIND) \
-    KIND(TRANSITION, "transitions", "each transition was taken; one of [all_states] from each state") \
-    KIND(STATEMENT,  "statements",  "each statement was executed") \
-    KIND(GUARD,      "guards",      "each guard, and each other decision, was true and was false") \
-    KIND(CONDITION,  "conditions",  "each condition was true and was false while it decided") \
-    KIND(WINDOW,     "windows",     "each window was full while what reads it decided") \
-    KIND(STATE,      "states",      "each state was entered, and left if it can be left") \
-    KIND(PARAMETER,  "parameters",  "each parameter had its default, and both ends of its range, in some run")
-
+// The kinds of places.
 typedef enum CoverKind {
 #define KIND(constant, name, sentence) COVER_##constant,
-    COVER_KINDS(KIND)
+#include "compiler/cover/cover_kinds.def"
 #undef KIND
     COVER_KIND_COUNT
 } CoverKind;
@@ -60,7 +51,7 @@ typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // n pl
 typedef struct Cover {
     Arena *arena;
     const Program *p;
-    uint64_t identity;        // of the machine and its state vector, as texts
+    uint64_t identity;        // a hash of the sources of the machine and its state vector
     CoverPlaces place;        // at[0] is no place, so that the number 0 means none
     uint64_t *hits;           // by place: how often, or of conditions and windows at least once
     const IrMachine *m;       // the machine before any pass
@@ -100,7 +91,7 @@ typedef struct CoverGap {
     Span span;
     uint32_t place;
     const char *text;         // "`pressure > 400` was never false while it decided"
-    bool is_impossible;       // then the text has the reason
+    bool is_impossible;       // no run can cover the place, and `text` has the reason
 } CoverGap;
 typedef VEC(CoverGap) CoverGaps;
 

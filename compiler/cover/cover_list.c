@@ -104,7 +104,7 @@ static bool is_listed_with_earlier(const Cover *c, uint32_t i, unsigned kinds)
     return false;
 }
 
-// The condition of a decision that is one condition, whose outcomes are those of the decision.
+// Whether place i is a condition that is its whole decision, and the list has the places of that decision: their outcomes are the same.
 static bool repeats_guard(const Cover *c, uint32_t i, unsigned kinds)
 {
     const CoverPlace *p = &c->place.at[i];

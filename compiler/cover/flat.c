@@ -297,7 +297,7 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
 
 // ---- counting a decision ----
 
-static void count(FlatMachine *f, uint32_t counter) { f->fresh += f->hits[counter]++ == 0; }
+static void count_hit(FlatMachine *f, uint32_t counter) { f->fresh += f->hits[counter]++ == 0; }
 
 static bool is_full(const FlatMachine *f, const void *run, uint32_t window)
 {
@@ -341,10 +341,10 @@ static void count_conditions(FlatMachine *f, const void *run, const FlatDecision
     for (uint32_t n = 0; n < d->nodes; n++)
         if (d->node[n].kind == NODE_CONDITION && decides[n]) {
             const uint32_t c = d->node[n].a;
-            count(f, d->hit + 2 + 2 * c + !condition[c]);
+            count_hit(f, d->hit + 2 + 2 * c + !condition[c]);
             for (uint32_t w = 0; w < d->fulls; w++)
                 if (d->full[w].condition == c && is_full(f, run, d->full[w].window))
-                    count(f, d->full[w].hit);
+                    count_hit(f, d->full[w].hit);
         }
 }
 
@@ -356,7 +356,7 @@ static void count_decision(FlatMachine *f, const void *run, uint32_t number)
     FlatSeen *seen = &f->seen[number];
     uint64_t bits = 0;
 
-    count(f, d->hit + !(f->frame[f->value_at[number]] != 0));
+    count_hit(f, d->hit + !(f->frame[f->value_at[number]] != 0));
     if (d->conditions + d->fulls <= SEEN_BITS) {
         for (uint32_t c = 0; c < d->conditions; c++)
             bits = bits << 1 | (f->frame[at[c]] != 0);
@@ -419,13 +419,13 @@ static uint32_t run_function(FlatMachine *f, void *run, uint32_t begin)
         case OP_BRANCH: o = f->op + (frame[o->a] != 0 ? o->to : o->b) - 1; break;
         case OP_GOTO: f->taken = o->a; return o->to;
         case OP_END: return 0;
-        case OP_COUNT: count(f, o->to); break;
-        case OP_RESULT: count(f, o->to + !(frame[o->a] != 0)); break;
+        case OP_COUNT: count_hit(f, o->to); break;
+        case OP_RESULT: count_hit(f, o->to + !(frame[o->a] != 0)); break;
         case OP_DECIDE: count_decision(f, run, o->a); break;
         case OP_WATCH: f->watch(f->watcher, o->a); break;
         case OP_FULL:
             if (is_full(f, run, o->a))
-                count(f, o->to);
+                count_hit(f, o->to);
             break;
         default: frame[o->to] = ir_eval((IrOp)o->op, (SmType)o->type, frame[o->a], frame[o->b]);
         }
@@ -440,7 +440,7 @@ static void store_cell(FlatMachine *f, void *run, uint32_t var, uint64_t cell)
 static void count_state(FlatMachine *f, const uint32_t *counter, uint32_t state)
 {
     if (f->probes && counter[state - 1])
-        count(f, counter[state - 1]);
+        count_hit(f, counter[state - 1]);
 }
 
 // Runs the blocks of a state.  Returns the number of the next state, or 0 without a transition.

@@ -3,6 +3,8 @@
 #ifndef SMC_MUTANT_H
 #define SMC_MUTANT_H
 
+#include "compiler/cover/mutant_runs.h"
+#include "compiler/cover/mutant_search.h"
 #include "compiler/cover/mutate.h"
 
 // What one copy of a mutant changes, and to what.
@@ -17,6 +19,32 @@ struct MutantEdit {
     State *target;            // TARGET
     const MutantEdit *next;
 };
+
+// The work on all mutants of a machine.
+struct Mutation {
+    Arena *arena, work;       // `work` is emptied before every mutant
+    const Program *p;
+    MutantRuns *runs;
+    uint64_t step;            // mutant_step
+    uint32_t scripts;
+    VEC(Mutant) mutant;
+    uint32_t next, next_search;       // the next mutant to run; to search for
+    MutantSearch *search;     // NULL: not needed yet
+    const State **start;      // in which scenarios begin, `starts` of them
+    uint32_t starts;
+    const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
+    uint64_t *initial;        // by Var.index: the initial value as it was
+    // The current place, while mutants are listed:
+    const State *state;
+    Stmt *stmt;               // NULL: none
+    MutantDanger danger;
+    MutantDanger *of_local, *of_window;       // by Var.index, by window: the most dangerous use of its value
+};
+
+// ---- mutate_list.c ----
+
+// Lists all mutants, in the order of the source.
+void mutation_list_all(Mutation *u);
 
 // ---- mutant_initial.c ----
 

@@ -26,7 +26,7 @@ typedef struct Probe {
 
 // ---- expressions ----
 
-static Expr *make(Arena *a, ExprKind kind, SmOperator op, uint32_t n)
+static Expr *make_expr(Arena *a, ExprKind kind, SmOperator op, uint32_t n)
 {
     Expr *e = arena_alloc(a, sizeof *e + n * (sizeof(Expr *) + sizeof(SmOperator)));
 
@@ -38,7 +38,7 @@ static Expr *make(Arena *a, ExprKind kind, SmOperator op, uint32_t n)
 
 static Expr *make_unary(Arena *a, SmOperator op, const Expr *x)
 {
-    Expr *e = make(a, EX_UNARY, op, 1);
+    Expr *e = make_expr(a, EX_UNARY, op, 1);
 
     e->arg[0] = (Expr *)x;
     return e;
@@ -46,7 +46,7 @@ static Expr *make_unary(Arena *a, SmOperator op, const Expr *x)
 
 static Expr *make_binary(Arena *a, SmOperator op, const Expr *x, const Expr *y)
 {
-    Expr *e = make(a, EX_BINARY, op, 2);
+    Expr *e = make_expr(a, EX_BINARY, op, 2);
 
     e->arg[0] = (Expr *)x;
     e->arg[1] = (Expr *)y;
@@ -55,7 +55,7 @@ static Expr *make_binary(Arena *a, SmOperator op, const Expr *x, const Expr *y)
 
 static Expr *make_number(Arena *a, double x)
 {
-    Expr *e = make(a, EX_NUMBER, SM_OP_COUNT, 0);
+    Expr *e = make_expr(a, EX_NUMBER, SM_OP_COUNT, 0);
 
     e->number = x;
     return e;
@@ -63,7 +63,7 @@ static Expr *make_number(Arena *a, double x)
 
 static Expr *make_variable(Arena *a, Var *v)
 {
-    Expr *e = make(a, EX_VAR, SM_OP_COUNT, 0);
+    Expr *e = make_expr(a, EX_VAR, SM_OP_COUNT, 0);
 
     e->var = v;
     return e;
@@ -87,7 +87,7 @@ static void apply_edit(const Probe *k, const Expr *original, Expr *e)
 // Returns a copy of e with the edits of the mutant.
 static Expr *copy_with_edits(const Probe *k, const Expr *e)
 {
-    Expr *copy = make(k->arena, e->kind, e->op, e->n);
+    Expr *copy = make_expr(k->arena, e->kind, e->op, e->n);
 
     *copy = *e;
     for (uint32_t i = 0; i < e->n; i++)
@@ -118,7 +118,8 @@ static void add_condition(Probe *k, const Expr *e)
         k->is_full = true;
 }
 
-// Splits a chain: returns the comparison that contains the change, and adds the others as conditions.  Returns e itself if two of them do.
+// Splits a chain of comparisons such as a < b < c: returns the one that contains the change, and adds the others as conditions.  Returns e itself
+// if two of them contain it.
 static const Expr *split_chain(Probe *k, const Expr *e, const MutantEdit *d, const Expr **new)
 {
     const Expr *copy = copy_with_edits(k, e);
@@ -246,7 +247,7 @@ static bool is_time_comparison(const Program *p, const Expr *e)
         && expr_is_constant(e->arg[1]);
 }
 
-static bool compare(SmOperator op, double a, double b)
+static bool compare_numbers(SmOperator op, double a, double b)
 {
     switch ((int)op) {
     case SM_OP_EQ: return a == b;
@@ -260,7 +261,7 @@ static bool compare(SmOperator op, double a, double b)
 
 // Whether two comparisons of T with constants have the same result for every multiple of the step.  Each changes its result only at its
 // constant, so the multiples around both constants are enough.
-static bool same_at_steps(const Program *p, const Expr *old, const Expr *new, uint64_t step)
+static bool is_same_at_every_step(const Program *p, const Expr *old, const Expr *new, uint64_t step)
 {
     const Expr *both[] = {old, new};
 
@@ -272,7 +273,7 @@ static bool same_at_steps(const Program *p, const Expr *old, const Expr *new, ui
             return false;
         for (int by = -1; by <= 2; by++) {
             const double t = (near + by) * (double)step;
-            if (t >= 0 && compare(old->op, t, expr_constant_value(old->arg[1])) != compare(new->op, t, expr_constant_value(new->arg[1])))
+            if (t >= 0 && compare_numbers(old->op, t, expr_constant_value(old->arg[1])) != compare_numbers(new->op, t, expr_constant_value(new->arg[1])))
                 return false;
         }
     }
@@ -291,7 +292,7 @@ uint64_t mutant_step(const Program *p, const Script *const *script, uint32_t scr
 
 // ---- a mutant ----
 
-// Whether the new condition is never true while the old one is false, and the other way round.
+// Whether it is proved that the old and the new condition are always both true or both false.
 static bool has_same_truth(Probe *k, Stmt *s, const Expr *old, const Expr *new)
 {
     const Expr *only_old[] = {old, make_unary(k->arena, SM_OP_NOT, new)}, *only_new[] = {new, make_unary(k->arena, SM_OP_NOT, old)};
@@ -333,7 +334,7 @@ static bool has_same_expression(Probe *k, const MutantEdit *d, bool is_only, uin
         old = find_condition(k, old, d, &new);
     else
         new = copy_with_edits(k, old);
-    if (same_at_steps(k->p, old, new, step))
+    if (is_same_at_every_step(k->p, old, new, step))
         return true;
     return d->stmt->kind == ST_IF || is_truth(d->stmt->value) ? has_same_truth(k, d->stmt, old, new) : has_same_value(k, d->stmt, old, new);
 }

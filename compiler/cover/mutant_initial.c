@@ -43,7 +43,7 @@ static bool is_read_elsewhere(InitialSearch *k)
     return k->is_read;
 }
 
-// A transition in a step runs .exit after it, and .exit can follow only a part of .step.  So nothing that .step assigns counts there.
+// After a transition in .step, .exit runs, and a part of .step may not have run.  So assignments of .step do not count as made before .exit.
 bool mutant_initial_is_unread(const Program *p, const Var *v)
 {
     InitialSearch k = {p, v, false};

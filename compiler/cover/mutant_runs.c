@@ -61,36 +61,6 @@ struct MutantRuns {
 
 // ---- what a script and the requirements read ----
 
-static void mark_seen(Expr *e, void *context)
-{
-    bool *seen = context;
-
-    if (e->kind == EX_VAR || e->kind == EX_AT)
-        seen[e->var->index] = true;
-}
-
-static void mark_seen_by_item(const ScriptItem *item, bool *seen)
-{
-    expr_walk(item->guard, mark_seen, seen);
-    for (size_t i = 0; i < item->inputs.n; i++)
-        expr_walk(item->inputs.at[i].value, mark_seen, seen);
-    for (size_t i = 0; i < item->asserts.n; i++)
-        if (item->asserts.at[i].condition)
-            expr_walk(item->asserts.at[i].condition, mark_seen, seen);
-}
-
-static void mark_seen_by_requirements(const Requirements *rq, bool *seen)
-{
-    for (size_t i = 0; i < rq->window.n; i++)
-        expr_walk(rq->window.at[i].sample, mark_seen, seen);
-    for (size_t i = 0; i < rq->at.n; i++) {
-        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
-        for (int k = 0; k < 3; k++)
-            if (condition[k])
-                expr_walk(condition[k], mark_seen, seen);
-    }
-}
-
 // Lists the variables of the machine that the script reads, or a requirement.
 static void list_seen(Arena *arena, const Program *p, const Requirements *rq, const uint32_t *var_of, Record *r)
 {
@@ -98,13 +68,9 @@ static void list_seen(Arena *arena, const Program *p, const Requirements *rq, co
     bool *seen = arena_alloc(arena, p->var.n + s->local.n);
     uint32_t *list = ARENA_ARRAY(arena, uint32_t, p->var.n);
 
-    for (size_t i = 0; i < s->window.n; i++)
-        expr_walk(s->window.at[i].sample, mark_seen, seen);
-    for (size_t i = 0; i < s->section.n; i++)
-        for (size_t k = 0; k < s->section.at[i].item.n; k++)
-            mark_seen_by_item(s->section.at[i].item.at[k], seen);
+    script_mark_reads(s, seen);
     if (rq)
-        mark_seen_by_requirements(rq, seen);
+        requirements_mark_reads(rq, seen);
     for (uint32_t v = 0; v < p->var.n; v++)
         if (seen[v] && var_of[v] != IR_NONE)
             list[r->seens++] = v;
@@ -155,7 +121,7 @@ static void add_point(MutantRuns *u, Record *r)
 }
 
 // Returns by Stmt.number whether it was executed since the last call.
-static uint8_t *take_executed(MutantRuns *u)
+static uint8_t *collect_executed(MutantRuns *u)
 {
     const Cover *c = u->cover;
     uint8_t *executed = arena_alloc(u->arena, u->p->stmts + 1);
@@ -189,7 +155,7 @@ static void record_run(MutantRuns *u, Record *r)
     while (!r->run.ended && u->values + r->write.n + r->value.n < VALUES_MOST) {
         add_point(u, r);
         run_continue(&r->run, r->run.result.steps + r->every);
-        vec_push(u->arena, &r->executed, take_executed(u));
+        vec_push(u->arena, &r->executed, collect_executed(u));
     }
     r->is_complete = r->run.ended;
     u->values += r->write.n + r->value.n;
@@ -228,7 +194,7 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     passes = run_whole(u, r, &work, &r->steps);
     if (!passes && u->failing == u->records)
         u->failing = script;
-    r->reached = take_executed(u);
+    r->reached = collect_executed(u);
     list_seen(u->arena, u->p, u->requirements, u->original->m->var_of, r);
     if (passes && run_has_points(r->script))
         record_run(u, r);
@@ -318,7 +284,7 @@ static bool includes_change(const MutantReplay *c, const uint8_t *executed)
     return false;
 }
 
-// Returns the first point from `point` on after which what was changed is executed; the number of points if no such point follows.
+// Returns the first point, from `point` on, after which the run executes a changed statement; the number of points if no later part does.
 static uint32_t find_executed(const MutantReplay *c, uint32_t point)
 {
     while (point < c->r->point.n && !includes_change(c, c->r->executed.at[point]))
@@ -335,7 +301,7 @@ static void write_cells(const FlatMachine *f, void *state, const EngineWrite *wr
             cell[f->m->var_of[write[i].var]] = write[i].cell;
 }
 
-// Whether the script sees that the cells of the mutant are not those of a recorded step.
+// Whether a variable that the script reads has another value than in the recorded step.
 static bool has_other_cells(const MutantReplay *c, const uint64_t *recorded)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state);
@@ -368,7 +334,7 @@ static bool run_to_next_point(MutantReplay *c, uint32_t point)
 static void go_to_point(MutantReplay *c, uint32_t point) { memcpy(c->u->state, c->r->point.at[point].machine, c->u->original->size); }
 
 // Whether the script can see an initial value that was changed, before the first step.
-static bool sees_start(const MutantReplay *c)
+static bool reads_initial_value(const MutantReplay *c)
 {
     const uint64_t *cell = flat_cells(c->mutant, c->u->state), *original = flat_cells(c->u->original, c->r->point.at[0].machine);
     const uint32_t *var_of = c->mutant->m->var_of;
@@ -380,8 +346,8 @@ static bool sees_start(const MutantReplay *c)
     return c->r->reads_constants;
 }
 
-// Whether the recorded run can be used.
-static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !sees_start(c)); }
+// Whether the recorded run can be used for this mutant, instead of a run of the script.
+static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !reads_initial_value(c)); }
 
 // Returns the point before the first difference that the script sees; the number of points if it sees none.
 static uint32_t find_difference(MutantReplay *c)
@@ -410,7 +376,7 @@ static uint32_t find_difference(MutantReplay *c)
 }
 
 // Runs the script on the mutant from a point on.  Returns whether it passes.
-static bool passes_from(MutantReplay *c, uint32_t point)
+static bool passes_from_point(MutantReplay *c, uint32_t point)
 {
     ScriptRun *run = &c->r->run;
 
@@ -423,7 +389,7 @@ static bool passes_from(MutantReplay *c, uint32_t point)
 }
 
 // Runs the script on the mutant.  Returns whether it passes.
-static bool passes(MutantReplay *c, Arena *work)
+static bool passes_script(MutantReplay *c, Arena *work)
 {
     uint64_t steps;
     uint32_t point;
@@ -432,7 +398,7 @@ static bool passes(MutantReplay *c, Arena *work)
         return true;
     if (can_replay(c)) {
         point = find_difference(c);
-        return point == c->r->point.n || passes_from(c, point);
+        return point == c->r->point.n || passes_from_point(c, point);
     }
     engine_flat_set(c->u->engine, c->mutant, arena_alloc(work, c->mutant->size));
     return run_whole(c->u, c->r, work, &steps);
@@ -446,7 +412,7 @@ static bool is_before(const MutantRuns *u, uint32_t x, uint32_t y)
     return a->noticed != b->noticed ? a->noticed > b->noticed : a->steps < b->steps;
 }
 
-// Moves the script at `i` in the order up, past those that notice less.
+// Moves the script at `i` in the order towards the start, before scripts that have noticed fewer mutants.
 static void move_up(MutantRuns *u, uint32_t i)
 {
     for (; i > 0 && is_before(u, u->order[i], u->order[i - 1]); i--) {
@@ -466,7 +432,7 @@ uint32_t mutant_runs_find_noticing(MutantRuns *u, Arena *work, FlatMachine *muta
     for (uint32_t i = 0; i < u->records; i++) {
         const uint32_t script = u->order[i];
         c.r = &u->record[script];
-        if (passes(&c, work))
+        if (passes_script(&c, work))
             continue;
         *violated = u->violated;
         c.r->noticed++;

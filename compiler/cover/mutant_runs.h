@@ -2,32 +2,32 @@
 // Runs the scripts of a machine on its mutants.  The unchanged machine runs each script once, and these runs are recorded: what the script
 // writes in each step, and at some steps, the *points*, the state of the machine and of the script.
 //
-// A mutant behaves as the machine until it first executes what was changed.  So its run begins at the last point before that.  From there
-// it steps with the recorded inputs, without the script.  As long as what the script reads is as recorded, the script does what it did in the
-// recorded run.  Only from the point before the first difference on does the script itself run.  When the mutant is in the recorded state at
-// a point, the steps up to the next execution of what was changed are left out.
+// A mutant behaves like the machine until it first executes the changed statement.  So its run begins at the last point before that.  From there
+// it steps with the recorded inputs, without the script.  As long as the script would read the recorded values, it would write what it wrote in
+// the recorded run.  The script itself runs only from the point before the first difference on.  If the mutant has the recorded state at a point,
+// the steps up to the next execution of the changed statement are skipped.
 #ifndef SMC_MUTANT_RUNS_H
 #define SMC_MUTANT_RUNS_H
 
 #include "compiler/cover/flat.h"
 #include "compiler/script/script.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 #include "compiler/sema/program.h"
 
 typedef struct MutantRuns MutantRuns;
 
-// Records the runs of the scripts.  What they execute is counted by statement.  A run fails if it violates one of the requirements `rq`, which
+// Records the runs of the scripts, and which statements they execute.  A run fails if it violates one of the requirements `rq`, which
 // can be NULL.
 MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
 // Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
 uint32_t mutant_runs_find_failing(const MutantRuns *r);
-// What is changed, instead of a Stmt.number: something that each step executes; an initial value.
+// Values in place of a Stmt.number for a change outside statements: of something that each step executes; of an initial value.
 #define MUTANT_EACH_STEP UINT32_C(0)
 #define MUTANT_START UINT32_MAX
 
 // Returns a script that fails on the mutant, or `scripts`.  *violated receives the requirement with which its run fails, or NULL.  stmt: the n
 // places that were changed, each a Stmt.number or one of the above.  A run that takes more than four times as many steps as before, and 1000,
-// has failed.  `work` receives what is needed during the call.
+// has failed.  `work`: memory for the call.
 uint32_t mutant_runs_find_noticing(MutantRuns *r, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated);
 // Returns what a recorded run writes to the inputs of the machine, as a scenario; NULL: the run was not recorded.  What a script writes to
 // variables that the machine stores is left out.

@@ -9,23 +9,23 @@
 enum {
     NODES_MOST = 512,         // stored situations
     SEEN_SLOTS = 4096,        // a power of two
-    AROUND_MOST = 100000,     // steps of an extension for a time that the change concerns
-    MINIMISE_STEPS = 200000   // of the replays that make a scenario shorter
+    AROUND_MOST = 100000,     // most steps of an extension that waits for a time in the changed condition
+    MINIMISE_STEPS = 200000   // limit on the steps of all replays that make a scenario shorter
 };
 
-// What an input does from a step on.
+// The values of an input from step `step` on: a, or for a ramp a + b each step.
 typedef struct Course { double a, b; uint64_t step; bool is_ramp; } Course;
 
 // A stored situation.  The path from the root to it is the scenario that reaches it.
 typedef struct Node {
     const struct Node *parent;
-    const ScenarioChange *change;     // after the parent
+    const ScenarioChange *change;     // the changes between the parent and this node
     uint32_t changes;
     const State *start;
     uint64_t steps;           // that have run
     void *original, *mutant;  // the states of both machines
     Course *course;           // by input
-    bool differs;             // the states are not equal, which no output shows
+    bool differs;             // the states of machine and mutant differ, although no output does yet
 } Node;
 
 struct MutantSearch {
@@ -83,11 +83,11 @@ typedef struct Lockstep {
     uint64_t left;            // steps that can still run
     uint64_t replayed;        // steps of scenarios that were made shorter
     VEC(Node *) node;
-    VEC(Node *) apart;        // nodes whose states differ
-    const State *state;       // where the change is; or NULL
+    VEC(Node *) apart;        // nodes with `differs`
+    const State *state;       // the state that contains the change; or NULL
     VEC(Node *) inside;       // those of `node` that are in this state
     uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
-    const Var *what;          // what differs
+    const Var *what;          // the variable that differs
 } Lockstep;
 
 static double value_at(const Course *c, uint64_t step) { return c->is_ramp ? c->a + c->b * (double)(step - c->step) : c->a; }
@@ -173,7 +173,7 @@ static uint64_t hash_of(const Lockstep *l, const Node *n)
 }
 
 // Whether no situation like this one was stored.
-static bool is_new(Lockstep *l, const Node *n)
+static bool is_new_situation(Lockstep *l, const Node *n)
 {
     const uint64_t h = hash_of(l, n);
     uint32_t at = (uint32_t)(h * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (SEEN_SLOTS - 1);
@@ -280,11 +280,11 @@ static Node *choose_node(const Lockstep *l)
 }
 
 // Stores a situation, if it is new.
-static const Node *store(Lockstep *l, const Node *n)
+static const Node *store_situation(Lockstep *l, const Node *n)
 {
     Node *copy;
 
-    if (l->node.n + l->apart.n >= NODES_MOST || !is_new(l, n))
+    if (l->node.n + l->apart.n >= NODES_MOST || !is_new_situation(l, n))
         return NULL;
     copy = copy_node(l, n);
     if (copy->differs)
@@ -297,7 +297,7 @@ static const Node *store(Lockstep *l, const Node *n)
 }
 
 // Continues a situation with other inputs for some time.  Returns whether a difference is visible; *n is then the last situation.
-static bool extend(Lockstep *l, Node *n, ScenarioChange *list)
+static bool extend_situation(Lockstep *l, Node *n, ScenarioChange *list)
 {
     const uint64_t duration = choose_duration(l);
     uint32_t changes = 0;
@@ -313,7 +313,7 @@ static bool extend(Lockstep *l, Node *n, ScenarioChange *list)
             return true;
         if (s->state != state || i + 1 == duration) {
             n->differs = has_diverged(l, n);
-            stored = store(l, n);
+            stored = store_situation(l, n);
         }
         state = s->state;
         if (stored && stored->changes)                // the changes belong to the first node that was stored
@@ -370,7 +370,7 @@ static void begin_changes(const Lockstep *l, const Node *n, const Scenario *s, s
 }
 
 // Runs a scenario from its start.  Returns whether a difference is visible, and sets s->steps to the first step in which it is.
-static bool replay(Lockstep *l, Scenario *s)
+static bool replay_scenario(Lockstep *l, Scenario *s)
 {
     Node *n = new_start(l, s->init_state);
     size_t next = 0;
@@ -400,7 +400,7 @@ static bool run_given(Lockstep *l, Node *n, const Scenario *s)
         if (run_step(l, n))
             return true;
         n->differs = has_diverged(l, n);
-        if ((stored = store(l, n)) != NULL) {
+        if ((stored = store_situation(l, n)) != NULL) {
             n->parent = stored;
             stored_at = next;
         }
@@ -409,7 +409,7 @@ static bool run_given(Lockstep *l, Node *n, const Scenario *s)
 }
 
 // Leaves out the changes without which the difference is still visible: first many at once, then each.
-static void minimise(Lockstep *l, Arena *arena, Scenario *s)
+static void remove_needless_changes(Lockstep *l, Arena *arena, Scenario *s)
 {
     for (size_t n = s->changes / 2 ? s->changes / 2 : 1; n > 0; n /= 2)
         for (size_t end = s->changes; end >= n && l->replayed < MINIMISE_STEPS; end -= n) {
@@ -421,7 +421,7 @@ static void minimise(Lockstep *l, Arena *arena, Scenario *s)
             memcpy(change + end - n, s->change + end, (s->changes - end) * sizeof *change);
             shorter.change = change;
             shorter.changes -= n;
-            if (replay(l, &shorter))
+            if (replay_scenario(l, &shorter))
                 *s = shorter;
         }
 }
@@ -435,12 +435,12 @@ static void try_changes(Lockstep *l, Scenario *s, const ScenarioChange *change, 
         return;
     other.change = change;
     other.steps = steps;
-    if (replay(l, &other))
+    if (replay_scenario(l, &other))
         *s = other;
 }
 
 // Makes a scenario easier to read: each ramp becomes its last value, and the first change is in the first step.
-static void simplify(Lockstep *l, Arena *arena, Scenario *s)
+static void simplify_scenario(Lockstep *l, Arena *arena, Scenario *s)
 {
     ScenarioChange *change;
 
@@ -466,14 +466,14 @@ static void simplify(Lockstep *l, Arena *arena, Scenario *s)
 }
 
 // Returns the scenario of a run whose last step shows a difference, without the changes that it does not need.
-static const Scenario *finish(Lockstep *l, Arena *out, const Node *last, const Var **what)
+static const Scenario *finish_scenario(Lockstep *l, Arena *out, const Node *last, const Var **what)
 {
     Scenario *s = scenario_of(l, l->work, last), *result = ARENA_NEW(out, Scenario);
 
     l->left = UINT64_MAX;
-    minimise(l, l->work, s);
-    simplify(l, l->work, s);
-    replay(l, s);
+    remove_needless_changes(l, l->work, s);
+    simplify_scenario(l, l->work, s);
+    replay_scenario(l, s);
     *result = *s;
     result->change = arena_copy(out, s->change, (s->changes + 1) * sizeof *s->change);
     *what = l->what;
@@ -513,12 +513,12 @@ const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, Flat
         add_start(l, new_start(l, k->start[i]));
     for (uint32_t i = 0; i < k->givens; i++)
         if (run_given(l, at = new_start(l, k->given[i]->init_state), k->given[i]))
-            return finish(l, out, at, what);
+            return finish_scenario(l, out, at, what);
     at = new_start(l, k->start[0]);
     while (l->left) {
         begin_at(l, at, choose_node(l));
-        if (extend(l, at, list))
-            return finish(l, out, at, what);
+        if (extend_situation(l, at, list))
+            return finish_scenario(l, out, at, what);
     }
     return NULL;
 }

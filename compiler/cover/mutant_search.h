@@ -6,7 +6,7 @@
 #define SMC_MUTANT_SEARCH_H
 
 #include "compiler/cover/flat.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 
 typedef struct MutantSearch MutantSearch;
 

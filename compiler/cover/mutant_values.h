@@ -12,13 +12,13 @@ typedef VEC(double) MutantNumbers;
 typedef struct MutantInput {
     uint32_t var;
     SmType type;
-    bool is_stored;           // the machine stores it too: it is set in the first step alone, to what the outside has left there
+    bool is_stored;           // the machine stores the variable, too: only its value before the first step is tried
     MutantNumbers value;
 } MutantInput;
 
 typedef struct MutantValues {
     VEC(MutantInput) input;
-    uint32_t readings;        // how many of them the machine does not store
+    uint32_t readings;        // number of inputs that the machine does not store
     MutantNumbers number;     // all numbers of the machine
     VEC(uint64_t) hold;       // durations, in steps
     VEC(uint32_t) output;     // variables that the machine stores (Var.index) and a script can read

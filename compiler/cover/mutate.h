@@ -10,8 +10,8 @@
 #define SMC_MUTATE_H
 
 #include "compiler/cover/flat.h"
+#include "compiler/script/scenario.h"
 #include "compiler/script/script.h"
-#include "compiler/search/scenario.h"
 
 typedef enum MutantVerdict {
     MUTANT_WAITING,           // it has not been run
@@ -34,7 +34,7 @@ typedef struct Mutant {
     Span span;                // the changed piece of the source
     const char *text;         // what replaces it
     MutantDanger danger;
-    const State *state;       // in which it is; NULL: in several, or in none
+    const State *state;       // the state that contains the change; NULL: several states, or none
     const MutantEdit *edit;   // a list: one edit for each copy in the program
     MutantVerdict verdict;
     uint32_t script;          // NOTICED: the index of the script
@@ -48,8 +48,8 @@ typedef struct Mutation Mutation;
 #define MUTATE_STEPS_MOST UINT64_C(1000000)   // default of max_steps
 #define MUTATE_SEARCH_STEPS UINT64_C(2000000)  // default of the steps of a search for one mutant: about 0.8 s
 
-// Lists the changes, and runs every script without a change.  rq: requirements that are judged after each step; or NULL.  Expressions and statements of p are changed while a mutant runs, and are as
-// before afterwards.
+// Lists the changes, and runs every script without a change.  rq: requirements that are judged after each step; or NULL.  While a mutant runs,
+// expressions and statements of p are changed; the change is undone afterwards.
 Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
 // Returns the index of a script that fails without any change, or violates a requirement; `scripts` if all pass.
 uint32_t mutation_find_failing(const Mutation *u);

@@ -9,7 +9,7 @@
 
 const char *const cover_kind_name[COVER_KIND_COUNT] = {
 #define KIND(constant, name, sentence) name,
-    COVER_KINDS(KIND)
+#include "compiler/cover/cover_kinds.def"
 #undef KIND
 };
 
@@ -20,7 +20,7 @@ typedef struct Decision {
     VEC(const Expr *) condition;
     VEC(uint32_t) link;               // by condition: IrNote.link
     VEC(FlatFull) full;               // `window` is the index in Program.window until the IR has been built
-    VEC(Span) read;                   // by entry of `full`: the call
+    VEC(Span) read;                   // by entry of `full`: the call of a window function in the source
     uint32_t hit;                     // index of the first of its places
     uint32_t note;                    // index of its note; UINT32_MAX: no code computes it, because an equal window has been sampled
 } Decision;
@@ -244,7 +244,7 @@ static Span condition_span(const Decision *d, uint32_t c)
 
 static bool is_within(Span inner, Span outer) { return inner.at >= outer.at && inner.at + inner.len <= outer.at + outer.len; }
 
-// Adds the places of the conditions: two for each, after those of the result.
+// Adds the places of the conditions of a decision, after the places of its result: for each condition two, deciding when true and when false.
 static void add_condition_places(Plan *k, const Decision *d)
 {
     bool *odd = arena_alloc(k->arena, d->node.n);

@@ -24,7 +24,7 @@ typedef struct Csv {
     size_t at, end;
     bool is_open, at_eof;
     char delimiter;           // known after the first record
-    uint64_t line;            // of the current record: the line in which it begins, from 1
+    uint64_t line;            // the line in which the current record begins, from 1
     uint64_t next_line;       // the line of the next byte
     char *text;               // the cells of the current record, each followed by a NUL
     size_t size, capacity;

@@ -10,7 +10,7 @@
 // An open file.
 typedef struct DataStream DataStream;
 struct DataStream {
-    void *self;               // of the implementation, and so is `at`
+    void *self;               // for the implementation alone, like `at`
     size_t at;
     // Reads up to n bytes and stores their number in *got; 0 at the end of the file.  Returns false and sets *why to a phrase on an error.
     bool (*read)(DataStream *s, char *into, size_t n, size_t *got, const char **why);
@@ -18,7 +18,7 @@ struct DataStream {
 };
 
 typedef struct DataFile {
-    const char *name;         // as messages show it
+    const char *name;         // the name shown in messages
     void *context;
     // Opens the file at its start.  Returns false and sets *why to a phrase, such as "it is a folder", if it cannot be read.
     bool (*open)(const struct DataFile *file, DataStream *stream, const char **why);

@@ -9,7 +9,7 @@
 #include "compiler/syntax/number.h"
 
 enum {
-    NEAR_MOST = 3, NAMES_MOST = 12,       // columns that a message proposes; columns that it lists
+    NEAR_MOST = 3, NAMES_MOST = 12,       // most columns that a message proposes; that it lists
     COMPARED_MOST = 4096,                 // columns that are compared with a name to find these
     SHOWN_MOST = 40                       // bytes of a cell that a message shows
 };

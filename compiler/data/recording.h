@@ -9,7 +9,7 @@
 
 // A column to read: value = cell * scale + offset.
 typedef struct RecordingColumn {
-    const char *name;         // as the header has it
+    const char *name;         // the name in the header of the file
     bool is_scaled;           // false: value = cell, and the next two are not used
     double scale, offset;
 } RecordingColumn;
@@ -27,7 +27,7 @@ typedef struct RecordingFormat {
 typedef struct RecordingRow {
     uint64_t number, line;    // number of the row, from 1, bad ones included; the line in which it begins
     double time;              // 0 in the first row
-    double *value;            // by column; NaN: it has no value
+    double *value;            // by column; NaN: the row has no value there
 } RecordingRow;
 
 // What is wrong with a file.  `column` is the index of the column that is concerned, RECORDING_TIME or RECORDING_FILE.
@@ -42,7 +42,7 @@ typedef struct Recording {
     size_t time_cell, *cell;  // index in a record: of the time; of each column
     double first_time;        // of the first row, as read
     double last_time;         // of the last row that was not bad
-    uint64_t rows, bad_rows;  // read so far; those of them with a bad time
+    uint64_t rows, bad_rows;  // rows read so far; how many of them had a bad time
     uint64_t first_bad_line;  // 0: none
     RecordingError error;
 } Recording;

@@ -23,8 +23,8 @@ typedef struct ApplicationInfo {
 
 typedef struct ApplicationMachine {
     bool can_swap, is_on_trial;
-    bool is_built_in;         // it runs the image with which the application was built
-    bool is_stored;           // its image runs again after a restart of the application
+    bool is_built_in;         // the machine runs the image with which the application was built
+    bool is_stored;           // its image is stored, and runs again after a restart of the application
     uint32_t checksum;        // of its image
     uint8_t identity[8];
     uint32_t state;
@@ -32,9 +32,9 @@ typedef struct ApplicationMachine {
 } ApplicationMachine;
 
 typedef struct ApplicationSwap {
-    uint32_t checksum;        // of the last swap; 0: the application itself has begun it
+    uint32_t checksum;        // of the last swap; 0: it was begun by the application itself, not by a host
     uint8_t phase, reason, end;       // SmSwapPhase, SmSwapReason, SmSwapEnd
-    uint16_t machine;         // the machine that was refused; 0xffff: none of the application
+    uint16_t machine;         // index of the machine that was refused; 0xffff: the refusal concerns no single machine
     uint32_t number;          // of a signed swap
 } ApplicationSwap;
 

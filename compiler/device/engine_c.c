@@ -11,7 +11,7 @@
 typedef struct EngineC {
     Engine engine;
     EngineCBatch *batch;
-    uint32_t machine;         // its number in the batch
+    uint32_t machine;         // number of the machine in the batch
     Buf request;              // the requests for both variants
     uint8_t *answer;          // the answers of both variants, the first variant's first
 } EngineC;

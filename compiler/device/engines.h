@@ -18,7 +18,7 @@ typedef struct EngineSet {
 
 // Sets of kinds are bits: 1u << kind.
 unsigned engines_named(const char *name);             // comma-separated names; "all" means all but c-soft; 0: one name is unknown
-unsigned engines_in_list(const char *list);           // those of a header's `on ref vm c`; other words are ignored
+unsigned engines_in_list(const char *list);           // returns the set of engines in a list such as `ref vm c`; other words are ignored
 // Opens the engines of `which`. Returns false after a failure: set->error is the reason, and the set contains the engines opened before.
 bool engines_open(EngineSet *set, Session *s, const Program *p, unsigned which, int opt_level);
 void engines_close(EngineSet *set);

@@ -102,7 +102,7 @@ static FlashRefusal check_trial_and_signature(LinkHost *h, const DeviceInfo *inf
 // Queries the board about each pin.  A board that does not report pins accepts all of them.
 static FlashRefusal check_pins(LinkHost *h, const FlashImage *image, FlashCheck *c)
 {
-    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by number of the chip's pin: the image's pin that uses it
+    SmvmPin at[SMVM_NO_PIN] = {{0}};   // by number of the chip's pin: the pin of the image that uses it
     bool taken[SMVM_NO_PIN] = {false};
     SmvmPins all;
     uint8_t index;

@@ -144,7 +144,7 @@ Diag *diag_report_list(Diags *d, DiagCode code, Span span, va_list args)
             add_state(d, d->first, state);
         if (d->first)
             add_machine(d, d->first);
-        if (!d->dropped) {                    // all dropped reports share one Diag, so that many of them need no memory
+        if (!d->dropped) {                    // all dropped reports share one Diag, so that even very many need no memory
             d->dropped = ARENA_NEW(d->arena, Diag);
             d->dropped->text = "";
         }

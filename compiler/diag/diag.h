@@ -72,7 +72,7 @@ typedef struct DiagAbout { Span span; DiagSubject subject; } DiagAbout;
 typedef struct DiagAllow {
     const char *flag, *reason;
     Span span, covers;        // span: the annotation; covers: the part of the source that it applies to
-    bool shared;              // other machines or later reports may need it, so it is never reported as unused
+    bool shared;              // other machines, or reports that come later, may need the @allow, so it is never reported as unused
     bool used;
 } DiagAllow;
 
@@ -88,7 +88,7 @@ typedef struct Diag {
     VEC(const char *) machines;           // the machines for which it was reported while Diags.machine was set
     VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
     bool allow_checked;                   // an earlier call of diags_apply_allows has examined it
-    const char *allowed;                  // the reason of the @allow that covers it; else NULL
+    const char *allowed;                  // the reason given in the @allow that covers the finding; else NULL
 } Diag;
 
 typedef struct Diags {
@@ -98,7 +98,7 @@ typedef struct Diags {
     size_t errors_seen;                   // errors, including repeated and muted ones: if it grew during a check, the check failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // removed from the list by diags_apply_allows
-    unsigned known;                       // what this run knows besides the machine: a set of 1u << DiagJudged
+    unsigned known;                       // what this run has checked besides the machine: a set of 1u << DiagJudged
     unsigned analysed;                    // the groups whose warnings have all been reported, because analyses have run: a set of 1u << DiagGroup
     bool muted;                           // while set, reports are dropped
     const char *machine;                  // the machine that is being compiled, where several are of one file; NULL: none

@@ -7,8 +7,8 @@
 #include "stdlib/convert.h"
 #include "stdlib/f64.h"
 
-// Returns the state that a number beside S means: the number of a state is written as its name (language.md 3.30), or as a number, which means
-// the same only if no state has another number in the other machine.
+// Returns the state whose number e is, if e is compared with S or assigned to it: a name of a state (language.md 3.30), or a plain number.  A plain
+// number means the same in both machines only if all states have the same numbers in both.
 static const State *named_state(const Canon *c, const Expr *e)
 {
     const Program *p = c->p;

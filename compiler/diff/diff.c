@@ -392,7 +392,7 @@ static size_t count_marks(const ProgramDiff *d, bool of_new, Str id, const char 
     return n;
 }
 
-// Lists marks @req that one machine has more often in a state than the other.
+// Lists the requirements that a state of one machine is marked with more often than the same state of the other.
 static void compare_requirements(ProgramDiff *d)
 {
     for (int side = 0; side < 2; side++) {

@@ -19,7 +19,7 @@
 typedef struct DiffSide {
     const Program *p;
     const IrMachine *ir;          // optimised as for the image that flies
-    const Diags *findings;        // what smc check reports about it; or NULL
+    const Diags *findings;        // the findings of smc check about the machine; or NULL
     const uint8_t *measured;      // an image for cost_of_machine; or NULL: costs are not compared
     size_t image_size;            // of the image that smc build writes
     uint64_t identity;            // smvm_logic_identity of the image
@@ -27,8 +27,8 @@ typedef struct DiffSide {
 
 typedef enum DiffWeight {
     DIFF_BEHAVIOUR,               // what the machine does differs, or may differ
-    DIFF_INTERFACE,               // it does the same, but what surrounds it sees a difference: layout, numbers of states, declared step
-    DIFF_NOTE                     // it does the same: names, marks, other text for the same code
+    DIFF_INTERFACE,               // the behaviour is equal, but other programs see a difference: layout, numbers of states, declared step
+    DIFF_NOTE                     // the behaviour is equal: only names, marks or the text of the source differ
 } DiffWeight;
 
 typedef enum DiffPart { DIFF_STATE, DIFF_TRANSITION, DIFF_STATEMENT, DIFF_VARIABLE, DIFF_OPTION, DIFF_MARK, DIFF_LAYOUT, DIFF_PARTS } DiffPart;
@@ -42,10 +42,10 @@ typedef struct DiffChange {
     DiffPart part;
     DiffHow how;
     DiffWeight weight;
-    const char *where;            // the state or section, by its name in the new machine if that has it; ""
+    const char *where;            // name of the state or section, in the new machine if it is there, else in the old one; ""
     const char *what;             // "-> Vent", "valve in .step", "local count"
-    const char *old, *new;        // how it was and is written; NULL: it did not exist, or does not
-    const char *meaning;          // what follows from it, proved; NULL: nothing is known
+    const char *old, *new;        // the text in the old and in the new source; NULL: it does not exist there
+    const char *meaning;          // a proved consequence of the change; NULL: none is known
     const Stmt *old_stmt, *new_stmt;          // TRANSITION, STATEMENT: the statements
 } DiffChange;
 
@@ -60,14 +60,14 @@ typedef struct DiffValue { const char *name, *old, *new; } DiffValue;
 // Both machines in one script.
 typedef struct DiffRun {
     const char *script;
-    const char *problem;          // why it could not be compared; NULL: it was
+    const char *problem;          // why the script could not be compared; NULL: it was compared
     bool same;                    // states and elements were equal after every step, and so were the results
     uint64_t steps;               // compared
     uint64_t step, g;             // the first step that differs; step 0: only the results differ
     const char *old_state, *new_state;        // the states that the two machines ran in this step
-    DiffValue value[DIFF_VALUES_MAX];         // the first elements that differ after it
+    DiffValue value[DIFF_VALUES_MAX];         // the first elements whose values differ after the step
     uint32_t values;
-    const char *old_result, *new_result;      // "passed after 101 steps"
+    const char *old_result, *new_result;      // the results of the script, such as "passed after 101 steps"
 } DiffRun;
 
 typedef struct ProgramDiff {
@@ -81,7 +81,7 @@ typedef struct ProgramDiff {
     uint32_t *old_state_of;       // the reverse
     const Var **var_of;           // by Var.index of the old machine: the variable of the new one; NULL: none
     const Var **old_var_of;       // the reverse
-    bool *same_state;             // by number of a new state: it has the same behaviour as the old one
+    bool *same_state;             // by number of a new state: it has the same behaviour as the old state
     bool same_layout;             // of the state vector
     bool same_image;              // the images have the same identity
     const char *swap;             // whether the new machine can continue where the old one is, as a sentence

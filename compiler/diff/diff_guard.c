@@ -29,7 +29,7 @@ static void add_part(Arena *arena, const Canon *c, const Expr *e, bool holds, Gu
     vec_push(arena, out, part);
 }
 
-static GuardParts split(Arena *arena, const Canon *c, const Condition *when)
+static GuardParts split_guard(Arena *arena, const Canon *c, const Condition *when)
 {
     GuardParts out = {NULL, 0, 0};
 
@@ -38,7 +38,7 @@ static GuardParts split(Arena *arena, const Canon *c, const Condition *when)
     return out;
 }
 
-static void cancel(GuardParts *a, GuardParts *b)
+static void cancel_common_parts(GuardParts *a, GuardParts *b)
 {
     for (size_t i = 0; i < a->n; i++)
         for (size_t k = 0; k < b->n && !a->at[i].cancelled; k++)
@@ -202,10 +202,10 @@ static const char *list_parts(Arena *arena, const GuardParts *g)
 
 const char *diff_compare_guards(const ProgramDiff *d, const Canon canon[2], const Condition *old, const Condition *new)
 {
-    GuardParts a = split(d->arena, &canon[0], old), b = split(d->arena, &canon[1], new);
+    GuardParts a = split_guard(d->arena, &canon[0], old), b = split_guard(d->arena, &canon[1], new);
     size_t left_a, left_b;
 
-    cancel(&a, &b);
+    cancel_common_parts(&a, &b);
     left_a = count_left(&a);
     left_b = count_left(&b);
     if (left_a == 0 && left_b == 0)

@@ -11,7 +11,8 @@ static const char *element_name(const Var *v) { return v->element ? v->element->
 
 static const char *special_name(const Program *p, const Var *v) { return v == p->g ? "G" : v == p->s ? "S" : v == p->t ? "T" : NULL; }
 
-// Sets the names of both machines from the match so far.  What has no match has a name that the other machine does not have.
+// Sets canonical names for both machines from the match so far: matched variables and states get the same name, all others a name that the other
+// machine does not have.
 static void set_names(ProgramDiff *d, Canon canon[2])
 {
     for (int side = 0; side < 2; side++) {
@@ -221,7 +222,7 @@ static Texts describe_state(Arena *arena, const Canon *c, const State *s)
 }
 
 // Returns how much two sorted lists have in common, in percent.
-static unsigned likeness(const Texts *a, const Texts *b)
+static unsigned similarity_of(const Texts *a, const Texts *b)
 {
     size_t i = 0, k = 0, common = 0;
 
@@ -255,7 +256,7 @@ static bool match_state(ProgramDiff *d, Canon canon[2])
         for (size_t k = 0; k < d->new.p->state.n && !d->state_of[s->number]; k++) {
             const State *other = d->new.p->state.at[k];
             const Texts theirs = describe_state(d->arena, &canon[1], other);
-            const unsigned like = d->old_state_of[other->number] ? 0 : likeness(&mine, &theirs);
+            const unsigned like = d->old_state_of[other->number] ? 0 : similarity_of(&mine, &theirs);
             if (like > best) {
                 best = like;
                 from = s;

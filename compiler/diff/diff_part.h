@@ -13,7 +13,7 @@ typedef struct Canon {
     const char **var;             // by Var.index
     const char **state;           // by State.number
     bool keeps_numbers;           // every state that both machines have has the same number in both
-    const char *side;             // "old" or "new": a text that depends on the number of a state contains it
+    const char *side;             // "old" or "new": added to a text that depends on the number of a state, so that the two sides never seem equal
 } Canon;
 
 void canon_expr(const Canon *c, const Expr *e, Buf *out);

@@ -24,19 +24,19 @@ static size_t count_differing_runs(const ProgramDiff *d)
     return n;
 }
 
-static const char *counted(Arena *arena, size_t n, const char *what)
+static const char *count_text(Arena *arena, size_t n, const char *what)
 {
     return format_in(arena, "%lu %s%s", (unsigned long)n, what, n == 1 ? "" : "s");
 }
 
 // Returns the verdict as a sentence without its full stop.
-static const char *verdict(const ProgramDiff *d)
+static const char *verdict_text(const ProgramDiff *d)
 {
     const size_t changes = count_weight(d, DIFF_BEHAVIOUR), runs = count_differing_runs(d);
 
     if (!changes && !runs)
         return "no change of behaviour";
-    return format_in(d->arena, "behaviour changed: %s%s%s", counted(d->arena, changes, "change"), runs ? ", seen in " : "", runs ? counted(d->arena, runs, "script") : "");
+    return format_in(d->arena, "behaviour changed: %s%s%s", count_text(d->arena, changes, "change"), runs ? ", seen in " : "", runs ? count_text(d->arena, runs, "script") : "");
 }
 
 static const char *side_name(const DiffSide *s) { return path_portable_name(s->p->src->name); }
@@ -113,7 +113,7 @@ static void write_findings(const ProgramDiff *d, Buf *out)
 
 void diff_write_text(const ProgramDiff *d, Buf *out)
 {
-    buf_printf(out, "comparison of %s with %s: %s\n", side_name(&d->old), side_name(&d->new), verdict(d));
+    buf_printf(out, "comparison of %s with %s: %s\n", side_name(&d->old), side_name(&d->new), verdict_text(d));
     for (int w = 0; w <= DIFF_NOTE; w++)
         write_changes(d, (DiffWeight)w, out);
     for (size_t i = 0; i < d->run.n; i++) {
@@ -182,7 +182,7 @@ void diff_write_markdown(const ProgramDiff *d, Buf *out)
 {
     buf_str(out, "### ");
     write_plain(out, side_name(&d->new));
-    buf_printf(out, ": %s\n", verdict(d));
+    buf_printf(out, ": %s\n", verdict_text(d));
     if (count_weight(d, DIFF_BEHAVIOUR)) {
         buf_char(out, '\n');
         write_rows(d, DIFF_BEHAVIOUR, out);

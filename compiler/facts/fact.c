@@ -86,7 +86,7 @@ Fact fact_of_cell(SmType type, uint64_t bits)
 
 Fact fact_of_bool(bool may_be_false, bool may_be_true)
 {
-    return make_fact(may_be_false ? 0 : 1, may_be_true ? 1 : 0, true, false, false);
+    return (Fact){may_be_false ? 0 : 1, may_be_true ? 1 : 0, .whole = true, .f32 = true};
 }
 
 // ---- arithmetic ----
@@ -458,11 +458,6 @@ Fact fact_meet(Fact a, Fact b)
     if (r.lo > r.hi)
         return a;
     return normalize_fact(r);
-}
-
-bool fact_equal(Fact a, Fact b)
-{
-    return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
 }
 
 bool fact_is_same(const Fact *a, const Fact *b)

@@ -34,9 +34,12 @@ Fact fact_convert(Fact a, SmType to);
 // never empty.
 Fact fact_of_stat(SmStat stat, Fact sample);
 
-Fact fact_join(Fact a, Fact b);                       // what is known about a value for which a or b is true
-Fact fact_meet(Fact a, Fact b);                       // what is known about a value for which a and b are true; a if they contradict
-bool fact_equal(Fact a, Fact b);
+Fact fact_join(Fact a, Fact b);                       // returns what is known if either a or b is true
+Fact fact_meet(Fact a, Fact b);                       // returns what is known if both a and b are true; a if they contradict each other
+static inline bool fact_equal(Fact a, Fact b)
+{
+    return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
+}
 bool fact_is_same(const Fact *a, const Fact *b);      // whether they have the same bits: unlike fact_equal, distinguishes the bounds 0 and -0
 
 typedef struct FactLimits {

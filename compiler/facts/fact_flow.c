@@ -24,9 +24,9 @@ typedef struct FlowWalk {
     FactSlot *slot;                   // by slot
     FactEffect *effect;               // by block: its effect, or NULL
     FactPoint *begin;                 // by block: the facts at its beginning, until it is visited
-    FactPoint env;                    // the facts at the current instruction; without slots after they have become those of another block
+    FactPoint env;                    // the facts at the current instruction; without slots once they belong to another block
     SlotEnv *transferred;             // the facts that env_of_machine has transferred last, or NULL
-    const Env *transferred_to;        // its result
+    const Env *transferred_to;        // the result of that transfer
     IrBlkRef block;                   // the current block
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
     FactHome *home;                   // by temporary: a variable with the same value
@@ -89,10 +89,10 @@ static void store_slots(FlowWalk *w, FactFn *fn)
 
     fn->slot = arena_copy(fm->shape.arena, fm->slot, (w->space.slots + 1u) * sizeof *fn->slot);
     fn->slots = w->space.slots;
-    fn->begin = ARENA_ARRAY(fm->shape.arena, Fact, w->space.slots);
+    fn->begin = arena_alloc_unzeroed(fm->shape.arena, w->space.slots * sizeof *fn->begin);
     fn->flow.of = arena_alloc_unzeroed(fm->shape.arena, w->f->ins.n * sizeof *fn->flow.of);
-    fn->flow.reached = ARENA_ARRAY(fm->shape.arena, bool, w->f->blk.n);
-    fn->flow.exit = ARENA_ARRAY(fm->shape.arena, FactExit, w->f->blk.n);
+    fn->flow.reached = arena_alloc_unzeroed(fm->shape.arena, w->f->blk.n * sizeof *fn->flow.reached);
+    fn->flow.exit = arena_alloc_unzeroed(fm->shape.arena, w->f->blk.n * sizeof *fn->flow.exit);
     if (fm->has_variable_locals)
         fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
 }
@@ -596,14 +596,14 @@ static void reuse_tables(FlowWalk *w)
 
     if (w->f->ins.n > fm->temps) {
         fm->temps = w->f->ins.n * 2;
-        fm->of = ARENA_ARRAY(arena, Fact, fm->temps);
-        fm->home = ARENA_ARRAY(arena, FactHome, fm->temps);
+        fm->of = arena_alloc_unzeroed(arena, fm->temps * sizeof *fm->of);
+        fm->home = arena_alloc_unzeroed(arena, fm->temps * sizeof *fm->home);
     }
     if (w->f->blk.n > fm->blocks) {
         fm->blocks = w->f->blk.n * 2;
-        fm->reached = ARENA_ARRAY(arena, bool, fm->blocks);
-        fm->exit = ARENA_ARRAY(arena, FactExit, fm->blocks);
-        fm->block_begin = ARENA_ARRAY(arena, FactPoint, fm->blocks);
+        fm->reached = arena_alloc_unzeroed(arena, fm->blocks * sizeof *fm->reached);
+        fm->exit = arena_alloc_unzeroed(arena, fm->blocks * sizeof *fm->exit);
+        fm->block_begin = arena_alloc_unzeroed(arena, fm->blocks * sizeof *fm->block_begin);
     }
     memset(fm->reached, 0, w->f->blk.n * sizeof *fm->reached);
     w->out.of = fm->of;

@@ -20,13 +20,35 @@ typedef struct FactIteration {
     FactMachine *fm;
     FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
     bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
-    Worklist queue;                   // the states to visit
+    Worklist queue;                   // the states to visit, if any_start
+    SweepList sweep;                  // the states to visit, else
     uint32_t state;                   // the state that is visited
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     bool any_start;                   // the machine may be started in any state
     bool widened;                     // some bound was widened, so the last round may improve facts
-    FactLimits limits;                // constants of the program and their neighbours, because guards stop counters there
+    FactLimits limits;                // constants of the program and the numbers next to them, because guards stop counters there
 } FactIteration;
+
+// ---- the order of visits ----
+// From the first state, most facts flow in the order in which states are written.  Sweeps in that order visit a state after most of the states
+// that lead to it: half as often as in the order in which facts change.  If the machine may start in any state, all are visited first anyway.
+
+static void queue_state(FactIteration *v, uint32_t state)
+{
+    if (v->any_start)
+        worklist_add(&v->queue, state);
+    else
+        sweep_list_add(&v->sweep, state);
+}
+
+// Sets v->state to the next state to visit.  Returns false if no state is queued.
+static bool take_queued_state(FactIteration *v)
+{
+    if (v->queue.n == 0 && v->sweep.n == 0)
+        return false;
+    v->state = v->any_start ? worklist_next(&v->queue) : sweep_list_next(&v->sweep, v->state);
+    return true;
+}
 
 // ---- paths into functions ----
 
@@ -63,7 +85,7 @@ static void enter_function(FactIteration *v, uint32_t state, int block, const En
     b->found = b->dirty = true;
     b->changes++;
     if (v->to == v->fm->begin)
-        worklist_add(&v->queue, state);
+        queue_state(v, state);
 }
 
 // Called at the end of .exit with the facts `env` at that point: calls enter_function for the target of each transition of `block` (.entry
@@ -224,14 +246,15 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
     fm->fn = arena_array(fm->shape.arena, m->state.n, sizeof *fm->fn);
-    v.queue = worklist_new(fm->shape.arena, m->state.n);
+    if (any_start)
+        v.queue = worklist_new(fm->shape.arena, m->state.n);
+    else
+        v.sweep = sweep_list_new(fm->shape.arena, m->state.n);
     enter_start_states(&v, initial);
-    while (v.queue.n > 0) {
-        v.state = worklist_next(&v.queue);
+    while (take_queued_state(&v))
         for (int block = 0; block < BLOCK_COUNT; block++)
             if (fm->begin[v.state][block].dirty)
                 compute_function_facts(&v, block);
-    }
     if (v.widened)
         narrow_facts(&v, initial);
 }

@@ -55,7 +55,7 @@ Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact t
 typedef struct FactEnds {             // receives the facts at each end of a function
     void (*visit)(void *context, const IrJump *end, const Env *env);  // called for each reached IR_RET or IR_GOTO; or NULL
     void *context;
-    bool all;                         // `visit` receives all facts; else only those about private variables, and those that are assumed
+    bool all;                         // `visit` receives all facts; else only facts about private variables, and assumed ones
     bool exits;                       // FactExit.env is required, with all facts
     bool at_entry;                    // the function begins when its state is entered: T is 0
     struct FactFn *fn;                // stores the visit, or NULL.  Not with `all` or `exits`
@@ -79,7 +79,7 @@ typedef struct FactUpdate {           // the fact about a slot before or after s
 // What a visit of a block has found.  Another visit finds the same if the block loads the same facts.
 typedef struct FactEffect {
     bool known;                       // the block has been visited
-    bool then, otherwise;             // as in FactExit
+    bool then, otherwise;             // whether each edge can be taken, as in FactExit
     uint32_t loads, stores, on_then, on_otherwise;      // numbers of facts
     FactUpdate *load;                 // the facts that it loads
     FactUpdate *update;               // the facts that it stores, and then those that its two edges add
@@ -87,11 +87,11 @@ typedef struct FactEffect {
 
 typedef struct FactEnd {              // an end that the facts at the beginning of a function allow
     const IrJump *jump;
-    bool is_as_before;                // it has the same facts as the end before it
+    bool is_as_before;                // it has the same facts as the previous end of the list
     uint32_t updates;                 // how many facts about private variables differ from those at the beginning, unless is_as_before
 } FactEnd;
 
-typedef struct FactFn {               // what an iteration stores about a function, to visit it again with less work
+typedef struct FactFn {               // what an iteration stores about a function, so that the next visit needs less work
     FactSlot *slot;                   // its slots, or NULL: not visited yet, or too many variables for slots
     uint32_t slots;
     FactEffect *effect;               // by block; NULL: visits are not repeated (FactMachine.has_variable_locals)
@@ -111,7 +111,7 @@ typedef union FactPoint {             // the facts at one point of a function
     const Env *all;                   // of a function with too many variables for slots: of all variables of the machine
 } FactPoint;
 
-typedef struct FactRefined {          // what an edge adds about a slot, if `edge` is the number of the current edge
+typedef struct FactRefined {          // what an edge adds about a slot; valid if `edge` is the number of the current edge
     Fact fact;
     uint32_t edge;
 } FactRefined;

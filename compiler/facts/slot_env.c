@@ -64,7 +64,10 @@ void slot_env_join(SlotEnvs *s, SlotEnv *into, const SlotEnv *from)
     for (uint32_t slot = 0; rest; slot++, rest >>= 1)
         if (rest & 1) {
             const Fact *a = slot_env_find(s, into, slot), *b = slot_env_find(s, from, slot);
-            const Fact both = fact_join(*a, *b);
+            Fact both;
+            if (fact_equal(*a, *b))                   // usual: the slot was changed before the paths parted
+                continue;
+            both = fact_join(*a, *b);
             if (!fact_equal(both, *a))
                 slot_env_set(into, slot, both);
         }

@@ -19,7 +19,7 @@ struct SlotEnv {
 typedef struct SlotEnvs {             // the environments of one function
     Arena *arena;
     uint32_t slots;
-    const Fact *begin;                // by slot: the facts at the beginning
+    const Fact *begin;                // by slot: the facts at the beginning of the function
     uint64_t read;                    // a set of slots: those whose facts at the beginning have been read
     SlotEnv *unused;                  // freed environments
 } SlotEnvs;

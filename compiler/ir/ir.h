@@ -82,8 +82,8 @@ typedef struct IrIns {                // bit fields keep it small: every pass vi
     IrRef a, b;                       // operands, or IR_NONE
     uint32_t var;                     // load, store: index into IrMachine.var; stat, sample: into IrMachine.window
     uint64_t bits;                    // const: the value as a bit cell of `type` (stdlib/convert.h)
-    Span span;                        // the expression or statement in the source that it comes from
-    uint32_t stmt;                    // set by ir_build: Stmt.number of the statement that it comes from; else 0
+    Span span;                        // the expression or statement of the source from which it was built
+    uint32_t stmt;                    // set by ir_build: Stmt.number of its statement; else 0
 } IrIns;
 
 typedef enum IrJumpKind {
@@ -122,7 +122,7 @@ typedef struct IrVar {
     uint32_t offset;                  // ELEMENT: bytes from the start of the state vector
     uint64_t init;                    // LOCAL: its initial value, as a bit cell
     const Parameter *parameter;       // LOCAL: a parameter, which no function stores to; its value is init or any other in its range; or NULL
-    bool writable;                    // some function of the machine stores to it
+    bool writable;                    // some function of the machine stores to the variable
     bool outside;                     // LOCAL: code outside the machine, such as a script, writes it between steps
     bool hidden;                      // LOCAL: no code outside the machine reads it between steps
     Span span;

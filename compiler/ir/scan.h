@@ -28,7 +28,7 @@ bool scan_match_char(IrScan *s, char c);                        // consumes c if
 bool scan_expect_word(IrScan *s, const char *text);             // consumes the word; an error if it is not next
 bool scan_match_word(IrScan *s, const char *text);              // consumes the word if it is next, and returns whether it was; no error
 bool scan_quoted(IrScan *s, Str *out);                          // reads a text in quotes
-bool scan_number(IrScan *s, const char *what, uint32_t *out);   // `what` names the expected number in the error
+bool scan_number(IrScan *s, const char *what, uint32_t *out);   // reads a number; `what` names it in the error
 bool scan_lettered_number(IrScan *s, char letter, const char *what, uint32_t *out);  // reads a letter and a number: b7, w7
 bool scan_type(IrScan *s, SmType *out);                         // reads the name of a type
 bool scan_value(IrScan *s, SmType type, uint64_t *cell);        // reads a whole number that fits the type, or a cell in hexadecimal

@@ -15,14 +15,14 @@ enum { SESSIONS_MOST = 64, MACHINES_MOST = 1024, SLOT_BITS = 10, USES_MOST = 0xF
 typedef struct Slot {
     uint32_t uses;
     bool is_open;
-    bool is_busy;             // of a session: a call of it has not returned
+    bool is_busy;             // of a session: a call has not returned yet
     SmcSession *session;
     SmcMachine machine;       // of a machine
     int32_t owner;            // of a machine: the handle of its session
 } Slot;
 
 static Slot sessions[SESSIONS_MOST], machines[MACHINES_MOST];
-static volatile int lock;     // guards both tables.  It is held only for a few instructions
+static volatile int lock;     // protects both tables; it is locked only for a few instructions
 
 static void take_lock(void)
 {
@@ -135,7 +135,7 @@ static int32_t finish(const Call *c, SmcResult r)
     return r;
 }
 
-// The same for an error that libsmc did not find.
+// Ends the call like `finish`, with an error that libsmc did not report.
 static int32_t finish_refused(const Call *c, SmcResult r)
 {
     finish(c, SMC_OK);
@@ -599,7 +599,7 @@ static SmcResult set_cell(const Call *c, uint32_t variable, uint64_t cell)
         return smc_machine_set(c->s, c->m, variable, number);
     }
     store_low_bytes(cell, value, size_of_type(type));
-    if (type >= 0 && extend(value, type) != cell)         // beyond the type: the same as a number that does not fit
+    if (type >= 0 && extend(value, type) != cell)         // the value does not fit the type: refused like a number that does not fit
         return SMC_E_SIZE;
     return smc_machine_write(c->s, c->m, variable, value, size_of_type(type));
 }

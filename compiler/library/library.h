@@ -29,7 +29,7 @@ typedef struct LibrarySource {
 // One script's last run.
 typedef struct LibraryRun {
     bool is_done;                 // the fields below are valid
-    Arena arena;                  // of everything below
+    Arena arena;                  // allocates everything below
     uint32_t engines;
     uint64_t max_steps;
     bool is_traced;
@@ -81,8 +81,8 @@ typedef struct LibraryTransition {
 typedef struct LibraryUse { uint32_t state, variable, access; } LibraryUse;
 
 typedef struct LibraryModel {
-    const Program *p;             // NULL: the source is no machine, or has errors; then everything else is zero
-    const Var **variable;         // as smc.h numbers them
+    const Program *p;             // NULL: the source is no machine, or it has errors; then everything else is zero
+    const Var **variable;         // the variables in the order of their numbers in smc.h
     uint32_t variables, transitions;
     LibraryTransition *transition;
     bool *is_left;                // by number of a state, from 0: a transition leads to another state
@@ -110,19 +110,19 @@ typedef struct LibraryBench {
 // freed.
 typedef struct LibraryResults {
     bool is_compiled;
-    uint32_t sources;             // how many there were; the arrays below are indexed by their numbers
+    uint32_t sources;             // number of sources that were compiled; the arrays below are indexed by source
     const Source **text;          // NULL: no source had this number
     uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
     LibraryModel *model;
     LibraryRun *run;
     LibraryBench *bench;          // of the machine with this number, for its scripts
-    uint32_t *machine;            // of the script with this number; UINT32_MAX: it has none
+    uint32_t *machine;            // by script: its machine; UINT32_MAX: it has none
     LibraryImage *image;          // by source: the image of its machine, with names
     CompileInput in;
     CompileOptions o;
     DiagSelection selection;
     Compiled made;
-    size_t errors;                // that smc_compile found, and warnings selected as errors
+    size_t errors;                // number of errors that smc_compile found, with warnings that count as errors
     Diags shown;                  // the diagnostics that the session shows, selected by the warnings: of smc_compile, smc_emit and runs
     Arena shown_arena, next_shown_arena;
     Arena page[PAGE_COUNT];
@@ -139,7 +139,7 @@ struct SmcSession {
     void *locale;                 // "C" (library_locale.h)
     int is_cancelled;             // accessed atomically
     int is_busy;                  // accessed atomically
-    bool is_guarded;              // a guarded call that can be cancelled runs, so an allocation may fail because it is cancelled
+    bool is_guarded;              // the running call can be cancelled, so a failed allocation may mean that it was
     bool has_layer;               // library_begin_layer was called
     Session below;                // the value of `compiler` when library_begin_layer was called
     Session compiler;
@@ -171,7 +171,7 @@ void *library_memory_alloc(LibraryMemory *m, void *old, uint64_t size);
 // ---- library_session.c ----
 
 bool library_is_open(const SmcSession *s);
-uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v);       // its number as a parameter; UINT32_MAX: it is no parameter
+uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v);       // returns the number of the parameter; UINT32_MAX: no parameter
 // Records r with the sentence `text`, and returns r.  `text` NULL: the sentence of smc_result_text.
 SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text);
 // Allocates memory outside the arenas; NULL: out of memory.

@@ -21,7 +21,7 @@ typedef struct ColumnRun {
     double *const *to;
     uint32_t *states;
     uint64_t *done;
-    Cell *cell;                   // of the inputs, then of the outputs
+    Cell *cell;                   // one per input, then one per output
 } ColumnRun;
 
 // ---- checking the arguments ----

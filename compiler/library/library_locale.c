@@ -17,7 +17,7 @@ void library_locale_free(void *c) { freelocale((locale_t)c); }
 void *library_locale_enter(void *c) { return (void *)uselocale((locale_t)c); }
 void library_locale_leave(void *own) { uselocale((locale_t)own); }
 #else
-static char only;      // its address is the locale of every session; nothing is stored in it
+static char only;      // only its address is used, as the locale of every session; nothing is stored in it
 void *library_locale_new(void) { return &only; }
 void library_locale_free(void *c) { (void)c; }
 void *library_locale_enter(void *c) { return c; }

@@ -11,7 +11,7 @@ enum { BLOCK_ALIGN = 16, IN_USE = 1 };
 
 typedef struct Block {
     uint64_t size;            // of the content, a multiple of BLOCK_ALIGN; plus IN_USE
-    uint64_t before;          // size of the content of the block before this one; only in an area, and 0 in its first block
+    uint64_t before;          // size of the content of the preceding block; only in an area, and 0 in its first block
 } Block;
 
 typedef char block_keeps_alignment[sizeof(Block) == BLOCK_ALIGN ? 1 : -1];

@@ -13,7 +13,7 @@
 #define atomic_read(at) __atomic_load_n((at), __ATOMIC_ACQUIRE)
 #define atomic_write(at, value) __atomic_store_n((at), (value), __ATOMIC_RELEASE)
 #define atomic_swap(at, value) __atomic_exchange_n((at), (value), __ATOMIC_ACQ_REL)
-#else         // a compiler without atomic accesses: smc_cancel from another thread is then seen as soon as that compiler's volatile is
+#else         // no atomic accesses: how soon smc_cancel of another thread is seen depends on the compiler's volatile
 #define atomic_read(at) (*(volatile int *)(at))
 #define atomic_write(at, value) (*(volatile int *)(at) = (value))
 static int atomic_swap(int *at, int value)
@@ -151,7 +151,7 @@ void library_begin_layer(SmcSession *s)
     arena_free(&c->tree);
     arena_free(&c->work);
     arena_free(&c->scratch);
-    c->built = NULL;                              // passes would change it in place
+    c->built = NULL;                              // the passes of the layer would change it in place
     s->below = *c;
     s->has_layer = true;
     arena_init(&c->arena, library_compiler_alloc, s, &s->oom);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares two machines of a session, and lets one continue where the other is (docs/swapping.md 12).
+// Compares two machines of a session, and makes one continue from the state of the other (docs/swapping.md 12).
 #include <string.h>
 
 #include "bytecode-vm/swap.h"
@@ -126,7 +126,7 @@ SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to)
         library_release(s, w.list);
         return library_fail(s, SMC_E_REFUSED, obstacle);
     }
-    library_start_machine(w.new, 1);              // as smvm_swap_continue requires: it has not stepped
+    library_start_machine(w.new, 1);              // smvm_swap_continue requires a machine that has not stepped
     memcpy(w.new->vector, w.old->vector, w.old->m.sv_size);
     smvm_swap_continue(w.plan, w.old->vm, w.new->vm, w.new->vector);
     return store_list(s, &w);

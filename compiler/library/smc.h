@@ -51,7 +51,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-#ifdef SMC_LIBRARY            // building the library: it exports what is declared here
+#ifdef SMC_LIBRARY            // defined while the library is built, which exports these functions
 #pragma GCC visibility push(default)
 #endif
 
@@ -146,7 +146,7 @@ int32_t smc_source_kind(const SmcSession *s, uint32_t source);       // -1: ther
 enum SmcOption {
     SMC_OPTION_LEVEL = 0,         // of optimisation: 0, 1 or 2; initially 2.  Scripts and machines have the level of smc_compile
     SMC_OPTION_STEP = 1,          // by how much G advances in a step, for warnings; 0: the delta_t of the scripts, if all have the same
-    SMC_OPTION_MAX_RAM = 2,       // limits of a machine on the VM, each an error if it is exceeded: bytes of RAM,
+    SMC_OPTION_MAX_RAM = 2,       // limits of a machine on the VM, which must not be exceeded: bytes of RAM,
     SMC_OPTION_MAX_STEP = 3,      //   instructions of the longest step,
     SMC_OPTION_MAX_CYCLES = 4,    //   cycles of the longest step on an ATmega328P.  0: no limit
     SMC_OPTION_NAMES = 5,         // 1: images contain names and lines, as with smc build -g
@@ -196,8 +196,8 @@ int32_t smc_app_file_kind(const SmcSession *s, uint32_t file);
 
 enum SmcEmit {    // what smc_emit generates
     SMC_EMIT_IMAGE = 1,           // one image of all machines, with the pins
-    SMC_EMIT_ARRAY = 2,           // that image as a C array
-    SMC_EMIT_C = 3,               // C of each machine, state vector and pins; of an application, everything that it consists of
+    SMC_EMIT_ARRAY = 2,           // the image of SMC_EMIT_IMAGE as a C array
+    SMC_EMIT_C = 3,               // C of each machine, state vector and pins; of an application, all its parts
     SMC_EMIT_IR = 4,              // for developers of smc: the optimised IR, the syntax tree, and the tokens, as text
     SMC_EMIT_AST = 5,
     SMC_EMIT_TOKENS = 6
@@ -332,7 +332,7 @@ enum SmcAccess { SMC_ACCESS_READ = 1, SMC_ACCESS_WRITE = 2 };
 uint32_t smc_model_state_count(const SmcSession *s, uint32_t machine);
 const char *smc_model_state_name(const SmcSession *s, uint32_t machine, uint32_t state);
 uint32_t smc_model_state_marks(const SmcSession *s, uint32_t machine, uint32_t state);     // a sum of SMC_MARK_…
-uint32_t smc_model_state_line(const SmcSession *s, uint32_t machine, uint32_t state);      // of its header; 0: there is no such state
+uint32_t smc_model_state_line(const SmcSession *s, uint32_t machine, uint32_t state);      // the line of its header; 0: there is no such state
 
 uint32_t smc_model_transition_count(const SmcSession *s, uint32_t machine);
 uint32_t smc_model_transition_from(const SmcSession *s, uint32_t machine, uint32_t transition);      // 0: there is no such transition
@@ -453,10 +453,10 @@ SmcResult smc_swap_compare(SmcSession *s, SmcMachine from, SmcMachine to);
 
 enum SmcSwapKind { SMC_SWAP_STATE = 0, SMC_SWAP_LOCAL = 1, SMC_SWAP_WINDOW = 2 };
 enum SmcSwapFate {
-    SMC_SWAP_KEPT = 0,            // both machines have it
-    SMC_SWAP_ADDED = 1,           // only `to` has it: a local begins at its initial value, a window empty
-    SMC_SWAP_REMOVED = 2,         // only `from` has it.  While `from` is in a removed state, `to` cannot continue
-    SMC_SWAP_CHANGED = 3          // both have it, with different types: it begins as if only `to` had it
+    SMC_SWAP_KEPT = 0,            // both machines have the variable
+    SMC_SWAP_ADDED = 1,           // only `to` has the variable: a local begins at its initial value, a window empty
+    SMC_SWAP_REMOVED = 2,         // only `from` has the variable or state.  While `from` is in a removed state, `to` cannot continue
+    SMC_SWAP_CHANGED = 3          // both have the variable, with different types: it begins as if only `to` had it
 };
 
 // The list of the last smc_swap_compare or smc_machine_continue that returned SMC_OK: states, locals and windows of `to`, then those that only

@@ -94,7 +94,7 @@ static bool try_rewrite_bool_comparison(const Identity *d, IrIns *i)
     else if (if_false)
         replace_op(i, IR_not, boolean, IR_NONE);
     else
-        replace_op(i, IR_and, boolean, boolean);              // find_equal_operand (identity.c) then replaces `b and b` with b
+        replace_op(i, IR_and, boolean, boolean);              // find_equal_operand (identity.c) then replaces `b and b` by b
     return true;
 }
 

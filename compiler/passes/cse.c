@@ -224,15 +224,16 @@ static void visit_block(Cse *c, IrBlk *blk)
 void pass_cse(Arena *arena, IrFn *f, Facts *facts)
 {
     size_t n = f->ins.n, longest = 0;
-    Cse c = {f, facts, ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, IrRef, n), ARENA_ARRAY(arena, bool, n),
-             NULL, 8, 0};
+    Arena *work = facts->work;
+    Cse c = {f, facts, ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, bool, n), NULL, 8, 0};
 
+    (void)arena;
     for (size_t b = 0; b < f->blk.n; b++)
         if (f->blk.at[b].ins.n > longest)
             longest = f->blk.at[b].ins.n;
     while (c.cap < 2 * longest)
         c.cap *= 2;
-    c.table = ARENA_ARRAY(arena, CseSlot, c.cap);
+    c.table = ARENA_ARRAY(work, CseSlot, c.cap);
     for (size_t b = 0; b < f->blk.n; b++) {
         c.block = (uint32_t)b + 1;
         visit_block(&c, &f->blk.at[b]);

@@ -166,9 +166,9 @@ static void visit_instruction(Identity *d, IrRef ref)
 // The pass `identity`: removes operations whose result is an operand unchanged, such as a conversion there and back.
 void pass_identity(Arena *arena, IrFn *f, Facts *facts)
 {
-    Identity d = {f, ARENA_ARRAY(arena, IrRef, f->ins.n), ARENA_ARRAY(arena, bool, f->ins.n)};
+    Identity d = {f, ARENA_ARRAY(facts->work, IrRef, f->ins.n), ARENA_ARRAY(facts->work, bool, f->ins.n)};
 
-    (void)facts;
+    (void)arena;
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
         for (size_t i = 0; i < blk->ins.n; i++)

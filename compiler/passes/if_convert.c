@@ -217,7 +217,7 @@ static void convert_branch(IfConvert *c, IrBlkRef b, const Arm *then, const Arm 
 // The pass `if_convert`: replaces conditionals that only choose a boolean, or count by one, with code without a branch.
 void pass_if_convert(Arena *arena, IrFn *f, Facts *facts)
 {
-    IfConvert c = {arena, facts->m, f, ir_count_edges(arena, f), !facts->soft};
+    IfConvert c = {arena, facts->m, f, ir_count_edges(facts->work, f), !facts->soft};
     Arm then, other;
 
     for (IrBlkRef b = (IrBlkRef)f->blk.n; b-- > 0;)

@@ -68,10 +68,11 @@ static void rewrite_ins(KnownPass *k, IrRef ref)
         k->same[ref] = same;
 }
 
-static void rewrite_function(Arena *arena, IrFn *f, FactFlow flow)
+static void rewrite_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 {
-    KnownPass k = {f, flow.of, ARENA_ARRAY(arena, IrRef, f->ins.n)};
+    KnownPass k = {f, flow.of, ARENA_ARRAY(work, IrRef, f->ins.n)};
 
+    (void)arena;
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
         for (size_t i = 0; flow.reached[b] && i < blk->ins.n; i++)

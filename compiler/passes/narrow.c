@@ -21,7 +21,7 @@
 IrRef narrow_emit(Narrow *n, IrIns i)
 {
     vec_push(n->arena, &n->f->ins, i);
-    vec_push(n->arena, &n->out, (IrRef)(n->f->ins.n - 1));
+    vec_push(n->work, &n->out, (IrRef)(n->f->ins.n - 1));
     return (IrRef)(n->f->ins.n - 1);
 }
 
@@ -251,22 +251,25 @@ static void narrow_instruction(Narrow *n, IrRef ref)
         narrow_neg_or_abs(n, ref);
         narrow_to_integer(n, ref);
     }
-    vec_push(n->arena, &n->out, ref);
+    vec_push(n->work, &n->out, ref);
 }
 
 static void narrow_block(Narrow *n, IrBlk *blk)
 {
-    n->out.at = NULL;
-    n->out.n = n->out.cap = 0;
+    n->out.n = 0;
     for (size_t k = blk->ins.n; k-- > 0;)
         mark_operand_zero_signs(n, blk->ins.at[k]);
     for (size_t k = 0; k < blk->ins.n; k++)
         narrow_instruction(n, blk->ins.at[k]);
     if (blk->jump.kind == IR_BR)
         blk->jump.cond = n->same[blk->jump.cond];
-    blk->ins.at = n->out.at;
+    if (n->out.n > blk->ins.cap) {
+        blk->ins.at = ARENA_ARRAY(n->arena, IrRef, n->out.n);
+        blk->ins.cap = n->out.n;
+    }
+    if (n->out.n)
+        memcpy(blk->ins.at, n->out.at, n->out.n * sizeof *n->out.at);
     blk->ins.n = n->out.n;
-    blk->ins.cap = n->out.cap;
 }
 
 // Returns a table of `count` temporaries, all IR_NONE.
@@ -278,19 +281,19 @@ static IrRef *new_empty_refs(Arena *arena, size_t count)
     return r;
 }
 
-static void narrow_function(Arena *arena, IrFn *f, FactFlow flow)
+static void narrow_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 {
     const size_t temps = f->ins.n;
-    Narrow n = {.arena = arena, .f = f, .fact = flow.of, .uses = ir_count_uses(arena, f)};
+    Narrow n = {.arena = arena, .work = work, .f = f, .fact = flow.of, .uses = ir_count_uses(work, f)};
 
-    n.same = ARENA_ARRAY(arena, IrRef, temps);
+    n.same = ARENA_ARRAY(work, IrRef, temps);
     for (size_t r = 0; r < temps; r++)
         n.same[r] = (IrRef)r;
-    n.narrow = new_empty_refs(arena, temps);
-    n.wide = new_empty_refs(arena, temps);
-    n.as_i32 = new_empty_refs(arena, temps);
-    n.as_i64 = new_empty_refs(arena, temps);
-    n.zero_sign_observable = ARENA_ARRAY(arena, bool, temps);
+    n.narrow = new_empty_refs(work, temps);
+    n.wide = new_empty_refs(work, temps);
+    n.as_i32 = new_empty_refs(work, temps);
+    n.as_i64 = new_empty_refs(work, temps);
+    n.zero_sign_observable = ARENA_ARRAY(work, bool, temps);
     for (size_t b = 0; b < f->blk.n; b++)
         if (flow.reached[b])
             narrow_block(&n, &f->blk.at[b]);

@@ -29,6 +29,8 @@ typedef struct PassRunner {
     Facts *facts;                     // facts[0] of the sample function, then those of every state's functions
     VarNotes notes;
     FactMachine *values;              // NULL: not computed yet, or invalidated
+    Arena work;                       // for tables about the function on which passes run
+    size_t instructions;              // of the functions about which `work` has tables
 } PassRunner;
 
 static const PassInfo *find_pass(const char *name, size_t n)
@@ -62,24 +64,42 @@ VarNote *find_variable_note(VarNotes *n, uint32_t var)
     return note;
 }
 
+// ---- tables ----
+
+enum { TABLES_MAX = 1000 };           // instructions about which `work` has tables before it is freed: these stay in the processor's cache
+
+// Frees the tables about functions in `work`, if they are many.  *instructions: of these functions; f is the last of them.
+static void free_tables(Arena *work, size_t *instructions, const IrFn *f)
+{
+    *instructions += f->ins.n;
+    if (*instructions < TABLES_MAX)
+        return;
+    arena_reset(work);
+    *instructions = 0;
+}
+
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass)
 {
+    size_t instructions = 0;
+    Arena work;
+
+    arena_init_within(&work, arena);
     if (m->sample)
-        pass(arena, m->sample, facts_of_function(values, m->sample, facts_at_begin_of_sample(values)));
+        pass(arena, &work, m->sample, facts_of_function(values, m->sample, facts_at_begin_of_sample(values)));
     for (size_t s = 0; s < m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (m->state.at[s].block[b])
-                pass(arena, m->state.at[s].block[b], facts_of_block(values, s, b));
+            if (m->state.at[s].block[b]) {
+                pass(arena, &work, m->state.at[s].block[b], facts_of_block(values, s, b));
+                free_tables(&work, &instructions, m->state.at[s].block[b]);
+            }
 }
 
 // ---- running ----
 
 static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts *facts)
 {
-    if (!f)
-        return;
     if (pass->needs & ~facts->valid & FACT_USES) {
-        facts->uses = ir_count_uses(r->arena, f);
+        facts->uses = ir_count_uses(r->o->verify ? r->arena : &r->work, f);       // verify_machine compares them later
         facts->valid |= FACT_USES;
     }
     pass->on_function(r->arena, f, facts);
@@ -121,32 +141,61 @@ static const char *verify_machine(PassRunner *r, const char *when)
     return wrong ? format_in(r->arena, "%s: %s", when, wrong) : NULL;
 }
 
-// Runs one pass.  Returns NULL, or what `verify` found wrong with the result, as a sentence.
-static const char *run_pass(PassRunner *r, const PassInfo *pass)
+// Runs n passes on one function.  Their tables, and with them the use counts, are then free.
+static void run_in_turn(PassRunner *r, const PassInfo *const *pass, size_t n, IrFn *f, Facts *facts)
 {
-    const size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
+    if (!f)
+        return;
+    for (size_t k = 0; k < n; k++)
+        run_on_function(r, pass[k], f, facts);
+    free_tables(&r->work, &r->instructions, f);
+    if (!r->o->verify)
+        facts->valid &= ~(unsigned)FACT_USES;
+}
+
+// Runs n passes over functions, which are adjacent in their order.  All of them run on one function before they run on the next: the function is
+// then still in the processor's cache.
+static void run_on_functions(PassRunner *r, const PassInfo *const *pass, size_t n)
+{
     Facts *facts = r->facts;
 
-    if (pass->on_function) {
-        run_on_function(r, pass, r->m->sample, facts++);
-        for (size_t s = 0; s < r->m->state.n; s++)
-            for (int k = 0; k < BLOCK_COUNT; k++)
-                run_on_function(r, pass, r->m->state.at[s].block[k], facts++);
-    } else {
-        if (pass->needs & FACT_VALUES && !r->values)
-            r->values = facts_of_machine(r->arena, r->m);
-        pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
-        for (size_t f = 0; f < functions; f++)
-            r->facts[f].valid &= ~pass->invalidates;
-    }
-    if (pass->invalidates & FACT_VALUES)
-        r->values = NULL;
+    run_in_turn(r, pass, n, r->m->sample, facts++);
+    for (size_t s = 0; s < r->m->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++)
+            run_in_turn(r, pass, n, r->m->state.at[s].block[b], facts++);
+}
+
+static void run_on_machine(PassRunner *r, const PassInfo *pass)
+{
+    const size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
+
+    if (pass->needs & FACT_VALUES && !r->values)
+        r->values = facts_of_machine(r->arena, r->m);
+    pass->on_machine(r->arena, r->m, pass->needs & FACT_VALUES ? r->values : NULL);
+    for (size_t f = 0; f < functions; f++)
+        r->facts[f].valid &= ~pass->invalidates;
+}
+
+// Runs n adjacent passes, n > 1 only of passes over functions.  Returns NULL, or what `verify` found wrong with the result, as a sentence.
+static const char *run_passes(PassRunner *r, const PassInfo *const *pass, size_t n)
+{
+    const PassInfo *last = pass[n - 1];
+
+    if (last->on_function)
+        run_on_functions(r, pass, n);
+    else
+        run_on_machine(r, last);
+    for (size_t k = 0; k < n; k++)
+        if (pass[k]->invalidates & FACT_VALUES)
+            r->values = NULL;
     if (r->values)
         facts_forget_visits(r->values);
     if (r->o->after)
-        r->o->after(r->o->context, pass, r->m);
-    return verify_machine(r, pass->name);
+        r->o->after(r->o->context, last, r->m);
+    return verify_machine(r, last->name);
 }
+
+static const char *run_pass(PassRunner *r, const PassInfo *pass) { return run_passes(r, &pass, 1); }
 
 // Runs the passes of a list of names.  Returns NULL, or an error as a sentence.
 static const char *run_listed_passes(PassRunner *r, const char *list)
@@ -168,35 +217,53 @@ static void prepare_facts(PassRunner *r)
 {
     size_t functions = 1 + r->m->state.n * BLOCK_COUNT;
 
+    arena_init_within(&r->work, r->arena);
     r->facts = ARENA_ARRAY(r->arena, Facts, functions);
     r->notes.at = ARENA_ARRAY(r->arena, VarNote, r->m->var.n);
     for (size_t f = 0; f < functions; f++) {
         r->facts[f].m = r->m;
         r->facts[f].notes = &r->notes;
         r->facts[f].soft = r->o->soft;
+        r->facts[f].work = &r->work;
     }
+}
+
+// Returns how many of the next n passes (at least 1) can run together: passes over functions, if no check or print follows each of them.
+static size_t count_passes_over_functions(const PassRunner *r, const PassInfo *const *pass, size_t n)
+{
+    size_t together = 0;
+
+    while (together < n && pass[together]->on_function && !r->o->verify && !r->o->after)
+        together++;
+    return together ? together : 1;
 }
 
 // Runs the optimiser.  Returns NULL, or an error as a sentence.
 const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o)
 {
-    PassRunner r = {arena, m, o, NULL, {NULL, 0}, NULL};
+    PassRunner r = {.arena = arena, .m = m, .o = o};
+    const PassInfo *pass[sizeof runs / sizeof *runs];
     const char *wrong;
+    size_t n = 0, together;
 
     prepare_facts(&r);
     wrong = verify_machine(&r, "before the first pass");
     if (!wrong && o->only)
         return run_listed_passes(&r, o->only);
-    for (size_t p = 0; !wrong && p < sizeof runs / sizeof runs[0]; p++)
+    for (size_t p = 0; p < sizeof runs / sizeof *runs; p++)
         if (runs[p].level <= o->level)
-            wrong = run_pass(&r, &pass_info[runs[p].pass]);
+            pass[n++] = &pass_info[runs[p].pass];
+    for (size_t p = 0; !wrong && p < n; p += together) {
+        together = count_passes_over_functions(&r, pass + p, n - p);
+        wrong = run_passes(&r, pass + p, together);
+    }
     return wrong;
 }
 
 // Runs the passes for C on a copy of m.  Returns NULL, or a sentence about what is wrong.
 static const char *run_passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, IrMachine **out)
 {
-    PassRunner r = {arena, ir_copy(arena, m), o, NULL, {NULL, 0}, NULL};
+    PassRunner r = {.arena = arena, .m = ir_copy(arena, m), .o = o};
     const char *wrong = NULL;
 
     prepare_facts(&r);

@@ -37,9 +37,11 @@ typedef struct Facts {
     const IrMachine *m;   // the machine that contains the function
     VarNotes *notes;      // working memory that any pass may use
     bool soft;            // PassOptions.soft
+    Arena *work;          // for tables that a pass needs while it runs
 } Facts;
 
-// A pass over one function.  If it updates use counts itself, it changes `facts` along with the function.
+// A pass over one function.  What stays in the function is allocated in `arena`.  If the pass updates use counts itself, it changes `facts`
+// along with the function.
 typedef void PassFn(Arena *arena, IrFn *f, Facts *facts);
 typedef void PassMachineFn(Arena *arena, IrMachine *m, FactMachine *values);     // values: NULL if the pass does not need them
 
@@ -80,8 +82,8 @@ const char *passes_run(Arena *arena, IrMachine *m, const PassOptions *o);
 // *wrong is then a sentence that begins with the name of the pass.
 IrMachine *passes_for_c(Arena *arena, const IrMachine *m, const PassOptions *o, const char **wrong);
 
-// Calls `pass` for each function of m, with its flow.
-typedef void PassValuesFn(Arena *arena, IrFn *f, FactFlow flow);
+// Calls `pass` for each function of m, with its flow.  `work`: for tables that the pass needs while it works on the function.
+typedef void PassValuesFn(Arena *arena, Arena *work, IrFn *f, FactFlow flow);
 void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, PassValuesFn *pass);
 
 // ---- the passes, each in its own file ----

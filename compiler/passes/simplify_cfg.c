@@ -32,9 +32,9 @@ static void simplify_branch(const IrFn *f, IrJump *j)
 }
 
 // Redirects jumps to empty blocks.  Walks from the last block to the first, so that the final target of a jump to any later block is known.
-static void simplify_jumps(Arena *arena, IrFn *f)
+static void simplify_jumps(Arena *work, IrFn *f)
 {
-    IrBlkRef *final_target = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
+    IrBlkRef *final_target = ARENA_ARRAY(work, IrBlkRef, f->blk.n);
 
     for (size_t b = f->blk.n; b-- > 0;) {
         IrJump *j = &f->blk.at[b].jump;
@@ -61,9 +61,9 @@ static void merge_successors(Arena *arena, IrFn *f, IrBlkRef b, uint32_t *predec
     }
 }
 
-static void remove_unreachable_blocks(Arena *arena, IrFn *f, const uint32_t *predecessors)
+static void remove_unreachable_blocks(Arena *work, IrFn *f, const uint32_t *predecessors)
 {
-    IrBlkRef *number = ARENA_ARRAY(arena, IrBlkRef, f->blk.n);
+    IrBlkRef *number = ARENA_ARRAY(work, IrBlkRef, f->blk.n);
     IrBlkRef n = 0;
 
     for (size_t b = 0; b < f->blk.n; b++)
@@ -86,11 +86,10 @@ void pass_simplify_cfg(Arena *arena, IrFn *f, Facts *facts)
 {
     uint32_t *predecessors;
 
-    (void)facts;
-    simplify_jumps(arena, f);
-    predecessors = ir_count_edges(arena, f);
+    simplify_jumps(facts->work, f);
+    predecessors = ir_count_edges(facts->work, f);
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (predecessors[b] > 0)
             merge_successors(arena, f, b, predecessors);
-    remove_unreachable_blocks(arena, f, predecessors);
+    remove_unreachable_blocks(facts->work, f, predecessors);
 }

@@ -6,14 +6,14 @@
 #include "compiler/prove/prove_goal.h"
 
 enum {
-    DELTA_T = 10,             // of a machine without a step, and without given runs
-    EFFORT = 30000000,        // steps of searches for a violation
-    FIRST_SHARE = 16,         // the part of them that is searched before proofs that take long
-    FEW_CHANGES = 4,          // of inputs in a scenario: with more, other searches try to find a simpler one
-    EFFORT_PREMISE = 2000000  // of a search for a run that comes to the premise of a requirement that is proved
+    DELTA_T = 10,             // the step, if neither the machine nor a given run has one
+    EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
+    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of them run before the proofs that take long
+    FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
+    EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
 
-static const ProveLimits coarse = {1500, 300000, 0}, fine = {4000, 1500000, 0};
+static const ProveLimits coarse = {.nodes = 1500, .visits = 300000}, fine = {.nodes = 4000, .visits = 1500000};
 
 typedef struct ProveRun {
     Arena *arena;
@@ -29,10 +29,19 @@ typedef struct ProveRun {
     const ProveGiven **given_of;      // ... where each is from
     const GivenResult **judged;       // ... what each shows, by requirement
     uint32_t givens;
+    bool stopped;             // go_on has returned false
 } ProveRun;
 
 static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
-static bool goes_on(const ProveRun *v) { return !v->o->go_on || v->o->go_on(v->o->context); }
+
+// Called by what a run starts, too: so a stop that it has noticed counts, even if go_on would return true again.
+static bool goes_on(void *run)
+{
+    ProveRun *v = run;
+
+    v->stopped = v->stopped || (v->o->go_on && !v->o->go_on(v->o->context));
+    return !v->stopped;
+}
 
 // ---- proofs ----
 
@@ -44,6 +53,8 @@ static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, bool is_
     if (v->o->visits)
         limits.visits = v->o->visits;
     limits.memory = v->o->memory ? v->o->memory : SEARCH_MEMORY;
+    limits.go_on = goes_on;
+    limits.context = v;
     *x = prove_explore(&v->models, &v->work, model, v->result->init_state, assumed, is_fine, &limits);
     of->visits += x->visits;
     of->nodes = x->nodes;
@@ -92,10 +103,10 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
 }
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false},
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false}, {PROVE_RELATED, false},
                                                                           {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
 
-enum { ATTEMPTS_FIRST = 4, ATTEMPTS = sizeof attempt / sizeof *attempt };
+enum { ATTEMPTS_FIRST = 5, ATTEMPTS = sizeof attempt / sizeof *attempt };
 
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
@@ -156,6 +167,7 @@ static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool i
     of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
     of->is_loose = model->loosened > 0;
     of->is_compared = model->compared > 0;
+    of->is_related = model->pairs > 0;
     of->verdict = x.premise ? PROVE_PROVED : PROVE_VACUOUS;
     of->invariant = invariants_of(v, model, &x);
     return true;
@@ -168,6 +180,8 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
 
     if (loose == PROVE_COMPARED)
         return p->model[loose]->compared == 0;
+    if (loose == PROVE_RELATED)
+        return p->model[loose]->pairs == 0;
     return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 
@@ -181,10 +195,8 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
         for (uint32_t n = from; n < to; n++) {
             if (is_repeated(p, attempt[n].loose))
                 continue;
-            if (!goes_on(v)) {
-                of->obstacle = PROVE_INTERRUPTED;
+            if (!goes_on(v))
                 return false;
-            }
             if (try_attempt(v, p->model[attempt[n].loose], p->assumed[set], attempt[n].is_fine, of))
                 return true;
         }
@@ -193,13 +205,13 @@ static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
 
 // ---- violations ----
 
-static GoalSearch new_search(const ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+static GoalSearch new_search(ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort ? effort : 1,
-                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = v->o->go_on, .context = v->o->context};
+                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = goes_on, .context = v};
 }
 
-static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
+static GoalFound run_goal_search(ProveRun *v, ProveOf *of, const GoalSearch *g)
 {
     GoalFound found = goal_search(v->arena, &v->work, v->cover, g);
 
@@ -212,25 +224,26 @@ static GoalFound search_as(ProveRun *v, ProveOf *of, const GoalSearch *g)
     return found;
 }
 
-static GoalFound search_for(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
+static GoalFound search_goal(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     const GoalSearch g = new_search(v, of, kind, seed, effort);
 
-    return search_as(v, of, &g);
+    return run_goal_search(v, of, &g);
 }
 
 static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
 
-// Searches for violations with fewer changes: special values change many inputs at once, and not each of them is removed again.
+// Searches a violation with fewer changes.  A run with special values changes many inputs at once, and simplifying does not find all that it does not
+// need.
 static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *found)
 {
-    static const uint32_t share[] = {FIRST_SHARE, 4};     // of the effort, one part of so many
+    static const uint32_t share[] = {FIRST_SHARE, 4};     // 1 / n of the effort
 
     for (uint32_t n = 0; n < sizeof share / sizeof *share && found->changes > FEW_CHANGES && goes_on(v); n++) {
         GoalSearch g = new_search(v, of, GOAL_VIOLATION, n + 1, effort_of(v) / share[n]);
         g.usual_values = true;
         g.givens = 0;
-        const Scenario *other = search_as(v, of, &g).scenario;
+        const Scenario *other = run_goal_search(v, of, &g).scenario;
         if (other && is_simpler(other, found))
             found = other;
     }
@@ -240,7 +253,7 @@ static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
-    const GoalFound found = search_for(v, of, GOAL_VIOLATION, seed, effort);
+    const GoalFound found = search_goal(v, of, GOAL_VIOLATION, seed, effort);
 
     of->premise_seen = of->premise_seen || found.premise_seen || found.scenario;
     if (!found.scenario)
@@ -306,13 +319,13 @@ static bool is_violated_by_given(ProveRun *v, ProveOf *of)
     of->premise_seen = true;
     g.given = given;
     g.givens = 1;
-    simpler = search_as(v, of, &g).scenario;
+    simpler = run_goal_search(v, of, &g).scenario;
     of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, given) ? simpler : given);
     return true;
 }
 
-// Proofs that take long, and searches that take long, come last: most requirements are decided before.
-static void decide(ProveRun *v, ProveOf *of)
+// Tries, in this order: given runs, short proofs, a short search, long proofs, a long search.  Most requirements are decided early.
+static void try_to_decide(ProveRun *v, ProveOf *of)
 {
     const uint64_t effort = effort_of(v);
     ProveProof proof;
@@ -330,7 +343,18 @@ static void decide(ProveRun *v, ProveOf *of)
         }
     }
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
-        of->premise_seen = search_for(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+        of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+}
+
+// The verdict "undecided" means that all attempts failed.  If the caller stops before all were made, the verdict is "interrupted" instead.
+static void decide_requirement(ProveRun *v, ProveOf *of)
+{
+    of->verdict = PROVE_INTERRUPTED;
+    if (!goes_on(v))
+        return;
+    try_to_decide(v, of);
+    if (of->verdict == PROVE_UNDECIDED && !goes_on(v))
+        of->verdict = PROVE_INTERRUPTED;
 }
 
 // ---- contradictions ----
@@ -349,7 +373,7 @@ static Expr *new_expr(Arena *arena, ExprKind kind, SmOperator op, Expr *a, Expr 
 }
 
 // Returns what a requirement that is judged step by step requires of a step with its premise.
-static Expr *required(Arena *arena, const Requirement *r)
+static Expr *condition_to_meet(Arena *arena, const Requirement *r)
 {
     return r->kind == REQUIREMENT_NEVER ? new_expr(arena, EX_UNARY, SM_OP_NOT, r->a, NULL) : r->b;
 }
@@ -366,14 +390,14 @@ static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *al
 
 static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
 
-static bool contradict(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
+static bool contradict_each_other(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
 {
     const Expr *of_a = premise_of(a), *of_b = premise_of(b);
 
     if (!is_judged_alone(a) || !is_judged_alone(b) || (of_a != of_b && (!of_a || !of_b || !expr_equal(of_a, of_b, NULL))))
         return false;
-    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, required(arena, a), required(arena, b)))
-        && can_be_true(arena, m, all, of_a, required(arena, a)) && can_be_true(arena, m, all, of_a, required(arena, b));
+    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, condition_to_meet(arena, a), condition_to_meet(arena, b)))
+        && can_be_true(arena, m, all, of_a, condition_to_meet(arena, a)) && can_be_true(arena, m, all, of_a, condition_to_meet(arena, b));
 }
 
 bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second)
@@ -384,7 +408,7 @@ bool prove_find_contradiction(Arena *arena, const Requirements *r, const Require
         for (uint32_t k = i + 1; k < r->at.n; k++) {
             *first = &r->at.at[i];
             *second = &r->at.at[k];
-            if (contradict(arena, m, r, *first, *second))
+            if (contradict_each_other(arena, m, r, *first, *second))
                 return true;
         }
     return false;
@@ -413,7 +437,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
         if (o->progress)
             o->progress(o->context, i);
         arena_reset(&v.models);
-        decide(&v, &result->of[i]);
+        decide_requirement(&v, &result->of[i]);
     }
     return result;
 }

@@ -11,12 +11,16 @@
 //                 before b`, and a step with a after one with b of `never a after b without c`.
 //     violated    the result has a scenario that violates it, confirmed by the reference interpreter.
 //     undecided   neither a proof nor a violation was found.
+//     interrupted go_on has stopped the attempts before all were made.
 //
 // How a proof works.  A step of the machine, and the judgement of the requirement after it, become one function of variables (prove_model.h).
 // The exploration (prove_explore.h) computes facts about these variables: intervals of values, by state, by the past of the requirement and by the
 // values of variables with few of them.  It begins with all values with which the machine can start.  It ends when each step leads to
 // values that the facts already cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are
 // computed with the language's own arithmetic, with infinities, NaN and saturation.
+//
+// Facts about single variables are too weak where a requirement compares two of them.  The last attempt before long ones also follows the differences
+// of the variables that it compares (prove_relate.h).
 //
 // Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
 // not read: first all of them, then those of more than two samples.  Where that fails, later attempts know what is
@@ -37,10 +41,10 @@
 #define SMC_PROVE_H
 
 #include "compiler/facts/fact.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 #include "compiler/sema/requirements.h"
 
-typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED } ProveVerdict;
+typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED, PROVE_INTERRUPTED, PROVE_VERDICTS } ProveVerdict;
 
 typedef enum ProveAssumption {
     PROVE_OWN_OUTPUTS,        // only the machine writes the elements that it assigns
@@ -61,8 +65,7 @@ typedef struct ProveInvariant {
 
 typedef enum ProveObstacle {
     PROVE_FACTS_TOO_WEAK,     // the facts allow a violation that no run was found to have
-    PROVE_TOO_LARGE,          // the exploration reached its limits
-    PROVE_INTERRUPTED         // go_on has stopped it
+    PROVE_TOO_LARGE           // the exploration reached its limits
 } ProveObstacle;
 
 // The run of a script: a starting point of searches for violations (prove_given.h).
@@ -96,6 +99,7 @@ typedef struct ProveOf {
     uint32_t irrelevant;      // variables that cannot influence the requirement
     bool is_loose;            // PROVED, VACUOUS: with windows of any value (prove_model_new)
     bool is_compared;         // PROVED, VACUOUS: with samples that are compared with constants of the requirement
+    bool is_related;          // PROVED, VACUOUS: with the differences of variables
     uint32_t nodes;           // abstract states of the last exploration (prove_explore.h)
     uint64_t steps;           // of all runs that were tried
     uint64_t visits;          // paths from block to block that all explorations visited
@@ -111,7 +115,7 @@ typedef struct ProveOptions {
     size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It decides only if it is reached
     uint64_t visits;          // how many paths an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
-    bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is undecided.  NULL: never
+    bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is interrupted.  NULL: never
     void *context;
 } ProveOptions;
 

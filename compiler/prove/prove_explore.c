@@ -6,16 +6,19 @@
 #include "compiler/base/bitset.h"
 #include "compiler/facts/env_table.h"
 #include "compiler/ir/eval.h"
+#include "compiler/prove/prove_relate.h"
 #include "stdlib/convert.h"
 
 enum {
     ENVS_MOST = 96,           // facts of different paths to a block that are not joined
     CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
-    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, to a few round numbers
+    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
+    PATIENCE = 4,                     // factor on these numbers of changes, if the limits are bounds that an earlier exploration has found
     NARROWINGS = 3,
     LIMITS_MOST = 256,
-    MANY_VALUES = 4,                  // of a key: more are worth a mention
+    ROUNDS = 5,                       // number of explorations; the limits of each are the bounds that the previous one has found
+    MANY_VALUES = 4,                  // a key with more values than this can be named as an obstacle to a proof
     BESIDE = 5                        // limits of a constant: itself, and its neighbours
 };
 
@@ -27,7 +30,7 @@ typedef struct ProveNode {
     const Env *env;           // the facts when the step begins
     uint64_t *key;            // by key: its value as the bits of an F64, or KEY_OPEN
     uint64_t hash;
-    uint32_t state;           // from 0
+    uint32_t state;           // number of the state, from 0
     uint32_t changes;
     bool first, queued;
 } ProveNode;
@@ -37,7 +40,7 @@ typedef struct ProveTable {
     uint32_t *slot;           // hash table: 1 + the number of a node; 0: empty
     uint32_t slots;           // a power of 2
     VEC(uint32_t) queue;
-    uint32_t next;            // of the queue
+    uint32_t next;            // index of the first entry of the queue that is not explored yet
 } ProveTable;
 
 typedef struct Explorer {
@@ -50,17 +53,25 @@ typedef struct Explorer {
     const ProveLimits *limits;
     uint64_t *visits;
     FactLimits widening;
+    double *limit;            // those of `widening`
+    double *found;            // the bounds of the last nodes, `founds` of them: the limits of the next exploration
+    size_t founds;
+    uint32_t patience;
     ProveTable *table;        // receives nodes
     bool widens;              // false: in the last rounds
     ProveExplored *out;
     const ProveStep *step;    // the current one
     const ProveNode *from;
     const ProveBranch *branch;
+    bool is_taken;            // the facts allow the branch, ...
+    const Env *taken;         // ... and these are the facts at its end
+    uint32_t *holder;         // memory for prove_relate, for fewer than `holders` temporaries
+    uint32_t holders;
     ProveEnvs *at;            // by block of the step: the facts at its beginning, by path
     uint32_t blocks;          // capacity of `at`
 } Explorer;
 
-static bool assumes(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
+static bool is_assumed(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
 
 // ---- facts between steps ----
 
@@ -97,7 +108,7 @@ static Fact fact_of_input(const Explorer *x, uint32_t v)
     const IrVar *var = &x->p->ir->var.at[v];
     Fact f = fact_of_type(var->type);
 
-    if (!assumes(x, PROVE_RANGES))
+    if (!is_assumed(x, PROVE_RANGES))
         return f;
     for (uint32_t k = 0; k < x->p->machine->program->var.n; k++) {
         const Var *of = x->p->machine->program->var.at[k];
@@ -120,21 +131,43 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
     case PROVE_INPUT: return fact_of_input(x, v);
     case PROVE_OUTPUT:
         if (!before)
-            return assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
-        return assumes(x, PROVE_OWN_OUTPUTS) ? *before : type;
+            return is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+        return is_assumed(x, PROVE_OWN_OUTPUTS) ? *before : type;
     case PROVE_KEPT:
         if (before)
             return *before;
-        return v < p->machine->var.n && assumes(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
+        return v < p->machine->var.n && is_assumed(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
     case PROVE_CHOICE: return p->var[v].begin;
     case PROVE_IRRELEVANT: return type;
+    case PROVE_DIFFERENCE: return type;       // begin_differences
     case PROVE_TIME: break;
     }
     if (v == p->ir->s)
         return fact_of_cell(var->type, state + 1);
     if (v == p->ir->t && (first || !before))
         return fact_of_cell(var->type, 0);
-    return before ? advance_time(*before, (double)p->delta_t) : assumes(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+    return before ? advance_time(*before, (double)p->delta_t) : is_assumed(x, PROVE_ZERO_START) ? fact_of_cell(var->type, 0) : type;
+}
+
+// Whether a variable has the value of the step before when a step begins.
+static bool lasts(const Explorer *x, uint32_t v)
+{
+    const ProveVarKind kind = x->p->var[v].kind;
+
+    return kind == PROVE_KEPT || (kind == PROVE_OUTPUT && is_assumed(x, PROVE_OWN_OUTPUTS));
+}
+
+// Adds the differences to the facts with which a step begins.
+static const Env *begin_differences(const Explorer *x, const Env *before, bool is_start, const Env *env)
+{
+    const EnvShape *shape = &x->fm->shape;
+
+    for (uint32_t n = 0; n < x->p->pairs; n++) {
+        const ProvePair *pair = &x->p->pair[n];
+        if (is_start || (lasts(x, pair->x) && lasts(x, pair->y)))
+            env = env_set(shape, env, pair->var, is_start ? prove_difference(env_get(shape, env, pair->x), env_get(shape, env, pair->y)) : env_get(shape, before, pair->var));
+    }
+    return env;
 }
 
 static const Env *begin_step(const Explorer *x, const Env *before, bool is_start, uint32_t state, bool first)
@@ -150,14 +183,14 @@ static const Env *begin_step(const Explorer *x, const Env *before, bool is_start
         if (!fact_equal(f, fact_of_type(x->p->ir->var.at[v].type)))
             env = env_set(shape, env, v, f);
     }
-    return env;
+    return begin_differences(x, before, is_start, env);
 }
 
 // ---- nodes ----
 
 static uint64_t key_of(Fact f) { return f.lo == f.hi && !f.nan ? sm_bits(f.lo == 0 ? 0.0 : f.lo) : KEY_OPEN; }
 
-static uint64_t mix(uint64_t h, uint64_t x)
+static uint64_t mix_hash(uint64_t h, uint64_t x)
 {
     h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
     return h ^ h >> 31;
@@ -206,12 +239,12 @@ static void join_at_node(Explorer *x, uint32_t number, const Env *env)
     static const double round[] = {-FACT_EXACT, -1e6, -1, 0, 1, 255, 65535, 1e6, FACT_EXACT};
     static const FactLimits few = {round, sizeof round / sizeof *round};
     ProveNode *n = &x->table->node.at[number];
-    const FactLimits *widen = !x->widens || n->changes < CHANGES_BEFORE_WIDENING ? NULL : n->changes < CHANGES_BEFORE_FEW_LIMITS ? &x->widening : &few;
+    const FactLimits *widen = !x->widens || n->changes < CHANGES_BEFORE_WIDENING ? NULL : n->changes < CHANGES_BEFORE_FEW_LIMITS * x->patience ? &x->widening : &few;
     const Env *now = env_join(&x->fm->shape, n->env, env, widen);
 
     if (now == n->env)
         return;
-    if (x->widens && n->changes > CHANGES_MOST)
+    if (x->widens && n->changes > CHANGES_MOST * x->patience)
         now = begin_step(x, NULL, false, n->state, n->first);
     n->env = now;
     n->changes++;
@@ -225,10 +258,10 @@ static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
     uint32_t *slot;
 
     n.key = ARENA_ARRAY(x->arena, uint64_t, x->keys + 1);
-    n.hash = mix(state, first);
+    n.hash = mix_hash(state, first);
     for (uint32_t k = 0; k < x->keys; k++) {
         n.key[k] = key_of(env_get(&x->fm->shape, env, x->key[k]));
-        n.hash = mix(n.hash, n.key[k]);
+        n.hash = mix_hash(n.hash, n.key[k]);
     }
     slot = find_slot(x, t, &n);
     if (*slot) {
@@ -245,13 +278,13 @@ static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
 // ---- a step ----
 
 // Removes from env what no later block reads, and what the next step does not begin with: paths that differ in nothing else become equal.
-static const Env *forget_dead(const Explorer *x, const Env *env, const uint64_t *live)
+static const Env *forget_dead_variables(const Explorer *x, const Env *env, const uint64_t *live)
 {
     const EnvShape *shape = &x->fm->shape;
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
         const ProveVarKind kind = x->p->var[v].kind;
-        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !assumes(x, PROVE_OWN_OUTPUTS));
+        const bool lost = kind == PROVE_INPUT || (kind == PROVE_CHOICE && v != x->p->next && v != x->p->premise) || (kind == PROVE_OUTPUT && !is_assumed(x, PROVE_OWN_OUTPUTS));
         if (lost && !bitset_has(live, v) && env_find(shape, env, v) && !(kind == PROVE_OUTPUT && x->p->var[v].stored))
             env = env_set(shape, env, v, fact_of_type(x->p->ir->var.at[v].type));
     }
@@ -270,7 +303,7 @@ static void enter_block(Explorer *x, IrBlkRef block, const Env *env)
         return;
     if (!fact_equal(time, was))
         env = env_set(&x->fm->shape, env, t, time);
-    env = forget_dead(x, env, x->step->block[block].live);
+    env = forget_dead_variables(x, env, x->step->block[block].live);
     for (uint32_t n = 0; n < at->n; n++)
         if (at->at[n] == env)
             return;
@@ -314,34 +347,55 @@ static void visit_edge(void *context, const IrJump *end, const Env *env)
 
     if (end != &x->branch->fn->blk.at[1].jump)
         return;
-    if (x->branch->then == IR_NONE)
-        end_step(x, env);
+    x->is_taken = true;
+    x->taken = env;
+}
+
+// Whether the differences allow the branch.  If so, adds them to the facts at its end.
+static bool relate_variables(Explorer *x, const Fact *of, const Env *begin)
+{
+    const IrFn *f = x->branch->fn;
+
+    if (x->p->pairs == 0)
+        return true;
+    if (f->ins.n >= x->holders) {
+        x->holders = f->ins.n * 2 + 1;
+        x->holder = ARENA_ARRAY(x->arena, uint32_t, x->holders);
+    }
+    return prove_relate(&(ProveFlow){x->p, &x->fm->shape, f, of, x->holder, begin}, &x->taken);
+}
+
+static void follow_branch(Explorer *x, const ProveBranch *branch, const Env *env)
+{
+    const FactEnds ends = {.visit = visit_edge, .context = x, .all = true};
+    const Fact *of;
+
+    x->branch = branch;
+    x->is_taken = false;
+    ++*x->visits;
+    of = facts_flow(x->fm, branch->fn, env, &ends).of;
+    if (!x->is_taken || !relate_variables(x, of, env))
+        return;
+    if (branch->then == IR_NONE)
+        end_step(x, x->taken);
     else
-        enter_block(x, x->branch->then, env);
+        enter_block(x, branch->then, x->taken);
 }
 
 static void visit_block(Explorer *x, IrBlkRef b)
 {
-    static const FactEnds no_ends;
     const ProveBlock *block = &x->step->block[b];
-    FactEnds ends = no_ends;
 
     if (block->end == PROVE_END_IMPOSSIBLE)
         return;
-    ends.visit = visit_edge;
-    ends.context = x;
-    ends.all = true;
     for (uint32_t n = 0; n < x->at[b].n; n++) {
         const Env *env = x->at[b].at[n];
         if (block->end != PROVE_END_NONE)
             x->out->premise |= env_get(&x->fm->shape, env, x->p->premise).hi > 0;
         if (block->end == PROVE_END_VIOLATED)
             x->out->violated = true;
-        for (uint32_t k = 0; k < block->branch.n && block->end != PROVE_END_VIOLATED; k++) {
-            x->branch = &block->branch.at[k];
-            ++*x->visits;
-            facts_flow(x->fm, x->branch->fn, env, &ends);
-        }
+        for (uint32_t k = 0; k < block->branch.n && block->end != PROVE_END_VIOLATED; k++)
+            follow_branch(x, &block->branch.at[k], env);
     }
 }
 
@@ -389,10 +443,9 @@ static void add_limits_of(double *limit, size_t *n, const IrFn *f, const IrIns *
 }
 
 // Returns the constants of the machine and of the requirement with their neighbours: guards stop counters and times there.
-static FactLimits find_limits(Arena *arena, const ProveModel *p)
+static FactLimits find_limits(double *limit, const ProveModel *p)
 {
     const double delta = (double)p->delta_t, beside[BESIDE] = {0, -1, 1, -delta, delta};
-    double *limit = ARENA_ARRAY(arena, double, LIMITS_MOST);
     size_t n = 0;
 
     add_limit(limit, &n, 0);
@@ -436,7 +489,7 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
         memset(seen, 0, 2 * SAMPLE * sizeof *seen);
         for (uint32_t n = 0; n < x->table->node.n && values < SAMPLE; n++) {
             const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0
-            uint64_t at = mix(value, 7) & (2 * SAMPLE - 1);
+            uint64_t at = mix_hash(value, 7) & (2 * SAMPLE - 1);
             while (seen[at] && seen[at] != value)
                 at = (at + 1) & (2 * SAMPLE - 1);
             values += seen[at] == 0;
@@ -450,7 +503,9 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
     return widest;
 }
 
-typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS } ExploreEnd;
+typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISITS, EXPLORE_STOPPED } ExploreEnd;
+
+static bool goes_on(const Explorer *x) { return !x->limits->go_on || x->limits->go_on(x->limits->context); }
 
 static ExploreEnd explore_all(Explorer *x, const State *init)
 {
@@ -467,12 +522,15 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
             return EXPLORE_MANY_NODES;
         if (*x->visits > x->limits->visits || (x->limits->memory && arena_size(x->arena) > x->limits->memory))
             return EXPLORE_MANY_VISITS;
+        if (!goes_on(x))
+            return EXPLORE_STOPPED;
     }
     return EXPLORE_CLOSED;
 }
 
-// Explores one step from each node, which covers all steps of a run: so do the start and what follows these steps, without widening.
-static void narrow(Explorer *x, const State *init)
+// Explores one step from each node again, without widening.  The nodes cover every run, so the start and the ends of these steps cover every
+// run, too, with tighter bounds.
+static ExploreEnd narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
 
@@ -482,8 +540,12 @@ static void narrow(Explorer *x, const State *init)
     memset(x->out->reached, 0, x->p->machine->state.n * sizeof *x->out->reached);
     memset(x->out->entered, 0, x->p->machine->state.n * sizeof *x->out->entered);
     add_node(x, begin_step(x, NULL, true, init->number - 1, true), init->number - 1, true);
-    for (uint32_t n = 0; n < from->node.n; n++)
+    for (uint32_t n = 0; n < from->node.n; n++) {
+        if (!goes_on(x))
+            return EXPLORE_STOPPED;
         explore_step(x, &from->node.at[n]);
+    }
+    return EXPLORE_CLOSED;
 }
 
 static void new_facts(Explorer *x)
@@ -492,8 +554,22 @@ static void new_facts(Explorer *x)
     if (!x->fm->shape.unique)
         x->fm->shape.unique = env_table_new(x->arena);        // equal facts become the same pointer
     x->at = NULL;
-    x->blocks = 0;
-    x->widening = find_limits(x->arena, x->p);
+    x->blocks = x->holders = 0;
+}
+
+// Collects the bounds of the facts of all nodes.
+static void find_bounds(Explorer *x)
+{
+    x->founds = 0;
+    add_limit(x->found, &x->founds, 0);
+    for (uint32_t n = 0; n < x->table->node.n; n++)
+        for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
+            const Fact *f = env_find(&x->fm->shape, x->table->node.at[n].env, v);
+            if (!f || f->lo > f->hi || x->p->var[v].kind == PROVE_INPUT || x->p->var[v].kind == PROVE_CHOICE)
+                continue;
+            add_limit(x->found, &x->founds, f->lo);
+            add_limit(x->found, &x->founds, f->hi);
+        }
 }
 
 static ExploreEnd explore_once(Explorer *x, const State *init)
@@ -503,8 +579,10 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     new_facts(x);
     end = explore_all(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
-        narrow(x, init);
+        end = narrow_facts(x, init);
     x->out->nodes = x->table->node.n;
+    if (end == EXPLORE_CLOSED && x->out->violated)
+        find_bounds(x);
     return end;
 }
 
@@ -539,45 +617,78 @@ static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
     uint32_t n = 0;
 
     for (uint32_t v = 0; v < x->p->ir->var.n; v++) {
-        const ProveVarKind kind = x->p->var[v].kind;
-        const bool lasts = kind == PROVE_KEPT || (kind == PROVE_OUTPUT && assumes(x, PROVE_OWN_OUTPUTS)) || (v == x->p->ir->t && x->p->var[v].relevant);
-        if (lasts && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
+        const bool changes = lasts(x, v) || (v == x->p->ir->t && x->p->var[v].relevant);
+        if (changes && (x->p->var[v].stored || v == x->p->ir->t || v >= x->p->machine->var.n) && (fine || has_few_values(x->p, v)))
             key[n++] = v;
     }
     return n;
 }
 
-ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
+// Explores with the limits of widening in x.  `visits`: number of visits of earlier explorations.
+static ProveExplored explore_within(Explorer *x, Arena *arena, Arena *work, const State *init_state, bool fine, uint64_t visits)
 {
-    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)p->machine->state.n * p->ir->var.n)};
-    Explorer x = {.p = p, .assumed = assumed, .limits = limits, .visits = &out.visits, .out = &out};
+    const ProveModel *p = x->p;
+    ProveExplored out = {.after = ARENA_ARRAY(arena, Fact, (size_t)p->machine->state.n * p->ir->var.n), .visits = visits};
     uint32_t *key = ARENA_ARRAY(arena, uint32_t, p->ir->var.n);
     ExploreEnd end;
 
     out.reached = ARENA_ARRAY(arena, bool, p->machine->state.n);
     out.entered = ARENA_ARRAY(arena, bool, p->machine->state.n);
-    x.keys = choose_keys(&x, fine, key);
-    x.key = key;
+    x->out = &out;
+    x->visits = &out.visits;
+    x->keys = choose_keys(x, fine, key);
+    x->key = key;
     do {
-        uint32_t widest = x.keys;
+        uint32_t widest = x->keys;
         arena_reset(work);
-        x.arena = work;
+        x->arena = work;
         out.violated = out.premise = false;
         memset(out.reached, 0, p->machine->state.n * sizeof *out.reached);
         memset(out.entered, 0, p->machine->state.n * sizeof *out.entered);
-        end = explore_once(&x, init_state);
+        end = explore_once(x, init_state);
         if (end == EXPLORE_MANY_NODES)
-            widest = find_widest_key(&x, 1);
-        if (end == EXPLORE_MANY_NODES && widest == x.keys)
+            widest = find_widest_key(x, 1);
+        if (end == EXPLORE_MANY_NODES && widest == x->keys)
             end = EXPLORE_MANY_VISITS;
         else if (end == EXPLORE_MANY_NODES) {
             note_wide(&out, key[widest]);
-            key[widest] = key[--x.keys];
+            key[widest] = key[--x->keys];
         }
     } while (end == EXPLORE_MANY_NODES);
-    for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(&x, MANY_VALUES)) != x.keys; n++)
+    for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(x, MANY_VALUES)) != x->keys; n++)
         note_wide(&out, key[widest]);
     out.closed = end == EXPLORE_CLOSED;
+    return out;
+}
+
+// Whether the bounds of the last exploration are other limits than its own.  If so, they are the next ones.
+static bool take_bounds(Explorer *x)
+{
+    double *const was = x->limit;
+    const bool differ = x->founds != x->widening.n || memcmp(x->found, was, x->founds * sizeof *was) != 0;
+
+    x->limit = x->found;
+    x->found = was;
+    x->widening = (FactLimits){x->limit, x->founds};
+    x->patience = PATIENCE;
+    return differ;
+}
+
+// A bound that has been widened too far stays so where a state is repeated, because narrowing explores only one step.  But the bounds of the states that
+// follow are those of a run, such as the sum of two times.  So they are the limits of another exploration.
+ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits)
+{
+    Explorer x = {.p = p, .assumed = assumed, .limits = limits, .patience = 1, .limit = ARENA_ARRAY(arena, double, LIMITS_MOST), .found = ARENA_ARRAY(arena, double, LIMITS_MOST)};
+    ProveExplored out;
+
+    x.widening = find_limits(x.limit, p);
+    out = explore_within(&x, arena, work, init_state, fine, 0);
+    for (int round = 1; round < ROUNDS && out.closed && out.violated && take_bounds(&x); round++) {
+        const ProveExplored other = explore_within(&x, arena, work, init_state, fine, out.visits);
+        out.visits = other.visits;
+        if (other.closed)
+            out = other;
+    }
     return out;
 }
 

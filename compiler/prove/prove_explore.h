@@ -14,14 +14,16 @@
 #include "compiler/prove/prove_model.h"
 
 typedef struct ProveLimits {
-    uint32_t nodes;           // with more, a key is given up
-    uint64_t visits;          // of branches, each once per path to its block; after these, the exploration gives up
+    uint32_t nodes;           // limit on nodes: when it is reached, the exploration begins again with one key less
+    uint64_t visits;          // limit on visits of branches, one for each path to a block: when it is reached, the exploration gives up
     size_t memory;            // bytes of the exploration; 0: no limit
+    bool (*go_on)(void *context);     // false stops; or NULL
+    void *context;
 } ProveLimits;
 
 typedef struct ProveExplored {
-    bool closed;              // all steps lead to known nodes: what follows is true of every run
-    bool violated, premise;   // some step may violate the requirement; could do so
+    bool closed;              // the exploration is complete: the following fields are true of every run
+    bool violated, premise;   // some step may violate the requirement; may have its premise
     uint32_t nodes;
     uint32_t wide[PROVE_WIDES];       // variables with too many values to be keys, or with most values when the exploration gave up; `wides` of them
     uint32_t wides;
@@ -31,8 +33,8 @@ typedef struct ProveExplored {
     bool *entered;            // by state from 0: a step can run in it before one violates the requirement
 } ProveExplored;
 
-// `assumed`: 1u << ProveAssumption of each.  `fine`: all variables that change are keys; else only those with few values.  `work` has the memory of the
-// exploration: it is reset first.
+// `assumed`: a set of 1u << ProveAssumption.  `fine`: nodes differ in the values of all variables that change; else only of those with few values.
+// `work`: memory of the exploration, which is reset first.
 ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits);
 
 // Whether some values of the variables violate the requirement, whatever the machine does.

@@ -10,7 +10,7 @@
 // can be another program of the same source.  Reports what the script reports.  Returns whether it has passed.
 bool prove_record_script(Arena *arena, Diags *diags, const Program *p, const Program *flown, const Script *s, ProveGiven *out);
 
-// Whether a run can be a starting point: it begins as those that are judged.
+// Whether a search can start from a given run: it must have the same first state and step.
 bool prove_uses_given(const ProveGiven *g, const State *init_state, uint64_t delta_t);
 
 // What a given run shows about a requirement.

@@ -29,7 +29,7 @@ enum { MEMORY_SIZE = (sizeof(GoalMemory) + 7) / 8 * 8 };
 typedef struct Distance { double to_true, to_false; } Distance;
 
 static double absolute(double x) { return x < 0 ? -x : x; }
-static double smaller(double a, double b) { return a < b ? a : b; }
+static double smaller_of(double a, double b) { return a < b ? a : b; }
 
 static Distance distance_of_value(bool value) { return (Distance){value ? 0 : 1, value ? 1 : 0}; }
 
@@ -53,8 +53,8 @@ static bool is_comparison(SmOperator op)
     return op == SM_OP_EQ || op == SM_OP_NE || op == SM_OP_LT || op == SM_OP_LE || op == SM_OP_GT || op == SM_OP_GE;
 }
 
-static Distance both(Distance a, Distance b) { return (Distance){a.to_true + b.to_true, smaller(a.to_false, b.to_false)}; }
-static Distance either(Distance a, Distance b) { return (Distance){smaller(a.to_true, b.to_true), a.to_false + b.to_false}; }
+static Distance distance_of_and(Distance a, Distance b) { return (Distance){a.to_true + b.to_true, smaller_of(a.to_false, b.to_false)}; }
+static Distance distance_of_or(Distance a, Distance b) { return (Distance){smaller_of(a.to_true, b.to_true), a.to_false + b.to_false}; }
 
 // Evaluates each part of a condition once: windows can be long.
 static Distance distance_of(const Expr *e, const uint64_t *cell, const RefWindows *w)
@@ -67,7 +67,7 @@ static Distance distance_of(const Expr *e, const uint64_t *cell, const RefWindow
     }
     if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {
         const Distance a = distance_of(e->arg[0], cell, w), b = distance_of(e->arg[1], cell, w);
-        return e->op == SM_OP_AND ? both(a, b) : either(a, b);
+        return e->op == SM_OP_AND ? distance_of_and(a, b) : distance_of_or(a, b);
     }
     if (e->kind == EX_BINARY && is_comparison(e->op))
         return distance_of_comparison(e->op, ref_eval(e->arg[0], cell, w), ref_eval(e->arg[1], cell, w));
@@ -75,7 +75,7 @@ static Distance distance_of(const Expr *e, const uint64_t *cell, const RefWindow
         return distance_of_value(ref_true(ref_eval(e, cell, w)));
     for (uint32_t k = 0; k + 1 < e->n; k++) {
         const Distance d = distance_of_comparison(expr_ops(e)[k], ref_eval(e->arg[k], cell, w), ref_eval(e->arg[k + 1], cell, w));
-        all = k == 0 ? d : both(all, d);
+        all = k == 0 ? d : distance_of_and(all, d);
     }
     return all;
 }
@@ -109,7 +109,7 @@ static bool is_in_ranges(const GoalWatch *w, GoalMemory *m, const uint64_t *cell
 }
 
 // Adds a change in the first step for each input that has none there and whose range does not contain 0.
-static void hold_in_ranges(Arena *arena, const Program *p, Scenario *s)
+static void set_inputs_in_ranges(Arena *arena, const Program *p, Scenario *s)
 {
     ScenarioChange *change = ARENA_ARRAY(arena, ScenarioChange, s->changes + p->var.n);
     size_t n = 0;
@@ -130,7 +130,7 @@ static void hold_in_ranges(Arena *arena, const Program *p, Scenario *s)
 
 // ---- the goal ----
 
-// The distances of the conditions of the requirement in a step; of one that it does not have: those of false.
+// The distances of the conditions of a requirement in a step.  A condition that the requirement lacks counts as false.
 typedef struct Conditions { Distance a, b, c; } Conditions;
 
 static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
@@ -276,7 +276,7 @@ const bool *goal_inputs(Arena *arena, const Program *p)
 enum { SIMPLIFY_CHANGES = 12, SIMPLIFY_STEPS = 20000 };       // larger scenarios are left as they are
 
 // Whether a scenario still reaches the goal.  If so, it ends there.
-static bool reaches(Arena *arena, const GoalSearch *g, Scenario *s)
+static bool reaches_goal(Arena *arena, const GoalSearch *g, Scenario *s)
 {
     const uint64_t step = goal_confirm(arena, g, s);
 
@@ -302,15 +302,15 @@ static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t d
             change[less.changes++] = c;
     }
     if (g->assume_ranges)
-        hold_in_ranges(arena, g->all->program, &less);
-    reached = less.changes < s->changes && reaches(arena, g, &less);
+        set_inputs_in_ranges(arena, g->all->program, &less);
+    reached = less.changes < s->changes && reaches_goal(arena, g, &less);
     if (reached)
         *s = less;
     return reached;
 }
 
-// Removes changes that the goal does not need, also those that it does not need if another change has the value of a third one.
-static void simplify(Arena *arena, const GoalSearch *g, Scenario *s)
+// Removes changes that the goal does not need.  Also tries to give one change the value of another, if a third change is not needed then.
+static void simplify_scenario(Arena *arena, const GoalSearch *g, Scenario *s)
 {
     bool shorter = s->changes <= SIMPLIFY_CHANGES && s->steps <= SIMPLIFY_STEPS;
 
@@ -349,7 +349,7 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
 
     *s = *found;
     if (g->assume_ranges)
-        hold_in_ranges(arena, g->all->program, s);
+        set_inputs_in_ranges(arena, g->all->program, s);
     s->steps = goal_confirm(arena, g, s);
     while (s->changes && s->change[s->changes - 1].step > s->steps)
         s->changes--;
@@ -359,7 +359,7 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
 // Returns how much a step costs.  The reference computes the statistics of a window from all its samples.
 static uint64_t cost_of_step(const Monitor *m)
 {
-    enum { SAMPLES = 64 };                // as much as the other parts of a step
+    enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step
     uint64_t samples = 0;
 
     for (size_t n = 0; n < m->windows.n; n++)
@@ -393,7 +393,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     if (found->find[found->places].outcome == SEARCH_REACHED) {
         Scenario *s = goal_end_scenario(work, g, &found->chosen[found->find[found->places].scenario].scenario);
         if (s)
-            simplify(work, g, s);
+            simplify_scenario(work, g, s);
         out.unconfirmed = !s && !g->assume_ranges;        // the values in the ranges can prevent it
         out.scenario = s ? copy_scenario(arena, s) : NULL;
     }

@@ -7,6 +7,7 @@
 //     prove_slice.c     removes from the machine what cannot influence the requirement
 //     prove_judge.c     the judgement of the requirement at the end of a step
 //     prove_branch.c    the branches of a block
+//     prove_pair.c      pairs of variables that are compared with each other
 #ifndef SMC_PROVE_MAKE_H
 #define SMC_PROVE_MAKE_H
 
@@ -26,6 +27,8 @@ typedef struct MadeWindow {
     uint32_t first;                   // index in ProveMaker.same of window 0 of that function
     const Window *of;                 // one of the calls that read it
     uint32_t base;                    // of comparisons (prove_threshold.c): the window whose samples are compared; else IR_NONE
+    uint32_t outcome;                 // of comparisons: a variable with the sample of this step, once `is_sampled`
+    bool is_sampled;                  // the step that is being made has emitted its sample
     Fact samples;                     // what is known about them
 } MadeWindow;
 
@@ -76,17 +79,18 @@ void prove_copy_block(ProveMaker *k, const IrFn *from, const IrBlk *b, IrRef *co
 // ---- windows ----
 
 void prove_merge_windows(ProveMaker *k, const Requirements *all);
-// Finds out which windows can be followed exactly.  `loose`: which of the machine's windows are not, of those that the
-// requirement does not read.
+// Decides which windows the model follows exactly.  `loose`: which windows of the machine it does not follow, unless the requirement reads them.
 void prove_find_samples(ProveMaker *k, ProveLoosening loose);
 // Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
 bool prove_follows_samples(const MadeWindow *w);
 void prove_add_windows(ProveMaker *k);
 // Adds windows that compare the samples of others.
 void prove_compare_samples(ProveMaker *k);
+// Returns the comparisons that have had the same sample in this step as w will have; NULL: none.
+const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w);
 // Emits that the minimum and the maximum of a window agree with its comparison w.
 void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w);
-// Emits the samples of the windows `from` to `to` - 1, and those of their comparisons, and makes the block after them the current one.
+// Emits the sampling of the windows `from` to `to` - 1, and of windows that compare their samples.  The block after it becomes the current one.
 void prove_sample_windows(ProveMaker *k, uint32_t from, uint32_t to);
 
 // ---- the slice ----
@@ -100,6 +104,8 @@ const bool *prove_slice(ProveMaker *k);
 
 // Emits the judgement of the step, and its two ends.
 void prove_judge_requirement(ProveMaker *k);
+// Adds the pairs of variables whose differences a proof follows.
+void prove_add_pairs(ProveMaker *k);
 // Appends the branches of block b of f to `to`.
 void prove_split_block(ProveMaker *k, ProveBlock *to, const IrFn *f, const IrBlk *b);
 

@@ -133,6 +133,8 @@ static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
     k->f = ARENA_NEW(k->arena, IrFn);
     k->end.n = 0;
     k->b = prove_new_block(k);
+    for (uint32_t n = k->of_both; n < k->windows; n++)
+        k->window[n].is_sampled = false;
     if (state < k->m->state.n)
         run_machine(k, &k->m->state.at[state], first);
     prove_sample_windows(k, k->of_machine, k->of_both);
@@ -213,5 +215,7 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     slice_machine(k);
     prove_add_windows(k);
     add_own_vars(k);
+    if (loose == PROVE_RELATED)
+        prove_add_pairs(k);
     return p;
 }

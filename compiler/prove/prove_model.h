@@ -21,6 +21,7 @@ typedef enum ProveVarKind {
     PROVE_KEPT,               // changed by the functions alone
     PROVE_CHOICE,             // begins each step with a value of `begin`, whatever it was
     PROVE_TIME,               // G, S or T
+    PROVE_DIFFERENCE,         // of a pair; no function reads or writes it
     PROVE_IRRELEVANT          // no function reads it, so nothing is known about it
 } ProveVarKind;
 
@@ -41,7 +42,7 @@ typedef struct ProveBranch {
 typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED, PROVE_END_IMPOSSIBLE } ProveEnd;       // IMPOSSIBLE: no run comes here
 
 typedef struct ProveBlock {
-    ProveEnd end;             // not PROVE_END_NONE: the step ends here
+    ProveEnd end;             // how the step ends in this block; PROVE_END_NONE: it continues
     VEC(ProveBranch) branch;
     uint64_t *live;           // set of variables that this block or a later one loads
 } ProveBlock;
@@ -53,15 +54,21 @@ typedef struct ProveStep {
     uint32_t blocks;
 } ProveStep;
 
-// Which windows of the machine have any possible value in each step, of those that the requirement does not read.  Then the model has more runs
-// than the machine, but fewer variables.
+// Which windows of the machine the model does not follow, among those that the requirement does not read: they have any possible value in each step.
+// Then the model has more runs than the machine, but fewer variables.
 typedef enum ProveLoosening {
     PROVE_EXACT,              // none
     PROVE_COMPARED,           // none; and samples are compared with constants of the requirement (prove_threshold.c)
-    PROVE_LOOSE_LONG,         // those of more than two samples, and runs: not those of prev, rising and falling
+    PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; it follows those of prev, rising and falling
     PROVE_LOOSE_ALL,
+    PROVE_RELATED,            // all; and the differences of variables are followed (prove_relate.h)
     PROVE_LOOSENINGS
 } ProveLoosening;
+
+// Two variables that are compared with each other, and the variable whose fact has the bounds of their difference x - y.
+typedef struct ProvePair { uint32_t x, y, var; } ProvePair;
+
+enum { PROVE_PAIRS = 15 };
 
 typedef struct ProveModel {
     Arena *arena;
@@ -72,6 +79,8 @@ typedef struct ProveModel {
     ProveVar *var;            // by variable of ir
     uint32_t compared;        // windows of comparisons
     uint32_t loosened;        // windows that have any value because of `loose`
+    ProvePair pair[PROVE_PAIRS];      // `pairs` of them
+    uint32_t pairs;
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement
     ProveStep *(*step)[2];    // by state from 0, and whether it is the first step in the state; made when first asked for

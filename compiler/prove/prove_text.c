@@ -18,7 +18,7 @@ static const char *const assumption_name[PROVE_ASSUMPTIONS] = {"own-outputs", "z
 
 const char *prove_verdict_name(ProveVerdict v)
 {
-    static const char *const name[] = {"proved", "vacuous", "violated", "undecided"};
+    static const char *const name[] = {"proved", "vacuous", "violated", "undecided", "interrupted"};
 
     return name[v];
 }
@@ -79,12 +79,12 @@ const char *prove_script(Arena *arena, const Program *p, const ProveOf *of)
 
 // By ProveObstacle: for people, and for programs.
 static const char *const obstacle_text[] = {"what is known about the values is too little for a proof",
-                                            "a proof needs too many abstract states", "interrupted before it was decided"};
-static const char *const obstacle_name[] = {"facts-too-weak", "too-large", "interrupted"};
+                                            "a proof needs too many abstract states"};
+static const char *const obstacle_name[] = {"facts-too-weak", "too-large"};
 
 const char *prove_verdict_words(ProveVerdict v)
 {
-    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found"};
+    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found", "not decided"};
 
     return word[v];
 }
@@ -167,7 +167,7 @@ static void write_remedies(const Program *p, const ProveOf *of, size_t indent, B
     buf_char(out, '\n');
 }
 
-// Of facts that are too weak, that of T is always a range.
+// Writes which variables the exploration could not follow exactly.  Leaves out T unless the machine is too large: T always has many values.
 static void write_wides(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     const bool large = of->obstacle == PROVE_TOO_LARGE;
@@ -194,6 +194,16 @@ static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, s
     write_wides(arena, p, of, indent, out);
     if (of->obstacle == PROVE_TOO_LARGE && of->wides)
         write_remedies(p, of, indent, out);
+}
+
+// Writes how much was tried before the interruption, which shows how long the requirement takes, but nothing about it.
+static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
+{
+    if (of->steps == 0 && of->visits == 0)
+        buf_printf(out, "%*sinterrupted before anything was tried\n", (int)indent, "");
+    else
+        buf_printf(out, "%*sinterrupted after %llu steps of runs and %llu paths of proofs; this says nothing about it\n", (int)indent, "", (unsigned long long)of->steps,
+                   (unsigned long long)of->visits);
 }
 
 void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
@@ -224,6 +234,11 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
         break;
     case PROVE_UNDECIDED:
         write_undecided(arena, p, of, indent, out);
+        break;
+    case PROVE_INTERRUPTED:
+        write_interrupted(of, indent, out);
+        break;
+    case PROVE_VERDICTS:
         break;
     }
 }

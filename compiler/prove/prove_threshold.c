@@ -37,7 +37,7 @@ static bool is_equal_value(const IrFn *f, IrRef r, const IrFn *g, IrRef s)
 }
 
 // Appends an instruction that is in no block: only its value is used (prove_copy_value).
-static IrRef append(ProveMaker *k, IrFn *f, IrIns i)
+static IrRef append_instruction(ProveMaker *k, IrFn *f, IrIns i)
 {
     vec_push(k->arena, &f->ins, i);
     return f->ins.n - 1;
@@ -52,7 +52,7 @@ static IrRef append_value(ProveMaker *k, IrFn *to, const IrFn *from, IrRef r)
     i = from->ins.at[r];
     i.a = append_value(k, to, from, i.a);
     i.b = append_value(k, to, from, i.b);
-    return append(k, to, i);
+    return append_instruction(k, to, i);
 }
 
 // ---- comparisons ----
@@ -92,11 +92,12 @@ static void add_comparison(ProveMaker *k, uint32_t base, const Threshold *t)
     sample->ins.at = arena_copy(k->arena, sample->ins.at, sample->ins.n * sizeof *sample->ins.at);
     sample->ins.cap = sample->ins.n;
     compare.b = append_value(k, sample, t->f, t->constant);
-    made.operand = append(k, sample, compare);
+    made.operand = append_instruction(k, sample, compare);
     made.sample = sample;
     made.stats &= 1u << SM_STAT_MIN | 1u << SM_STAT_MAX;
     made.is_boolean = true;
     made.base = base;
+    made.is_sampled = false;
     k->window = arena_grow(k->arena, k->window, k->windows * sizeof *k->window, (k->windows + 1u) * sizeof *k->window);
     k->window[k->windows++] = made;
 }
@@ -125,6 +126,20 @@ static void compare_equal_samples(ProveMaker *k, const IrFn *f, IrRef condition)
     }
 }
 
+// Adds the windows of comparisons for a condition of a statistic of window n: also of other windows with the same samples and this statistic, such as the last
+// two samples of which the requirement reads the last three.
+static void compare_same_samples(ProveMaker *k, uint32_t n, const Threshold *t)
+{
+    const MadeWindow of = k->window[n];
+    const SmStat stat = t->f->ins.at[t->value].stat;
+
+    for (uint32_t other = 0; other < k->of_both; other++) {
+        const MadeWindow w = k->window[other];
+        if (has_bounds(&w) && w.stats >> stat & 1 && k->same[other] == other && is_equal_value(of.sample, of.operand, w.sample, w.operand))
+            add_comparison(k, other, t);
+    }
+}
+
 // Adds the windows of comparisons for value r of f, and for the samples of the windows that it reads.  `first`: that of f; read: by window, whether
 // it has been visited.
 static void compare_in_value(ProveMaker *k, const IrFn *f, IrRef r, uint32_t first, bool *read)
@@ -137,7 +152,7 @@ static void compare_in_value(ProveMaker *k, const IrFn *f, IrRef r, uint32_t fir
     if (find_threshold(k, f, r, &t) && f->ins.at[t.value].op == IR_stat) {
         const uint32_t n = k->same[first + f->ins.at[t.value].var];
         if (has_bounds(&k->window[n]))
-            add_comparison(k, n, &t);
+            compare_same_samples(k, n, &t);
     }
     if (i->op == IR_stat) {
         const MadeWindow w = k->window[k->same[first + i->var]];
@@ -164,10 +179,37 @@ void prove_compare_samples(ProveMaker *k)
     k->model->compared = k->windows - k->of_both;
 }
 
+// ---- outcomes ----
+
+// Whether a value is the same everywhere in a step.
+static bool is_constant_in_step(const ProveMaker *k, const IrFn *f, IrRef r)
+{
+    const IrIns *i = r == IR_NONE ? NULL : &f->ins.at[r];
+
+    if (!i || i->op == IR_const)
+        return true;
+    if (i->op == IR_load)
+        return k->model->var[i->var].kind == PROVE_INPUT || (k->model->var[i->var].kind == PROVE_KEPT && !k->model->var[i->var].stored);
+    return i->op != IR_stat && i->op != IR_sample && i->op != IR_store && is_constant_in_step(k, f, i->a) && is_constant_in_step(k, f, i->b);
+}
+
+// The facts about a condition are not the condition: that the second largest of three inputs is above 28 is known of a path, but not of the inputs.  So windows of
+// different sizes have the same samples only if these are computed once.
+const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w)
+{
+    for (uint32_t n = k->of_both; n < k->windows; n++) {
+        const MadeWindow *other = &k->window[n];
+        if (other->is_sampled && is_equal_value(other->sample, other->operand, w->sample, w->operand) && is_constant_in_step(k, w->sample, w->operand))
+            return other;
+    }
+    return NULL;
+}
+
 // ---- agreement ----
 
-// Emits that a statistic of the numbers compares with the constant as the statistic of the comparisons says.  Other values are those of no run.
-static void agree(ProveMaker *k, const MadeWindow *base, const MadeWindow *w, SmStat stat)
+// `w` samples a comparison of the samples of `base` with a constant.  Emits the condition that the minimum (or maximum) of `base` compares with the
+// constant as the minimum (or maximum) of `w` says.  No run has other values, so a path with them ends as impossible.
+static void emit_agreement(ProveMaker *k, const MadeWindow *base, const MadeWindow *w, SmStat stat)
 {
     const IrIns *compare = &w->sample->ins.at[w->operand];
     const IrBlkRef next = prove_new_block(k), impossible = prove_new_block(k), side[2] = {prove_new_block(k), prove_new_block(k)};
@@ -191,5 +233,5 @@ void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w)
 
     for (int stat = SM_STAT_MIN; stat <= SM_STAT_MAX; stat++)
         if (w->stats >> stat & 1)
-            agree(k, base, w, (SmStat)stat);
+            emit_agreement(k, base, w, (SmStat)stat);
 }

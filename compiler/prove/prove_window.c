@@ -61,8 +61,8 @@ static Fact fact_of_choice(const ProveMaker *k, const MadeWindow *w, SmStat stat
     return fact_of_stat(stat, w->samples);
 }
 
-// Only a minimum or a run requires how many samples have been true, only a maximum how many false.  Before the first sample nothing has been false,
-// and nothing true.
+// Adds variables that count successive true samples, for a minimum or a run, and successive false ones, for a maximum.  The count of a run begins
+// at 0.  Others begin at the size of the window: before the first sample, all samples count as equal.
 static void add_counts(ProveMaker *k, MadeWindow *w)
 {
     const bool run = is_run(w->stats);
@@ -140,19 +140,19 @@ static void find_longest(ProveMaker *k, const IrFn *f, uint32_t first)
     }
 }
 
-static void not_stored(Expr *e, void *context)
+static void check_never_stored(Expr *e, void *context)
 {
     bool *all = context;
 
     *all = *all && (e->kind != EX_VAR || !e->var->written) && e->kind != EX_ROLL;
 }
 
-// Returns the window of the machine that has the same samples, because both sample what no step changes; IR_NONE if no window has them.
+// Returns a window of the machine that always has the same samples as w, because both sample an expression that no step changes; IR_NONE: none.
 static uint32_t same_window(const ProveMaker *k, const Window *w)
 {
     bool constant = true;
 
-    expr_walk(w->sample, not_stored, &constant);
+    expr_walk(w->sample, check_never_stored, &constant);
     for (uint32_t n = 0; constant && n < k->m->window.n; n++) {
         const Window *of = k->m->window.at[n].first;
         const uint32_t stat = 1u << w->stat, stats = k->m->window.at[n].stats;
@@ -201,7 +201,7 @@ static void find_read_windows(const ProveMaker *k, bool *read)
 // Whether a model lets a window that the requirement does not read have any value.
 static bool is_loosened(const MadeWindow *w, ProveLoosening loose)
 {
-    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
+    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || loose == PROVE_RELATED || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
 }
 
 // Computes what is known about the samples of all windows.
@@ -253,9 +253,13 @@ void prove_add_windows(ProveMaker *k)
     find_longest(k, k->judge.sample, k->of_machine);
     for (int c = 0; c < 3; c++)
         find_longest(k, k->condition[c], 0);
-    for (uint32_t n = 0; n < k->windows; n++)
-        if (k->window[n].used)
-            add_window_vars(k, &k->window[n]);
+    for (uint32_t n = 0; n < k->windows; n++) {
+        if (!k->window[n].used)
+            continue;
+        add_window_vars(k, &k->window[n]);
+        if (k->window[n].base != IR_NONE)
+            k->window[n].outcome = prove_add_var(k, SM_F64, PROVE_CHOICE, whole_between(0, 1));
+    }
 }
 
 // ---- samples ----
@@ -290,7 +294,7 @@ static void sample_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlk
     prove_jump_from(k, k->b, next);
 }
 
-// The same for a run.
+// Emits the same for a window that stores a run of true samples.
 static void sample_run(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
 {
     const uint32_t time = w->stats >> SM_STAT_RUN_TIME & 1 ? w->var[SM_STAT_RUN_TIME] : IR_NONE;
@@ -319,7 +323,7 @@ static void sample_run(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef 
 }
 
 // Emits what a sample changes in the newest and in the oldest sample, and continues in block `next`.  In the first step they are the same.
-static void sample_ends(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRef next)
+static void sample_newest_and_oldest(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRef next)
 {
     const uint32_t oldest = w->stats >> SM_STAT_OLDEST & 1 && w->size == 2 ? w->var[SM_STAT_OLDEST] : IR_NONE;
     IrBlkRef first;
@@ -340,7 +344,7 @@ static void sample_ends(ProveMaker *k, const MadeWindow *w, IrRef value, IrBlkRe
 }
 
 // Emits the sample of a window of booleans whose value is known, and continues in block `next`.
-static void sample_known(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
+static void sample_known_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRef next)
 {
     IrBlkRef ends;
 
@@ -351,28 +355,41 @@ static void sample_known(ProveMaker *k, const MadeWindow *w, bool value, IrBlkRe
     ends = prove_new_block(k);
     sample_boolean(k, w, value, ends);
     k->b = ends;
-    sample_ends(k, w, prove_emit_number(k, value), next);
+    sample_newest_and_oldest(k, w, prove_emit_number(k, value), next);
 }
 
-static void sample_window(ProveMaker *k, const MadeWindow *w)
+// Ends the current block: continues in `yes` or in `no`, by the sample of a window of booleans.
+static void branch_on_sample(ProveMaker *k, const MadeWindow *w, IrBlkRef yes, IrBlkRef no)
 {
-    IrBlkRef next, yes, no;
-    IrRef value;
+    const MadeWindow *same = w->base == IR_NONE ? NULL : prove_find_outcome(k, w);
+
+    if (same)
+        prove_branch_if_above(k, same->outcome, 0, yes, no);
+    else
+        prove_branch_from(k, k->b, prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first), yes, no);
+}
+
+static void sample_window(ProveMaker *k, MadeWindow *w)
+{
+    IrBlkRef next, side[2];
 
     if (!prove_follows_samples(w))
         return;                                   // its statistics are choices
-    value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first);
     next = prove_new_block(k);
     if (w->is_boolean) {
-        yes = prove_new_block(k);
-        no = prove_new_block(k);
-        prove_branch_from(k, k->b, value, yes, no);
-        k->b = yes;
-        sample_known(k, w, true, next);
-        k->b = no;
-        sample_known(k, w, false, next);
+        side[0] = prove_new_block(k);
+        side[1] = prove_new_block(k);
+        branch_on_sample(k, w, side[1], side[0]);
+        for (int value = 1; value >= 0; value--) {
+            k->b = side[value];
+            if (w->base != IR_NONE)
+                prove_emit_set(k, w->outcome, value);
+            sample_known_boolean(k, w, value, next);
+        }
+        w->is_sampled = w->base != IR_NONE;
     } else {
-        sample_ends(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
+        const IrRef value = prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first);
+        sample_newest_and_oldest(k, w, prove_emit(k, IR_cvt, value, IR_NONE), next);
     }
     k->b = next;
 }

@@ -69,7 +69,7 @@ const char *describe_window(Arena *arena, const Program *p, const Window *w)
 
 static uint32_t line_of(Span span) { return source_position(span.src, span.at).line; }
 
-// Adds a sentence, with the comments above and after the statement.  Of several statements on one line only the first gets them.
+// Adds a sentence, with the comments above and after the statement.  Comments of a line with several statements go to the first one.
 static void add_sentence(DocList *l, unsigned depth, Span span, const char *text)
 {
     const uint32_t line = line_of(span);

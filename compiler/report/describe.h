@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a machine does, in sentences, with its author's comments.
+// Describes what a machine does, in sentences, with the comments of its author.
 #ifndef SMC_DESCRIBE_H
 #define SMC_DESCRIBE_H
 

@@ -25,7 +25,7 @@ typedef enum DiagramChange { DIAGRAM_SAME, DIAGRAM_ADDED, DIAGRAM_REMOVED, DIAGR
 typedef struct DiagramChanges {
     const DiagramChange *state;       // by State.number - 1
     const DiagramChange *transition;  // by Transition.number
-    const char *const *was;           // by Transition.number: the condition before the change; NULL: it is the same, or there was none
+    const char *const *was;           // by Transition.number: the condition before the change; NULL: it was the same, or the transition is new
 } DiagramChanges;
 
 // Additions to the diagram; all zero: none.
@@ -38,9 +38,11 @@ typedef struct DiagramOptions {
 
 // Each appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena provides temporary memory.
 void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out);
-// Appends the picture in slices from top to bottom, each a picture of its own and at most `most` pixels high.  Cuts are between states and
-// between texts.  Only a state or text that is itself higher than `most` is cut through.
-void diagram_write_slices(const Analysis *a, const DiagramOptions *o, int32_t most, Buf *out);
+// Returns the width of the slices of a picture of width w: the same for all, and at most `most`, which must be more than 200.
+int32_t diagram_slice_width(int32_t w, int32_t most);
+// Appends the picture in slices, row by row from top to bottom, each a picture of its own and at most `most` large.  Horizontal cuts are between
+// states and between texts: only a state or text that is itself higher than `most` is cut through.  Slices side by side overlap by 200 pixels.
+void diagram_write_slices(const Analysis *a, const DiagramOptions *o, DiagramSize most, Buf *out);
 void diagram_write_dot(const Analysis *a, const DiagramOptions *o, Buf *out);
 void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out);
 

@@ -3,7 +3,7 @@
 // locals, and those in the same branch as a transition, which happen when the state is left.
 #include "compiler/report/diagram_model.h"
 
-typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by node, how many actions it has beyond ACTIONS
+typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by node, the number of its actions that are not shown
 
 // Whether a transition follows in the same branch, so that the assignment belongs to the transition.
 static bool belongs_to_transition(const Condition *when)

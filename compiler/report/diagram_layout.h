@@ -31,9 +31,9 @@ typedef struct LayoutItem {
 
 // A part of an edge, from an item to one in the next layer.
 typedef struct LayoutLink {
-    uint32_t above, below;        // the items that it joins
+    uint32_t above, below;        // the two items that the link connects
     uint32_t edge;
-    bool crossed;                 // crosses a link that should be straight, so this one cannot be straight
+    bool crossed;                 // it crosses a link that should be straight, so this one is not straight
 } LayoutLink;
 
 typedef struct Layer {

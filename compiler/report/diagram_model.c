@@ -163,7 +163,7 @@ static void add_edges(Diagram *d)
 typedef struct PairCount {
     uint32_t from, to;            // State.number
     uint32_t edge;                // the first edge that has the pair
-    bool shared;                  // another edge has it too
+    bool shared;                  // another edge has the same pair of states
     uint64_t taken;
 } PairCount;
 
@@ -225,7 +225,7 @@ static void count_pairs_of_edges(Diagram *d)
 {
     const uint32_t *edge = edges_of_transitions(d);
     const PairCounts p = count_pairs(d, edge);
-    uint32_t *counted = ARENA_ARRAY(d->a->arena, uint32_t, d->edge.n + 1u);       // by edge: 1 + the pair that it counted last
+    uint32_t *counted = ARENA_ARRAY(d->a->arena, uint32_t, d->edge.n + 1u);       // by edge: 1 + the pair for which it was counted last
 
     for (size_t i = 0; i < d->a->transition.n; i++) {
         const PairCount *pair = &p.list.at[p.of[i]];

@@ -32,7 +32,7 @@ typedef struct DiagramGuard {
 typedef enum EdgeForm {
     EDGE_LINE,                    // a line to the target state
     EDGE_STUB,                    // an arrow to the other state's name, beside the source state
-    EDGE_LOOP                     // back to the state itself; if the state also has stubs, it is drawn as one of them
+    EDGE_LOOP                     // from the state to itself; if the state also has stubs, the loop is drawn as one of them
 } EdgeForm;
 
 typedef struct DiagramEdge {
@@ -40,7 +40,7 @@ typedef struct DiagramEdge {
     VEC(DiagramGuard) guard;      // in file order, at least one
     EdgeForm form;
     bool possible;                // some run can take one of its transitions
-    DiagramChange change;         // of all its transitions, if it is the same for all; else CHANGED
+    DiagramChange change;         // the change of all its transitions, if they agree; else CHANGED
     uint64_t taken, shared;       // how often runs took it: at least `taken` times, at most taken + shared times
     bool up;                      // EDGE_LINE: `to` is above `from`
     Box label;                    // box of all guards, stacked
@@ -60,9 +60,9 @@ typedef struct DiagramNode {
     const State *state;           // NULL: the node is a section [all_states]
     const AllStates *all;         // the section; NULL: the node is a state
     const char *title;            // the name of the state; "all states except Abort"
-    const char *name;             // as shown: truncated with "…" if it is very long
+    const char *name;             // the name as drawn: truncated with "…" if it is very long
     int32_t name_w;
-    VEC(DiagramAction) action;    // in file order, at most ACTIONS and a line that counts the others
+    VEC(DiagramAction) action;    // in file order, at most ACTIONS, then a line with the number of the others
     int32_t action_w;             // width of the widest action
     bool reached;                 // some run can reach it
     DiagramChange change;
@@ -113,8 +113,8 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 // ---- how often runs took the transitions of an edge and entered a state; 0 if DiagramOptions.counts is NULL ----
 
 uint64_t diagram_times_taken(const DiagramEdge *e);       // at most
-uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the part of it in one state; at most
-uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);       // of [all_states]: the sum over the states where it runs
+uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the count for one state of the edge; at most
+uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);       // how often runs entered it; of [all_states]: the sum over the states where it runs
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count
 const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e);         // of an edge that was taken: ", never by line 24"; or ""

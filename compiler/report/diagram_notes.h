@@ -10,7 +10,7 @@ typedef struct DiagramNote { uint32_t number; const char *text; int32_t y; } Dia
 
 typedef struct DiagramNotes {
     VEC(DiagramNote) line;
-    int32_t w, h;                 // the size that they need; 0 if the diagram has no notes
+    int32_t w, h;                 // the size of the notes; 0 if the diagram has none
 } DiagramNotes;
 
 // Numbers the marks of a diagram that has been laid out, state by state.

@@ -443,13 +443,13 @@ static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagra
     diagram_write_notes(&notes, &out->elements);
 }
 
-// Writes the picture between two heights.
-static void write_picture(const DrawnDiagram *drawn, int32_t top, int32_t bottom, Buf *out)
+// Writes the part of the picture whose upper left corner is at (left, top).
+static void write_picture(const DrawnDiagram *drawn, int32_t left, int32_t top, DiagramSize part, Buf *out)
 {
-    const long w = drawn->size.w, h = bottom - top;
+    const long w = part.w, h = part.h;
 
     buf_str(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"smc-graph\" role=\"img\" stroke-width=\"1.4\"");
-    buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"0 %ld %ld %ld\">\n", w, h, (long)top, w, h);
+    buf_printf(out, " width=\"%ld\" height=\"%ld\" viewBox=\"%ld %ld %ld %ld\">\n", w, h, (long)left, (long)top, w, h);
     buf_put(out, drawn->elements.at, drawn->elements.n);
     buf_str(out, "</svg>\n");
 }
@@ -461,23 +461,51 @@ void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out)
     draw_diagram(a, o, &drawn);
     if (o->size)
         *o->size = drawn.size;
-    write_picture(&drawn, 0, drawn.size.h, out);
+    write_picture(&drawn, 0, 0, drawn.size, out);
 }
 
-// Appends the picture in slices from top to bottom, each a separate picture, at most `most` pixels high.
-void diagram_write_slices(const Analysis *a, const DiagramOptions *o, int32_t most, Buf *out)
+// In pixels: how much slices side by side overlap, so that a text that one of them cuts is usually whole in the other.
+enum { SLICE_OVERLAP = 200 };
+
+// Returns how many slices of at most `most` pixels are side by side.
+static int32_t count_columns(int32_t w, int32_t most)
+{
+    return w <= most ? 1 : (w - SLICE_OVERLAP + most - SLICE_OVERLAP - 1) / (most - SLICE_OVERLAP);
+}
+
+// Returns the width of the slices of a picture of width w: the same for all, and at most `most`, which must be more than SLICE_OVERLAP.
+int32_t diagram_slice_width(int32_t w, int32_t most)
+{
+    const int32_t n = count_columns(w, most);
+
+    return (w + (n - 1) * SLICE_OVERLAP + n - 1) / n;
+}
+
+// Appends the slices between two heights, from left to right.  The last one ends at the right edge of the picture.
+static void write_row_of_slices(const DrawnDiagram *drawn, int32_t top, DiagramSize slice, Buf *out)
+{
+    const int32_t w = drawn->size.w, n = count_columns(w, slice.w);
+
+    for (int32_t i = 0; i < n; i++)
+        write_picture(drawn, i + 1 == n ? w - slice.w : i * (slice.w - SLICE_OVERLAP), top, slice, out);
+}
+
+// Appends the picture in slices, row by row from top to bottom, each a separate picture of at most the given size.
+void diagram_write_slices(const Analysis *a, const DiagramOptions *o, DiagramSize most, Buf *out)
 {
     DrawnDiagram drawn;
+    int32_t w;
     size_t next = 0;
 
     draw_diagram(a, o, &drawn);
+    w = diagram_slice_width(drawn.size.w, most.w);
     for (int32_t top = 0, bottom; top < drawn.size.h; top = bottom) {
-        bottom = top + most;
-        for (; next < drawn.d->cut.n && drawn.d->cut.at[next] <= top + most; next++)
+        bottom = top + most.h;
+        for (; next < drawn.d->cut.n && drawn.d->cut.at[next] <= top + most.h; next++)
             if (drawn.d->cut.at[next] > top)
                 bottom = drawn.d->cut.at[next];
-        if (drawn.size.h <= top + most)
+        if (drawn.size.h <= top + most.h)
             bottom = drawn.size.h;
-        write_picture(&drawn, top, bottom, out);
+        write_row_of_slices(&drawn, top, (DiagramSize){w, bottom - top}, out);
     }
 }

@@ -30,7 +30,7 @@ typedef struct DocCell {
     DocCellKind kind;
     const char *text;
     uint64_t number, most;
-    const char *link;         // SECTION: the section's id; TARGET: its own id; BADGE: the id to which it leads, or NULL
+    const char *link;         // SECTION: its id; TARGET: its own id; BADGE: the id that it links to, or NULL
     const char *tone;         // BADGE: as in DocPart
 } DocCell;
 
@@ -71,7 +71,7 @@ typedef enum DocKind {
     DOC_EXCERPT,              // a line of a source with `span` marked, followed by the plain `text`, unless that is NULL
     DOC_LINES,                // `text`, plain lines that are shown unchanged
     DOC_FIGURE,               // `text`, an SVG, with `caption`; only in HTML
-    DOC_SOURCE                // `source`, the whole of it; only in HTML
+    DOC_SOURCE                // `source`, complete; only in HTML
 } DocKind;
 
 typedef enum DocFigure {
@@ -92,6 +92,7 @@ typedef struct DocPart {
     const char *caption;      // FIGURE: text below it; or NULL
     DocFigure figure;         // FIGURE: how it is laid out
     const char *print;        // FIGURE: what is printed instead of `text`; or NULL
+    int32_t width;            // FIGURE: of a diagram, in pixels
     DocTable *table;          // TABLE: the table
     DocList *list;            // LIST: the list
     Span span;                // EXCERPT: the marked part of the source

@@ -273,7 +273,10 @@ static void write_figure(Buf *out, const DocPart *p)
 {
     static const char *const class[] = {"", " class=\"diagram\"", " class=\"diagram low\"", " class=\"diagram tall\"", " class=\"diagram large\""};
 
-    buf_printf(out, "<figure%s>\n", class[p->figure]);
+    buf_printf(out, "<figure%s", class[p->figure]);
+    if (p->figure != FIGURE_PLOT)
+        buf_printf(out, " style=\"--width:%ldpx\"", (long)p->width);
+    buf_str(out, ">\n");
     buf_str(out, p->text);
     if (p->print) {
         buf_str(out, "<div class=\"print\" aria-hidden=\"true\">\n");

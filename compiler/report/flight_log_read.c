@@ -241,7 +241,7 @@ static void read_blocks(LogReader *r)
         }
         pos += size > 0 ? size : 1;
         while (r->next < r->found.n && r->found.at[r->next]->pos < pos)
-            r->next++;                                    // this description was inside another block
+            r->next++;                                    // the description is inside the block that has just been read
     }
     record_damage(r, pos);
     r->log->unread = r->n - pos;

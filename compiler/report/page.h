@@ -19,7 +19,7 @@
 // One script's run.
 typedef struct ReportRun {
     const char *name;             // its file name, without folders
-    const Script *script;         // NULL: it does not compile
+    const Script *script;         // NULL: the script does not compile
     ScriptResult result;          // the result, if the script ran
     Trace trace;
     Diags diags;                  // diagnostics of the script
@@ -35,15 +35,16 @@ typedef struct Report {
     size_t image_size;
     ReportRun *run;
     size_t runs;
-    const Cover *cover;           // what the scripts have covered; NULL: it was not measured
+    const Cover *cover;           // coverage of the scripts; NULL: not measured
     const Mutation *mutation;     // changes of the machine, tried on the scripts; NULL: none were tried
-    const char *not_mutated;      // why none were tried although they were requested, as a phrase; or NULL
+    const char *not_mutated;      // why no mutants were tried although they were requested, as a phrase; or NULL
     const ReportFaults *faults;   // effects of faulty sensors; NULL: none were tried
     const ReportSweep *sweep;     // parameters at other values; NULL: none were tried
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
-    const Requirements *requirements;     // those that the runs have judged; or NULL
+    const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
+    VEC(const char *) unfinished; // the parts that were stopped before they were complete, as phrases
 } Report;
 
 Doc *report_build(Report *r);
@@ -77,8 +78,8 @@ FindingCount report_count_findings(const Report *r);
 typedef struct Coverage {
     size_t states_covered, states;
     size_t edges_unused;          // edges that no script has taken
-    bool shared;                  // without Report.cover: for some edge it is unknown which of its transitions were taken, or whether it was taken at all
-    size_t transitions_least, transitions_most, transitions;      // lower and upper bound of how many were taken; how many there are
+    bool shared;                  // without Report.cover: for some edge it is unknown which of its transitions were taken, or whether any was
+    size_t transitions_least, transitions_most, transitions;      // lower and upper bound of the number of transitions that were taken; the number of all
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts
@@ -87,7 +88,7 @@ DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visi
 
 // Plots the states of a run over time, and below them each series that changes.  Uses the patterns of plot_patterns.
 const char *plot_draw_run(Arena *arena, const Trace *t);
-const char *plot_patterns(Arena *arena);      // an invisible drawing that plots refer to; include it once in a page
+const char *plot_patterns(Arena *arena);      // patterns that plots refer to, as an invisible drawing; include it once in a page
 
 // ---- shared helpers ----
 

@@ -151,15 +151,29 @@ static void add_summary(Report *r, Doc *d)
 // of a diagram on part of a page.  They are those of page_style.c.  Scaled to less than LEGIBLE percent, letters are too small to read.
 enum { PAPER_W = 688, PAPER_H = 850, LANDSCAPE_W = 1017, LANDSCAPE_H = 600, LOW = 416, LEGIBLE = 65 };
 
+// Whether a diagram that is scaled to at most w × h pixels is legible.
+static bool is_legible_in(DiagramSize s, int64_t w, int64_t h)
+{
+    return (int64_t)s.w * LEGIBLE <= w * 100 && (int64_t)s.h * LEGIBLE <= h * 100;
+}
+
 static DocFigure choose_figure(DiagramSize s)
 {
-    const int64_t h = s.w > PAPER_W ? (int64_t)s.h * PAPER_W / s.w : s.h;
-
-    if (h * LEGIBLE <= LOW * 100)
+    if (is_legible_in(s, PAPER_W, LOW))
         return FIGURE_LOW;
-    if (s.w * LEGIBLE > PAPER_W * 100)
+    if (!is_legible_in(s, PAPER_W, INT32_MAX))
         return FIGURE_LARGE;
-    return s.h * LEGIBLE <= PAPER_H * 100 ? FIGURE_DIAGRAM : FIGURE_TALL;
+    return is_legible_in(s, PAPER_W, PAPER_H) ? FIGURE_DIAGRAM : FIGURE_TALL;
+}
+
+// Returns the size of the slices for paper: as wide as the diagram, or as a part of it that is legible on a landscape page, and as high as then
+// fits on the page.
+static DiagramSize choose_slice(DiagramSize s, DocFigure figure)
+{
+    const int32_t page_w = figure == FIGURE_TALL ? PAPER_W : LANDSCAPE_W, page_h = figure == FIGURE_TALL ? PAPER_H : LANDSCAPE_H;
+    const int32_t w = diagram_slice_width(s.w, page_w * 100 / LEGIBLE);
+
+    return (DiagramSize){w, w > page_w ? (int32_t)((int64_t)page_h * w / page_w) : page_h};
 }
 
 // Adds the state diagram.
@@ -175,9 +189,9 @@ void report_add_diagram(Report *r, Doc *d, const Diags *findings, const DiagramC
     diagram_write_svg(&r->analysis, &o, &svg);
     figure = doc_add_figure(d, buf_text(&svg), caption);
     figure->figure = choose_figure(size);
+    figure->width = size.w;
     if (figure->figure == FIGURE_TALL || figure->figure == FIGURE_LARGE) {
-        const int32_t w = figure->figure == FIGURE_TALL ? PAPER_W : LANDSCAPE_W, h = figure->figure == FIGURE_TALL ? PAPER_H : LANDSCAPE_H;
-        diagram_write_slices(&r->analysis, &o, size.w > w ? (int32_t)((int64_t)h * size.w / w) : h, &print);
+        diagram_write_slices(&r->analysis, &o, choose_slice(size, figure->figure), &print);
         figure->print = buf_text(&print);
     }
 }

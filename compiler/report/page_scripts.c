@@ -203,7 +203,8 @@ static const char *origin_in_markup(const Report *r, const DiagramNode *from)
     return from->state ? format_in(r->arena, "^%s^", from->title) : written_section_name(r->arena, r->analysis.p, from->all, "^");
 }
 
-// Appends the lines of the transitions whose count an edge includes: its own, and for a state those of [all_states] to the same target.
+// Appends the line numbers of the transitions that the count of an edge includes: its own, and if it leaves a state also those of [all_states] to
+// the same target.
 static void write_lines_of_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     const Transitions *t = &d->a->transition;
@@ -218,7 +219,8 @@ static void write_lines_of_edge(Buf *out, const Diagram *d, const DiagramEdge *e
             buf_printf(out, "%s %lu", n++ ? "," : "", (unsigned long)report_line_of(t->at[k].stmt->span));
 }
 
-// Names transitions whose count is shared: a run does not record which of them it took.  If none was taken, all are known to be unused.
+// Lists transitions that share a count, because runs do not record which of several transitions between two states they took.  Not if the count is
+// 0: then all of them are unused.
 static void add_shared_transitions(const Report *r, Doc *d)
 {
     const Diagram *diagram = build_counted_diagram(r);

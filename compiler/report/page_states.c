@@ -51,7 +51,7 @@ static Predecessors *find_predecessors(const Report *r, const WrittenTransitions
         const WrittenTransition *t = &all->at[i];
         const void *from = t->all ? (const void *)t->all : t->copy.at[0]->from;
         Predecessors *s = &of[t->copy.at[0]->to->number];
-        if (s->last != from)                      // transitions are sorted by where they come from
+        if (s->last != from)                      // transitions are sorted by their source
             vec_push(r->arena, &s->name, origin_name(r, t));
         s->last = from;
     }
@@ -98,7 +98,7 @@ void report_add_all_states(Report *r, Doc *d)
     }
 }
 
-// Appends the names of the sections that run in the state, or of those that do not.
+// Appends the names of the [all_states] sections that run in the state; if not `running`, of those that do not.
 static size_t write_sections(const Report *r, Buf *out, const State *s, bool running)
 {
     const Program *p = r->analysis.p;

@@ -67,7 +67,8 @@ const char *const report_style[] = {
     "pre .c{color:var(--dim);font-style:italic}mark{background:var(--mark);color:inherit;border-radius:2px}\n",
     ".source span:target{background:var(--mark)}.label{color:var(--dim);margin:.2rem 0 .6rem}\n",
     "figure{margin:1rem 0;overflow-x:auto}figcaption{color:var(--dim);font-size:.9rem}figure svg{max-width:100%;height:auto}\n"
-    "@media screen{figure.diagram{margin:1rem calc(50% - 50vw + 1.5rem);text-align:center}.print{display:none}}\n",
+    "@media screen{figure.diagram{margin:1rem calc(50% - 50vw + 1.5rem);text-align:center}"
+    "figure.diagram>svg{max-width:max(100%,var(--width)*.8)}.print{display:none}}\n",
     "footer{border-top:1px solid var(--line);color:var(--dim);font-size:.85rem;margin-top:3rem}\n",
     PLOTS,
     "@media print{td code{overflow-wrap:anywhere}html{font-size:10pt}body{max-width:none;padding:0 "

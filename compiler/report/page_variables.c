@@ -334,7 +334,7 @@ static void add_windows(const Report *r, Doc *d)
     doc_add_paragraph(d, TEXT_WINDOWS);
     t = DOC_ADD_TABLE(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
-        if (listed[w->at[i].span.at] || w->at[i].stat == SM_STAT_ELAPSED)      // that is part of held or rate
+        if (listed[w->at[i].span.at] || w->at[i].stat == SM_STAT_ELAPSED)      // listed already, or an internal part of `held` or `rate`
             continue;
         listed[w->at[i].span.at] = true;
         doc_add_code_cell(t, source_text(r->arena, w->at[i].span));

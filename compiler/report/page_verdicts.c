@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verdicts on top of the page: one line for each section that judges the machine, with a link to it.
 #include "compiler/prove/prove_text.h"
+#include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 
 static const DocColumn columns[] = {{"section", "Section"}, {"verdict", "Verdict"}, {"details", "Details"}};
@@ -46,12 +47,12 @@ static void add_requirements(const Report *r, DocTable *t)
     add_count(&out, undecided, "undecided");
     add_count(&out, unjudged, "untested");
     add_count(&out, met, "met in all scripts");
-    add_verdict(t, "requirements", "Requirements", violated ? VERDICT_BAD : undecided || unjudged ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&out));
+    add_verdict(t, "requirements", r->proofs ? "Requirements in scripts" : "Requirements", violated ? VERDICT_BAD : undecided || unjudged ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&out));
 }
 
 static void add_proofs(const Report *r, DocTable *t)
 {
-    unsigned long of[PROVE_UNDECIDED + 1] = {0};
+    unsigned long of[PROVE_VERDICTS] = {0};
     Buf out;
 
     if (!r->proofs)
@@ -59,7 +60,7 @@ static void add_proofs(const Report *r, DocTable *t)
     for (uint32_t i = 0; i < r->proofs->n; i++)
         of[r->proofs->of[i].verdict]++;
     buf_init(&out, r->arena);
-    for (int v = PROVE_UNDECIDED; v >= PROVE_PROVED; v--)
+    for (int v = PROVE_VERDICTS - 1; v >= PROVE_PROVED; v--)
         add_count(&out, of[v], prove_verdict_words((ProveVerdict)v));
     add_verdict(t, "proofs", "Proofs", of[PROVE_VIOLATED] ? VERDICT_BAD : of[PROVE_PROVED] == r->proofs->n ? VERDICT_GOOD : VERDICT_OPEN, buf_text(&out));
 }
@@ -130,7 +131,7 @@ static void add_faults(const Report *r, DocTable *t)
         size_t n = 0;
         for (uint32_t i = 0; i < f->cell.n; i++)
             n += f->cell.at[i].applies && f->cell.at[i].outcome == o;
-        add_count(&out, n, o ? f->outcome[o].name : "without effect");
+        add_count(&out, n, o ? f->outcome[o].name : f->is_cut ? "without an effect so far" : "without effect");
         if (n && f->outcome[o].danger > worst)
             worst = f->outcome[o].danger;
     }
@@ -175,6 +176,70 @@ static void add_missing(const Report *r, Doc *d)
     buf_str(&out, !r->sweep ? ", margins of parameters (`--sweep`)" : "");
     if (out.n)
         doc_add_paragraph(d, format_in(r->arena, "Not examined: %s. `smc report --all` adds them.", buf_text(&out) + 2));
+    if (r->unfinished.n == 0)
+        return;
+    buf_init(&out, r->arena);
+    for (size_t i = 0; i < r->unfinished.n; i++)
+        buf_printf(&out, "%s%s", describe_separator(i, r->unfinished.n), r->unfinished.at[i]);
+    doc_add_plain(d, format_in(r->arena, "Stopped before it was complete: %s.", buf_text(&out)));
+}
+
+// ---- what blocks ----
+
+static const DocColumn blocker_columns[] = {{"what", "What speaks against it"}, {"how", "How it is known"}};
+enum { BLOCKERS_MOST = 30 };  // rows; the sections have the rest
+
+typedef struct Blockers {
+    Doc *d;
+    DocTable *t;                  // NULL: there is none yet
+    size_t n;
+} Blockers;
+
+static void add_blocker(Blockers *b, const char *what, const char *how)
+{
+    if (++b->n > BLOCKERS_MOST)
+        return;
+    if (!b->t)
+        b->t = DOC_ADD_TABLE(b->d, "blockers", blocker_columns);
+    doc_add_plain_cell(b->t, what);
+    doc_add_plain_cell(b->t, how);
+}
+
+// Returns where a requirement is violated first: by a script, or else by a run that a search has found; NULL: nowhere.
+static const char *find_violation(const Report *r, uint32_t requirement)
+{
+    for (size_t i = 0; i < r->runs; i++)
+        if (r->run[i].script && r->run[i].result.requirement && r->run[i].result.requirement[requirement].violated)
+            return format_in(r->arena, "%s violates it", r->run[i].name);
+    if (r->proofs && r->proofs->of[requirement].verdict == PROVE_VIOLATED)
+        return "a run that violates it was found (Proofs)";
+    return NULL;
+}
+
+// Returns the number of faults that violate the requirement.
+static unsigned long count_faults(const Report *r, uint32_t requirement)
+{
+    return r->faults && requirement < r->faults->of.n ? r->faults->of.at[requirement].faults : 0;
+}
+
+// Lists what the page shows to be wrong: scripts that fail, and requirements that a run violates.
+static void add_blockers(const Report *r, Doc *d)
+{
+    Blockers b = {d, NULL, 0};
+
+    for (size_t i = 0; i < r->runs; i++)
+        if (!r->run[i].script || r->run[i].result.outcome != SCRIPT_PASSED)
+            add_blocker(&b, format_in(r->arena, "script %s", r->run[i].name), r->run[i].script ? "it fails (Scripts)" : "it does not compile (Scripts)");
+    for (uint32_t i = 0; r->requirements && i < r->requirements->at.n; i++) {
+        const Requirement *what = &r->requirements->at.at[i];
+        const char *how = find_violation(r, i);
+        if (!how && count_faults(r, i))
+            how = format_in(r->arena, "%lu faults of sensors violate it (What breaks it)", count_faults(r, i));
+        if (how)
+            add_blocker(&b, format_in(r->arena, "%s: %s", what->id->text, what->text->text), how);
+    }
+    if (b.n > BLOCKERS_MOST)
+        doc_add_plain(d, format_in(r->arena, "And %lu more: see the sections.", (unsigned long)(b.n - BLOCKERS_MOST)));
 }
 
 void report_add_verdicts(Report *r, Doc *d)
@@ -193,4 +258,5 @@ void report_add_verdicts(Report *r, Doc *d)
     add_verdict(t, "cost", "Longest step", VERDICT_FACT,
                 format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     add_missing(r, d);
+    add_blockers(r, d);
 }

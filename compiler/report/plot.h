@@ -29,7 +29,7 @@ double plot_round_step(double lo, double hi, int about);
 const char *plot_label(Arena *arena, double x);       // x as text with at most five digits, unless it is a whole number below 10^7
 
 extern const char plot_defs[];                        // the patterns, for the start of a drawing
-long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // everything inside the <svg> tag; returns the height
+long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // writes everything inside the <svg> tag; returns the height
 
 void plot_draw_bands(Plot *p);                        // draws the states as bands at the top, and as tints behind the rows
 long plot_draw_legend(Plot *p, long y);               // draws the legend at y; returns the y of its end

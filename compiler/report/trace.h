@@ -16,7 +16,7 @@ typedef struct TraceSeries {
     const Var *v;
     bool changes;                 // the variable had more than one value
     bool infinite;                // the variable was infinite at least once
-    bool nan;                     // only for a log: it was NaN at least once; a bucket with only NaN is NaN
+    bool nan;                     // only for a log: the value was NaN at least once; a bucket with only NaN is NaN
     TraceBucket at[TRACE_BUCKETS];
 } TraceSeries;
 

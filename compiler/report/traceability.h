@@ -28,7 +28,7 @@ typedef VEC(uint32_t) TraceIndices;
 
 typedef struct TracedPart {
     TracedKind kind;
-    const State *state;           // in which it is; NULL: in a section [all_states]
+    const State *state;           // the state that contains it; NULL: it is in a section [all_states]
     const Stmt *stmt;             // TRANSITION, OUTPUT: the statement
     const char *where;            // the name of the state; "all states except Abort"
     const char *name;             // "Pad", "Pad -> Coast", "Pad: drogue"
@@ -44,14 +44,14 @@ typedef struct TracedMark { const char *name; Span span; } TracedMark;        //
 typedef struct TracedScript {
     const char *name;
     ScriptOutcome outcome;
-    TraceIndices requirement;     // those that its steps or its asserts have tested
+    TraceIndices requirement;     // the requirements that its steps or its asserts have tested
 } TracedScript;
 
 typedef struct TracedAssert {
     uint32_t script;              // index in Traceability.script
     ScriptAssertKind kind;        // never PRINT
     Span span;
-    const char *text;             // its own text, or its condition
+    const char *text;             // the text after the assert, or its condition if it has none
     uint64_t evaluated;           // how often it was evaluated
     const char *result;           // "passed", "failed" or "never evaluated"
     uint32_t requirement;         // 1 + the index of its requirement; 0: none
@@ -61,9 +61,9 @@ typedef struct TracedRun { uint32_t script; uint64_t judged; } TracedRun;
 
 typedef struct TracedRequirement {
     Str id;
-    const Requirement *what;      // NULL: only marks or asserts name it
+    const Requirement *what;      // the requirement of a .rq file; NULL: only marks or asserts name it
     VEC(TracedMark) mark;
-    VEC(TracedRun) run;           // the scripts that have judged it
+    VEC(TracedRun) run;           // the scripts that have judged the requirement
     TraceIndices assert;          // indices in Traceability.assert
     RequirementTotal total;
     const char *result;           // "tested", "violated", "undecided" or "untested"
@@ -79,7 +79,7 @@ typedef struct Traceability {
     Arena *arena;
     const Program *program;
     const Requirements *what;     // or NULL
-    VEC(TracedRequirement) requirement;       // those of the files in their order, then others in the order in which they are named
+    VEC(TracedRequirement) requirement;       // those of the files in their order, then those that only marks or asserts name
     VEC(TracedPart) part;         // states and sections with their transitions and outputs, in file order
     VEC(TracedScript) script;
     VEC(TracedAssert) assert;     // in the order of the scripts

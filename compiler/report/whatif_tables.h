@@ -25,7 +25,7 @@ typedef struct ReportFaultKind { const char *name, *sentence; } ReportFaultKind;
 typedef struct ReportFaultCell {
     bool applies;             // the input can have the fault
     uint32_t outcome;         // index in ReportFaults.outcome
-    uint32_t line;            // number of its line, from 1; 0: it has no effect
+    uint32_t line;            // number of its line in the table, from 1; 0: it has no effect
 } ReportFaultCell;
 
 // Faults of the same inputs, kinds and outcome.
@@ -36,7 +36,7 @@ typedef struct ReportFaultLine {
     const char *trigger;      // "at Boost -> Coast (G = 1200, chute.ss)": the first one with this outcome
     const char *effect;
     uint32_t others;          // how many other triggers have the same outcome
-    const char *script;       // the name of the file that reproduces it; NULL: none
+    const char *script;       // name of the file that reproduces the fault; NULL: none
 } ReportFaultLine;
 
 // The faults that violate a requirement before any other one.
@@ -46,7 +46,7 @@ typedef struct ReportFaultsOf {
 } ReportFaultsOf;
 
 typedef struct ReportFaults {
-    const char *not_run;      // why no fault was tried, as a phrase; the rest is then empty.  NULL: they were tried
+    const char *not_run;      // why no fault was tried, as a phrase; the other fields are then empty.  NULL: faults were tried
     const char *summary;      // a sentence with the counts
     const ReportOutcome *outcome;     // the least dangerous first; the first one is no effect
     uint32_t outcomes;
@@ -80,7 +80,7 @@ typedef struct ReportSweepOf {
 } ReportSweepOf;
 
 typedef struct ReportSweep {
-    const char *not_run;      // as in ReportFaults
+    const char *not_run;      // why the sweep did not run, as ReportFaults.not_run
     VEC(ReportSweepOf) of;    // by parameter
 } ReportSweep;
 

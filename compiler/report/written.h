@@ -8,21 +8,21 @@
 
 // ---- sections [all_states] ----
 
-const AllStates *written_section(const Program *p, Span span);    // the section that contains this statement; NULL: it is a state's own
+const AllStates *written_section(const Program *p, Span span);    // returns the section that contains the statement; NULL: it is in a state itself
 // Returns "all states except Abort and Safe", with `mark` on both sides of each name of a state: "^" in texts with markup (doc.h), or "".
 const char *written_section_name(Arena *arena, const Program *p, const AllStates *all, const char *mark);
-Stmts written_section_stmts(const Program *p, const AllStates *all);      // its statements, as the first state where they run has them
+Stmts written_section_stmts(const Program *p, const AllStates *all);      // as copied into the first state that runs them
 const State *written_first_state(const Program *p, const AllStates *all);      // the first state where the section runs; NULL: none
 
 // ---- states ----
 
 Stmts written_own_stmts(const State *s, BlockKind block);         // the statements of the block without those of [all_states]
-Span written_state_range(const State *s);                         // its own part of the source: from its header to its last statement
+Span written_state_range(const State *s);                         // the state's part of the source: from its header to its last statement
 
 // ---- transitions ----
 
 typedef struct WrittenTransition {
-    const AllStates *all;             // the section that contains it; NULL: it is a state's own
+    const AllStates *all;             // the section that contains the transition; NULL: it is in a state itself
     VEC(const Transition *) copy;     // one for each state where it can be taken, in file order; at least one
 } WrittenTransition;
 

@@ -161,7 +161,7 @@ const char *assert_finish_printing(ScriptRun *r)
 
 // ---- evaluating ----
 
-static void fail(ScriptRun *r, const ScriptItem *item, const ScriptAssert *a)
+static void fail_assert(ScriptRun *r, const ScriptItem *item, const ScriptAssert *a)
 {
     r->failed_asserts[item->first_assert + (size_t)(a - item->asserts.at)] = 1;
     if (r->result.failures++ == 0) {
@@ -180,7 +180,7 @@ static bool is_true(const ScriptRun *r, const ScriptAssert *a) { return ref_true
 static void fail_pending(ScriptRun *r, const PendingExpect *e)
 {
     r->failed_since = r->result.failures ? r->failed_since : e->since;
-    fail(r, e->item, &e->item->asserts.at[e->assert]);
+    fail_assert(r, e->item, &e->item->asserts.at[e->assert]);
 }
 
 // Whether no later step can meet an @expect: the next one is after its time.
@@ -236,7 +236,7 @@ static void begin_expect(ScriptRun *r, const NotedAssert *note)
     vec_push(r->arena, &r->pending, e);
 }
 
-static void evaluate(ScriptRun *r, const NotedAssert *note)
+static void evaluate_assert(ScriptRun *r, const NotedAssert *note)
 {
     const ScriptAssert *a = &note->item->asserts.at[note->assert];
 
@@ -246,16 +246,16 @@ static void evaluate(ScriptRun *r, const NotedAssert *note)
         if (is_true(r, a))
             r->result.asserts_passed++;
         else
-            fail(r, note->item, a);
+            fail_assert(r, note->item, a);
         break;
-    case SCRIPT_FAIL:   fail(r, note->item, a); break;
+    case SCRIPT_FAIL:   fail_assert(r, note->item, a); break;
     case SCRIPT_EXPECT: begin_expect(r, note); break;
     case SCRIPT_PRINT:  print_values(r, a); break;
     }
 }
 
 // Ends the run at a @stop.  It has failed if an @expect is still pending.
-static void stop(ScriptRun *r)
+static void stop_run(ScriptRun *r)
 {
     if (r->pending.n)
         fail_pending(r, &r->pending.at[0]);
@@ -269,9 +269,9 @@ void assert_check_step(ScriptRun *r)
     check_all_pending(r);
     for (size_t i = 0; i < r->noted.n && !r->ended; i++)
         if (r->noted.at[i].assert == r->noted.at[i].item->asserts.n)
-            stop(r);
+            stop_run(r);
         else
-            evaluate(r, &r->noted.at[i]);
+            evaluate_assert(r, &r->noted.at[i]);
 }
 
 // ---- asserts never evaluated ----

@@ -34,7 +34,7 @@ typedef struct EngineStep {
     EngineNext *machine;      // of an application: by machine; replaces next_state and next_is_first.  Otherwise NULL
     uint64_t *cell;           // every variable after the step; program->var.n of them
     uint8_t *stored;          // by variable: 1 for each element that the step stored
-    const uint64_t *outside;  // every variable as the script sees it before the next step, if the machine reads other values (docs/faults.md); NULL: `cell`
+    const uint64_t *outside;  // the variables as scripts see them before the next step, if the machine reads others (docs/faults.md); NULL: `cell`
 } EngineStep;
 
 typedef struct Engine Engine;
@@ -82,15 +82,15 @@ const Stmt *engine_ref_transition(const Engine *ref);
 typedef struct RefView {
     const uint64_t *cell;     // by variable
     const struct RefWindows *windows;
-    const State *state;       // before a step and during it, the state that it runs; after it, the one that the next step runs
+    const State *state;       // before a step and during it, the state that it runs; after it, the state of the next step
     uint64_t g;               // G of the last step that ran, or of the current one
-    bool is_first;            // before a step and during it: it is the first of its state
+    bool is_first;            // before a step and during it: the step is the first of its state
 } RefView;
 
 // Sees every step and every statement of a machine before it runs.
 typedef struct RefObserver RefObserver;
 struct RefObserver {
-    void (*before_step)(RefObserver *o, const RefView *r);        // S, T and the samples are those of the step
+    void (*before_step)(RefObserver *o, const RefView *r);        // S, T and the samples of windows are already those of the step
     void (*before_stmt)(RefObserver *o, const RefView *r, const Stmt *s);
 };
 

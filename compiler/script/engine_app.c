@@ -13,9 +13,9 @@ typedef struct MachineOfApp {
     const Member *member;
     Engine *engine;
     EngineStep answer;
-    EngineWrite *write;       // the elements that the machine lists, then what the script writes to its locals
+    EngineWrite *write;       // writes to the elements that the machine lists, then those of the script to its locals
     uint32_t elements, writes;
-    uint64_t wait;            // ticks until it is due
+    uint64_t wait;            // ticks until the machine is due
     uint64_t periods;         // with ticks of recorded data: its periods until the last tick
     bool ran;                 // it ran a step in this tick
 } MachineOfApp;
@@ -28,8 +28,8 @@ typedef struct AppEngine {
     uint8_t *stored;
     MachineOfApp *machine;
     size_t machines;
-    bool by_rows;             // its ticks are the rows of recorded data
-    uint64_t ticks;           // that have run
+    bool by_rows;             // each row of the recorded data is a tick
+    uint64_t ticks;           // number of ticks that have run
 } AppEngine;
 
 // ---- one machine ----
@@ -64,7 +64,7 @@ static void pass_elements(const AppEngine *a, MachineOfApp *m)
             m->write[m->elements++] = (EngineWrite){(uint32_t)v, a->cell[m->member->var[v]->index]};
 }
 
-static EngineStatus fail(AppEngine *a, const MachineOfApp *m, const char *why)
+static EngineStatus fail_with(AppEngine *a, const MachineOfApp *m, const char *why)
 {
     a->engine.error = format_in(a->arena, "machine '%s': %s", m->member->name->text, why ? why : "no reason given");
     return ENGINE_BROKEN;
@@ -80,9 +80,9 @@ static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
     m->answer.status = m->engine->step(m->engine, m->write, m->elements + m->writes, &m->answer);
     m->writes = 0;
     if (m->answer.status == ENGINE_BROKEN)
-        return fail(a, m, m->engine->error);
+        return fail_with(a, m, m->engine->error);
     if (m->answer.status == ENGINE_REFUSED)
-        return fail(a, m, "refused a step although G advanced");
+        return fail_with(a, m, "refused a step although G advanced");
     m->ran = true;
     copy_results(a, m);
     return ENGINE_OK;
@@ -169,7 +169,7 @@ static EngineStatus init_machine(AppEngine *a, MachineOfApp *m)
     m->wait = 0;
     m->writes = 0;
     if (m->engine->init(m->engine, m->member->initial->number, &m->answer) == ENGINE_BROKEN)
-        return fail(a, m, m->engine->error);
+        return fail_with(a, m, m->engine->error);
     m->ran = false;
     for (size_t v = 0; v < p->var.n; v++)
         if (p->var.at[v]->kind != VAR_ELEMENT || p->var.at[v] == p->s)

@@ -47,7 +47,7 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     return m;
 }
 
-static void mark_used(Expr *e, void *context)       // the samples of a window are parts of its expression, and so are the windows that they read
+static void mark_used(Expr *e, void *context)       // the samples of a window, and windows that they read, are parts of its expression, so expr_walk visits them
 {
     const Monitor *m = context;
 

@@ -17,8 +17,8 @@
 
 // What one step has decided about a requirement.
 typedef enum MonitorResult {
-    MONITOR_IDLE,             // nothing: the step could not violate it, or it is still undecided
-    MONITOR_JUDGED,           // it could have been violated, and was not
+    MONITOR_IDLE,             // the step could not violate the requirement, or it is not decided yet
+    MONITOR_JUDGED,           // the step could have violated the requirement, and did not
     MONITOR_VIOLATED
 } MonitorResult;
 
@@ -30,12 +30,12 @@ typedef struct Monitor {
     size_t *samples_at;       // by window: offset of its samples in a situation
     RefWindows windows;       // the windows of the situation of the last step
     uint8_t *result;          // by requirement: the MonitorResult of the last step
-    bool *ran;                // of an application: by machine, whether it stepped in this tick; the caller sets it. NULL: one machine
+    bool *ran;                // of an application: by machine, whether it stepped in this tick, set by the caller.  NULL: one machine
 } Monitor;
 
 // delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.
 Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t);
-// Makes the monitor judge one requirement only.  Its situations are smaller then, and others are not valid.
+// Makes the monitor judge one requirement only.  Its situations are then smaller; those from before the call become invalid.
 void monitor_judge_only(Monitor *m, size_t requirement);
 // Initialises a situation: no step has run.
 void monitor_start(const Monitor *m, void *situation);

@@ -13,11 +13,11 @@
 // ---- ref_number.c: language.md 2 and the pure builtins of 3 ----
 
 double ref_read(SmType type, uint64_t cell);          // the value of a cell as an F64; a stored NaN reads as 0
-uint64_t ref_convert(SmType type, double x);          // the cell of a variable of `type` after x is stored in it
+uint64_t ref_convert(SmType type, double x);          // returns the cell of a variable of `type` in which x has been stored
 bool ref_true(double x);                              // whether a condition with this value is true: not zero and not NaN
 bool ref_negative(double x);                          // whether x is below zero or -0; false for NaN
 double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone, but for:
-double ref_list(SmBuiltin fn, double *x, uint32_t n); // that of min, max, median or average of n numbers; overwrites x
+double ref_list(SmBuiltin fn, double *x, uint32_t n); // returns min, max, median or average of n numbers; overwrites x
 
 // The elementary functions (ref_elementary.c).
 double ref_exp(double x);
@@ -37,8 +37,8 @@ double ref_hypot(double x, double y);
 
 // A rolling window: the samples of an expression in the last steps.
 typedef struct RefWindow {
-    const Window *what;       // its definition in the program
-    double *slot;             // what->size samples, a ring buffer; NULL: it stores times
+    const Window *what;       // the definition of the window in the program
+    double *slot;             // the last samples, `what->size` of them, as a ring buffer; NULL: the window stores times
     uint64_t *time;           // of a window of times: what->size times, a ring buffer; of the window of `held`: when the run of true samples began
     uint64_t last;            // of the window of `held`: the time of the last sample
     bool ran;                 // of the window of `held`: there has been a sample
@@ -63,7 +63,7 @@ typedef struct RefRandom {
     RefStream *stream;        // by number of the call
     uint64_t seed;
     uint64_t step;            // the current step, from 1
-    uint32_t first;           // added to the numbers of calls: an engine with faults numbers its own after those of the script
+    uint32_t first;           // added to the number of each call, so that an engine with faults has other random numbers than the script
 } RefRandom;
 
 void ref_random_init(RefRandom *r, Arena *arena, const ScriptRandoms *calls, uint64_t seed);
@@ -79,7 +79,7 @@ typedef struct RefWindows {
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
-// The same without memory for the samples, which ref_window_place provides: ref_window_samples of 8 bytes.  Empties no window.
+// Like ref_windows_init, without memory for the samples: ref_window_place provides it, ref_window_samples times 8 bytes.  Empties no window.
 void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list);
 uint32_t ref_window_samples(const Window *what);
 void ref_window_place(RefWindow *w, void *samples);

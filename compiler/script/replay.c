@@ -11,10 +11,10 @@
 
 // A position in the data: the last row at or before a time, and the row after it.
 typedef struct Cursor {
-    uint64_t delay;           // its time is G - delay
+    uint64_t delay;           // the cursor reads the data at time G - delay
     Recording file;
     RecordingFormat format;
-    RecordingColumn *column;  // those of the format
+    RecordingColumn *column;  // the columns of the data that the script declares
     Span *span;               // by column: where the script names it
     RecordingRow now, next;
     bool has_now, has_next;
@@ -34,7 +34,7 @@ struct Replay {
     Diags *diags;
     const Script *s;
     const ScriptData *d;
-    Cursor **cursor;          // one for each delay; the first has no delay and reads the columns that the script writes to inputs
+    Cursor **cursor;          // one for each delay; the first has delay 0 and reads the columns that the script writes to inputs
     size_t cursors;
     ReplayCompare *compare;      // by @compare of the script
     double *recorded;         // by @compare: the recorded value at the last step

@@ -75,7 +75,7 @@ static Interval interval_of_item(const ScriptItem *item, const Var *time, const 
 typedef struct Entry {
     const ScriptItem *item;
     Interval when;
-    double latest;            // the largest when.to in the subtree of which this entry is the root
+    double latest;            // the largest when.to in the subtree below this entry, itself included
 } Entry;
 
 // Entries sorted by when.from: a binary search tree whose root is the middle of the array.
@@ -125,7 +125,7 @@ static void add_containing(Arena *arena, const Entry *at, size_t from, size_t en
 // Items with a guard such as `at 5 s`, sorted by its time.  A script can have one for each step, and this is a quarter of the memory of an Entry.
 typedef struct Moments {
     DueItems item;
-    uint32_t next;            // those before this one were over at the last search
+    uint32_t next;            // the first item that had not ended at the last search
 } Moments;
 
 static double moment_of(const ScriptItem *item) { return item->guard->number; }
@@ -223,7 +223,7 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
         vec_push(h->arena, &g->periodic, p);
         return;
     }
-    if (item->guard->kind == EX_AT && when.from == when.to)   // unless a guard around it is false then
+    if (item->guard->kind == EX_AT && when.from == when.to)   // an enclosing guard can be false at that time
         vec_push(h->arena, &g->moments.item, item);
     else
         vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
@@ -234,7 +234,7 @@ static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
 {
     uint32_t moments = 0;
 
-    if (g->by[BY_G].cap || g->moments.item.cap)               // another section of the group has reserved what it needs
+    if (g->by[BY_G].cap || g->moments.item.cap)               // another section of the group has already reserved the memory
         return;
     for (size_t i = 0; i < section->item.n; i++)
         moments += section->item.at[i]->guard->kind == EX_AT;

@@ -36,15 +36,15 @@ typedef struct ScriptStep {
 enum { COMPARE_SPANS_MAX = 8 };
 
 typedef struct ComparePoint {
-    uint64_t g, row, line;    // the step; the row of the file, and the line in which it begins
+    uint64_t g, row, line;    // G of the step; the row of the file, and the line in which the row begins
     double element, recorded, difference;         // difference: not negative
 } ComparePoint;
 
 typedef struct CompareSpan { uint64_t from, to; } CompareSpan;       // G of the first and the last of successive steps
 
 typedef struct CompareResult {
-    uint64_t steps, failed;   // in how many steps it was evaluated; in how many of them it was not met
-    bool differs;             // in the last of these steps it was not met
+    uint64_t steps, failed;   // in how many steps the @compare was evaluated; in how many of these it was not met
+    bool differs;             // in the last step in which it was evaluated, it was not met
     ComparePoint first, worst;        // if failed > 0
     uint64_t spans;           // number of times at which it was not met
     CompareSpan span[COMPARE_SPANS_MAX];          // the first `spans` of these times, at most COMPARE_SPANS_MAX
@@ -94,7 +94,7 @@ typedef struct ScriptResult {
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
     const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
     uint64_t data_first_bad_line;     // the line of the first row that was skipped
-    uint64_t data_rows, data_bad_rows, data_between;  // rows of the data that were read; those of them that were skipped; that no step has seen
+    uint64_t data_rows, data_bad_rows, data_between;  // number of data rows that were read; that were skipped; that lie between two steps, so that no step used them
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 
@@ -129,6 +129,12 @@ void format_number_shortest(Buf *out, double x);
 
 // Returns the variables in the order of reports and traces; allocated in `arena`.
 const Var **report_order(Arena *arena, const Program *p);
+
+// ---- script_reads.c ----
+
+// Mark the variables that a script, or a set of requirements, reads.  reads: by Var.index, of the machine and the locals of the script.
+void script_mark_reads(const Script *s, bool *reads);
+void requirements_mark_reads(const Requirements *rq, bool *reads);
 
 // ---- script_trace.c ----
 

@@ -97,7 +97,7 @@ static bool is_reached(const ScriptRun *r, const ScriptItem *item)
 {
     for (; item->parent; item = item->parent)
         if (!item->otherwise)
-            return is_taken(r, item->parent);         // then the parent was reached, too
+            return is_taken(r, item->parent);         // an item was reached if its parent was taken
         else if (is_taken(r, item->parent))
             return false;
     return true;
@@ -264,7 +264,8 @@ static void run_step(ScriptRun *r)
 {
     bool violated;
 
-    // Between steps the script sees the true values.  What it judged after the last step were those that the machine reads.
+    // With faulty sensors, r->cell still has the readings, which the asserts of the last step judged.  Guards and inputs of the script see the
+    // true values.
     if (r->answer[0].outside)
         memcpy(r->cell, r->answer[0].outside, r->p->var.n * sizeof *r->cell);
     r->write.n = 0;

@@ -26,10 +26,10 @@ typedef struct PendingExpect {
 typedef struct ScriptMachine {
     const Var *s, *t;
     const Var *mode;          // the element of its @mode; or NULL
-    uint32_t first;           // its states are numbered from first + 1 on
-    uint64_t every;           // it is due once in this many ticks
-    uint64_t wait;            // ticks until it is due
-    bool is_due;              // this step is one of its own: it is due, and enabled when the step begins
+    uint32_t first;           // the machine's states have the numbers from first + 1 on
+    uint64_t every;           // the machine runs once in this many ticks
+    uint64_t wait;            // ticks until the machine is due
+    bool is_due;              // this step is one of the machine's own: it is due, and enabled when the step begins
     const State *state;       // the state that its next step runs
     uint64_t start;           // G of the first step of its state
     uint64_t start_step;      // number of that step
@@ -46,7 +46,7 @@ typedef struct ScriptRun {
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
     RefRandom random;         // the random numbers of the script
-    RefWindows windows;       // the rolling windows of the script itself, not those of the machine
+    RefWindows windows;       // the windows of the script's own calls, not those of the machine
     Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
     bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     uint64_t g;               // G of this step
@@ -63,7 +63,7 @@ typedef struct ScriptRun {
     VEC(PendingExpect) pending;       // in the order in which they began; at most one for each @expect
     uint8_t *is_pending;      // by number of the assert
     Buf printed;              // the lines of @print, at most PRINTED_MOST
-    uint64_t prints;          // how many lines there would be without a limit
+    uint64_t prints;          // number of lines that @print would have shown without a limit
     uint8_t *failed_asserts;  // by number of the assert: it was not met at least once
     uint64_t *evaluated;      // by number of the assert: how often it was evaluated
     uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
@@ -71,14 +71,14 @@ typedef struct ScriptRun {
     uint64_t *ran_at;         // by State.number - 1: G in that step
     const Expr *failed;       // the condition that failed, or the guard of an @fail, or the condition of a violated requirement; or NULL
     const ScriptItem *failed_item;    // NULL: a requirement was violated
-    uint64_t failed_since;    // of an @expect: G of the step in which it began
+    uint64_t failed_since;    // of a failed @expect: G of the step in which it began
     Monitor *monitor;         // of the requirements; NULL: none
     void *situation;          // the monitor's copy of its state (monitor.h)
     RequirementRun *requirement;      // by requirement
     const Requirement *violated;      // the first that the last step has violated; or NULL
     const void *pieces;       // of run_point.c; NULL: no point was saved
     ScriptResult result;
-    bool ended;               // then result.outcome is the reason
+    bool ended;               // the run has ended, with result.outcome as the reason
 } ScriptRun;
 
 // Returns G of the next step in which an assert of a section counts: `machine` as in ScriptItem. UINT64_MAX: there is none, because G would

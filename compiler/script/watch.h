@@ -10,7 +10,7 @@
 typedef enum WatchKind {
     WATCH_AND, WATCH_OR, WATCH_NOT,   // their operands follow
     WATCH_LEAF,               // a condition, or a value that is no condition
-    WATCH_OPERAND             // a part of the leaf before it whose value explains the leaf
+    WATCH_OPERAND             // a part of the preceding leaf whose value explains that leaf
 } WatchKind;
 
 // An expression whose value is recorded.  The nodes of a statement are in preorder; node 0 is its guard, or the value that it stores.
@@ -26,22 +26,22 @@ struct WatchStmt {
     const Stmt *stmt;         // NULL: the machine has no statement with this number
     const State *state;
     BlockKind block;
-    const WatchStmt *parent;  // the conditional around it; NULL: none
+    const WatchStmt *parent;  // the enclosing conditional; NULL: none
     bool in_else;             // it belongs to the `else` of the parent
-    bool is_recorded;         // each execution is recorded; else only those from Watch.from on
+    bool is_recorded;         // every execution is recorded; else only those from Watch.from on
     WatchNode *node;
     uint32_t nodes;
-    uint32_t base;            // number of values of the guards around it, the outermost first
-    uint64_t *value;          // of its last execution: those of the guards, then those of its nodes, as watch_number reads them
+    uint32_t base;            // number of values of the enclosing guards, the outermost first
+    uint64_t *value;          // values of the last execution: those of its guards, then those of its nodes, in the form that watch_number reads
     uint64_t step, g;         // of its last execution; step 0: it was never executed
-    uint64_t *since, *since_g;        // by node: the first of the successive steps in which it was evaluated and had this truth; and its G
+    uint64_t *since, *since_g;        // by node: step and G since which, in successive steps, it was evaluated and had its present truth
 };
 
 // A transition that was taken.
 typedef struct WatchPassage {
     uint64_t step, g;
     const WatchStmt *by;
-    uint64_t *value;          // as in WatchStmt, base + nodes of the guard
+    uint64_t *value;          // values of the guards, then of the nodes, as in WatchStmt
 } WatchPassage;
 
 typedef struct Watch Watch;
@@ -53,7 +53,7 @@ struct Watch {
     uint64_t step, g;         // the last step of the machine, 0: none; and its G
     uint64_t previous;        // the machine's step before `step`; 0: none
     bool is_first;            // it is the first step of its state
-    const State *state;       // the state that it ran
+    const State *state;       // the state that the step ran
     uint64_t entered, entered_g;      // the first step of that state
     uint64_t *last_run, *last_run_g;  // by State.number - 1: the last step that ran the state, 0: none
     WatchStmt *stmt;          // by Stmt.number

@@ -23,7 +23,7 @@ static void note_step(void *context, const ScriptStep *step)
         why_note_near(r->watch[r->q.machine], r->near);
 }
 
-static bool is_there(void *context)
+static bool is_question_reached(void *context)
 {
     const WhyRun *r = context;
 
@@ -61,7 +61,7 @@ void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, c
     r->s = s;
     r->given = o;
     r->q = *q;
-    r->o = (ScriptOptions){.max_steps = o->max_steps, .seed = o->seed, .after_step = note_step, .context = r, .is_cancelled = is_there, .setting = o->setting,
+    r->o = (ScriptOptions){.max_steps = o->max_steps, .seed = o->seed, .after_step = note_step, .context = r, .is_cancelled = is_question_reached, .setting = o->setting,
                            .settings = o->settings, .requirements = o->requirements, .is_compared = true};
     diags_init(&r->silent, arena);
     r->silent.muted = true;
@@ -78,7 +78,7 @@ typedef struct Answer {
     const Watch *w;           // of the machine of the question
     const Program *p;
     WhyWords words;
-    const WatchStmt **guard;  // the conditions of the answer whose change could matter
+    const WatchStmt **guard;  // the guards and conditions of the answer that another value could have changed
     size_t guards;
     const Var *origin[ORIGINS_MOST];  // the variables whose values explain the answer
     size_t origins;
@@ -119,7 +119,7 @@ static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
 {
     for (size_t i = 0; i < a->guards; i++)
         if (a->guard[i] == s)
-            return;                                   // two transitions have it in common
+            return;                                   // two transitions share the condition
     for (uint32_t i = 0; i < s->nodes; i++) {
         WhyLine *line;
         if (s->node[i].kind == WATCH_OPERAND)
@@ -166,7 +166,7 @@ static void add_statements(Answer *a, unsigned depth, const Stmts *list)
     }
 }
 
-static const Stmt *taken(const Answer *a) { return engine_ref_transition(a->r.machine[a->r.q.machine]); }
+static const Stmt *transition_taken(const Answer *a) { return engine_ref_transition(a->r.machine[a->r.q.machine]); }
 
 // Adds the statements that the step has executed, in their order.
 static void explain_step(Answer *a)
@@ -177,7 +177,7 @@ static void explain_step(Answer *a)
     if (a->w->is_first)
         add_statements(a, 1, &state->block[BLOCK_ENTRY]);
     add_statements(a, 1, &state->block[BLOCK_STEP]);
-    if (taken(a))
+    if (transition_taken(a))
         add_statements(a, 1, &state->block[BLOCK_EXIT]);
     if (a->out.line.n == before)
         add_remark(a, 1, format_in(a->r.arena, "%s has no statement that this step could execute", state->name->text));
@@ -214,9 +214,9 @@ static void explain_transition(Answer *a, unsigned depth, const WatchStmt *s)
     else if (why_is_blocked(obstacle))
         add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s was not taken, because %s was %s", target,
                  why_quote(a->r.arena, obstacle->parent->node[0].e->span), obstacle->in_else ? "true" : "false"));
-    else if (taken(a))
+    else if (transition_taken(a))
         add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s was not reached: the transition to %s at %s came first", target,
-                 taken(a)->target->name->text, why_place(a->r.arena, taken(a)->span)));
+                 transition_taken(a)->target->name->text, why_place(a->r.arena, transition_taken(a)->span)));
 }
 
 static void explain_transitions(Answer *a, unsigned depth, const State *to)
@@ -255,7 +255,7 @@ static void explain_path(Answer *a)
     }
     add_heading(a, format_in(a->r.arena, "the shortest path is %s; its first transition:", why_path_text(a->r.arena, &path)));
     explain_transitions(a, 1, path.at[1]);
-    a->r.q.to = path.at[1];                           // what would have made a difference is about this transition
+    a->r.q.to = path.at[1];                           // the answer about other values is then about this transition
 }
 
 // ---- where values come from ----
@@ -356,7 +356,7 @@ static void add_passages(Answer *a)
 
     if (a->r.q.depth == 0)
         return;
-    if (a->w->passages > (taken(a) != NULL))
+    if (a->w->passages > (transition_taken(a) != NULL))
         add_heading(a, "how the machine got there:");
     for (; (t = watch_passage(a->w, i)) != NULL && shown < a->r.q.depth; i++) {
         const char *because = why_guards(&a->words, t->by, t->value);
@@ -480,7 +480,7 @@ static bool add_nearest_to(Answer *a, const State *to)
 // Adds the step that was nearest to taking the machine to `to`, or, if none could, along the path there.
 static void add_nearest(Answer *a, const State *to)
 {
-    if (!a->r.near || (a->w->state == to && !taken(a)) || (taken(a) && taken(a)->target == to))
+    if (!a->r.near || (a->w->state == to && !transition_taken(a)) || (transition_taken(a) && transition_taken(a)->target == to))
         return;
     if (add_nearest_to(a, to))
         return;
@@ -509,7 +509,7 @@ static const char *ending_text(const Answer *a)
 
 static void add_head(Answer *a)
 {
-    const Stmt *t = taken(a);
+    const Stmt *t = transition_taken(a);
     const Joint *j = a->r.s->program->joint;
     const char *ending = ending_text(a);
     WhyLine *line = add_line(a, WHY_STEP, 0, (Span){0}, format_in(a->r.arena, "%s: %s%s%s, entered in %s; %s%s",
@@ -529,7 +529,7 @@ static void answer_to(Answer *a)
     const State *to = a->r.q.to;
     const WatchPassage *last = watch_passage(a->w, 0);
 
-    if (a->w->state == to && !taken(a)) {
+    if (a->w->state == to && !transition_taken(a)) {
         add_remark(a, 1, format_in(a->r.arena, "the machine was in %s already", to->name->text));
         if (!last)
             add_remark(a, 1, "the run began in it");
@@ -551,7 +551,7 @@ static void answer_of(Answer *a)
     list_origins(a, s->stmt->value);
 }
 
-static void explain(Answer *a)
+static void explain_question(Answer *a)
 {
     const State *to = a->r.q.to;
 
@@ -582,7 +582,7 @@ static void answer_of_input(Answer *a, const Var *v)
 }
 
 // Continues with the step in which the variable of the question was stored, if that is an earlier one.
-static void ask_of(Answer *a, Arena *arena, const Script *s, const ScriptOptions *o, WhyQuestion q)
+static void ask_about_store(Answer *a, Arena *arena, const Script *s, const ScriptOptions *o, WhyQuestion q)
 {
     const Var *joined = run_variable(a, q.of);
     const WatchStmt *stored = a->w->stored_by[q.of->index];
@@ -605,7 +605,7 @@ static void ask_of(Answer *a, Arena *arena, const Script *s, const ScriptOptions
         a->w = a->r.watch[q.machine];
         a->words = (WhyWords){arena, a->w, engine_ref_view(a->r.machine[q.machine]).windows};
     }
-    explain(a);
+    explain_question(a);
 }
 
 // Returns whether the run has reached the step of the question.
@@ -640,8 +640,8 @@ WhyAnswer why_ask(Arena *arena, const Script *s, const ScriptOptions *o, const W
     a->out.step = a->out.steps;
     a->out.g = a->r.last_g;
     if (q->of)
-        ask_of(a, arena, s, o, *q);
+        ask_about_store(a, arena, s, o, *q);
     else
-        explain(a);
+        explain_question(a);
     return a->out;
 }

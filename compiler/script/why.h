@@ -17,7 +17,7 @@
 
 typedef struct WhyQuestion {
     uint64_t at_step;         // the number of the step; 0: the question names none
-    uint64_t at_g;            // its G
+    uint64_t at_g;            // G of the step, if has_g
     bool has_g;               // without at_step and has_g: the step in which the run ended
     uint32_t machine;         // index of the machine of an application
     const State *to;          // of that machine: why it did, or did not, go there; NULL: not asked
@@ -29,7 +29,7 @@ typedef enum WhyStatus {
     WHY_ANSWERED,
     WHY_BETWEEN_STEPS,        // no step has this G: WhyAnswer.before and .after are those of its neighbours
     WHY_ENDED_BEFORE,         // the run ended before, with step WhyAnswer.steps at G = .before
-    WHY_NO_STEP,              // the machine has not run any step by then
+    WHY_NO_STEP,              // the machine has not run a step at or before that time
     WHY_NOT_RUN               // the script does not run: its data cannot be read
 } WhyStatus;
 
@@ -56,24 +56,24 @@ typedef enum WhyKind {
 
 // An input with which the step would have had another outcome.
 typedef struct WhyChange {
-    const Var *var;           // of the machine
-    uint64_t cell, was;       // the value that was tried; that of the run
-    double limit;             // the value with which it is compared, if there is one
+    const Var *var;           // the input
+    uint64_t cell, was;       // the value that was tried; the value in the run
+    double limit;             // the value with which the variable is compared, if any
     int side;                 // the value tried is the limit (0), or the next one of its type above (1) or below (-1)
-    const State *next;        // the target of the transition that the step then takes; NULL: none
-    uint64_t stored;          // of a question about a variable: its value after the step
+    const State *next;        // the target of the transition that the step then makes; NULL: none
+    uint64_t stored;          // if the question is about a variable: its value after the changed step
 } WhyChange;
 
 typedef struct WhyLine {
     WhyKind kind;
-    unsigned depth;           // of indentation
-    Span at;                  // where the source has it; src NULL: nowhere
+    unsigned depth;           // levels of indentation
+    Span at;                  // the position in the source; src NULL: no position
     const char *text;
     const Expr *e;            // GUARD, CONDITION: the expression
     bool truth;               // GUARD, CONDITION: its value
     bool has_gap;
     double gap;               // GUARD, CONDITION: by how much a comparison that was false missed
-    uint64_t step, g;         // GUARD, CONDITION: since when it had this value; STORE, PASSAGE, ORIGIN, STEP, NEAREST: when.  step 0: unknown
+    uint64_t step, g;         // GUARD, CONDITION: since when it has had this value; other kinds: when it happened.  step 0: unknown
     WhyChange change;         // CHANGE
 } WhyLine;
 

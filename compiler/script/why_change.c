@@ -22,8 +22,8 @@ typedef struct TriedValue { const Var *var; uint64_t cell; } TriedValue;
 typedef struct Before {
     Engine engine;
     Engine *ref;
-    Engine *saved, *again;    // the machine before the step; the one that tries it
-    EngineWrite *write, *tried;       // what the script writes before it; the same with a change
+    Engine *saved, *again;    // the machine before the step; an engine that runs the step again with other inputs
+    EngineWrite *write, *tried;       // what the script writes before the step; the same with one change
     uint32_t writes;
     uint64_t step;            // the number of that step
     const WhyRun *run;
@@ -31,7 +31,7 @@ typedef struct Before {
     EngineStep answer;
     VEC(TriedValue) parameter;
     uint64_t parameter_steps; // of the runs with these
-    bool is_cut;              // there was no room for another one
+    bool is_cut;              // a further cause did not fit into the table
 } Before;
 
 // Sets a variable before the step.  A later write of a variable replaces an earlier one.
@@ -106,7 +106,7 @@ typedef struct Noting {
     const WhyRun *run;
     uint64_t step;            // the number of that step
     uint32_t next;            // the state of the machine's next step
-    uint32_t state;           // that of the step; 0: the machine has not run it
+    uint32_t state;           // number of the state that the step ran; 0: the machine has not run the step
 } Noting;
 
 static EngineStatus noting_init(Engine *e, uint32_t state, EngineStep *out)

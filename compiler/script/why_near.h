@@ -15,9 +15,9 @@ typedef struct WhyDistance {
 
 // A transition in a run.
 typedef struct WhyNear {
-    uint64_t step, g;         // the first of the steps that were nearest to it, 0: no step could take it; and its G
+    uint64_t step, g;         // the first of the steps that were nearest to taking it, and its G; 0: no step could take it
     WhyDistance distance;     // in that step
-    uint64_t taken, taken_g;  // the last step that took it, 0: none; and its G
+    uint64_t taken, taken_g;  // the last step that took it, and its G; 0: none
 } WhyNear;
 
 // Returns the distance of the last step of a watch, which ran the state of transition t.

@@ -11,17 +11,17 @@
 typedef struct WhyRun {
     Arena *arena;
     const Script *s;
-    const ScriptOptions *given;       // those of the caller
+    const ScriptOptions *given;       // the options of the caller
     WhyQuestion q;
     ScriptOptions o;
     Diags silent;
     ScriptRun run;
     Engine *engine;           // of the whole run
-    Engine **machine;         // by machine: what runs it
+    Engine **machine;         // by machine: the engine that runs it
     Watch **watch;            // by machine; NULL: the run is not watched
     WhyNear *near;            // by Stmt.number of the machine of the question; NULL: not recorded
     uint64_t last_g;          // G of the last step
-    uint64_t g_before;        // G of the step before it
+    uint64_t g_before;        // G of the previous step
 } WhyRun;
 
 // Runs the script to the step that `q` names, or to its end.  wrap: replaces the engine of machine q->machine, or NULL; then the run is

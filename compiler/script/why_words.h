@@ -9,7 +9,7 @@
 typedef struct WhyWords {
     Arena *arena;
     const Watch *w;
-    const RefWindows *windows;        // those of the machine after its last step
+    const RefWindows *windows;        // the windows of the machine after its last step
 } WhyWords;
 
 // Returns the source of an expression or statement on one line, in backticks, cut to a readable length.

@@ -48,7 +48,7 @@ double must_not_distance(const Expr *e, bool wanted, const uint64_t *cell)
 
 typedef struct Reading { const Program *p; bool has_window, reads; } Reading;
 
-static void check_expr(Expr *e, void *context)
+static void check_usable_expr(Expr *e, void *context)
 {
     Reading *r = context;
 
@@ -61,7 +61,7 @@ static bool is_usable(const Program *p, const Transition *t)
     Reading r = {p, false, false};
 
     for (const Condition *c = t->when; c; c = c->outer)
-        expr_walk(c->stmt->value, check_expr, &r);
+        expr_walk(c->stmt->value, check_usable_expr, &r);
     return r.reads && !r.has_window;
 }
 
@@ -90,7 +90,7 @@ static void add_pairs_of(Arena *arena, MustNots *m, const Transitions *all, cons
 // ---- the watch ----
 
 // The situation: by goal, whether the condition was true in the last step, in state A.
-static void start(void *self, void *situation)
+static void start_situation(void *self, void *situation)
 {
     const MustNots *m = self;
     bool *was = situation;
@@ -108,7 +108,7 @@ static double distance_of(const Transition *t, const uint64_t *cell)
     return sum;
 }
 
-static void step(void *self, void *situation, const uint64_t *cell, double *distance)
+static void judge_step(void *self, void *situation, const uint64_t *cell, double *distance)
 {
     const MustNots *m = self;
     bool *was = situation;
@@ -135,7 +135,7 @@ MustNots *must_not_list(Arena *arena, const Program *p)
     for (uint32_t i = 0; i < m->at.n; i++)
         for (const Condition *c = m->at.at[i].other->when; c && (i == 0 || m->at.at[i].to != m->at.at[i - 1].to); c = c->outer)
             vec_push(arena, &condition, c->stmt->value);
-    m->watch = (SearchWatch){.self = m, .goals = m->at.n, .size = m->at.n * sizeof(bool), .start = start, .step = step, .condition = condition.at,
+    m->watch = (SearchWatch){.self = m, .goals = m->at.n, .size = m->at.n * sizeof(bool), .start = start_situation, .step = judge_step, .condition = condition.at,
                              .conditions = condition.n};
     return m;
 }

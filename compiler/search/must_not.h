@@ -11,14 +11,14 @@
 
 typedef struct MustNot {
     const State *in, *to;     // A and B
-    const Transition *other;  // to B, from a third state
+    const Transition *other;  // a transition to B from another state than A
 } MustNot;
 
 typedef struct MustNots {
     VEC(MustNot) at;
     const Program *p;
     SearchWatch watch;        // goal i is at.at[i]: the condition was true in a step in A, and the next step is in A, too
-    const Expr **condition;   // those of watch
+    const Expr **condition;   // SearchWatch.condition
 } MustNots;
 
 MustNots *must_not_list(Arena *arena, const Program *p);

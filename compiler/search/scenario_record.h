@@ -4,7 +4,7 @@
 #define SMC_SCENARIO_RECORD_H
 
 #include "compiler/script/engine.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 
 enum { SCENARIO_FEW_CHANGES = 32 };   // a script that is generated from a scenario repeats its changes
 

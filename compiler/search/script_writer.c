@@ -48,7 +48,7 @@ typedef struct Writer {
 // ---- values ----
 
 // Returns the double with the fewest decimal digits that is stored as `cell`.
-static double shorten(SmType type, uint64_t cell, double x)
+static double shortest_double(SmType type, uint64_t cell, double x)
 {
     char digits[40];
 
@@ -74,7 +74,7 @@ void script_write_value(Buf *out, SmType type, double x)
     else if (stored - stored != 0)
         buf_str(out, stored < 0 ? "-1e308 * 10" : "1e308 * 10");
     else if (type == SM_F32)
-        format_number_shortest(out, shorten(type, cell, stored));
+        format_number_shortest(out, shortest_double(type, cell, stored));
     else
         format_number_shortest(out, stored);
 }
@@ -149,7 +149,7 @@ static void add_line(Writer *w, uint64_t step, Rank rank, const char *guard, con
 // ---- inputs ----
 
 // Returns the step of the next change of the same variable; 0: there is none.
-static uint64_t end_of(const Writer *w, const ScenarioChange *c)
+static uint64_t step_of_next_change(const Writer *w, const ScenarioChange *c)
 {
     for (const ScenarioChange *n = c + 1; n < w->s->change + w->s->changes; n++)
         if (n->var == c->var)
@@ -230,7 +230,7 @@ static void add_ramp(Writer *w, const ScenarioChange *c, uint64_t to)
 static void add_change(Writer *w, const ScenarioChange *c)
 {
     const Var *v = w->p->var.at[c->var];
-    const uint64_t to = end_of(w, c);
+    const uint64_t to = step_of_next_change(w, c);
     const bool is_single = to == c->step + 1 || (to == 0 && c->step == w->s->steps);
 
     if (c->kind == SCENARIO_COPY)
@@ -373,7 +373,7 @@ static bool add_inputs(Writer *w)
         const Var *source = w->p->var.at[c->source];
         if (c->kind == SCENARIO_COPY && (source == w->p->g || source == w->p->s || source == w->p->t))
             return false;
-        if (w->p->var.at[c->var]->parameter && (c->step > 1 || c->kind != SCENARIO_HOLD || end_of(w, c)))
+        if (w->p->var.at[c->var]->parameter && (c->step > 1 || c->kind != SCENARIO_HOLD || step_of_next_change(w, c)))
             return false;
     }
     if (!add_early_copies(w) || !add_loops(w))
@@ -430,7 +430,7 @@ static void record_step(void *context, uint64_t step, const EngineStep *result)
 }
 
 // Runs the scenario.  Returns false if the engine refuses a step.
-static bool record(Writer *w, RunRecord *r)
+static bool record_run(Writer *w, RunRecord *r)
 {
     *r = (RunRecord){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part), .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
                      .last = arena_array(w->arena, w->p->var.n, sizeof *r->last)};
@@ -468,11 +468,11 @@ static bool record_time_line(Writer *w, RunRecord *r)
     for (uint32_t i = 0; i < w->p->var.n; i++)
         if (w->p->var.at[i]->kind == VAR_ELEMENT && w->p->var.at[i]->written)
             vec_push(w->arena, &w->output, w->p->var.at[i]);
-    if (!record(w, r))
+    if (!record_run(w, r))
         return false;
     while (w->output.n && most_changes(w, r) > CHANGES_MOST)
         drop_busiest(w, r);
-    while (record(w, r) && r->parts > SPANS_MOST && w->output.n)
+    while (record_run(w, r) && r->parts > SPANS_MOST && w->output.n)
         drop_busiest(w, r);
     return true;
 }

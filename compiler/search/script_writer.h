@@ -11,8 +11,8 @@
 #define SMC_SCRIPT_WRITER_H
 
 #include "compiler/base/buf.h"
-#include "compiler/search/scenario.h"
 #include "compiler/script/engine.h"
+#include "compiler/script/scenario.h"
 
 typedef struct ScriptPage {
     const Program *p;         // the machine as its scripts run it

@@ -7,23 +7,24 @@
 #include "compiler/search/search_run.h"
 
 enum {
-    SEARCH_PART = 4,          // of the effort, one part of so many is for choosing and simplifying
-    GIVEN_PART = 2,           // of the effort, one part of so many is for given scenarios: one that begins before is run to its end
+    // X_PART: 1 / X_PART of the effort is for a purpose.  X_PERCENT: that many attempts of a hundred are made in a way.
+    SEARCH_PART = 4,          // choosing and simplifying scenarios
+    GIVEN_PART = 2,           // running given scenarios; the last one that begins in time is run to its end
     MANY_CHANGES = 4,
-    SHORTER_PART = 8,         // of the effort, at most one part of so many is for runs with fewer changes,
-    SHORTER_TIMES = 4,        // and at most so many times the steps until then
-    WALK_PERCENT = 20,        // of the attempts that have no goal
-    WALK_LENGTH = 6,          // transitions of a walk
-    SPECIAL_PART = 16,        // of the effort, one part of so many is for special values at the start, before all else
-    SPECIAL_PERCENT = 10,     // of the later attempts try special values, from one entry
-    SPECIAL_RUNS = 20,        // as many times
-    DEEP = 12,                // changes before a snapshot; with more, it is chosen less often
-    ENTRY_PERCENT = 33,       // of the attempts for a goal that begin at an entry of its state
-    EASY_STEPS = 4000,        // spent on a goal; with more, attempts for it do the same again and again:
-    AROUND_PERCENT = 30,      // of the attempts that need another state to store a variable: they go there and back
-    FOREIGN_PERCENT = 60,     // of the others: they walk where the variable is nearest
-    COUNT_PERCENT = 50,       // of the attempts that need a variable counted in their state: they make pulses
-    PULSE_PERCENT = 4         // of the others
+    SHORTER_PART = 8,         // at most: searching runs with fewer changes
+    SHORTER_TIMES = 4,        // also limits that search: to this multiple of the steps that ran before it
+    WALK_PERCENT = 20,        // without a goal: random walks
+    WALK_LENGTH = 6,          // number of transitions of a walk
+    SPECIAL_PART = 16,        // special values at the start, before everything else
+    SPECIAL_PERCENT = 10,     // later: special values, from an entry
+    SPECIAL_RUNS = 20,        // number of runs of each such attempt
+    DEEP = 12,                // a snapshot after more changes than this is chosen less often
+    ENTRY_PERCENT = 33,       // for a goal: from an entry of its state instead of its pool
+    EASY_STEPS = 4000,        // a goal on which more steps were spent is hard: attempts for it repeat the same changes, as follows
+    AROUND_PERCENT = 30,      // if another state must store a variable: go through that state and back
+    FOREIGN_PERCENT = 60,     // of the rest of these: walk to where the variable is nearest to its wanted value
+    COUNT_PERCENT = 50,       // if the state itself must count a variable: make pulses of inputs
+    PULSE_PERCENT = 4         // in all other cases: make pulses
 };
 
 // SplitMix64: every seed, 0 included, is as good as another.
@@ -208,7 +209,7 @@ static void search_shorter(SearchRun *k)
     }
 }
 
-static void search(SearchRun *k)
+static void run_search(SearchRun *k)
 {
     const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
 
@@ -293,7 +294,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     search_begin_solving(k);
     search_build_flat(k);
     run_given(k);
-    search(k);
+    run_search(k);
     search_choose(k);
     search_describe_missing(k);
     arena_free(&k->flats);

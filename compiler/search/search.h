@@ -13,7 +13,7 @@
 #define SMC_SEARCH_H
 
 #include "compiler/cover/cover.h"
-#include "compiler/search/scenario.h"
+#include "compiler/script/scenario.h"
 
 #define SEARCH_EFFORT UINT64_C(150000000)     // default of `effort`: about 10 s on a processor of 2020
 #define SEARCH_MEMORY ((size_t)512 << 20)     // default of `memory`
@@ -62,7 +62,7 @@ typedef struct SearchOptions {
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
     bool no_places;           // only goals of the watch are goals
     bool loops;               // scenarios can have loops
-    bool plain;               // for one goal with few changes: no attempt repeats changes, and no input has to go on trembling
+    bool plain;               // for one goal with few changes: no attempt repeats changes, and inputs with noise may become constant
     SearchSpecials specials;
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;
@@ -121,13 +121,5 @@ typedef struct SearchResult {
 
 // Searches.  All memory is the arena's: snapshots are freed before it returns.
 SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o);
-
-// ---- running a scenario ----
-
-// The value of a change in step `step`, as a cell of the type of its variable; of COPY, from `cell`, by Var.index, as they are before the step.
-uint64_t scenario_cell(const Program *p, const ScenarioChange *c, uint64_t step, const uint64_t *cell);
-// Runs a scenario on any engine.  Calls `after` with the number of each step, if it is not NULL.  Returns the status of the last step.
-EngineStatus scenario_run(Arena *arena, const Program *p, const Scenario *s, Engine *e, void (*after)(void *context, uint64_t step, const EngineStep *result),
-                          void *context);
 
 #endif

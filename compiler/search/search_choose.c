@@ -11,8 +11,8 @@ enum {
     LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter runs to the others
     FEW_CHANGES = 2,          // a scenario with more is simplified once more, at most IMPROVED_ROUNDS times
     IMPROVED_ROUNDS = 3,
-    IMPROVED_PART = 2,        // of the effort that is left, one part of so many is for the scenario with most changes
-    LEAST_SHARE = 16          // of the effort that is left, one part of so many is for the next scenario
+    IMPROVED_PART = 2,        // this part of the remaining effort (1 / n) is for the scenario with most changes
+    LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)
 };
 
 typedef struct Candidate {
@@ -98,7 +98,7 @@ static uint8_t *reached_set(const Chooser *c)
 // ---- simplifying ----
 
 // Returns the goals of a set that no chosen scenario reaches.
-static GoalSet find_left(Chooser *c, const uint32_t *goal, uint32_t n)
+static GoalSet find_unreached(Chooser *c, const uint32_t *goal, uint32_t n)
 {
     GoalSet out = {NULL, 0, 0};
 
@@ -129,7 +129,8 @@ static uint8_t *set_of(const Chooser *c, const GoalSet *goals)
     return set;
 }
 
-// Shares the effort that is left: a scenario has as much of it as it has of the goals, and at least a part of it.
+// Sets the limit for simplifying a scenario.  Its part of the remaining effort is the part that its goals are of all goals without a scenario, and
+// at least 1 / LEAST_SHARE.
 static void share_effort(Chooser *c, uint32_t goals)
 {
     SearchRun *k = c->k;
@@ -167,7 +168,7 @@ static void choose_scenario(Chooser *c, const Candidate *from, const GoalSet *wa
     while (x.s.changes > LONG_CHANGES && want->n > 1 && c->k->r->steps < c->k->effort) {
         part = find_first(c, want);
         choose_scenario(c, &x, &part);
-        left = find_left(c, want->at, want->n);
+        left = find_unreached(c, want->at, want->n);
         want = &left;
     }
     if (want->n == 0)
@@ -180,9 +181,9 @@ static void choose_scenario(Chooser *c, const Candidate *from, const GoalSet *wa
         x.end = c->end;
     }
     if (x.s.changes > MANY_CHANGES && want->n > 1 && c->k->r->steps < c->k->effort) {
-        part = find_left(c, want->at, half);
+        part = find_unreached(c, want->at, half);
         choose_scenario(c, &x, &part);
-        part = find_left(c, want->at + half, want->n - half);
+        part = find_unreached(c, want->at + half, want->n - half);
         choose_scenario(c, &x, &part);
         return;
     }
@@ -207,7 +208,7 @@ static SearchScenario *find_longest(const Chooser *c, const bool *tried)
 }
 
 // Simplifies a chosen scenario for the same goals.  Returns whether it has fewer changes now.
-static bool improve(Chooser *c, SearchScenario *x)
+static bool simplify_chosen(Chooser *c, SearchScenario *x)
 {
     SearchRun *k = c->k;
     GoalSet want = {NULL, 0, 0};
@@ -239,7 +240,7 @@ static void improve_longest(Chooser *c)
         memset(tried, 0, c->chosen.n + 1);
         while ((x = find_longest(c, tried)) != NULL && k->r->steps < k->effort && !k->r->stopped) {
             tried[x - c->chosen.at] = true;
-            any |= improve(c, x);
+            any |= simplify_chosen(c, x);
         }
     }
 }
@@ -319,7 +320,7 @@ void search_choose(SearchRun *k)
     GoalSet want = {NULL, 0, 0};
     const uint64_t full = k->effort;
 
-    // A step for each goal that was not found is left, to describe it.
+    // Reserves one step for each goal that was not found: search_describe_missing needs it.
     if (k->effort - k->r->steps > k->reserve + k->open)
         k->effort -= k->open;
     k->stop_at = k->effort;
@@ -328,7 +329,7 @@ void search_choose(SearchRun *k)
     while ((best = choose_best(&c, all, n, &want)) != NULL) {
         best->used = true;
         choose_scenario(&c, best, &want);
-        if (find_left(&c, want.at, want.n).n)     // what results of it can reach less than it does
+        if (find_unreached(&c, want.at, want.n).n)     // what results of it can reach less than it does
             store_chosen(&c, &best->s, best->end, best->reached);
     }
     improve_longest(&c);

@@ -14,8 +14,8 @@ typedef VEC(uint32_t) GoalSet;        // goals, as indices into SearchRun.goal
 
 typedef struct SearchEnter { uint32_t state; uint64_t step; } SearchEnter;    // a state that is entered after a step; step 0: the start
 
-// When a change is due, instead of in a fixed step: `wait` steps after the state is entered with which Chooser.enters[enter] ends, in the run
-// from which it was taken.  So the changes of later states follow when an earlier state takes another time.
+// When a change is made, relative to a transition instead of as a fixed step: `wait` steps after the transition that Chooser.enters[enter] was in
+// the recorded run.  So the changes of later states move with it when an earlier state takes more or fewer steps.
 typedef struct SearchAnchor { uint32_t enter; uint64_t wait; } SearchAnchor;
 
 typedef struct Chooser {
@@ -24,7 +24,7 @@ typedef struct Chooser {
     Arena flats;              // of the machine with the probes of wanted goals
     Arena tries;              // of the current attempt to simplify
     Arena unrolled;           // of the current replay
-    FlatMachine *wanted;      // that machine
+    FlatMachine *wanted;      // the machine in `flats`
     char *block;              // the state of the run, and the situation of the caller's goals
     const ScenarioChange **current;   // by input
     bool *covered;            // by goal: a chosen scenario reaches it
@@ -33,8 +33,8 @@ typedef struct Chooser {
     uint32_t *input_of;       // by Var.index
     VEC(SearchEnter) enters;  // of the last replay
     Scenario *way;            // by State.number - 1: the fewest changes of a chosen scenario that lead to its entry; init_state NULL: none
-    uint32_t end;             // of the scenario that is simplified: number of the state after it
-    uint64_t limit;           // simplifying the current scenario ends after so many steps
+    uint32_t end;             // number of the state after the scenario that is simplified
+    uint64_t limit;           // simplifying the current scenario ends when this many steps have run
 } Chooser;
 
 // Whether the last replay has reached a goal.
@@ -42,17 +42,17 @@ bool chooser_has_reached(const Chooser *c, uint32_t goal);
 uint32_t chooser_end_state(const Chooser *c);         // of the last replay: number of the state that its next step would run
 bool chooser_has_effort(const Chooser *c);
 // Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which it has reached all of
-// `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves the changes to where they are due.
+// `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves each change to `wait` steps after its transition.
 uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *want, const SearchAnchor *anchor);
 
-// Simplifies a scenario that reaches all of `want`.  Returns false if there was no effort to try: the scenario is as it was.
+// Simplifies a scenario that reaches all of `want`.  Returns false if no effort is left for it: then the scenario is unchanged.
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want);
 // A scenario that differs from the current one, in memory that the next attempt reuses.
 typedef struct Attempt {
     Scenario s;
     ScenarioChange *change;   // s.change
     ScenarioLoop *loop;       // s.loop
-    SearchAnchor *anchor;     // by change; as the current scenario was when `enters` were recorded
+    SearchAnchor *anchor;     // by change: relative to the transitions in `enters`, as recorded for the current scenario
 } Attempt;
 
 // Returns a copy of the current scenario, with room for more changes and one more loop.
@@ -68,7 +68,7 @@ bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want);
 // Gives loops periods that a person would write.
 void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);
 
-// Keeps what the last replay, one of `s`, shows about runs to states.
+// Stores in `way` the beginnings of `s`, as its last replay has shown, that enter a state with fewer changes than known so far.
 void chooser_keep_ways(Chooser *c, const Scenario *s);
 // Returns the scenario that leads to a node.
 Scenario chooser_scenario_of(SearchRun *k, Arena *arena, uint32_t node);

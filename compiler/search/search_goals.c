@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals, and how far each step is from them.  A distance is the number of decisions of the path that still have to be passed, plus a fraction
-// for the first of them: how far its operands are from the other outcome.
+// Goals, and how far each step is from reaching them.  The distance of a step is the number of decisions on the path to the goal that do not have
+// the wanted outcome yet, plus a fraction for the first one of these: how far its operands are from that outcome.
 #include <string.h>
 
 #include "compiler/search/search_run.h"
@@ -212,7 +212,8 @@ static void find_costs(SearchRun *k, const SearchDecision *x)
     }
 }
 
-// How far a condition is from deciding with `value`: the cost of its own value, and of those of the other operands above it.
+// Returns how far a condition is from deciding with `value`: the distance of its own value, plus those of the other operands of the enclosing
+// `and` and `or`, which must not decide.
 static double find_cost_of_condition(const SearchRun *k, const FlatDecision *d, uint32_t condition, bool value)
 {
     uint32_t n = 0;
@@ -246,7 +247,7 @@ static bool operands_changed(const SearchRun *k, SearchDecision *x)
     return changed;
 }
 
-static void come_near(SearchRun *k, uint32_t g, double distance)
+static void note_distance(SearchRun *k, uint32_t g, double distance)
 {
     SearchGoal *goal = &k->goal[g];
 
@@ -260,7 +261,7 @@ static void come_near(SearchRun *k, uint32_t g, double distance)
     }
 }
 
-static void watch(void *watcher, uint32_t kept)
+static void measure_goals(void *watcher, uint32_t kept)
 {
     SearchRun *k = watcher;
     SearchDecision *x = &k->decision[k->kept[kept]];
@@ -277,7 +278,7 @@ static void watch(void *watcher, uint32_t kept)
         cost = e->condition == SEARCH_NONE ? k->cost[e->value][root] : find_cost_of_condition(k, x->d, e->condition, e->value);
         if (cost == 0 && e->level > 0)
             continue;
-        come_near(k, e->goal, e->level + cost / (1 + cost));
+        note_distance(k, e->goal, e->level + cost / (1 + cost));
         if (k->goal[e->goal].run_best < k->goal[e->goal].best) {
             k->goal[e->goal].best = k->goal[e->goal].run_best;
             k->goal[e->goal].best_elem = (SearchElem){k->kept[kept], e->value, true};
@@ -382,7 +383,7 @@ void search_build_flat(SearchRun *k)
     p->decision = kept;
     p->watched = watched;
     k->flat = flat_new(&k->flats, k->m, p);
-    k->flat->watch = watch;
+    k->flat->watch = measure_goals;
     k->flat->watcher = k;
     quiet = ARENA_NEW(&k->flats, FlatProbes);
     *quiet = *p;

@@ -7,6 +7,14 @@
 
 // ---- inputs ----
 
+void search_default_inputs(const Program *p, bool *writable)
+{
+    for (uint32_t i = 0; i < p->var.n; i++) {
+        const Var *v = p->var.at[i];
+        writable[i] = v->kind == VAR_ELEMENT ? v != p->g && v != p->s && !v->written && v->read : v->kind == VAR_LOCAL && v->outside;
+    }
+}
+
 static void find_inputs(SearchRun *k)
 {
     bool *writable = arena_alloc(&k->work, k->p->var.n);

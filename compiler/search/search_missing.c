@@ -50,7 +50,7 @@ static bool run_nearest(SearchRun *k, const SearchGoal *g)
     return true;
 }
 
-static bool was_ever(const SearchRun *k, uint32_t place)
+static bool had_ever_value(const SearchRun *k, uint32_t place)
 {
     const uint32_t g = k->goal_of[place];
 
@@ -60,7 +60,7 @@ static bool was_ever(const SearchRun *k, uint32_t place)
 static void set_blocked(const SearchRun *k, SearchFind *f, uint32_t place, double missed_by)
 {
     f->blocked_by = place;
-    f->is_never = !was_ever(k, place);
+    f->is_never = !had_ever_value(k, place);
     f->missed_by = missed_by;
 }
 
@@ -144,7 +144,7 @@ static uint32_t find_frontier(SearchRun *k, uint32_t state)
     return best;
 }
 
-static void describe(SearchRun *k, uint32_t goal)
+static void describe_goal(SearchRun *k, uint32_t goal)
 {
     const SearchGoal *g = &k->goal[goal];
     SearchFind *f = &k->r->find[g->place];
@@ -169,5 +169,5 @@ void search_describe_missing(SearchRun *k)
 {
     for (uint32_t g = 0; g < k->goals; g++)
         if (k->r->find[k->goal[g].place].outcome == SEARCH_NOT_FOUND)
-            describe(k, g);
+            describe_goal(k, g);
 }

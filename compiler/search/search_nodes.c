@@ -9,12 +9,14 @@
 
 enum {
     REPORT_STEPS = 100000,
-    LEAP_AFTER = 64,          // steps in a state after which distances are measured in one step of LEAP_EVERY
+    LEAP_AFTER = 64,          // after this many steps in a state, only every LEAP_EVERY-th step measures distances
     LEAP_EVERY = 32,
-    STAY_PERCENT = 10,        // of the segments do not become shorter at transitions: a machine that goes around counts what it does
-    STALE_STEPS = 2000000,    // without progress in so many steps, distances are measured in few segments
-    NODE_BYTES = 192,         // counted for a node and a turn, so that a bound has the same effect on every computer: an array that grows
-    TURN_BYTES = 64,          // needs its old memory too
+    STAY_PERCENT = 10,        // this part of the segments is not shortened at transitions: some machines only count while they go around
+    STALE_STEPS = 2000000,    // after this many steps without progress, few segments measure distances
+    // Bytes that count for a node, a turn and a setting, whatever the computer: so the limit on memory has the same effect everywhere.  They are
+    // generous, because an array that grows also needs its old memory.
+    NODE_BYTES = 192,
+    TURN_BYTES = 64,
     SETTING_BYTES = 48
 };
 
@@ -22,7 +24,7 @@ static size_t round_up(size_t n) { return (n + 7) / 8 * 8; }
 
 // ---- memory ----
 
-// What is freed is reused, and never returned: `used` counts what was ever allocated at one time.
+// Freed memory is reused, and never returned to the arena: `used` counts the most that was in use at one time.
 static bool has_room(const SearchRun *k) { return k->free.n > 0 || k->used + k->nominal <= k->memory; }
 
 static bool has_room_for_node(const SearchRun *k, uint32_t turns)
@@ -221,7 +223,7 @@ typedef struct Segment {
     uint32_t from;
     const SearchTurn *turn;
     uint32_t turns;
-    bool is_exact;            // all its steps run: a part of a given run
+    bool is_exact;            // all steps run, even if a goal is reached: the segment is part of a given run
 } Segment;
 
 static uint32_t depth_after(const SearchRun *k, const Segment *g)
@@ -340,7 +342,7 @@ static void add_near(SearchRun *k, uint32_t goal, uint32_t n, double distance)
 
 // ---- goals ----
 
-// Closes a goal: nothing searches for it.
+// Closes a goal: no further attempt searches for it.
 static void close_goal(SearchRun *k, SearchGoal *g)
 {
     g->done = true;
@@ -513,7 +515,7 @@ static void sort_touched(SearchRun *k)
         }
 }
 
-// Leaves in `touched` the goals for which a snapshot of this segment is worth having.
+// Removes from `touched` the goals for which a snapshot of this segment would be no better than those of their pools.
 static void select_touched(SearchRun *k)
 {
     uint32_t kept = 0;

@@ -14,7 +14,7 @@ enum {
     LEG_TRIES = 4,            // attempts to leave a state
     MOST_ROUNDS = 2048,
     OWN_PERCENT = 33,         // of the rounds begin in the state of the goal
-    SHARE = 16                // of the effort, one part of so many is the most for an attempt
+    SHARE = 16                // an attempt uses at most 1 / SHARE of the effort
 };
 
 // A segment that is repeated.
@@ -69,7 +69,7 @@ static uint64_t choose_width(SearchRun *k)
 }
 
 // Replaces the value of each change by the one that its input has now.
-static void take_back(SearchRun *k)
+static void undo_changes(SearchRun *k)
 {
     for (uint32_t i = 0; i < k->turn.n; i++) {
         SearchTurn *t = &k->turn.at[i];
@@ -88,7 +88,7 @@ void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal)
 
     if (k->turn.n > 0) {
         add_leg(k, &k->legs, r, high);
-        take_back(k);
+        undo_changes(k);
         add_leg(k, &k->legs, r, low);
         k->node.at[node].users++;
         run_rounds(k, node, r, true, count, goal);
@@ -137,7 +137,7 @@ static const SearchExit *choose_exit_towards(SearchRun *k, uint32_t from, const 
 
 // Goes from a node towards a state, by one transition or more, and adds the legs.  The caller uses the node once.  Returns the node that was
 // reached, used once instead, or SEARCH_NONE.
-static uint32_t go_to(SearchRun *k, uint32_t node, uint32_t to, SearchRound *r)
+static uint32_t go_to_state(SearchRun *k, uint32_t node, uint32_t to, SearchRound *r)
 {
     uint32_t *distance = arena_array(&k->legs, k->p->state.n, sizeof *distance), tries = LEG_TRIES;
     const uint64_t most = k->r->steps + k->effort / SHARE;
@@ -220,9 +220,9 @@ void search_go_around(SearchRun *k, uint32_t goal)
         was = value_at(k, node, var);
         from = k->node.at[node].state;
         k->node.at[node].users++;
-            node = go_to(k, node, to, r);
+            node = go_to_state(k, node, to, r);
         if (node != SEARCH_NONE && from != to)
-            node = go_to(k, node, from, r);
+            node = go_to_state(k, node, from, r);
         if (node != SEARCH_NONE && k->node.at[node].copy) {
             const double change = value_at(k, node, var) - was, rounds = change != 0 ? (wanted - was) / change + 1 : 0;
             run_rounds(k, node, r, false, rounds < 0 ? 0 : rounds > (double)MOST_ROUNDS ? MOST_ROUNDS : (uint64_t)rounds, goal);

@@ -39,7 +39,7 @@ static void insert_loop(Attempt *t, ScenarioLoop l)
 
 // ---- equal rounds ----
 
-// Returns how many changes from index i on, rounds of n changes each, are equal.  The first 2 n of them are rounds.
+// Returns how many changes from index i on repeat the first n of them, at equal distances in steps; 0 if fewer than 2 n do.
 static size_t count_equal(const Chooser *c, const Scenario *s, size_t i, size_t n)
 {
     size_t m = n;
@@ -56,8 +56,8 @@ static size_t count_equal(const Chooser *c, const Scenario *s, size_t i, size_t 
     return m >= 2 * n ? m : 0;
 }
 
-// Replaces equal rounds of changes by a loop, those whose loop saves most changes.  The run stays the same.  Returns false if no loop saves at
-// least LEAST_SAVED changes.
+// Replaces the repeated changes whose loop saves most changes by that loop.  The run stays the same.  Returns false if no loop saves at least
+// LEAST_SAVED changes.
 static bool join_most_equal(Chooser *c, Scenario *s)
 {
     size_t from = 0, length = 0, most = 0, saved = LEAST_SAVED - 1;
@@ -76,7 +76,7 @@ static bool join_most_equal(Chooser *c, Scenario *s)
         return false;
     l.from = s->change[from].step;
     l.period = s->change[from + length].step - l.from;
-    l.to = s->change[from + most - length].step + l.period;               // where the next change of the rounds would be
+    l.to = s->change[from + most - length].step + l.period;               // the step in which the next round would begin
     if (from + most < s->changes && s->change[from + most].step < l.to)
         l.to = s->change[from + most].step;
     t = chooser_begin_attempt(c, s, 0);
@@ -98,15 +98,16 @@ bool chooser_join_equal(Chooser *c, Scenario *s)
 
 // ---- going around ----
 
-// What could become a loop: the changes after enter `first`, up to enter `next`, in place of those up to enter `last`; 0: until the goal is reached.
+// A loop that could be tried: it repeats the changes from transition `first` up to transition `next`, and replaces those up to transition `last`;
+// last 0: all until the goal is reached.  Numbers are indices into RoundTries.enter.
 typedef struct RoundTry { uint32_t first, next, last, times; size_t left; } RoundTry;
 
 typedef struct RoundTries {
     Chooser *c;
     const Scenario *s;
-    SearchEnter *enter;       // of a replay
+    SearchEnter *enter;       // the transitions of a replay
     uint32_t enters;
-    size_t *before;           // by enter: how many changes are made before the step after it
+    size_t *before;           // by transition: number of changes that are made before the step after it
     VEC(RoundTry) round;
 } RoundTries;
 
@@ -157,7 +158,7 @@ static int compare_rounds(const void *a, const void *b)
     return x->last < y->last ? -1 : x->last > y->last;
 }
 
-// The scenario with a loop in place of the changes after its first round.
+// Returns the scenario with a loop in place of the rounds after the first one.
 static Attempt repeat_round(RoundTries *r, const RoundTry *x)
 {
     const Scenario *s = r->s;
@@ -169,7 +170,7 @@ static Attempt repeat_round(RoundTries *r, const RoundTry *x)
     memmove(t.change + end, s->change + after, (s->changes - after) * sizeof *t.change);
     t.s.changes -= after - end;
     if (x->last) {
-        const uint64_t was = r->enter[x->last].step + 1;              // which becomes l.to
+        const uint64_t was = r->enter[x->last].step + 1;              // the step after the repeated rounds, which moves to l.to
         for (size_t i = end; i < t.s.changes; i++)
             t.change[i].step = t.change[i].step - was + l.to;
         for (size_t i = 0; i < t.s.loops; i++)
@@ -188,7 +189,7 @@ static Attempt repeat_round(RoundTries *r, const RoundTry *x)
     return t;
 }
 
-static bool go_around(Chooser *c, Scenario *s, const GoalSet *want)
+static bool replace_by_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     RoundTries r = {.c = c, .s = s};
     Scenario copy = *s;
@@ -217,7 +218,7 @@ bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     bool added = false;
 
-    while (c->k->o->loops && chooser_has_effort(c) && go_around(c, s, want))
+    while (c->k->o->loops && chooser_has_effort(c) && replace_by_loops(c, s, want))
         added = true;
     return chooser_join_equal(c, s) || added;
 }

@@ -12,6 +12,15 @@
 //     search_missing.c   what blocked the goals that were not found
 //     search.c           the loop
 //
+// Words of all these files:
+//
+//     node       a state of the machine that a run has reached, with the inputs as they are then
+//     snapshot   a node whose whole state is stored, so that runs can begin there
+//     turn       a change of an input at the start of a segment
+//     segment    the steps that run from a node with some turns: one attempt of the search
+//     pool       the snapshots that came nearest to a goal
+//     entry      a snapshot taken when a state of the machine was entered
+//
 // Letters: k the search, f a flat machine, n a node, g a goal.
 #ifndef SMC_SEARCH_RUN_H
 #define SMC_SEARCH_RUN_H
@@ -24,50 +33,50 @@ enum { SEARCH_POOL = 4, SEARCH_ENTRIES = 32 };        // snapshots for each goal
 // ---- the machine ----
 
 typedef struct SearchInput {
-    uint32_t var, at;         // in Program.var, in IrMachine.var
+    uint32_t var, at;         // index into Program.var; into IrMachine.var
     SmType type;
-    bool forced;              // the machine writes it too, so it is set before every step
+    bool forced;              // the machine writes the input, too, so it is set again before every step
     const Range *range;       // or NULL
-    VEC(double) constant;     // numbers that it is compared with
+    VEC(double) constant;     // numbers with which the machine compares the input
 } SearchInput;
 
-// A decision that has to have an outcome.
+// A decision, and the outcome that a goal needs.
 typedef struct SearchElem {
     uint32_t decision;
     bool value;
-    bool is_certain;          // without this value the statement is not executed; otherwise some runs need it, and others do not
+    bool is_certain;          // no run executes the statement without this outcome; false: some runs can
 } SearchElem;
 
-// What has to happen before a statement is executed, the innermost first; the last element is decided first in a step.
+// The decisions that lead to a statement, the innermost first: a step makes the last one of the list first.
 typedef struct SearchPath { const SearchElem *elem; uint32_t n; } SearchPath;
 
 typedef struct SearchDecision {
     const FlatDecision *d;
     uint32_t fn;              // index into FlatMachine.fn
-    uint32_t state;           // number of its state; 0: what a window samples
-    SearchPath path;          // of its statement
-    uint32_t *operand;        // places in the frame of everything that its distance depends on
+    uint32_t state;           // number of the state that contains it; 0: it is in what a window samples
+    SearchPath path;          // of the statement that contains it
+    uint32_t *operand;        // indices into the frame: the values on which its distance depends
     double *last;             // their values when the distance was last computed
     uint32_t operands;
     bool is_known;            // `last` has been set
-    VEC(struct SearchEdge) edge;
-    uint64_t *inputs;         // the set of inputs that it depends on
+    VEC(struct SearchEdge) edge;      // the goals whose paths contain it
+    uint64_t *inputs;         // the set of inputs on which it depends
 } SearchDecision;
 
 // A store to a variable.
 typedef struct SearchStore { uint32_t fn, state, stmt; IrRef ref, value; } SearchStore;
 
 typedef struct SearchVar {
-    uint32_t input;           // index of the input; SEARCH_NONE
+    uint32_t input;           // index into SearchRun.input; SEARCH_NONE: it is no input
     VEC(SearchStore) store;
-    uint64_t *inputs;         // the set of inputs that its value depends on
+    uint64_t *inputs;         // the set of inputs on which its value depends
 } SearchVar;
 
 typedef struct SearchFn {
     const IrFn *fn;
-    uint32_t state;           // 0: the sampling
-    bool is_step;             // of .step: it runs in each step of its state
-    uint8_t *handle;          // by IrRef: what the value depends on
+    uint32_t state;           // number of its state; 0: the function that samples windows
+    bool is_step;             // the code of .step, which runs in each step of its state
+    uint8_t *handle;          // by IrRef: on what the value depends, a set of HANDLE_…
 } SearchFn;
 
 enum { HANDLE_INPUT = 1, HANDLE_VAR = 2, HANDLE_TIME = 4, HANDLE_WINDOW = 8 };
@@ -77,11 +86,13 @@ typedef struct SearchExit { uint32_t stmt, from, to; SearchPath path; } SearchEx
 
 // ---- goals ----
 
-// Where a goal can be reached.  With a condition, that condition of the path's first decision has to decide with `value`.
+// A state and a path on which a goal can be reached.  With a condition, this condition of the innermost decision must decide with `value`.
 typedef struct SearchSite { uint32_t state; SearchPath path; uint32_t condition; bool value; } SearchSite;
 
+// A goal that needs a decision: at position `level` of its path.
 typedef struct SearchEdge { uint32_t goal, level, condition; bool value; } SearchEdge;
 
+// A node, and its distance from a goal.
 typedef struct SearchNear { uint32_t node; double distance; } SearchNear;
 
 typedef struct SearchGoal {
@@ -90,15 +101,15 @@ typedef struct SearchGoal {
     bool done;
     SearchNear pool[SEARCH_POOL];
     uint32_t pooled;
-    double best;              // in all runs
-    SearchElem best_elem;     // the element that decided it
-    uint32_t best_condition;  // which of its conditions has to decide with this value; SEARCH_NONE: the decision has to have it
-    uint64_t cost;            // steps spent on it
-    uint32_t found;           // the node after the step that reached it
-    double run_best;          // in the current segment
-    uint64_t run_step;
-    bool touched;
-    uint32_t fill;            // WINDOW: its samples; steps that have to run before
+    double best;              // the smallest distance of all runs
+    SearchElem best_elem;     // the decision that was missing then
+    uint32_t best_condition;  // the condition of this decision that must decide with its value; SEARCH_NONE: the whole decision must have it
+    uint64_t cost;            // steps that attempts for this goal have run
+    uint32_t found;           // the node after the step that reached the goal
+    double run_best;          // the smallest distance in the current segment
+    uint64_t run_step;        // the step that had it
+    bool touched;             // the goal is in SearchRun.touched
+    uint32_t fill;            // WINDOW: how many steps fill the window; they must run before the goal can be reached
 } SearchGoal;
 
 // ---- nodes ----
@@ -114,44 +125,44 @@ typedef struct SearchSetting {
 
 typedef struct SearchTurn { uint32_t input; SearchSetting setting; } SearchTurn;
 
-// A state that has been reached: by `turn` at the parent and steps up to `at`.
+// A node: it is reached from its parent by the changes `turn` and the steps up to `at`.
 typedef struct SearchNode {
     uint32_t parent;
-    uint32_t users;           // pools that contain it; without any, it has no copy
-    uint32_t followers;       // nodes whose parent it is, and goals that it has reached; without any, and without users, it is freed
-    uint64_t at;              // steps from the start
-    SearchTurn *turn;         // its own
+    uint32_t users;           // number of pools and entries that contain the node; 0: it has no copy
+    uint32_t followers;       // number of its children, and of goals that it has reached; 0, and no users: it is freed
+    uint64_t at;              // number of steps from the start
+    SearchTurn *turn;         // the changes between its parent and the node
     uint32_t turns;
-    uint32_t depth;           // changes from the start; those of equal rounds count once
-    char *copy;               // or NULL
-    uint32_t state;
-    uint64_t key;             // of what it has stored
+    uint32_t depth;           // number of changes from the start; changes of equal rounds count once
+    char *copy;               // the snapshot; or NULL
+    uint32_t state;           // number of the state that its next step runs
+    uint64_t key;             // a hash of the snapshot
 } SearchNode;
 
 typedef struct SearchRun {
     Arena *arena, work;       // of the result; of the search
     Arena flats;              // of the current `flat`
-    Arena legs;               // of the current rounds
+    Arena legs;               // of the parts of the current way around (search_go_around)
     const Cover *c;
     const Program *p;
     const IrMachine *m;
     const SearchOptions *o;
     SearchResult *r;
     uint64_t effort, random, delta_t;
-    uint64_t reserve;         // steps of the replays of what was found: they are part of the effort
-    uint64_t stop_at;         // the search ends after so many steps
+    uint64_t reserve;         // steps that will replay what was found: a part of the effort
+    uint64_t stop_at;         // the search ends when this many steps have run
     const State *start;
     FlatMachine *plain;       // without probes
     FlatMachine *flat;        // with the probes of open goals, and watched decisions
     FlatMachine *quiet;       // with the probes of open goals only
-    FlatMachine *running;     // the one of the current segment
+    FlatMachine *running;     // the machine of the current segment: `flat` or `quiet`
     uint64_t progress;        // steps that had run when a snapshot of a goal was last stored
     FlatMachine *judge;       // with all probes
     uint32_t *kept;           // by decision of `flat`: index into `decision`
     uint32_t done_since;      // goals reached since `flat` was built
     // the machine
     SearchInput *input;
-    uint32_t inputs, words;   // words: of a set of inputs
+    uint32_t inputs, words;   // words: length of a set of inputs, in uint64_t
     SearchVar *var;           // by IR variable
     SearchFn *fn;             // as FlatMachine.fn
     SearchDecision *decision; // as FlatProbes.decision
@@ -169,38 +180,38 @@ typedef struct SearchRun {
     uint32_t *counter;        // by place (CoverPlace): the counter of `running` that counts how often it was executed
     bool *is_open;            // by counter
     VEC(uint32_t) touched;    // goals that came nearer in the current segment
-    double *cost[2];          // by node of a decision: how far it is from being false, true
+    double *cost[2];          // by node of a decision: its distance from being false; from being true
     // nodes
     VEC(SearchNode) node;
     uint32_t root;            // the start; it always has a copy
     SearchNear *entry;        // by State.number - 1, SEARCH_ENTRIES each
     uint32_t *entries;
     bool *visited;            // by State.number - 1
-    size_t block, settings;   // bytes of a snapshot; offset of its settings
-    size_t nominal;           // bytes that are counted for a snapshot: the same on every computer
+    size_t block, settings;   // bytes of a snapshot; offset of the settings of inputs in it
+    size_t nominal;           // bytes that count for a snapshot, the same on every computer, so that results do not depend on the computer
     size_t used, memory;
-    VEC(char *) free;         // copies
+    VEC(char *) free;         // unused memory of snapshots
     SearchTurn **free_turn;   // by number of turns: a list of arrays
-    uint32_t free_node;       // a list, by SearchNode.parent; SEARCH_NONE
+    uint32_t free_node;       // the first unused node; SearchNode.parent is the next one; SEARCH_NONE ends the list
     VEC(uint32_t) active;     // inputs that are set before each step of the current run
-    char *now, *scratch;      // the current run; another one
+    char *now, *scratch;      // the state of the current run; memory for the state of another run
     uint64_t at;              // steps that the current run has run
     uint64_t *cell;           // by Var.index, for the caller's goals
     double *distance;
     uint64_t next_report;
     // solving
     struct SearchWish *wish;  // by input
-    uint64_t wait;            // steps that a solution has to last
-    uint32_t foreign;         // a variable that another state has to store; SEARCH_NONE
-    double foreign_value;     // what the solution needs of it
-    uint64_t rounds;          // how often a variable has to be counted up or down, one after another; 0: no count was solved for
-    bool is_round;            // their changes repeat earlier ones, and are not counted
-    uint32_t site_state;      // the state of the snapshot
+    uint64_t wait;            // how many steps a solution must last
+    uint32_t foreign;         // a variable that only another state can store as needed; SEARCH_NONE: there is none
+    double foreign_value;     // the value that it needs
+    uint64_t rounds;          // how often a counter must be counted up or down, one after another; 0: the solution needs no counter
+    bool is_round;            // the current changes repeat earlier ones: they do not count in SearchNode.depth
+    uint32_t site_state;      // the state of the snapshot for which changes are solved
     VEC(SearchTurn) turn;
 } SearchRun;
 
-// A number below n, which is above 0.
 uint64_t search_random(SearchRun *k);
+// Returns a random number below n, which is above 0.
 static inline uint32_t search_pick(SearchRun *k, uint32_t n) { return (uint32_t)(search_random(k) % n); }
 static inline bool search_chance(SearchRun *k, uint32_t percent) { return search_pick(k, 100) < percent; }
 
@@ -210,17 +221,17 @@ void search_make_goals(SearchRun *k);
 void search_prove(SearchRun *k);              // finds goals that are impossible
 void search_build_flat(SearchRun *k);         // builds `flat` for the goals that are open
 FlatMachine *search_new_flat(SearchRun *k, Arena *arena);     // a machine with the probes of SearchRun.is_open
-double search_near(double difference);        // a distance from 0 to below 1
+double search_near(double difference);        // maps a difference of two numbers to a distance from 0 to below 1
 
 void search_begin_nodes(SearchRun *k);
-// Runs `steps` steps from a node with changes of inputs, and stores what is worth it.  Stops early if it reaches `goal`.  Without a goal
-// (SEARCH_NONE) returns the node after the last step, which the caller drops.
+// Runs a segment of `steps` steps from a node.  Stores snapshots where it comes nearer to a goal than before, or enters a state.  Stops early if
+// it reaches `goal`.  Without a goal (SEARCH_NONE) returns the node after the last step, which the caller drops.
 uint32_t search_run_segment(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps, uint32_t goal);
-// The same without a goal, and with all steps whatever happens: a part of a given run.
+// Runs a segment without a goal: a part of a given run, of which all steps run.
 uint32_t search_run_exactly(SearchRun *k, uint32_t from, const SearchTurn *turn, uint32_t turns, uint64_t steps);
 // Opens the goals again that were reached after more than so many changes: only a run with fewer changes counts.  Returns whether there are any.
 bool search_reopen(SearchRun *k, uint32_t changes);
-void search_close_again(SearchRun *k);        // ends that
+void search_close_again(SearchRun *k);        // closes the goals that search_reopen has opened
 void search_drop(SearchRun *k, uint32_t node);
 bool search_goes_on(SearchRun *k);            // whether effort is left and the caller wants to go on
 void search_load(SearchRun *k, uint32_t node, char *to);
@@ -228,13 +239,13 @@ void search_apply(SearchRun *k, char *block, uint64_t at, const SearchTurn *turn
 void search_set_inputs(SearchRun *k, char *block, uint64_t step);
 static inline SearchSetting *search_settings(const SearchRun *k, char *block) { return (SearchSetting *)(void *)(block + k->settings); }
 
-// Find changes for a node, in k->turn.  Return for how many steps to run.
+// Solve for changes of inputs at a node, and store them in k->turn.  Return the length of the segment, in steps.
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
 
 // Returns the entry of a state (0: any) at which a variable is nearest to a value; SEARCH_NONE: it has not been entered.
 uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, uint32_t state);
-// Makes the changes of k->turn and takes them back, again and again, from a node that they were found for.
+// Makes the changes of k->turn and undoes them, again and again, from the node for which they were solved.
 void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal);
 // Goes from an entry through a state that stores k->foreign, and back to the first state, again and again.
 void search_go_around(SearchRun *k, uint32_t goal);

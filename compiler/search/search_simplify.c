@@ -9,16 +9,18 @@
 #include "compiler/search/search_choose.h"
 #include "compiler/search/search_wish.h"
 
-#define UNUSUAL_SIZE 1e15     // of a value that no sensor has
+#define UNUSUAL_SIZE 1e15     // no sensor has values of this magnitude
 
 enum {
     MOST_ROUNDS = 3,
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
-    LONG_WAIT = 16,           // steps; skip_wait tries to replace longer waits by one of 1 to SHORTEST_WAITS steps,
-    SHORTEST_WAITS = 2,       // with up to MOST_DELAY steps more after the change
+    // skip_wait tries to replace a wait of more than LONG_WAIT steps before a change by a wait of 1 to SHORTEST_WAITS steps.  What follows the change
+    // can then be delayed by up to MOST_DELAY steps.
+    LONG_WAIT = 16,
+    SHORTEST_WAITS = 2,
     MOST_DELAY = 3,
-    MANY_CHANGES = 12,        // with more, what takes few replays is tried first
-    MOST_JOINS = 64           // entered states from which a shorter beginning is tried, the last ones
+    MANY_CHANGES = 12,        // a scenario with more changes is first simplified by the edits that take few replays
+    MOST_JOINS = 64           // a shorter beginning is tried for the last transitions of a run, at most this many
 };
 
 // ---- attempts ----
@@ -156,11 +158,11 @@ typedef struct Reducer {
     Chooser *c;
     Scenario *s;
     const GoalSet *want;
-    SearchEnter *enter;       // of a replay of *s
+    SearchEnter *enter;       // the transitions of a replay of *s
     uint32_t enters;
 } Reducer;
 
-// Keeps the entries of states of the last replay, one of *s.
+// Stores the transitions of the last replay, which was one of *s.
 static void keep_enters(Reducer *r)
 {
     r->enter = arena_copy(&r->c->k->work, r->c->enters.at, r->c->enters.n * sizeof *r->enter);
@@ -177,10 +179,10 @@ static bool record_enters(Reducer *r)
     return true;
 }
 
-// An edit of an attempt: it has fewer changes then.  Returns false if it is no edit of this scenario.
+// Edits an attempt so that it has fewer changes.  Returns false if the edit does not apply to this scenario.
 typedef bool Edit(Attempt *t, size_t i, size_t n);
 
-static bool edit_drop(Attempt *t, size_t i, size_t n)
+static bool drop_from_attempt(Attempt *t, size_t i, size_t n)
 {
     if (i + n > t->s.changes)
         return false;
@@ -188,7 +190,7 @@ static bool edit_drop(Attempt *t, size_t i, size_t n)
     return true;
 }
 
-// Change i gets the value of the next change of its variable, which is removed; n: 1.
+// Gives change i the value of the next change of its variable, and removes that change.  n is 1.
 static bool edit_merge(Attempt *t, size_t i, size_t n)
 {
     size_t next = i + n;
@@ -205,7 +207,7 @@ static bool edit_merge(Attempt *t, size_t i, size_t n)
     return true;
 }
 
-// The variable of change i has the value of this change from the first step on.  n is ignored.
+// Gives the variable of change i the value of this change from the first step on.  n is ignored.
 static bool edit_constant(Attempt *t, size_t i, size_t n)
 {
     const ScenarioChange x = t->change[i];
@@ -263,7 +265,7 @@ static bool drop_changes(Reducer *r)
 
     for (size_t n = r->s->changes / 2; n > 0; n /= 2)
         for (size_t i = r->s->changes; i-- > 0 && chooser_has_effort(r->c); )
-            if (i + n <= r->s->changes && try_edit(r, edit_drop, i, n))
+            if (i + n <= r->s->changes && try_edit(r, drop_from_attempt, i, n))
                 shorter = true;
     return shorter;
 }
@@ -360,7 +362,7 @@ static uint64_t earliest_step(const Scenario *s, size_t i)
     return l ? l->to : i ? s->change[i - 1].step : 1;
 }
 
-// Shortens the time before each change outside loops, as far as halving finds.
+// Shortens the time before each change outside loops: halves it as often as the goal is still reached.
 static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
 {
     for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
@@ -406,7 +408,7 @@ static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
         }
 }
 
-static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
+static double nearest_whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
 
 // Replaces an infinity, or another value far beyond what the machine compares with, by one of a usual size, if that is enough.
 static bool try_usual_size(Chooser *c, Scenario *s, size_t i, const SearchInput *in, const GoalSet *want)
@@ -446,7 +448,7 @@ static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
             const double f = is_part ? per[u - sizeof unit / sizeof *unit] : unit[u];
             if ((!is_part && f > 2 * size) || (is_part && !ir_is_float(in->type)))
                 continue;
-            x.a = is_part ? whole(a * f) / f : whole(a / f) * f;
+            x.a = is_part ? nearest_whole(a * f) / f : nearest_whole(a / f) * f;
             done = x.a == a;
             if (!done && (!in->range || (x.a >= in->range->lo && x.a <= in->range->hi)))
                 done = try_change(c, s, i, x, want);
@@ -470,7 +472,7 @@ static uint32_t find_simplest(const SearchRun *k, uint32_t state)
 }
 
 // Finds the simplest known way to a state: that of a chosen scenario, or that of an entry.  Returns false if it has `most` changes or more.
-static bool find_way(Chooser *c, uint32_t state, size_t most, Scenario *way)
+static bool find_scenario_to(Chooser *c, uint32_t state, size_t most, Scenario *way)
 {
     const uint32_t node = find_simplest(c->k, state);
     const Scenario *chosen = &c->way[state - 1];
@@ -486,7 +488,7 @@ static bool find_way(Chooser *c, uint32_t state, size_t most, Scenario *way)
 }
 
 // Returns the first steps of a scenario, in which it makes so many of its changes.
-static Scenario cut_after(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
+static Scenario cut_scenario(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
 {
     Scenario out = {.init_state = s->init_state, .delta_t = s->delta_t, .steps = step, .change = s->change, .changes = changes};
     ScenarioLoop *loop = arena_array(&c->k->work, s->loops + 1, sizeof *loop);
@@ -511,7 +513,7 @@ void chooser_keep_ways(Chooser *c, const Scenario *s)
         while (before < s->changes && s->change[before].step <= e->step)
             before++;
         if (!way->init_state || before < way->changes)
-            *way = cut_after(c, s, e->step, before);
+            *way = cut_scenario(c, s, e->step, before);
     }
 }
 
@@ -574,7 +576,7 @@ static bool simplify_beginning(Reducer *r)
         Attempt t;
         while (before < from.changes && from.change[before].step <= r->enter[i].step)
             before++;
-        if (r->enter[i].step + 1 > from.steps || !find_way(c, r->enter[i].state, before, &way))
+        if (r->enter[i].step + 1 > from.steps || !find_scenario_to(c, r->enter[i].state, before, &way))
             continue;
         tries++;
         t = join_at(c, &way, &from, r->enter[i].step);

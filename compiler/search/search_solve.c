@@ -7,7 +7,8 @@
 #include "compiler/search/search_wish.h"
 #include "stdlib/convert.h"
 
-enum { TREMBLE_PERCENT = 75 };        // of the new values of an input that alternates alternate by as much: a sensor that lives has noise
+// If an input alternates between two values, as a sensor with noise does, so many of a hundred new values of it alternate by as much.
+enum { TREMBLE_PERCENT = 75 };
 
 // ---- changes ----
 
@@ -64,7 +65,7 @@ static void add_wished(SearchRun *k, uint32_t input)
     add_turn(k, input, s);
 }
 
-// An input that a decision of the path depends on, or any.
+// Returns an input on which a decision of the path depends; sometimes any input.
 static uint32_t choose_input(SearchRun *k, const SearchPath *path)
 {
     for (int i = 0; path && path->n && i < 8; i++) {

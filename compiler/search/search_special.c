@@ -10,10 +10,10 @@ enum {
     RUN_STEPS = 8,            // the most changes of a run, one after another
     MOST_FIRST = 6,           // inputs that change together at the beginning
     MOST_LATER = 2,           // inputs that change together later
-    SETTLE_PERCENT = 10       // of the changes are followed by more than one step
+    SETTLE_PERCENT = 10       // after so many of a hundred changes, the machine runs for more than one step
 };
 
-static double beyond(const SearchInput *in, bool above)
+static double value_beyond(const SearchInput *in, bool above)
 {
     const double size = in->range ? in->range->hi - in->range->lo : 1e30;
 
@@ -30,7 +30,7 @@ static double choose_special(SearchRun *k, const SearchInput *in)
         return search_pick(k, 2);
     switch (search_pick(k, 8)) {
     case 0: case 1: x = above ? 1e308 * 10 : -1e308 * 10; break;
-    case 2: x = beyond(in, above); break;
+    case 2: x = value_beyond(in, above); break;
     case 3: x = in->range ? above ? in->range->hi : in->range->lo : base; break;
     case 4: x = base + (above ? 1 : -1); break;
     default: x = base; break;

@@ -5,7 +5,7 @@
 static const double power[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
 enum { POWERS = sizeof power / sizeof *power };
 
-static double whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
+static double nearest_whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
 
 bool search_is_within(const SearchWish *w, double x)
 {
@@ -16,7 +16,7 @@ bool search_is_within(const SearchWish *w, double x)
 static double round_within(const SearchWish *w, double x, double most)
 {
     for (int i = POWERS; i-- > 0; ) {
-        const double unit = power[i], y = i >= 9 ? whole(x / unit) * unit : whole(x * power[18 - i]) / power[18 - i];
+        const double unit = power[i], y = i >= 9 ? nearest_whole(x / unit) * unit : nearest_whole(x * power[18 - i]) / power[18 - i];
         if (y - x <= most && x - y <= most && search_is_within(w, y))
             return y;
     }

@@ -152,11 +152,10 @@ static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
 
 // ---- windows ----
 
-static void wish_event(SearchRun *k, uint32_t window, uint32_t fn, IrRef sample, SmStat stat, Rel rel, double x, int depth)
+static void wish_event(SearchRun *k, uint32_t fn, IrRef sample, SmStat stat, Rel rel, double x, int depth)
 {
     const bool more = rel == REL_GE || rel == REL_GT || (rel == REL_EQ && x > 0) || (rel == REL_NE && x <= 0);
 
-    (void)window;
     wish_truth(k, fn, sample, more, depth + 1);
     if (more)
         search_wait_for(k, stat == SM_STAT_RUN_TIME ? x / (double)k->delta_t + 2 : x + 2);
@@ -195,23 +194,30 @@ static double choose_slope(SearchRun *k, uint32_t size, double x, bool more)
     return exact * (search_chance(k, 50) ? 0.75 : 0.25);
 }
 
-// Solves for the samples of a window: its value should stay in the relation to x, or come into it.
+// Returns the operation whose value a window samples, in the function of all samples.
+static IrRef find_sampled(const SearchRun *k, uint32_t window)
+{
+    const IrFn *f = k->m->sample;
+
+    for (uint32_t i = 0; i < f->ins.n; i++)
+        if (f->ins.at[i].op == IR_sample && f->ins.at[i].var == window)
+            return f->ins.at[i].a;
+    return IR_NONE;
+}
+
+// Adds wishes for what a window samples, so that its statistic is in the relation `rel` to x.
 static void wish_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const uint32_t window = k->fn[fn].fn->ins.at[ref].var;
     const SmStat stat = k->fn[fn].fn->ins.at[ref].stat;
     const bool is_satisfied = satisfies(search_value_of(k, fn, ref), rel, x);
     const uint32_t size = k->m->window.at[window].size;
-    const IrFn *f = k->m->sample;
-    IrRef sample = IR_NONE;
+    const IrRef sample = find_sampled(k, window);
     const bool more = rel == REL_GE || rel == REL_GT;
 
-    for (uint32_t i = 0; i < f->ins.n; i++)
-        if (f->ins.at[i].op == IR_sample && f->ins.at[i].var == window)
-            sample = f->ins.at[i].a;
     switch (stat) {
     case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME:
-        wish_event(k, window, 0, sample, stat, rel, x, depth);
+        wish_event(k, 0, sample, stat, rel, x, depth);
         return;
     case SM_STAT_ELAPSED: return;
     case SM_STAT_RANGE:
@@ -328,7 +334,7 @@ static void wish_load(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
         wish_var(k, var, rel, x, depth);
 }
 
-// Wishes that a temporary compares to x as `rel` says.
+// Adds wishes so that a temporary is in the relation `rel` to x.
 static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const IrIns *i = &k->fn[fn].fn->ins.at[ref];
@@ -369,7 +375,7 @@ static Rel relation_of(IrOp op, bool truth)
     }
 }
 
-// An input that is compared with an output can follow it.
+// If a comparison compares an input with an output, adds the wish that the input follows the output, as a feedback does.
 static void wish_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
 {
     const IrFn *f = k->fn[fn].fn;
@@ -400,7 +406,7 @@ static void wish_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool trut
         wish_number(k, fn, i->a, rel, search_value_of(k, fn, i->b), depth);
 }
 
-// Wishes that one of two has the value: one that has it already, mostly.
+// Adds wishes so that one of two nodes has the value; mostly the one that already has it.
 static void wish_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
 {
     const bool has_a = (search_value_of(k, fn, a) != 0) == truth, has_b = (search_value_of(k, fn, b) != 0) == truth;

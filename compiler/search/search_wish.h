@@ -9,31 +9,31 @@
 
 #include "compiler/search/search_run.h"
 
-#define SEARCH_BIG 1e30       // bounds beyond it are none
+#define SEARCH_BIG 1e30       // a bound of this magnitude or more means no bound
 
-// What an input should be.
+// The value that a solution wants an input to have: a *wish*.
 typedef struct SearchWish {
     double lo, hi;            // bounds
-    bool above, below;        // lo, hi are excluded
+    bool above, below;        // lo, hi themselves are excluded
     bool needed;              // the current value contradicts a bound
-    bool differs;             // not equal to `other`
+    bool differs;             // the input should not equal `other`
     double other;
     double vary;              // amplitude of noise; 0: none
     double slope;             // change in each step; 0: none
-    uint32_t copies;          // an output, as index into Program.var, that it should follow; SEARCH_NONE
+    uint32_t copies;          // the output that the input should follow, as a feedback does: index into Program.var; SEARCH_NONE: none
 } SearchWish;
 
-// Wishes that node n of a decision has a value.
+// Adds wishes so that node n of a decision gets the value.
 void search_wish_node(SearchRun *k, const SearchDecision *x, uint32_t n, bool value);
-// Wishes that a condition decides: it has the value, and the other operands above it do not decide.
+// Adds wishes so that a condition decides: it gets the value, and no other operand of the enclosing `and` and `or` decides.
 void search_wish_condition(SearchRun *k, const SearchDecision *x, uint32_t condition, bool value);
-// A solution has to last for so many steps.
+// Makes the solution last at least this many steps.
 void search_wait_for(SearchRun *k, double steps);
 
 bool search_is_within(const SearchWish *w, double x);
 // Chooses a number within the bounds of an input.
 double search_choose_value(SearchRun *k, uint32_t input);
-// A step that matters for numbers of this size.
+// Returns the size of a change that matters for an input with values of this magnitude.
 double search_unit_of(const SearchInput *in, double x);
 
 #endif

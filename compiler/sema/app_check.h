@@ -13,7 +13,7 @@ typedef struct AppCheck {
     const AppFiles *files;
     const StateVec *sv;           // NULL if it has errors; then elements are not looked up
     const IoMap *pins;            // NULL if the application has no pins, or they have errors
-    const Network *net;           // likewise
+    const Network *net;           // the messages of the application, or NULL
     unsigned guesses;             // how many more unknown names may be compared with all known ones
     Map machine_file;             // the file name as written of a machine without bindings, to the Span of its first use
     Map machine_state;            // "FILE ELEMENT" of a machine: the number of its file and its S, to the AppMachine

@@ -15,10 +15,10 @@ typedef struct AppMachine {
     Str name;
     uint32_t file;            // index of its file in AppFiles
     const Program *program;
-    const State *initial;     // the state in which it starts; NULL: the first
+    const State *initial;     // the state in which the machine starts; NULL: the first
     bool bytecode, resume;
     bool swap;                // it can be swapped while the application runs
-    uint32_t longest;         // if it can be swapped: the most instructions of a step
+    uint32_t longest;         // for a machine that can be swapped: the most instructions of a step
     uint16_t number;          // numbers the machines 0, 1, 2 … in file order
 } AppMachine;
 
@@ -98,7 +98,7 @@ typedef struct AppFile {
     bool wrong_kind;          // its name has the wrong extension, so it need not be opened
     const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
     const char *problem;      // set by the caller if src is NULL: why the file cannot be read
-    size_t machines;          // how many machines of the application are of this file
+    size_t machines;          // number of machines of the application that this file defines
     size_t unbound;           // 1 + the index in AppFiles.instance of the first one without bindings; 0: none
 } AppFile;
 
@@ -106,7 +106,7 @@ typedef struct AppFile {
 typedef struct AppInstance {
     const AstAppTask *task;
     size_t file;              // index of its file in AppFiles.at
-    const Program *program;   // set after its check; NULL if it has errors
+    const Program *program;   // the checked machine; NULL before its check, or if it has errors
 } AppInstance;
 
 typedef struct AppFiles {

@@ -28,7 +28,7 @@ StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 typedef struct MachineInstance {
     Str name;                 // names its program and the files generated from it; NULL: the file's stem does
     Span span;                // position of its name in the application; or zeroed
-    const AstBinding *binding;        // which elements it uses (config.md 10.29)
+    const AstBinding *binding;        // the elements to which its names are bound (config.md 10.29)
     size_t bindings;
     bool lost;                // a binding is missing, because an error was reported
 } MachineInstance;
@@ -64,7 +64,7 @@ App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const Io
 
 // Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
 void script_add_written_names(const AstFile *ss, Map *names);
-void script_add_names_of_section(const AstSection *section, Map *names);      // those of the columns of [data]
+void script_add_names_of_section(const AstSection *section, Map *names);      // adds the names of the columns of [data]
 void script_add_names_of_item(const AstStmt *item, Map *names);
 // Returns how much G advances per step in the script, where the machine counts time in `unit`; 0 if the script has no valid delta_t.
 uint64_t script_delta_t(const AstFile *ss, TimeUnit unit);

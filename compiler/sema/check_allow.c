@@ -85,7 +85,7 @@ void add_state_allows(Sema *s, const AstSection *section, uint32_t end)
 // Returns the end position of a conditional, including all its branches.
 static uint32_t conditional_end(const AstStmt *s)
 {
-    while (s->arms->has_else && !s->arms->else_body_span.src && s->arms->otherwise.n)           // else if
+    while (s->arms->has_else && !s->arms->else_body_span.src && s->arms->otherwise.n)           // the body is an `else if`
         s = s->arms->otherwise.at[0];
     return span_end(s->arms->has_else && s->arms->else_body_span.src ? s->arms->else_body_span : s->arms->body_span);
 }

@@ -17,7 +17,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 
     e->kind = kind;
     e->span = sema_span(s, span);
-    e->n = args & 0xffffff;              // AST_DEPTH_MAX bounds it
+    e->n = args & 0xffffff;              // AST_DEPTH_MAX limits the number of arguments, so no bits are lost
     return e;
 }
 
@@ -333,21 +333,62 @@ static const AstExpr *state_element_in(const Sema *s, const AstExpr *comparison)
     return machine_of_state(s, comparison->a) ? comparison->a : machine_of_state(s, comparison->b) ? comparison->b : NULL;
 }
 
+// Returns the first operand of a chain of `or`, before those that are names.
+static const AstExpr *first_of_names(const AstExpr *e)
+{
+    while (e->kind == AST_BINARY && e->op == SM_OP_OR && e->b->kind == AST_NAME)
+        e = e->a;
+    return e;
+}
+
 // Reports B in `S == A or B`, where it has no value: the user means `S == A or S == B`. With another operator, or another left side, what the
 // user means is not certain.
 static void report_state_as_condition(Sema *s, const AstExpr *e)
 {
-    const AstExpr *before = operator_class(e) == SM_CLASS_LOGIC ? comparison_before(e->a) : NULL;
-    const AstExpr *element = state_element_in(s, before), *name = element ? name_of_state(s, machine_of_state(s, element), e->b) : NULL;
+    const AstExpr *before = operator_class(e) == SM_CLASS_LOGIC ? first_of_names(e->a) : NULL;
+    const AstExpr *element = before && before->kind == AST_BINARY ? state_element_in(s, before) : NULL;
+    const AstExpr *name = element ? name_of_state(s, machine_of_state(s, element), e->b) : NULL;
     const char *start;
     Diag *d;
 
-    if (!name || e->op != SM_OP_OR || before->op != SM_OP_EQ || before != e->a)
+    if (!name || e->op != SM_OP_OR || before->op != SM_OP_EQ)
         return;
     start = format_in(s->arena, "%s %s ", sema_quote_source(s, element->span), sm_op_info[before->op].spelling);
     d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
     diag_label(s->diags, d, DIAG_label_write, format_in(s->arena, "%s%s", start, name->name->text));
     diag_edit(s->diags, d, (Span){name->span.src, name->span.at, 0}, start);
+}
+
+// Appends the comparisons of an element with the states of `A or B`. Returns false if an operand is no state of the machine.
+static bool write_state_choice(Sema *s, const Program *m, const char *element, const AstExpr *e, Buf *out)
+{
+    const AstExpr *name = e->kind == AST_NAME ? name_of_state(s, m, e) : NULL;
+
+    if (name) {
+        buf_printf(out, "%s%s == %s", out->n ? " or " : "", element, name->name->text);
+        return true;
+    }
+    return e->kind == AST_BINARY && e->op == SM_OP_OR && write_state_choice(s, m, element, e->a, out) && write_state_choice(s, m, element, e->b, out);
+}
+
+// Reports `S == (A or B)`, where A and B have no value: the user means `S == A or S == B`.
+static bool report_state_choice(Sema *s, const AstExpr *e)
+{
+    const Program *m = operator_class(e) == SM_CLASS_EQUALITY && e->op == SM_OP_EQ && e->b->kind == AST_PAREN ? machine_of_state(s, e->a) : NULL;
+    const AstExpr *states = m ? without_parens(e->b) : NULL;
+    Buf out;
+    Diag *d;
+
+    buf_init(&out, s->arena);
+    if (!states || states->kind != AST_BINARY || !write_state_choice(s, m, sema_quote_source(s, e->a->span), states, &out))
+        return false;
+    s->knows_a_name = true;
+    while (states->kind == AST_BINARY)
+        states = states->a;
+    d = diag_report(s->diags, DIAG_unknown_element, states->span, states->name->text);
+    diag_label(s->diags, d, DIAG_label_write, format_in(s->arena, "(%s)", buf_text(&out)));
+    diag_edit(s->diags, d, e->span, format_in(s->arena, "(%s)", buf_text(&out)));
+    return true;
 }
 
 // Reports A in `not S == A`, where it has no value, because `not` applies to S alone: the user means `S != A`.
@@ -411,7 +452,7 @@ static Expr *check_binary(Sema *s, const AstExpr *e)
     AstExpr *operands[2] = {e->a, e->b};
     Expr *out = check_state_comparison(s, e);
 
-    if (out || report_unknown_state(s, e))
+    if (out || report_unknown_state(s, e) || report_state_choice(s, e))
         return out;
     report_state_as_condition(s, e);
     report_negated_state(s, e);

@@ -104,7 +104,10 @@ void report_parameter_in_initial(Sema *s, const Var *v, const AstExpr *e)
 
 void report_parameter_in_size(Sema *s, const Var *v, const AstExpr *e)
 {
-    scope_note_declared(s, diag_report(s->diags, DIAG_parameter_in_size, e->span, s->size_of->text, v->name->text), e->name);
+    Diag *d = diag_report(s->diags, DIAG_parameter_in_size, e->span, s->size_of->text, v->name->text);
+
+    diag_label(s->diags, d, DIAG_label_constant_size, v->name->text);
+    scope_note_declared(s, d, e->name);
 }
 
 void report_parameter_assigned(Sema *s, const Var *v, Str name, Span span)

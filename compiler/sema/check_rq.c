@@ -44,7 +44,7 @@ static Expr *check_operand(Sema *s, const AstExpr *in, uint32_t *machine)
     State *state;
 
     if (in->kind != AST_NAME)
-        return in->kind == AST_PAREN ? check_expr(s, in) : NULL;      // the parser has reported anything else
+        return in->kind == AST_PAREN ? check_expr(s, in) : NULL;      // the parser has reported anything but parentheses
     state = map_find(&s->p->state_by_name, in->name);
     if (!state && is_variable) {
         report_variable_operand(s, in);
@@ -181,6 +181,8 @@ Requirements *check_requirements(CheckContext *c, const AstFile *const *file, si
     hidden->word.arena = c->arena;
     out->program = p;
     out->by_id.arena = c->arena;
+    for (size_t i = 0; i < n; i++)
+        add_names_of_sections(c, file[i], hidden);
     sema_init(&s, c, hidden, p, &out->window);
     s.in_script = s.in_requirements = true;
     s.step = p->step;

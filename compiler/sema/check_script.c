@@ -190,13 +190,42 @@ static const ScriptRemark *check_remark(ScriptCheck *k, const AstStmt *in)
     return r;
 }
 
+// Whether e compares S with the number of a state and is true in the state `in`.  A step keeps S to its end, also when it makes a transition.
+static bool is_true_in_state(const ScriptCheck *k, const Expr *e, const State *in)
+{
+    const Joint *j = k->s.p->joint;
+    const Member *m = j ? &j->member.at[joint_machine_of(j, in->number)] : NULL;
+    const Var *s = m ? m->s : k->s.p->s;
+    const SmF64 number = sm_from_u32(in->number - (m ? m->first : 0));
+    const bool compares = e->kind == EX_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE);
+    const int var = compares && e->arg[1]->kind == EX_VAR;
+
+    return compares && e->arg[var]->kind == EX_VAR && e->arg[var]->var == s && expr_is_constant(e->arg[1 - var]) &&
+           (e->op == SM_OP_EQ) == sm_eq(expr_constant_value(e->arg[1 - var]), number);
+}
+
+// Warns of conditions of an assert such as S == A in [A]: they are judged only where they are true. Recursion depth equals the nesting of
+// expressions, which AST_DEPTH_MAX bounds.
+static void warn_of_decided_conditions(ScriptCheck *k, const Expr *e, const State *in)
+{
+    const bool is_and = e->kind == EX_BINARY && e->op == SM_OP_AND;
+
+    for (uint32_t i = 0; is_and && i < 2; i++)
+        warn_of_decided_conditions(k, e->arg[i], in);
+    if (is_true_in_state(k, e, in))
+        diag_label(k->s.diags, diag_report(k->s.diags, DIAG_assert_decided, e->span), DIAG_label_judged_in_state, in->name->text);
+}
+
 static void add_assert(ScriptCheck *k, ScriptItem *item, const AstStmt *in)
 {
     static const ScriptAssertKind kind[] = {
         [AST_ASSERT] = SCRIPT_ASSERT, [AST_FAIL] = SCRIPT_FAIL, [AST_EXPECT] = SCRIPT_EXPECT, [AST_PRINT] = SCRIPT_PRINT};
     ScriptAssert a = {kind[in->kind], in->value ? check_expr(&k->s, in->value) : NULL, NULL};
+    const State *in_state = k->script->section.at[k->script->section.n - 1].state;
 
     a.remark = check_remark(k, in);
+    if (a.kind == SCRIPT_ASSERT && a.condition && in_state)
+        warn_of_decided_conditions(k, a.condition, in_state);
     if (a.condition || !in->value)
         vec_push(k->s.arena, &item->asserts, a);
 }

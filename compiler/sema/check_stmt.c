@@ -46,8 +46,7 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
         d = diag_report(s->diags, DIAG_write_global_time, span, name->text);
     } else if (v->state_of) {
         d = diag_report(s->diags, DIAG_write_state_element, span, name->text);
-        if (!s->in_script)
-            diag_label(s->diags, d, DIAG_label_change_state);
+        diag_label(s->diags, d, s->in_script ? DIAG_label_first_state : DIAG_label_change_state);
     } else if (v->kind == VAR_LOCAL) {
         d = diag_report(s->diags, DIAG_write_constant, span, name->text);
     } else
@@ -192,7 +191,7 @@ static void warn_of_unreachable_statement(Sema *s, const AstStmt *transition, co
 
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
 {
-    const bool is_repeated = s->all_states && s->all_states->copies > 0;           // they have been checked for another state
+    const bool is_repeated = s->all_states && s->all_states->copies > 0;           // the statements have been checked for another state
     const AstStmt *before = NULL;
     bool is_warned = false;
 
@@ -207,7 +206,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         }
         if (stmt)
             vec_push(s->arena, out, stmt);
-        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines directly before it
+        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (in->at[i]->marks && s->building && !is_repeated)
             add_stmt_marks(s, in->at[i], stmt);

@@ -101,7 +101,7 @@ static void add_names_hidden_by(HiddenWords *k, const Diag *d)
 
     for (size_t i = 0; section && i < AST_LABEL_COUNT; i++)
         has_block = has_block || section->block[i].present;
-    if (!section || section->name->len == 0) {          // its header is missing or unreadable
+    if (!section || section->name->len == 0) {          // the header of the section is missing or unreadable
         k->l->sections = true;
         add_hidden_range(k, error.at, end);
     } else if (d->code == DIAG_code_before_label && section->kind == AST_STATE && !has_block) {
@@ -135,4 +135,20 @@ HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f)
     l->word.arena = c->arena;
     add_hidden_names(c, f, l);
     return l;
+}
+
+void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames *l)
+{
+    HiddenWords k = {l, c->strings, f, 0};
+    const char *text = f->src->text;
+
+    for (size_t i = 0; i < c->diags->list.n; i++) {
+        const Diag *e = c->diags->list.at[i];
+        uint32_t end = e->span.at;
+        if (e->code != DIAG_requirement_section || e->span.src != f->src)
+            continue;
+        while (end < f->src->len && text[end] != '"')          // the text of the next requirement
+            end++;
+        add_hidden_range(&k, e->span.at, end);
+    }
 }

@@ -9,7 +9,7 @@
 
 typedef struct MeasureRow {
     const char *name;
-    bool prefixed;                // a prefix can precede it
+    bool prefixed;                // a prefix such as `k` can precede the unit
     double scale;
     double power[MEASURE_BASES];
 } MeasureRow;

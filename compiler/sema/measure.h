@@ -19,10 +19,10 @@ typedef struct MeasureName {
 
 typedef struct Measure {
     const char *text;             // as written; NULL: computed
-    double scale;                 // one of it in base units: 6894.757… for psi; finite and above 0
+    double scale;                 // one of this unit in base units: 6894.757… for psi; finite and above 0
     double zero;                  // a temperature scale that does not begin at 0 K (degC): its zero point in K; other units: 0
     double power[MEASURE_BASES];     // of m, kg, s, A, K, mol, cd, rev
-    MeasureName name[MEASURE_NAMES];    // the units that it is the product of, for messages
+    MeasureName name[MEASURE_NAMES];    // for messages: the units whose product it is
     uint8_t names;                // more than MEASURE_NAMES: too many, so `name` has no meaning
 } Measure;
 
@@ -31,7 +31,7 @@ typedef enum MeasureFlaw { MEASURE_GOOD, MEASURE_MALFORMED, MEASURE_UNKNOWN } Me
 // Why a text is no unit.
 typedef struct MeasureError {
     uint32_t at, len;             // the wrong part of the text
-    const char *expected;         // MALFORMED: what belongs there
+    const char *expected;         // MALFORMED: what is expected there
     char near[24];                // UNKNOWN: the unit to suggest, because its name is similar; "": none is similar
     bool is_certain;              // UNKNOWN: the text can only mean `near`
 } MeasureError;
@@ -47,8 +47,8 @@ Measure measure_power(const Measure *a, double power);
 bool measure_is_usable(const Measure *u);                            // false: scale or powers have become too large to compare
 bool measure_is_same_kind(const Measure *a, const Measure *b);         // m and ft
 bool measure_is_same_scale(const Measure *a, const Measure *b);          // of units that measure the same: equal, so no factor or zero differs
-bool measure_is_number(const Measure *u);                            // measures nothing: rad, percent, m/m
-bool measure_is_temperature(const Measure *u);                       // measures a temperature and nothing besides it
+bool measure_is_number(const Measure *u);                            // whether u measures nothing, as rad, percent and m/m do
+bool measure_is_temperature(const Measure *u);                       // whether u is a temperature alone, not a product or quotient with one
 bool measure_is_g(const Measure *u);                                 // gn itself
 
 // Returns a text for a message: as written, else the product of the units from which it was computed.

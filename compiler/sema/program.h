@@ -42,7 +42,7 @@ typedef struct Element {
     const Range *range;       // its @range, or NULL
     bool command;             // @command: operated by a person
     const Measure *unit;         // its @unit, or NULL
-    uint32_t first_allow, allows;     // its @allow annotations are the `allows` entries of StateVec.allow from index first_allow on
+    uint32_t first_allow, allows;     // its @allow annotations are StateVec.allow[first_allow] and the following, `allows` in all
     uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
     Region *region;
@@ -53,7 +53,7 @@ struct Region {
     Str name;
     uint32_t offset, size;    // bytes in memory, without padding after the last element
     uint32_t packed_size;     // bytes in a message, where elements have no padding
-    uint32_t first, count;    // its elements are the `count` entries of StateVec.element from index `first` on
+    uint32_t first, count;    // its elements are StateVec.element[first] and the following, `count` in all
     Span span;
 };
 
@@ -130,12 +130,12 @@ struct Define {
     Str name;
     struct AstExpr *value;
     Span value_span;          // the expression
-    uint32_t number;          // its place among the definitions of the file; those of a script follow those of its machine
+    uint32_t number;          // its index among the definitions of the file; definitions of a script follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     const Measure *unit;         // its @unit, or NULL
-    uint32_t names;           // its expression is only the name of another definition, which has a unit: 1 + `number` of that; 0: it is not
-    bool used;                // another part of its file uses it, or a requirement does
-    bool expanded;            // its expression has been checked, so the uses in it are listed
+    uint32_t names;           // if its expression is only the name of another definition, which has a unit: 1 + `number` of that definition; else 0
+    bool used;                // the file uses it somewhere else, or a requirement does
+    bool expanded;            // its expression has been checked, so the uses in it are listed in `use`
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
 };
@@ -168,8 +168,8 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     Span span;
     SmF64 number;
     Var *var;
-    uint32_t window;          // ROLL: index into the owner's window list; AT: the length of G's name at the beginning of `span`, 0: it is not written
-    uint32_t define;          // 1 + the number of the definition with a unit whose use this is; 0: none
+    uint32_t window;          // ROLL: index into the owner's window list; AT: the length of the name of G at the start of `span`, 0: it is not written
+    uint32_t define;          // if this is the use of a definition with a unit: 1 + the number of that definition; else 0
     Expr *arg[];              // n operands; for a CHAIN its n - 1 operators follow
 };
 
@@ -181,7 +181,7 @@ typedef struct Window {
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
     const Var *time;          // of a window of times (SM_STATS_OF_TIMES): G
-    uint64_t gap;             // of a run: it begins again if G has advanced by more than this since the last step; 0: never
+    uint64_t gap;             // of a run: it restarts if G has advanced by more than this since the last step; 0: never
     uint32_t clock;           // of a run with a gap: the window, with SM_STAT_ELAPSED, of the times of the last two steps
     Span span;
     bool in_time;             // the call has a time instead of n: (size - 1) * Program.step
@@ -240,11 +240,11 @@ typedef struct Member {
     Str name;
     const struct Program *program;
     const Var **var;          // by Var.index of `program`: the variable in the joined Program
-    Var *s, *t;               // its S and T there
-    uint32_t first;           // its states are the entries of Program.state from index `first` on
+    Var *s, *t;               // the elements that are S and T of this machine
+    uint32_t first;           // its states are Program.state[first] and the following
     const State *initial;     // of `program`
     const Var *mode;          // the element of its @mode in the joined Program; or NULL
-    uint64_t every;           // it steps once in this many ticks
+    uint64_t every;           // the machine steps once in this many ticks
 } Member;
 
 typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
@@ -259,10 +259,10 @@ typedef struct Joint {
 
 // @req on a state or a statement: it implements a requirement (requirements.md 13.19).  Only reports read it.
 typedef struct RequirementMark {
-    Str requirement;          // its id
+    Str requirement;          // the id of the requirement
     const State *state;       // the state that has the mark, or its statement; NULL: a section [all_states]
     bool is_statement;        // the mark follows a statement, or a transition
-    const Stmt *stmt;         // that statement, in [all_states] its first copy; NULL: the mark is on a state or a section
+    const Stmt *stmt;         // the marked statement, in [all_states] its first copy; NULL: the mark is on a state or a section
     Span span;                // the annotation
 } RequirementMark;
 
@@ -331,7 +331,7 @@ struct ScriptItem {
     Expr *guard;
     const ScriptItem *parent; // the conditional around it; NULL: none
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
-    uint32_t first_assert;    // number of asserts in the items before it
+    uint32_t first_assert;    // number of asserts in the items of the section before it
     uint32_t machine : 24;    // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
     bool otherwise : 1;       // it belongs to the `else` of the parent
     bool by_time : 1;         // the guard is one of check_when
@@ -346,7 +346,7 @@ static inline Span script_stop_span(const ScriptItem *item) { return (Span){item
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
-    uint32_t machine;         // as in its items
+    uint32_t machine;         // the machine of its items (ScriptItem.machine)
     VEC(ScriptItem *) item;
 } ScriptSection;
 
@@ -386,7 +386,7 @@ typedef struct ScriptData {
     Str file, time;           // the names of the file, and of the column with the times
     Span file_span, time_span;
     TimeUnit unit;            // of the times
-    bool is_linear;           // values between two rows are interpolated; otherwise they are those of the earlier one
+    bool is_linear;           // between two rows, values are interpolated; else they are those of the earlier row
     bool stops_at_bad_time, skips_bad_times;      // the section has `on_bad_time error`; it has `on_bad_time skip`
     bool missing_is_nan;
     VEC(ScriptColumn) column; // written to variables

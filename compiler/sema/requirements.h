@@ -18,7 +18,7 @@ typedef struct Requirement {
     RequirementKind kind;
     Str id, text;
     Span span;                // position of the id
-    Expr *a, *b, *c;          // the conditions that RequirementKind names; those that the kind does not have are NULL
+    Expr *a, *b, *c;          // the conditions of the requirement, as RequirementKind names them; NULL: its kind has no such condition
     uint32_t machine[3];      // of a, b, c: 1 + the number of the machine of an application of which it names a state. It is true only in the
                               // ticks in which that machine steps. 0: any other condition
     uint64_t within;          // LEADS_TO: in units of G

@@ -217,6 +217,8 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     if (unlisted) {
         diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[unlisted->type].spelling, unlisted->name->text);
         diag_note(s->diags, d, unlisted->span, DIAG_note_declared_here, unlisted->name->text);
+    } else if (state && s->in_script) {
+        diag_label(s->diags, d, DIAG_label_tests_for_state, state->name->text, s->p->s ? s->p->s->report_name->text : "S", state->name->text);
     } else if (state) {
         diag_label(s->diags, d, DIAG_label_is_a_state, state->name->text, state->name->text, s->p->s ? s->p->s->report_name->text : "S",
                    state->name->text);
@@ -265,7 +267,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
     const ForeignName *foreign = find_foreign(foreign_functions, sizeof foreign_functions / sizeof *foreign_functions, name);
     Diag *d;
 
-    if (!add_reported_name(&s->unknown_function, name))
+    if (map_find(&s->lost->word, name) || !add_reported_name(&s->unknown_function, name))
         return;
     if (scope_find_variable(s, name) || map_find(&s->defines, name)) {
         d = diag_report(s->diags, DIAG_not_a_function, span, name->text);

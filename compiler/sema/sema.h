@@ -27,12 +27,13 @@ typedef struct HiddenNames {
 } HiddenNames;
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
+void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames *to);     // those of the sections that requirements cannot have
 void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *to);
 
 // One machine or script being checked.
 typedef struct Sema {
     Arena *arena;
-    Arena *nodes;             // receives the nodes of expressions: `arena`, or `scratch` for those that are not kept
+    Arena *nodes;             // memory for nodes of expressions: `arena`, or `scratch` for temporary ones
     Arena *scratch;           // may be freed after each item of a script
     StrPool *strings;
     Diags *diags;
@@ -55,10 +56,10 @@ typedef struct Sema {
 
     Map defines;              // name to Define: those that the text can use
     Define *inside;           // the definition whose use is being checked; NULL: none
-    uint32_t expanded;        // how many operations and values the uses of definitions have so far
+    uint32_t expanded;        // number of operations and values in the uses of definitions so far
     uint32_t depth;           // the depth of the current expression below the root of its statement
     AllStates *all_states;    // the section whose statements are being checked; NULL: none
-    uint32_t copied;          // how many statements they have become so far
+    uint32_t copied;          // number of statements into which they have been copied so far
     const Source *copy;       // the source of their positions; NULL: that of the file
     uint64_t step;            // how much G advances in a step; 0: unknown
     ExprContext at;

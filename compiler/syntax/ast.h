@@ -124,12 +124,12 @@ typedef struct AstArms {      // the branches of a conditional
 typedef struct AstRemark {
     Str text, requirement;    // NULL: none
     AstExpr *within;          // EXPECT: the time after `within`
-    VEC(AstExpr *) values;    // PRINT: what it prints
+    VEC(AstExpr *) values;    // PRINT: the values that it shows
 } AstRemark;
 
 struct AstStmt {
     AstStmtKind kind;
-    bool flawed;              // an error in it has been reported
+    bool flawed;              // an error in the statement has been reported
     Span span;                // the whole statement; IF: up to the end of its guard
     Str name;                 // ASSIGN: the assigned variable; TRANSITION: the target state
     Span name_span;
@@ -191,7 +191,7 @@ typedef struct AstDataLine {
     Span element_span;
     Str column;
     Span column_span;
-    AstNumber tolerance;      // its span has no source if it is absent
+    AstNumber tolerance;      // absent if its span has no source
     AstExpr *delay;           // a literal; or NULL
     AstAnnotations annotations;
 } AstDataLine;

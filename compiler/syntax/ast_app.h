@@ -59,7 +59,7 @@ typedef enum AstAppTaskKind {
 typedef struct AstBinding {
     AstWord name;             // of the machine
     AstWord element;          // of the state vector; absent: a value
-    AstExpr *value;           // the right side, whatever it is
+    AstExpr *value;           // the right side of the assignment
     Span span;
 } AstBinding;
 
@@ -84,7 +84,7 @@ typedef struct AstAppExecutor {
     Span header;
     AstAppAnnotations annotations;
     VEC(AstAppRate) rates;
-    bool lost;                // part of it could not be parsed
+    bool lost;                // a part of the file could not be parsed
 } AstAppExecutor;
 
 // An @allow, and the line or section that it covers.

@@ -16,7 +16,7 @@ typedef enum AstNetAnnotationKind {
 typedef struct AstNetAnnotation {
     AstNetAnnotationKind kind;
     Span span;                // including its @ and its arguments
-    AstWord word;             // an element, an address, a key; of @count the word that says what is counted
+    AstWord word;             // an element, an address or a key; of @count the name of the counter
     AstWord element;          // the element of @count
     AstAmount amount;         // the time of @timeout, the number of @peers
     AstNumber value;          // of @default and @safe

@@ -111,6 +111,75 @@ HintResult hint_report_annotation_call(HintCase *c)
     return HINT_READ;
 }
 
+// Returns the end of the parentheses that open at the current token on its line; 0 if they do not close there.
+static uint32_t end_of_arguments(const Parser *p)
+{
+    const char *text = p->lex.src->text;
+    uint32_t depth = 0;
+
+    for (uint32_t at = p->tok.at; text[at] && text[at] != '\n' && text[at] != '#'; at++) {
+        depth += text[at] == '(';
+        if (text[at] == ')' && --depth == 0)
+            return at + 1;
+    }
+    return 0;
+}
+
+// Reports arguments of a transition: -> Burn(3).
+HintResult hint_report_call_of_state(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    const uint32_t end = end_of_arguments(p), open = p->tok.at;
+    uint32_t arrow = p->last.at;
+    Diag *d;
+
+    while (arrow > 0 && (text[arrow - 1] == ' ' || text[arrow - 1] == '\t'))
+        arrow--;
+    if (arrow < 2 || strncmp(text + arrow - 2, "->", 2) != 0)
+        return HINT_NONE;
+    d = hint_report_general(c);
+    if (end > open && strspn(text + open + 1, " \t") == end - open - 2) {
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "-> %s", parser_text(p, parser_span(p, &p->last))));
+        diag_edit(p->diags, d, (Span){p->lex.src, open, end - open}, "");
+    } else {
+        diag_label(p->diags, d, DIAG_label_state_arguments, parser_text(p, parser_span(p, &p->last)));
+    }
+    return HINT_READ;
+}
+
+// Reports a condition after @stop, as in @stop G > 5.
+HintResult hint_report_condition_of_stop(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    uint32_t end = p->tok.at + (uint32_t)strcspn(text + p->tok.at, "#}\r\n"), at = p->tok.at;
+
+    if (strcmp(p->last.text->text, "stop") != 0)
+        return HINT_NONE;
+    while (end > at && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    if (hint_is_word(&p->tok, "if") || p->tok.kind == TOK_IF || hint_is_word(&p->tok, "when"))
+        at = p->ahead.at;
+    diag_label(p->diags, hint_report_general(c), DIAG_label_as_in, format_in(p->arena, "%.*s: @stop", (int)(end > at ? end - at : 0), text + at));
+    return HINT_READ;
+}
+
+// Reports a state's name of two words, as in -> Tank Vent.
+HintResult hint_report_state_of_words(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    uint32_t arrow = p->last.at;
+
+    while (arrow > 0 && (text[arrow - 1] == ' ' || text[arrow - 1] == '\t'))
+        arrow--;
+    if (arrow < 2 || strncmp(text + arrow - 2, "->", 2) != 0 || (!p->ahead.first && p->ahead.kind != TOK_RBRACE && p->ahead.kind != TOK_END))
+        return HINT_NONE;
+    diag_label(p->diags, hint_report_general(c), DIAG_label_state_of_words, p->last.text->text, p->tok.text->text);
+    return HINT_READ;
+}
+
 // Reports digits in groups, as in 60 000.
 HintResult hint_report_digit_groups(HintCase *c)
 {
@@ -130,9 +199,19 @@ HintResult hint_report_digit_groups(HintCase *c)
 HintResult hint_skip_const(HintCase *c)
 {
     Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    uint32_t end = p->ahead.at + (uint32_t)strcspn(text + p->ahead.at, "#\r\n");
     Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
-    diag_label(p->diags, d, DIAG_label_as_in, "F64 limit = 5 @read_only");
+    while (text[end - 1] == ' ' || text[end - 1] == '\t')
+        end--;
+    diag_label(p->diags, d, DIAG_label_write,
+               format_in(p->arena, "%s%s", parser_text(p, (Span){p->lex.src, p->ahead.at, end - p->ahead.at}),
+                         memchr(text + p->ahead.at, '@', end - p->ahead.at) ? "" : " @read_only"));
+    if (!memchr(text + p->ahead.at, '@', end - p->ahead.at) && !memchr(text + p->ahead.at, ';', end - p->ahead.at)) {
+        diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+        diag_edit(p->diags, d, (Span){p->lex.src, end, 0}, " @read_only");
+    }
     parser_advance(p);
     return HINT_READ;
 }

@@ -132,7 +132,7 @@ HintResult hint_report_state_word(HintCase *c)
     const char *name = p->tok.text->text, *text;
     Diag *d;
 
-    if (p->kind != FILE_RQ || strcmp(c->e->name->text, "state") != 0 || is_at_word_after_value(p))
+    if (p->kind != FILE_RQ || strcmp(c->e->name->text, "state") != 0 || is_at_word_after_value(p) || strcmp(name, "in") == 0)
         return HINT_NONE;
     text = is_at_state_operand(p, c->e) ? name : format_in(p->arena, "S == %s", name);
     d = parser_report(p, DIAG_foreign_word, c->e->span, "state");
@@ -152,20 +152,6 @@ HintResult hint_report_dotted_name(HintCase *c)
         return HINT_NONE;
     name.len += p->tok.len;
     parser_fail(p, DIAG_name_with_dot, name, parser_text(p, name));
-    parser_advance(p);
-    return HINT_SKIPPED;
-}
-
-// Reports an index, as in a[3].
-HintResult hint_report_index(HintCase *c)
-{
-    Parser *p = c->p;
-    Span both = parser_span(p, &p->last);
-
-    if (!hint_are_adjacent(&p->last, &p->tok) || lex_is_identifier(p->tok.text->text, p->tok.text->len))
-        return HINT_NONE;
-    both.len += p->tok.len;
-    parser_fail(p, DIAG_no_lists, both, parser_text(p, both));
     parser_advance(p);
     return HINT_SKIPPED;
 }

@@ -13,7 +13,7 @@ enum {
 typedef struct HintLine {
     const Source *src;
     const char *text;         // text of the source
-    uint32_t from, end;       // the line is text[from … end), without its line end and the spaces before that
+    uint32_t from, end;       // the line is text[from … end), without its line end and trailing spaces
     const char *line_end;     // "\n" or "\r\n", as this line ends
 } HintLine;
 
@@ -161,12 +161,21 @@ typedef struct PriorStatement {
     bool braces;              // a brace opened on this line is still open before the statement
 } PriorStatement;
 
+// Returns the position of the quote that closes the text that begins at p.  If that quote is missing, returns `at` or a later position.
+static uint32_t skip_quoted(const HintLine *l, uint32_t p, uint32_t at)
+{
+    while (p + 1 < at && l->text[p + 1] != '"')
+        p++;
+    return p + 1;
+}
+
 // Finds the last statement that begins before `at` on line l.
 static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 {
     PriorStatement b = {UNKNOWN, 0, l->from, false};
-    uint32_t depth = 0;
-    bool colon = false, lost = false;         // lost: the line contains text that is not a statement, perhaps a condition
+    uint32_t depth = 0;                       // of parentheses
+    bool after_colon = false;                 // a condition's colon precedes b.begin
+    bool lost = false;                        // the line contains text that is not a statement, perhaps a condition
 
     for (uint32_t p = l->from; p < at; p++)
         switch (l->text[p]) {
@@ -175,32 +184,28 @@ static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
         case '{': case '}':
             b.begin = p + 1;
             b.braces = l->text[p] == '{';
-            colon = false;
+            after_colon = false;
             break;
         case ':':
             b.colon = p;
             b.begin = p + 1;
-            colon = depth == 0;
+            after_colon = depth == 0;
             break;
         case ';':
-            if (depth > 0 || colon)
+            if (depth > 0 || after_colon)
                 break;
             b.begin = skip_spaces(l, b.begin);
             lost = lost || !(begins_statement(l, b.begin) || begins_declaration(l, b.begin));
             b.begin = p + 1;
             break;
-        case '"':
-            while (p + 1 < at && l->text[p + 1] != '"')
-                p++;
-            p++;
-            break;
+        case '"': p = skip_quoted(l, p, at); break;
         default: break;
         }
     b.begin = skip_spaces(l, b.begin);
     if (lost)
         return b;
     if (b.begin < at && begins_statement(l, b.begin))
-        b.is = colon ? GUARDED : PLAIN;
+        b.is = after_colon ? GUARDED : PLAIN;
     else if (begins_declaration(l, b.begin))
         b.is = PLAIN;
     return b;

@@ -2,6 +2,7 @@
 // Hints about malformed tokens: 5psi, 1__0, größe, [two words].
 #include <string.h>
 
+#include "compiler/syntax/hint_lists.h"
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_unit.h"
 
@@ -99,9 +100,12 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
 {
     const uint32_t from = l->at + 1;
     Span whole = lexer_span(l, l->at, end + 1 - l->at);
-    Diag *d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
     const char *fixed = move_annotations_outside(l->diags->arena, name);
+    Diag *d;
 
+    if (l->last == TOK_NAME && hint_report_brackets(l->diags, l->src, l->at, end + 1))
+        return;
+    d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
     if (lex_is_header_name(name->text, name->len))
         fixed = format_in(l->diags->arena, "[%s]", name->text);
     if (fixed) {
@@ -115,6 +119,7 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
                 diag_label(l->diags, d, DIAG_label_name_ascii);
                 return;
             }
+        diag_label(l->diags, d, DIAG_label_section_name);
     }
 }
 

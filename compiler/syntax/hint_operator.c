@@ -159,7 +159,11 @@ static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, co
     uint32_t from = t->at;
     Diag *d;
 
-    if (arrow && begins_statement) {
+    if (arrow && l->requirements) {
+        native = "implies";
+        t->kind = TOK_NAME;
+        t->text = str_c(l->strings, native);
+    } else if (arrow && begins_statement) {
         native = "->";
     } else if (arrow && is_state_named_after(l, t)) {
         names_value = hint_is_declared(l, name, lexer_skip_word(l, name));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files with hints for the parser: hint_search.c searches hints.def; hint_expr.c (expressions), hint_stmt.c
-// (statements) and hint_end.c (text after a statement, declarations) contain the rules.
+// (statements), hint_end.c (text after a statement, declarations), hint_lists.c (lists and arrays), hint_when.c (times), hint_definition.c
+// and hint_requirement.c contain the rules.
 #ifndef SMC_HINT_RULES_H
 #define SMC_HINT_RULES_H
 

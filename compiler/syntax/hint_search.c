@@ -58,6 +58,10 @@ Diag *hint_report_general(HintCase *c)
     case HINT_AT_OPTION:
         c->general = parser_fail(p, DIAG_option_unknown, parser_token_span(p), p->tok.text->text);
         break;
+    case HINT_AT_DEFINITION_VALUE:
+        c->general = parser_fail(p, DIAG_definition_without_value, parser_missing_span(p),
+                                 parser_text(p, parser_span(p, &p->last)), parser_describe_found(p));
+        break;
     case HINT_AT_END: case HINT_AT_ELEMENT_END: case HINT_AT_PIN_END:
         c->general = parser_fail(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok));
         break;
@@ -70,7 +74,7 @@ Diag *hint_report_general(HintCase *c)
 void hint_init_index(HintIndex *index)
 {
     static const HintContext with_message[] = {HINT_AT_VALUE, HINT_AT_LONE_VALUE, HINT_AT_END, HINT_AT_ELEMENT_END, HINT_AT_PIN_NUMBER,
-                                             HINT_AT_PIN_END, HINT_AT_OPTION};      // the contexts with a general diagnostic
+                                             HINT_AT_PIN_END, HINT_AT_OPTION, HINT_AT_DEFINITION_VALUE};      // the contexts with a general diagnostic
 
     memset(index, 0, sizeof *index);
     for (size_t i = 0; i < sizeof with_message / sizeof *with_message; i++)
@@ -81,14 +85,12 @@ void hint_init_index(HintIndex *index)
     }
 }
 
-// Reports the likeliest cause if the grammar does not allow the next tokens, or if another language gives them another meaning.
-HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
+// Reports the first row of the context that matches, or else the general diagnostic.
+static HintResult explain_by_rows(Parser *p, HintContext context, AstExpr *e)
 {
     HintCase c = {p, context, e, NULL};
     HintResult result = HINT_NONE;
 
-    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
-        return HINT_NONE;
     for (size_t i = p->hints.first_row[context]; i < HINT_ROWS && hints[i].context == context && result == HINT_NONE; i++) {
         const Hint *h = &hints[i];
         if (!is_token_in(h->here, &p->tok) || !is_token_in(h->before, &p->last) || !is_token_in(h->after, &p->ahead) ||
@@ -104,6 +106,14 @@ HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
     if (result == HINT_NONE)
         hint_report_general(&c);
     return result;
+}
+
+// Reports the likeliest cause if the grammar does not allow the next tokens, or if another language gives them another meaning.
+HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
+{
+    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
+        return HINT_NONE;
+    return explain_by_rows(p, context, e);
 }
 
 // ---- tokens ----

@@ -339,7 +339,7 @@ bool hint_report_guard_in_braces(Parser *p)
     fixed = format_in(p->arena, "%s: %.*s", fixed, (int)length, text + n);
     d = parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
     diag_label(p->diags, d, DIAG_label_write, fixed);
-    if (!assigns)                                     // otherwise it can be an assignment and a transition
+    if (!assigns)                                     // a statement with `=` can be an assignment and a transition
         diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, (uint32_t)(end - text) + 1}, fixed);
     while (p->tok.kind != TOK_RBRACE && p->tok.kind != TOK_END)
         parser_advance(p);

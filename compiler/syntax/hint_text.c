@@ -14,7 +14,7 @@ typedef struct HintText {
     size_t len;
     TokenKind after;          // the row applies only after a token of this kind; TOK_END: after any token
     HintResult (*read)(Lexer *l, Token *t);      // NULL: the row is an operator
-    TokenKind kind;           // a row of an operator: the token that it is read as
+    TokenKind kind;           // in a row of an operator: the token that replaces it
     const char *native, *label;
 } HintText;
 

@@ -15,21 +15,106 @@ static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo,
     return format_in(p->arena, "G %s %s", when == AST_AT ? "==" : ">=", a);
 }
 
-// Reports a condition that is joined to a guard by time, as in `at 5 s and x > 3:`.
+enum { TIMES_MAX = 16 };
+
+// The times of a list, as in `at 1 s, 2 s:`; hi is NULL if they are no ranges.
+typedef struct Times { size_t n, units; const AstExpr *lo[TIMES_MAX], *hi[TIMES_MAX]; } Times;
+
+static void add_time(Times *t, const AstExpr *lo, const AstExpr *hi)
+{
+    t->lo[t->n] = lo;
+    t->hi[t->n++] = hi;
+    t->units += lo->unit != TIME_NONE;
+}
+
+static bool is_at_separator(const Parser *p) { return p->tok.kind == TOK_COMMA || p->tok.kind == TOK_AND || p->tok.kind == TOK_OR; }
+
+// Reads a time, and a range if the guard is one, after a comma, `and` or `or`. Returns false if something else follows.
+static bool read_further_time(Parser *p, AstWhen when, Times *t)
+{
+    const AstExpr *lo;
+
+    parser_advance(p);
+    if (parser_find_when(&p->tok) == when && p->ahead.kind == TOK_NUMBER)
+        parser_advance(p);
+    if (p->tok.kind != TOK_NUMBER || t->n == TIMES_MAX)
+        return false;
+    lo = parse_number(p);
+    if (when != AST_FROM) {
+        add_time(t, lo, NULL);
+        return true;
+    }
+    if (!hint_is_word(&p->tok, "to") || p->ahead.kind != TOK_NUMBER)
+        return false;
+    parser_advance(p);
+    add_time(t, lo, parse_number(p));
+    return true;
+}
+
+// Returns the conditions that the list means. A time without a unit has that of another one, as in `at 1, 2 s`.
+static const char *format_times(Parser *p, AstWhen when, const Times *t)
+{
+    const char *unit = "";
+    Buf out;
+
+    for (size_t i = 0; i < t->n; i++)
+        if (t->lo[i]->unit != TIME_NONE)
+            unit = time_unit_name(t->lo[i]->unit);
+    buf_init(&out, p->arena);
+    for (size_t i = 0; i < t->n; i++)
+        buf_printf(&out, "%s%s%s%s", i ? " or " : "", format_comparison(p, when, t->lo[i], t->hi[i]), *unit && t->lo[i]->unit == TIME_NONE ? " " : "",
+                   t->lo[i]->unit == TIME_NONE ? unit : "");
+    return buf_text(&out);
+}
+
+// Reports a list of times, as in `at 1 s, 2 s:`. Returns false, and reports nothing, if something else follows.
+static bool report_times(Parser *p, const AstExpr *e)
+{
+    const Span span = e->span;
+    Times times = {0, 0, {NULL}, {NULL}};
+    const char *comparisons;
+    Diag *d;
+
+    if ((e->when != AST_AT && e->when != AST_FROM) || !is_at_separator(p))
+        return false;
+    add_time(&times, e->a, e->b);
+    while (is_at_separator(p))
+        if (!read_further_time(p, e->when, &times))
+            return false;
+    if (p->tok.kind != TOK_COLON && p->tok.kind != TOK_LBRACE)
+        return false;
+    comparisons = format_times(p, e->when, &times);
+    d = parser_fail(p, DIAG_when_joined, span, parser_text(p, span));
+    diag_label(p->diags, d, DIAG_label_write, comparisons);
+    if (times.units == times.n || times.units == 0)
+        diag_edit(p->diags, d, parser_span_since(p, span.at), comparisons);
+    return true;
+}
+
+static void report_joined_condition(Parser *p, const AstExpr *e)
+{
+    const char *comparison = format_comparison(p, e->when, e->a, e->b);
+    Diag *d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
+
+    if (comparison) {
+        diag_label(p->diags, d, DIAG_label_write, comparison);
+        diag_edit(p->diags, d, e->span, comparison);
+    } else if (p->tok.kind == TOK_COMMA) {
+        diag_label(p->diags, d, DIAG_label_guard_each, parser_text(p, e->span));
+    } else {
+        diag_label(p->diags, d, DIAG_label_when_nest, parser_text(p, e->span));
+    }
+}
+
+// Reports a condition that is joined to a guard by time, as in `at 5 s and x > 3:` and `at 1 s, 2 s:`.
 HintResult hint_report_joined_when(HintCase *c)
 {
     Parser *p = c->p;
     AstExpr *e = c->e;
-    const char *comparison = format_comparison(p, e->when, e->a, e->b);
-    Diag *d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
 
+    if (!report_times(p, e))
+        report_joined_condition(p, e);
     e->kind = AST_ERROR;
-    if (!comparison) {
-        diag_label(p->diags, d, DIAG_label_when_nest, parser_text(p, e->span));
-        return HINT_SKIPPED;
-    }
-    diag_label(p->diags, d, DIAG_label_write, comparison);
-    diag_edit(p->diags, d, e->span, comparison);
     return HINT_SKIPPED;
 }
 

@@ -35,6 +35,7 @@ typedef enum HintContext {
     HINT_AFTER_NAME,          // has read a name in an expression: e. SKIPPED: e is wrong
     HINT_AT_OPERATOR,         // expects an operator after the operand e, or the end. SKIPPED: the expression ends here
     HINT_AT_VALUE,            // expects a value; general diagnostic
+    HINT_AT_CLOSE,            // expects the ) of an expression in parentheses
     HINT_AT_STATEMENT,        // begins a statement
     HINT_AT_ASSIGN,           // after the name of an assignment, whose operator is not =
     HINT_AFTER_ASSIGNMENT,    // after the assignment p->assign_operator, at a : or {
@@ -43,9 +44,11 @@ typedef enum HintContext {
     HINT_AT_LONE_VALUE,       // has read the value e as a statement of its own; general diagnostic
     HINT_AFTER_ELSE,          // expects : or { after `else`
     HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e, or of `else`: NULL
-    HINT_AT_END,              // expects the end of a statement; general diagnostic
+    HINT_AT_END,              // expects the end of a statement or of a requirement, whose condition is e; general diagnostic
     HINT_AFTER_WHEN,          // expects : or { after the guard by time e
     HINT_AT_TO,               // expects `to` and a number after the guard by time e, which has only its first number
+    HINT_AT_DEFINITION_VALUE, // expects = after the name of a definition; general diagnostic
+    HINT_AT_DEMAND,           // begins what a requirement demands: never or always
     HINT_AT_DECL,             // begins a declaration
     HINT_AFTER_DECL_NAME,     // has read the name of an element, variable or pin
     HINT_AFTER_DECL,          // expects annotations or the end of a declaration

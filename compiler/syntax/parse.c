@@ -467,7 +467,7 @@ static void parse_section(Parser *p, AstFile *f)
         parse_state(p, s);
         for (int i = 0; i < AST_LABEL_COUNT; i++)
             if (s->block[i].present && i != AST_STEP)
-                parser_report(p, DIAG_all_states_label, s->block[i].label, labels[i]);
+                diag_label(p->diags, parser_report(p, DIAG_all_states_label, s->block[i].label, labels[i]), DIAG_label_all_states_label, labels[i]);
         break;
     case AST_SCRIPT_STATE:
         check_state_name(p, s);

@@ -23,7 +23,7 @@ typedef struct Annotated {
     AstAnnotationTarget target;
     Str name;
     Span span;                // position of the owner's name
-    AstAnnotations *all;      // the annotations found so far
+    AstAnnotations *all;      // the annotations parsed so far
 } Annotated;
 
 // ---- the row of an annotation ----
@@ -187,7 +187,38 @@ bool parse_signed_number(Parser *p, AstNumber *into)
     return true;
 }
 
-static void parse_bound(Parser *p, AstNumber *into, const char *which)
+// Reads a number at `at`, without an exponent. Returns its end; `at` if something else is there.
+static uint32_t skip_plain_number(const char *text, uint32_t at)
+{
+    uint32_t end = at + (text[at] == '-' || text[at] == '+');
+
+    if (!lex_is_digit(text[end]))
+        return at;
+    while (lex_is_digit(text[end]) || (text[end] == '.' && lex_is_digit(text[end + 1])))
+        end++;
+    return lex_is_letter(text[end]) ? at : end;
+}
+
+// Labels d with the range in the form that is expected, if two numbers follow @range at `at` with other signs between them.
+static void label_range(Parser *p, Diag *d, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+    const uint32_t from = at + (uint32_t)strspn(text + at, " \t[("), middle = skip_plain_number(text, from);
+    const uint32_t second = middle + (uint32_t)strspn(text + middle, " \t,;:.~"), end = skip_plain_number(text, second);
+    const bool is_doubtful = (text[middle] == ',' && text[middle + 1] != ' ') || text[end] == ',' || text[end] == ';';        // 0,5 can be 0.5
+    const char *range;
+
+    if (middle == from || end == second || second == middle || is_doubtful) {
+        diag_label(p->diags, d, DIAG_label_range_form);
+        return;
+    }
+    range = format_in(p->arena, "%.*s %.*s", (int)(middle - from), text + from, (int)(end - second), text + second);
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "@range %s", range));
+    diag_edit(p->diags, d, (Span){p->lex.src, from, end + (uint32_t)strspn(text + end, "])") - from}, range);
+}
+
+// `at`: the end of @range.
+static void parse_bound(Parser *p, AstNumber *into, const char *which, uint32_t at)
 {
     Diag *d;
     bool is_unit;
@@ -196,7 +227,10 @@ static void parse_bound(Parser *p, AstNumber *into, const char *which)
         return;
     is_unit = p->tok.kind == TOK_NAME && hint_is_time_unit(p->tok.text->text);
     d = parser_fail(p, DIAG_range_value, parser_missing_span(p), which, parser_describe_found(p));
-    diag_label(p->diags, d, is_unit ? DIAG_label_range_of_times : DIAG_label_range_form);
+    if (is_unit)
+        diag_label(p->diags, d, DIAG_label_range_of_times);
+    else
+        label_range(p, d, at);
 }
 
 // Parses the argument of an annotation that takes a NUMBER, or a VALUE (`accepts_truth`): also true or false.
@@ -303,15 +337,17 @@ static void parse_finding(Parser *p, AstAnnotation *a)
 
 static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
 {
+    const uint32_t end = p->last.at + p->last.len;
+
     switch (rows[a->kind].takes) {
     case TAKES_NOTHING: break;
     case TAKES_NAME:    parse_annotation_name(p, a); break;
     case TAKES_NAMES:   parse_annotation_names(p, a); break;
     case TAKES_NUMBER:  parse_annotation_value(p, a, false); break;
     case TAKES_NUMBERS:
-        parse_bound(p, &a->lo, "lowest");
+        parse_bound(p, &a->lo, "lowest", end);
         if (a->lo.span.src)
-            parse_bound(p, &a->hi, "highest");
+            parse_bound(p, &a->hi, "highest", end);
         break;
     case TAKES_VALUE:   parse_annotation_value(p, a, true); break;
     case TAKES_UNIT:    parse_unit(p, a); break;
@@ -353,7 +389,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
     if (p->failed)
         return;
     begins_another = ON_PINS >> o->target & 1u ? p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NUMBER : p->tok.kind == TOK_TYPE;
-    if (first && !p->tok.first && begins_another)            // it belongs to the declaration on the line above
+    if (first && !p->tok.first && begins_another)            // the annotation belongs to the declaration on the line above
         diag_note(p->diags, parser_report(p, DIAG_annotation_above, a.span, rows[a.kind].spelling, o->name->text),
                   o->span, DIAG_note_declared_here, o->name->text);
     if (check_not_repeated(p, o, &a) && allowed)

@@ -104,7 +104,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     else if (p->tok.kind == TOK_COMMA)
         parser_fail(p, DIAG_decl_comma, parser_token_span(p));
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
-        return;                                    // probably a declaration whose type is misspelt: parsed next
+        return;                                    // probably a declaration whose type is misspelt: the caller parses it
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))
         hint_explain(p, HINT_AT_ELEMENT_END, NULL);
     else
@@ -185,7 +185,7 @@ static void parse_definition(Parser *p, AstSection *s)
     str_declare(p->strings, d.name);
     parser_advance(p);
     if (p->tok.kind != TOK_ASSIGN || p->tok.first) {
-        parser_fail(p, DIAG_definition_without_value, parser_missing_span(p), d.name->text, parser_describe_found(p));
+        hint_explain(p, HINT_AT_DEFINITION_VALUE, NULL);
         return;
     }
     parser_advance(p);

@@ -103,6 +103,8 @@ static void expect_close(Parser *p, Span open)
         p->failed = true;
         return;
     }
+    if (hint_explain(p, HINT_AT_CLOSE, NULL) != HINT_NONE)
+        return;
     d = parser_fail(p, DIAG_paren_unclosed, parser_missing_span(p), parser_describe_found(p));
     diag_note(p->diags, d, open, DIAG_note_paren_opened);
 }

@@ -6,15 +6,15 @@
 
 #define EXAMPLE "R1 \"no pyro on the pad\" never S == Pad and drogue"
 
+// Whether the next tokens begin a requirement.
+bool parser_at_requirement(const Parser *p)
+{
+    return p->tok.first && p->tok.kind == TOK_NAME && p->ahead.kind == TOK_TEXT && !p->ahead.first;
+}
+
 bool parser_is_word(const Parser *p, const char *word)
 {
     return p->tok.kind == TOK_NAME && !p->tok.first && strcmp(p->tok.text->text, word) == 0;
-}
-
-// Whether the next tokens begin a requirement.
-static bool at_requirement(const Parser *p)
-{
-    return p->tok.first && p->tok.kind == TOK_NAME && p->ahead.kind == TOK_TEXT && !p->ahead.first;
 }
 
 // Consumes the word. Returns false after reporting that something else is there.
@@ -65,7 +65,9 @@ static void parse_never(Parser *p, AstRequirement *r)
         return;
     }
     if (!p->failed && r->a->kind == AST_IMPLIES)
-        diag_label(p->diags, parser_report(p, DIAG_never_implies, ast_op_span(r->a)), DIAG_label_write, "always a implies not b");
+        diag_label(p->diags, parser_fail(p, DIAG_never_implies, ast_op_span(r->a)), DIAG_label_write,
+                   format_in(p->arena, "always %s %s not (%s)", parser_text(p, r->a->a->span), parser_is_word(p, "within") ? "leads to" : "implies",
+                             parser_text(p, r->a->b->span)));
 }
 
 static void parse_always(Parser *p, AstRequirement *r)
@@ -86,14 +88,13 @@ static void parse_always(Parser *p, AstRequirement *r)
 // Parses `never …` or `always …`. The word can be on the line after the text.
 static void parse_demand(Parser *p, AstRequirement *r)
 {
-    static const char *const words[] = {"never", "always"};
-    const char *word = p->tok.kind == TOK_NAME && !at_requirement(p) ? p->tok.text->text : "", *near;
-    Diag *d;
+    const char *word;
 
+    if (hint_explain(p, HINT_AT_DEMAND, NULL) == HINT_SKIPPED)
+        return;
+    word = p->tok.kind == TOK_NAME && !parser_at_requirement(p) ? p->tok.text->text : "";
     if (strcmp(word, "never") != 0 && strcmp(word, "always") != 0) {
-        d = parser_fail(p, DIAG_requirement_kind, parser_missing_span(p), parser_describe_found(p));
-        if ((near = str_nearest(word, words, 2)) != NULL)
-            diag_label(p->diags, d, DIAG_label_did_you_mean, near);
+        parser_fail(p, DIAG_requirement_kind, parser_missing_span(p), parser_describe_found(p));
         return;
     }
     parser_advance(p);
@@ -112,9 +113,12 @@ static void report_other_line(Parser *p)
 
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    if (p->tok.kind == TOK_HEADER)
+    if (p->tok.kind == TOK_HEADER) {
         d = parser_fail(p, DIAG_requirement_section, parser_token_span(p));
-    else if (p->tok.kind == TOK_NAME && p->tok.first && (p->ahead.first || p->ahead.kind == TOK_END))
+        diag_label(p->diags, d, strcmp(p->tok.text->text, "define") == 0 ? DIAG_label_define_in_machine : DIAG_label_leave_out);
+        return;
+    }
+    if (p->tok.kind == TOK_NAME && p->tok.first && (p->ahead.first || p->ahead.kind == TOK_END))
         d = parser_fail(p, DIAG_requirement_text, parser_span(p, &p->tok), p->tok.text->text, "the end of the line");
     else if (p->tok.kind == TOK_NAME && (p->ahead.kind == TOK_MINUS || p->ahead.kind == TOK_LABEL)) {
         diag_label(p->diags, parser_fail(p, DIAG_requirement_line, parser_span(p, &p->ahead), parser_describe(p, &p->ahead)), DIAG_label_name_letters);
@@ -138,7 +142,7 @@ static void parse_requirement(Parser *p, AstRequirements *into)
     parse_demand(p, &r);
     r.span = parser_span_since(p, r.id_span.at);
     if (!p->failed && p->tok.kind != TOK_END && !p->tok.first)
-        hint_explain(p, HINT_AT_END, NULL);
+        hint_explain(p, HINT_AT_END, r.a);
     if (!p->failed)
         vec_push(p->arena, &into->at, r);
 }
@@ -147,7 +151,7 @@ static void parse_requirement(Parser *p, AstRequirements *into)
 static void recover(Parser *p, AstRequirements *into)
 {
     into->lost = true;
-    while (p->tok.kind != TOK_END && !at_requirement(p))
+    while (p->tok.kind != TOK_END && !parser_at_requirement(p))
         parser_advance(p);
 }
 
@@ -157,7 +161,7 @@ void parse_requirements(Parser *p, AstRequirements *into)
 
     while (p->tok.kind != TOK_END) {
         p->failed = false;
-        if (at_requirement(p))
+        if (parser_at_requirement(p))
             parse_requirement(p, into);
         else
             report_other_line(p);

@@ -193,7 +193,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         parser_advance(p);
         s->span = parser_span_since(p, s->span.at);
         if (in_script(p))
-            parser_report(p, DIAG_script_transition, s->span);
+            diag_label(p->diags, parser_report(p, DIAG_script_transition, s->span), DIAG_label_script_transition, s->name->text, s->name->text);
         return;
     }
     s->kind = AST_STMT_ERROR;

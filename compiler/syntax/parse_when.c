@@ -90,6 +90,10 @@ static bool has_other_meaning(const Parser *p)
     }
     if (strcmp(word, "within") == 0)
         return p->is_expect;
+    if (strcmp(word, "in") == 0) {                   // state in (Hold, Burn)
+        const char next = text[end + strspn(text + end, " \t")];
+        return next == '(' || next == '[' || lex_is_letter(next);
+    }
     return hint_is_phrase(p, &p->ahead);
 }
 

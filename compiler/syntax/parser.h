@@ -75,7 +75,7 @@ AstExpr *parse_number(Parser *p);                       // the next token is a n
 AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression that must begin on this line
 bool parser_at_when(const Parser *p);                   // whether the next tokens begin a guard by time, as in `at 5 s:`
 extern const char *const parser_when_words[AST_WHENS];
-AstWhen parser_find_when(const Token *t);               // the word that a guard by time begins with; AST_WHENS: it is another one
+AstWhen parser_find_when(const Token *t);               // returns the word with which a guard by time begins; AST_WHENS: the token is no such word
 bool parser_is_before_number(const Parser *p);          // whether a number follows the next token on its line, or a malformed one
 AstExpr *parse_when(Parser *p);                         // parses that guard
 bool parser_at_state(const Parser *p);                  // whether the next tokens are a value such as `state Burn`
@@ -101,6 +101,7 @@ void parser_report_annotation_in_block(Parser *p);                    // reports
 void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
 void parse_net(Parser *p, struct AstNet *net);          // the whole file
 void parse_requirements(Parser *p, struct AstRequirements *into);     // the whole file
+bool parser_at_requirement(const Parser *p);            // whether the next tokens begin a requirement
 AstExpr *parse_condition_of(Parser *p);                 // parses `e` or `a implies b`, which must begin on this line
 bool parser_is_word(const Parser *p, const char *word); // whether the current token is this name, on the line of the last token
 void parser_skip_section(Parser *p);                           // skips to the next line that begins with a header, without reading tokens

@@ -7,12 +7,12 @@
 
 const char *const fault_kind_name[] = {
 #define KIND(constant, name, sentence) name,
-    FAULT_KINDS(KIND)
+#include "compiler/whatif/fault_kinds.def"
 #undef KIND
 };
 const char *const fault_kind_sentence[] = {
 #define KIND(constant, name, sentence) sentence,
-    FAULT_KINDS(KIND)
+#include "compiler/whatif/fault_kinds.def"
 #undef KIND
 };
 
@@ -32,13 +32,13 @@ struct FaultEngine {
     uint64_t step;            // number of the last step, from 1
     Fault fault[FAULTS_MOST];
     uint32_t faults;
-    uint64_t begin;           // the first step with them
-    uint64_t held[FAULTS_MOST];       // by fault: the last reading before it
+    uint64_t begin;           // the first step in which the faults are active
+    uint64_t held[FAULTS_MOST];       // by fault: the last reading before it began
     ScriptRandom call[FAULTS_MOST];
-    ScriptRandoms calls;      // of these; `at` is moved back, so that their numbers follow those of the script
+    ScriptRandoms calls;      // the calls of the noise; `at` is moved back, so that their numbers follow those of the script's calls
     RefRandom random;
     bool differs;
-    EngineWrite *write;       // room for what a step writes
+    EngineWrite *write;       // memory for the writes of a step
     uint32_t room;
     uint64_t *outside;        // by variable
     Arena *arena;

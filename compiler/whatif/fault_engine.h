@@ -7,24 +7,10 @@
 
 #include "compiler/script/engine.h"
 
-// The kinds of faults: constant, name in options and files, sentence.  A new kind is a row here, and a case in read_faulty of fault_engine.c and
-// in write_reading of fault_script.c.
-#define FAULT_KINDS(KIND) \
-    KIND(STUCK,   "stuck",   "the last reading before the fault stays") \
-    KIND(DEAD,    "dead",    "reads 0 or false") \
-    KIND(NAN,     "nan",     "reads NaN, which a machine sees as 0; only floats") \
-    KIND(LOW,     "low",     "reads the lowest value of its range") \
-    KIND(HIGH,    "high",    "reads the highest value of its range, or true") \
-    KIND(BELOW,   "below",   "reads too little by a part of its range") \
-    KIND(ABOVE,   "above",   "reads too much by a part of its range") \
-    KIND(NOISY,   "noisy",   "a random number is added to each reading") \
-    KIND(LATE,    "late",    "reads the value of some steps before") \
-    KIND(DROPPED, "dropped", "the last reading before the fault stays for some steps") \
-    KIND(FLIPPED, "flipped", "reads true for false and false for true; only bool")
-
+// The kinds of faults.
 typedef enum FaultKind {
 #define KIND(constant, name, sentence) FAULT_##constant,
-    FAULT_KINDS(KIND)
+#include "compiler/whatif/fault_kinds.def"
 #undef KIND
     FAULT_KIND_COUNT
 } FaultKind;
@@ -33,8 +19,8 @@ extern const char *const fault_kind_name[FAULT_KIND_COUNT], *const fault_kind_se
 
 typedef struct FaultInput {
     const Var *var;
-    bool has_range;           // it has two different ends
-    bool range_is_seen;       // it is what the input had in the runs without a fault, because the element has no @range
+    bool has_range;           // the two ends of its range differ
+    bool range_is_seen;       // the range consists of the values that the input had in runs without a fault, because its element has no @range
     double lo, hi;
 } FaultInput;
 
@@ -51,7 +37,7 @@ typedef struct Fault {
     FaultKind kind;
 } Fault;
 
-enum { FAULTS_MOST = 2 };     // that a run can have at once
+enum { FAULTS_MOST = 2 };     // the most faults that a run can have at once
 
 typedef struct FaultEngine FaultEngine;
 

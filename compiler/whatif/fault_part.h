@@ -25,9 +25,9 @@ typedef struct Healthy {
 // A visit of a state, from its first step to its last one.
 typedef struct Visit { uint64_t first, last; } Visit;
 
-// What a script, the requirements and the comparison of outputs see of the machine (Var.index).
+// The variables of the machine that a script, the requirements and the comparison of outputs read (Var.index).
 typedef struct FaultSeen {
-    VEC(uint32_t) cell;       // as the machine has it
+    VEC(uint32_t) cell;       // variables of the machine, by their values after the step
     VEC(uint32_t) outside;    // inputs that the machine itself assigns, by their true value
 } FaultSeen;
 
@@ -36,9 +36,9 @@ typedef struct FaultSlot { uint32_t slot; uint64_t value; } FaultSlot;
 typedef struct FaultStepEnd { uint32_t write, change; } FaultStepEnd;
 typedef struct FaultRecord {
     VEC(EngineWrite) write;   // of the script
-    VEC(FaultSlot) change;    // what is seen, where it changes; all of it in the first step
+    VEC(FaultSlot) change;    // the values that scripts and requirements see, where they change; all of them in the first step
     VEC(FaultStepEnd) end;    // by step: the end of its writes and changes
-    bool is_cut;              // there was no room for it
+    bool is_cut;              // the record ends early, because VALUES_MOST was reached
 } FaultRecord;
 
 typedef struct FaultTape FaultTape;
@@ -59,7 +59,7 @@ typedef struct FaultWatch {
     const State *last;        // the state that the step before ran
     uint8_t *visited;         // by State.number - 1: the run was in the state since the fault began
     FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
-    FaultResult result;       // only what is seen after a step
+    FaultResult result;       // the result so far
 } FaultWatch;
 
 struct FaultRunner {
@@ -67,14 +67,14 @@ struct FaultRunner {
     Arena *arena;             // of the results
     Arena run, copy;          // of the current run; of its copy
     Arena tapes;              // of the records of the current trigger
-    uint64_t taped;           // writes and changes in them
+    uint64_t taped;           // number of writes and changes in these records
     FaultRecord *record;      // by single fault; only with pairs
     FaultSeen *seen;          // by script
     ArenaCopy saved;
     FlatMachine *flat;
     ScriptOptions o;
     const Var **output;
-    uint32_t outputs;         // elements that the machine writes, and then S
+    uint32_t outputs;         // the elements that the machine writes, and then S
     Healthy *healthy;         // by script
     Visit *visit;             // by State.number - 1: the longest one of the current script
     VEC(Fault) single;        // the faults that apply
@@ -83,7 +83,7 @@ struct FaultRunner {
     uint8_t *reads;           // by State.number - 1 and input: the state reads it
     uint8_t *alone;           // by single fault: its outcome at the current trigger
     uint8_t *visited;         // by single fault and State.number - 1: its run was in the state from the current trigger on
-    uint8_t *is_repeated;     // by single fault: an earlier one of the same input reads the same constant there
+    uint8_t *is_repeated;     // by single fault: an earlier fault of the same input reads the same constant at this trigger
     uint32_t at, i, k;        // the next run: its trigger; its fault, or its two faults i and k
     bool in_pairs;            // the single faults of the trigger have been run
     bool is_prepared;         // the current run is before trigger `at`
@@ -103,7 +103,7 @@ bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited)
 
 // ---- fault_replay.c ----
 
-// Lists what each script sees.  Inputs and outputs must be known.
+// Lists, for each script, what a run reads of the machine (FaultRunner.seen).  Inputs and outputs must be known.
 void fault_find_seen(FaultRunner *x);
 // Opens the engine that records the steps of x->w, around the faulty sensors.  It is in x->run.
 Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
@@ -111,8 +111,8 @@ Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
 void fault_tape_reset(FaultRunner *x);
 // Records the current run from its next step on, as that of a single fault.
 void fault_tape_begin(FaultRunner *x, uint32_t single);
-// Whether two faults have the outcome that `single`, one of them, has alone.  False: that is not known.  The current run must be before the
-// trigger, and is then used up.
+// Whether a run with both faults has the outcome that `single`, one of the two, has alone.  False: not known.  The current run must be before the
+// trigger; the call uses it up.
 bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both);
 
 // ---- fault_watch.c ----

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds pairs of faults that do what one of them does alone, without running the script.
 //
-// The run of each fault alone is recorded: what the script writes in each step, and what the script, the requirements and the comparison of outputs
-// see after it.  The machine alone then steps with both faults and the recorded writes.  As long as what is seen is as recorded, the script would
-// have written the same.  If that is so to the end of the record, the outcome is that of the fault alone.
+// The run of each fault alone is recorded: what the script writes in each step, and the values that the script, the requirements and the comparison
+// of outputs read after it.  The machine then steps with both faults and the recorded writes, without the script.  As long as the values are the
+// recorded ones, the script would have written the same.  If they are to the end of the record, the outcome is that of the fault alone.
 #include "compiler/whatif/fault_part.h"
 
 #include <string.h>
@@ -19,43 +19,7 @@ struct FaultTape {
     uint64_t *last;           // by slot: its value after the last recorded step
 };
 
-// ---- what is seen ----
-
-static void mark_seen(Expr *e, void *context)
-{
-    uint8_t *seen = context;
-
-    if (e->kind == EX_VAR)
-        seen[e->var->index] = 1;
-}
-
-static void mark_seen_by_script(const Script *s, uint8_t *seen)
-{
-    for (uint32_t i = 0; i < s->window.n; i++)
-        expr_walk(s->window.at[i].sample, mark_seen, seen);
-    for (uint32_t i = 0; i < s->section.n; i++)
-        for (uint32_t k = 0; k < s->section.at[i].item.n; k++) {
-            const ScriptItem *item = s->section.at[i].item.at[k];
-            expr_walk(item->guard, mark_seen, seen);
-            for (uint32_t n = 0; n < item->inputs.n; n++)
-                expr_walk(item->inputs.at[n].value, mark_seen, seen);
-            for (uint32_t n = 0; n < item->asserts.n; n++)
-                if (item->asserts.at[n].condition)
-                    expr_walk(item->asserts.at[n].condition, mark_seen, seen);
-        }
-}
-
-static void mark_seen_by_requirements(const Requirements *rq, uint8_t *seen)
-{
-    for (uint32_t i = 0; i < rq->window.n; i++)
-        expr_walk(rq->window.at[i].sample, mark_seen, seen);
-    for (uint32_t i = 0; i < rq->at.n; i++) {
-        Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
-        for (int k = 0; k < 3; k++)
-            if (condition[k])
-                expr_walk(condition[k], mark_seen, seen);
-    }
-}
+// ---- what scripts and requirements read ----
 
 // Returns the index of an input, or the number of inputs.
 static uint32_t find_input(const Faults *f, const Var *v)
@@ -74,13 +38,13 @@ void fault_find_seen(FaultRunner *x)
 
     x->seen = arena_array(x->arena, f->scripts, sizeof *x->seen);
     for (uint32_t s = 0; s < f->scripts; s++) {
-        uint8_t *seen = arena_alloc(x->arena, vars + f->script[s]->local.n + 1);
+        bool *seen = arena_alloc(x->arena, vars + f->script[s]->local.n + 1);
         FaultSeen *to = &x->seen[s];
-        mark_seen_by_script(f->script[s], seen);
+        script_mark_reads(f->script[s], seen);
         if (f->options.requirements)
-            mark_seen_by_requirements(f->options.requirements, seen);
+            requirements_mark_reads(f->options.requirements, seen);
         for (uint32_t i = 0; i < x->outputs; i++)
-            seen[x->output[i]->index] = 1;
+            seen[x->output[i]->index] = true;
         for (uint32_t v = 0; v < vars; v++) {
             const Var *var = f->p->var.at[v];
             const uint32_t input = find_input(f, var);
@@ -94,7 +58,7 @@ void fault_find_seen(FaultRunner *x)
     }
 }
 
-// The slots of a step: what the next one runs, then the seen cells, then those of the true values.
+// A step is recorded as slots: the next state and whether its step is the first, then the values of FaultSeen.cell, then those of .outside.
 static uint32_t count_slots(const FaultSeen *s) { return 2 + s->cell.n + s->outside.n; }
 
 static uint64_t read_slot(const FaultSeen *s, const EngineStep *out, uint32_t slot)

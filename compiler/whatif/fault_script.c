@@ -443,7 +443,7 @@ static void write_input(const FaultWrite *w, Buf *out)
     if (w->var->type == SM_BOOL)
         buf_str(out, w->cell ? "true" : "false");
     else if (ref_read(w->var->type, w->cell) == 0)
-        buf_char(out, '0');                           // also a NaN, which is read as 0
+        buf_char(out, '0');                           // a NaN becomes 0, as in the machine
     else
         format_cell_shortest(out, w->var->type, w->cell);
     buf_char(out, '\n');

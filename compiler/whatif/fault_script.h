@@ -9,8 +9,8 @@
 
 // How the file of a script relates to the original.
 typedef struct FaultScriptPlace {
-    const char *to_original;          // path from its folder to that of the original, "" or with a separator at its end; NULL: there is none
-    const char *command;              // that runs it
+    const char *to_original;          // path from the folder of the script to that of the original, "" or with a separator at its end; NULL: there is no original
+    const char *command;              // the command line that runs the script
 } FaultScriptPlace;
 
 // Append a script.  Return NULL, or why there is none in this form.

@@ -8,12 +8,12 @@
 
 const char *const fault_outcome_name[] = {
 #define OUTCOME(constant, name, words) name,
-    FAULT_OUTCOMES(OUTCOME)
+#include "compiler/whatif/fault_outcomes.def"
 #undef OUTCOME
 };
 const char *const fault_outcome_words[] = {
 #define OUTCOME(constant, name, words) words,
-    FAULT_OUTCOMES(OUTCOME)
+#include "compiler/whatif/fault_outcomes.def"
 #undef OUTCOME
 };
 
@@ -275,7 +275,7 @@ static bool reads_constant(const FaultRunner *x, const Fault *fault, double *val
     switch ((int)fault->kind) {
     case FAULT_STUCK:
         if (x->w->r->result.steps == 0)
-            return false;                             // it will be what the first step has
+            return false;                             // the value before the first step will be that of the first step
         *value = ref_read(in->var->type, fault_engine_true_cell(x->w->e, fault->input));
         return true;
     case FAULT_DEAD: case FAULT_NAN: *value = 0; return true;

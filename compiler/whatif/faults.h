@@ -13,19 +13,10 @@
 #include "compiler/script/script.h"
 #include "compiler/whatif/fault_engine.h"
 
-// What a fault has done, the least dangerous first: constant, name in options and files, words.
-#define FAULT_OUTCOMES(OUTCOME) \
-    OUTCOME(NONE,     "none",     "no effect") \
-    OUTCOME(ABORTED,  "aborted",  "ends in an @abort state") \
-    OUTCOME(DIFFERS,  "differs",  "other outputs or states on the way") \
-    OUTCOME(ENDLESS,  "endless",  "the script does not end") \
-    OUTCOME(ELSEWHERE,"elsewhere","ends in another state") \
-    OUTCOME(FAILED,   "failed",   "an assert fails") \
-    OUTCOME(VIOLATED, "violated", "a requirement is violated")
-
+// What a fault has done, the least dangerous first.
 typedef enum FaultOutcome {
 #define OUTCOME(constant, name, words) FAULT_HAS_##constant,
-    FAULT_OUTCOMES(OUTCOME)
+#include "compiler/whatif/fault_outcomes.def"
 #undef OUTCOME
     FAULT_OUTCOME_COUNT
 } FaultOutcome;
@@ -47,16 +38,16 @@ typedef struct FaultResult {
     uint32_t trigger;                 // index in Faults.trigger
     Fault fault[FAULTS_MOST];
     uint32_t faults;
-    FaultOutcome outcome;             // the most dangerous of what follows
+    FaultOutcome outcome;             // the most dangerous of the outcomes below
     uint32_t violated;                // 1 + index of the requirement that was violated first; 0: none
-    bool violated_in_truth;           // it holds for what the machine reads, but not for the true values
+    bool violated_in_truth;           // the requirement is met for the readings, but violated for the true values
     FaultMoment violated_at;
     const ScriptAssert *failed;       // the first assert that failed; NULL: none
     FaultMoment failed_at;
     const Var *differs;               // the first output that differs, or S for another state; NULL: none
     FaultMoment differs_at;
     uint64_t cell, healthy_cell;      // of `differs`, after that step
-    const State *end, *healthy_end;   // that a next step would run
+    const State *end, *healthy_end;   // the states that a step after the last one would run
     uint64_t steps;
     uint64_t end_g;                   // G of the last step
     bool worse_than_alone;            // of two faults: more dangerous than each of the two alone, at the same trigger
@@ -64,18 +55,18 @@ typedef struct FaultResult {
 
 typedef struct FaultOptions {
     unsigned kinds;                   // 1u << FaultKind
-    const Var *const *input;          // `inputs` of them; 0: all that the machine reads and a script writes, or that are @read_only
+    const Var *const *input;          // the inputs that can fail, `inputs` of them; 0: all that the machine reads and that a script writes or that are @read_only
     uint32_t inputs;
     bool pairs;
-    bool runs_all;                    // run also what follows from other runs: for tests
+    bool runs_all;                    // also runs faults whose outcome follows from other runs: for tests
     uint64_t max_runs;
     FaultSizes sizes;                 // the seed counts only if has_seed
     bool has_seed;                    // otherwise the seed is that of each script
-    const uint64_t *at;               // times at which faults begin, instead of states and transitions; `times` of them
+    const uint64_t *at;               // times at which faults begin, instead of at states and transitions; `times` of them
     uint32_t times;
     uint64_t max_steps;               // of a run without a fault
     const Requirements *requirements; // or NULL
-    const ScriptSetting *setting;     // as in ScriptOptions
+    const ScriptSetting *setting;     // parameters with other values, as in ScriptOptions
     size_t settings;
 } FaultOptions;
 
@@ -89,9 +80,9 @@ typedef struct Faults {
     VEC(FaultInput) input;
     VEC(FaultTrigger) trigger;
     VEC(FaultResult) result;          // of single faults: all; of pairs: those that are worse than alone
-    uint64_t faults, runs;            // faults that were judged; those of them that were run, because something reads the input
+    uint64_t faults, runs;            // number of faults that were judged; how many of these were run: the others concern inputs that nothing reads
     uint64_t pairs, pairs_worse;      // of two faults: how many were judged; how many are worse than alone
-    uint64_t repeated;                // pairs whose run was found to be that of one of its faults, without the script
+    uint64_t repeated;                // number of pairs that were found to do the same as one of their faults, without a run
     bool is_cut;                      // max_runs was reached
     uint32_t failing;                 // a script that fails without a fault; `scripts`: none
     FaultRunner *runner;

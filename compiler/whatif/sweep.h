@@ -38,7 +38,7 @@ typedef struct SweepPoint {
 // Points along one axis, with the other parameter at its current value.  The current value is one of them if it is between the ends.
 typedef struct SweepLine {
     VEC(SweepPoint) at;
-    uint32_t current;         // index of the current value; UINT32_MAX: it is outside
+    uint32_t current;         // index of the parameter's current value; UINT32_MAX: it is not among the points
 } SweepLine;
 
 // Two values of a parameter between which a check begins to fail.
@@ -53,7 +53,7 @@ typedef struct SweepOptions {
     uint64_t max_steps;
     const uint64_t *seed;             // NULL: that of each script
     const Requirements *requirements; // or NULL
-    const ScriptSetting *setting;     // of other parameters; `settings` of them
+    const ScriptSetting *setting;     // values of parameters that are not swept; `settings` of them
     size_t settings;
 } SweepOptions;
 

@@ -36,7 +36,7 @@ static const char *number_text(Arena *arena, double x)
     return buf_text(&b);
 }
 
-static double place(const SweepAxis *a, double x) { return LEFT + WIDTH * (x - a->lo) / (a->hi - a->lo); }
+static double x_of_value(const SweepAxis *a, double x) { return LEFT + WIDTH * (x - a->lo) / (a->hi - a->lo); }
 
 static void write_axis(Arena *arena, const SweepAxis *a, double y, Buf *out)
 {
@@ -48,7 +48,7 @@ static void write_axis(Arena *arena, const SweepAxis *a, double y, Buf *out)
 // Draws a line at the current value.
 static void write_current(const SweepAxis *a, double from, double to, Buf *out)
 {
-    const double x = place(a, a->current);
+    const double x = x_of_value(a, a->current);
 
     if (a->current < a->lo || a->current > a->hi)
         return;
@@ -93,7 +93,7 @@ static void write_row(Arena *arena, const Sweep *s, uint32_t check, double y, Bu
             continue;
         if (!is_last)
             to = change_between(s, check, l->at.at[i].value[0], l->at.at[i + 1].value[0]);
-        write_rect(place(a, from), y + 2, place(a, to) - place(a, from), ROW - 4, fails ? bad : good, out);
+        write_rect(x_of_value(a, from), y + 2, x_of_value(a, to) - x_of_value(a, from), ROW - 4, fails ? bad : good, out);
         from = to;
     }
 }

@@ -30,14 +30,14 @@ delta_t 1
 T < 2 {
     @assert x == 1
     @assert y == 11
-    @assert S == Idle
-    @assert mode != Run
+    @assert S == Idle   #! W0752
+    @assert mode != Run   #! W0752
 }
 
 [Run]
 T == 1 {
     @assert x == 3
-    @assert Run == S
+    @assert Run == S   #! W0752
     @assert z
     @stop
 }

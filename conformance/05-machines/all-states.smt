@@ -48,5 +48,5 @@ T == 5: @assert x == 1 and y == 1
 [Last]
 T == 0: @assert x == 6 and y == 3
 T == 1: @assert x == 11 and y == 15
-T == 1: @assert S == 3
+T == 1: @assert S == 3   #! W0752
 T == 1: @stop

@@ -15,5 +15,5 @@ F64 x
 [options]
 delta_t 1
 [define]
-T == 1: @assert x == 5 and S == define
+T == 1: @assert x == 5 and S == define   #! W0752
 T == 1: @stop

@@ -11,7 +11,7 @@ F64 y
 [local]
 U16 n = 2 @parameter @range 2 9
 [define]
-twice = n * 2                     #! E0422 roll_max
+twice = n * 2                     #! E0422 declare 'n' with @read_only
 [Run]
 .step
     x = roll_avg(y, n)            #! E0422 the second argument of roll_avg cannot depend on the parameter 'n'

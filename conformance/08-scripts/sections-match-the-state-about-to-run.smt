@@ -31,9 +31,9 @@ G == 4: @stop
 
 [A]
 true: k = k + 1
-true: @assert S == 1 and G <= 2
+true: @assert S == 1 and G <= 2   #! W0752
 
 [B]
 true: c = c + 1   #! W0701
-true: @assert S == 2 and G >= 3
+true: @assert S == 2 and G >= 3   #! W0752
 G == 4: @assert k == 8 and c == 9   #! W0750

@@ -11,5 +11,5 @@ F64 p
     x = p
 [Vent-Fast]     #! E0120 write [Vent_Fast]
 [ Hold ]        #! E0120 write [Hold]
-[a+b]           #! E0120 '[a+b]'
+[a+b]           #! E0120 write letters, digits and _ only
 []              #! E0120 '[]'

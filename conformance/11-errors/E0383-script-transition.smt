@@ -13,5 +13,5 @@ F64 p
 [options]
 delta_t 10
 [all_states]
-G == 0: -> Hold     #! E0383 transitions
+G == 0: -> Hold     #! E0383 write init_state Hold
 G == 100: @stop

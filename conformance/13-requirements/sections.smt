@@ -33,5 +33,5 @@ high = p > 10
     p == 1 and not high: -> B
 
 -- app.rq --
-[all_states]      #! E1311
+[all_states]      #! E1311 leave it out
 R1 "a" never p > 90

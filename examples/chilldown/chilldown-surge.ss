@@ -40,7 +40,6 @@ T == 4000: @assert not lineReady
 T < 15000: linePressure = 5
 T == 10000: chill = false
 T > 10000: chill = false
-T < 15000: @assert S == Abort
 true: @assert T <= 15000 and not chillValve and not lineReady and bleedValve
 
 [all_states]

@@ -24,7 +24,7 @@ true: @assert abortReason == 0 or not fire
 [Abort]
 true: chamber = 0
 true: @assert abortReason == 1 and not igniter and not oxidizerValve and not fuelValve
-T < 5 s: @assert S == Abort and purgeValve
+T < 5 s: @assert purgeValve
 true: @assert T <= 5 s
 
 [Idle]

@@ -41,7 +41,7 @@ T == 2 s {
     pressureB = 35
     pressureC = 35
 }
-T < 4 s: @assert S == Burn and oxidizerValve and fuelValve
+T < 4 s: @assert oxidizerValve and fuelValve
 
 [all_states]
 2.7 s < G < 6.5 s: @assert S == Burn

@@ -34,10 +34,10 @@ true: chamber = rise
 true: spread = 0.2
 T < 60 ms: @assert oxidizerValve and not fuelValve and igniter
 T == 60 ms: @assert oxidizerValve and fuelValve and igniter
-T < 140 ms: @assert S == Start
 true: @assert T <= 150 ms
 
 [Burn]
+T == 0: @assert chamber >= 8         # measured in the step before
 true: chamber = burn
 true: @assert not igniter and fuelValve
 T < 4 s: @assert oxidizerValve and not purgeValve

@@ -10,12 +10,13 @@ true {
 
 [Powered]
 true: @assert T <= 4510 and not mayBrake
-T == 4500: @assert S == Powered
 
 [Coast]
+T == 0: @assert G > 4700
 true: @assert T <= 22010
-T == 22000: @assert S == Coast and not deployParachutes and mayBrake
+T < 22000: @assert not deployParachutes and mayBrake
 
 [Descent]
+T == 0: @assert G > 26700
 true: @assert deployParachutes and not mayBrake
 T == 5000: @stop

@@ -15,9 +15,9 @@ true: @assert not mayBrake
 
 [Coast]
 T == 0: @assert 2000 < G < 2150
-velocity > 0: @assert S == Coast and not deployParachutes
+true: @assert not deployParachutes
 
 [Descent]
-T == 0: @assert G < 6250 and altitude > 110
+T == 0: @assert G < 6250 and altitude > 110 and velocity <= 0
 T < 5000: @assert deployParachutes
 T == 5000: @stop

@@ -29,7 +29,7 @@ extern "C" {
 // Flags of MACHINE.
 #define LINK_SWAPPABLE 1u     // the machine can be swapped
 #define LINK_ON_TRIAL  2u
-#define LINK_BUILT_IN  4u     // it runs the image with which the application was built
+#define LINK_BUILT_IN  4u     // the machine runs the image with which the application was built
 #define LINK_STORED    8u     // its image is stored, and runs again after a restart
 #define LINK_WINDOWS  0x80u   // HELLO: flags in the byte with the number of machines: they may have windows,
 #define LINK_PARAMETERS 0x40u // and parameters (language.md 5.77)

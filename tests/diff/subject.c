@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static jmp_buf out_of_memory;
 
@@ -93,6 +94,15 @@ const char *subject_compile_inits(Subject *s, Gen *g, Arena *arena)
     gen_print_inits(g, &sm);
     in.sm = source_of(&s->session, "inits.sm", &sm);
     return compile(s, g, &in, arena);
+}
+
+const char *subject_compile_text(Subject *s, const char *text, Arena *arena)
+{
+    MachineInput in = { 0 };
+    session_init(&s->session, heap, NULL, &out_of_memory);
+    in.sm = source_new(&s->session.arena, "text.sm", text, strlen(text));
+    s->program = session_program(&s->session, &in);
+    return s->program == NULL ? complaints(&s->session, arena) : NULL;
 }
 
 uint32_t subject_writes(const Subject *s, const Gen *g, uint32_t k, EngineWrite *out)

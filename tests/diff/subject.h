@@ -17,6 +17,8 @@ typedef struct Subject {
 const char *subject_compile(Subject *s, Gen *g, Arena *arena);
 // Compiles the machine of gen_print_inits, with the same result as subject_compile.
 const char *subject_compile_inits(Subject *s, Gen *g, Arena *arena);
+// Compiles a machine that is text: it has no index.
+const char *subject_compile_text(Subject *s, const char *text, Arena *arena);
 void subject_free(Subject *s);
 
 // Fills *out with the inputs that are written before step k.  Returns their number.

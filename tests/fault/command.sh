@@ -25,7 +25,7 @@ U32 S
 delta_t 1
 [A]
 true {
-    @assert S == 1
+    @assert T == G
     @stop
 }
 END

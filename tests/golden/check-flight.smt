@@ -45,6 +45,6 @@ note: require that 'pressure' is plausible, or that a second sensor agrees
 a.sm:21:22: warning: 'temperature' alone switches on 'heater' when it reads 0, as a broken sensor can [W0903 output-on-zero]
    21 |     temperature < 5: heater = true
       |                      ^~~~~~~~~~~~~
-note: for example in 'Burn': 'temperature' reads 8.5, then 0; this happens in step 1 after that
+note: for example in 'Burn': 'temperature' reads 125, then 0; this happens in step 1 after that
 note: require that 'temperature' is plausible, or that a second sensor agrees
 3 warnings

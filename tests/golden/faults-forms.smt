@@ -133,5 +133,7 @@ F64 true_p = 0     # the true value
 [all_states]
 true: p = 0
 G == 10: @assert out == 10 "as without the fault"
+-- stderr --
+smc: faults under "failed" (12) fail asserts, which describe a flight without faults: write what must hold with any fault as requirements, in a .rq file
 -- exit --
 0 0 1 0 1 0

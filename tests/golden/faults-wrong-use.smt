@@ -115,6 +115,7 @@ smc: --fail-on is aborted, differs, endless, elsewhere, failed or violated, not 
 Try 'smc faults --help'.
 smc: --max-runs requires a whole number from 1, not '0'
 Try 'smc faults --help'.
+smc: faults under "failed" (3) fail asserts, which describe a flight without faults: write what must hold with any fault as requirements, in a .rq file
 smc: stopped after 3 runs: --max-runs allows no more, so faults are missing
 smc: warning: the machine has no input: it reads no element that a script writes or that is '@read_only'
 smc: --seed requires a whole number from 0 to 9007199254740992, not 'x'

@@ -189,5 +189,6 @@ a.sm:9:33: note: transition in step 12 (G = 110): Ascent -> Drogue
 a.sm:14:5: note: step 13 (G = 120): `drogue = true` was executed
 1 error
 smc: 7 faults: ends in another state, or worse
+smc: faults under "failed" (2) fail asserts, which describe a flight without faults: write what must hold with any fault as requirements, in a .rq file
 -- exit --
 0 1 0 1 0 0

@@ -48,6 +48,10 @@ Overview
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 
+  What speaks against it  How it is known
+  script bad.ss           it fails (Scripts)
+  script odd.ss           it does not compile (Scripts)
+
 The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. It never leaves
 `Idle`.
 

@@ -1,11 +1,11 @@
 # With --faults a report has the matrix of smc faults, and each cell the number of its line and of the script that reproduces it.  With --sweep it has
 # the margins of each parameter.  The table of requirements joins tests, proofs and faults.  The overview names what was not examined.
-args report a.sm a.ss a.rq --faults --sweep --format=text | sed -n '/Section  /,/^The machine/p; /What breaks it/,/What it costs/p'
+args report a.sm a.ss a.rq --faults --sweep --format=text | sed -n '/Section  /,/^The machine/p; /^What breaks it/,/What it costs/p'
 args report a.sm a.ss a.rq --scripts=made --format=text | grep -A 7 'With one fault, a requirement'; "$SMC" test a.sm a.rq made/001-*.ss >/dev/null; ls made
 args report a.sm a.ss a.rq --prove --faults --format=text | grep -A 4 'Requirement  Text'
 args report a.sm a.ss --all --format=json | grep -o '"verdict": "[a-z]*"' | sort | uniq -c | tr -d ' '
-args report a.sm bad.ss --faults --sweep --format=text | grep -A 11 'What breaks it'
-args report a.sm --faults --sweep --format=text | grep -A 11 'What breaks it'
+args report a.sm bad.ss --faults --sweep --format=text | grep -A 11 '^What breaks it'
+args report a.sm --faults --sweep --format=text | grep -A 11 '^What breaks it'
 
 -- a.sm --
 [state_vector]
@@ -57,6 +57,9 @@ R2 "it ends" always G > 10 implies T >= 0
 
 Not examined: proofs of the requirements (`--prove`), changes that no script notices (`--mutate`).
 `smc report --all` adds them.
+
+  What speaks against it       How it is known
+  R1: no charge in the ascent  6 faults of sensors violate it (What breaks it)
 
 The machine has 2 states and starts in `Ascent`. It reads `altitude`. It writes `drogue`. It never
 What breaks it
@@ -198,7 +201,7 @@ a.sm:12:35: note: transition in step 12 (G = 110): Ascent -> Drogue
 a.sm:17:5: note: step 13 (G = 120): `drogue = not unused` stored true: unused = false
 1 error
 smc: bad.ss failed; the report shows why
-smc: --faults: no fault was tried, because bad.ss fails without one
 smc: --sweep: no parameter was changed, because bad.ss fails without one
-smc: --faults: no fault was tried, because there is no script
+smc: --faults: no fault was tried, because bad.ss fails without one
 smc: --sweep: no parameter was changed, because there is no script
+smc: --faults: no fault was tried, because there is no script

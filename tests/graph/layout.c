@@ -238,26 +238,31 @@ static const char *drawn(const Analysis *a, const DiagramOptions *o)
     return buf_text(&out);
 }
 
-// The slices of a picture follow each other without gap or overlap.  None is higher than allowed, and the sum of their heights is that of the
-// picture.
-static void check_slices(const Analysis *a, int32_t most)
+// The slices of a picture follow each other row by row, without a gap between rows.  None is larger than allowed.  Those of a row begin at the
+// left edge, overlap or touch, and end at the right edge; the sum of the heights of the rows is the height of the picture.
+static void check_slices(const Analysis *a, DiagramSize most)
 {
     DiagramSize size;
     const DiagramOptions o = {.size = &size};
-    int32_t bottom = 0;
+    long bottom = 0, right = 0, height = 0;
     Buf out;
 
     drawn(a, &o);
     buf_init(&out, &session.arena);
     diagram_write_slices(a, &o, most, &out);
     CHECK(well_formed(buf_text(&out)));
-    for (const char *s = buf_text(&out); (s = strstr(s, "viewBox=\"0 ")) != NULL; s++) {
+    for (const char *s = buf_text(&out); (s = strstr(s, "viewBox=\"")) != NULL; s++) {
         char *end;
-        const long top = strtol(s + 11, &end, 10), w = strtol(end, &end, 10), h = strtol(end, &end, 10);
-        CHECK(top == bottom && w == size.w && h > 0 && h <= most);
-        bottom = (int32_t)(top + h);
+        const long left = strtol(s + 9, &end, 10), top = strtol(end, &end, 10), w = strtol(end, &end, 10), h = strtol(end, &end, 10);
+        if (right == 0)
+            height = h;
+        CHECK(w > 0 && w <= most.w && h > 0 && h <= most.h);
+        CHECK(top == bottom && h == height && (right == 0 ? left == 0 : left > 0 && left <= right && left + w > right));
+        right = left + w == size.w ? 0 : left + w;
+        if (right == 0)
+            bottom = top + h;
     }
-    CHECK(bottom == size.h);
+    CHECK(bottom == size.h && right == 0);
 }
 
 static void check_svg(const Program *p)
@@ -266,8 +271,9 @@ static void check_svg(const Program *p)
     Analysis a = analysed(p), b = analysed(p);
 
     CHECK(strcmp(drawn(&a, &none), drawn(&b, &none)) == 0);
-    check_slices(&a, 300);
-    check_slices(&a, 100000);
+    check_slices(&a, (DiagramSize){100000, 300});
+    check_slices(&a, (DiagramSize){100000, 100000});
+    check_slices(&a, (DiagramSize){350, 300});
 }
 
 // ---- machines from files ----

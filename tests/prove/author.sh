@@ -43,7 +43,7 @@ echo "scripts that violate their requirement: $passed passed, $failed failed"
 for machine in "$here"/m*.sm; do
     "$smc" prove "$machine" "${machine%.sm}.rq" --format=json -w "$@"
 done >"$out/verdicts"
-awk -v proved=25 -v violated=25 -v hard=8 -v most_changes=5 '
+awk -v proved=25 -v violated=25 -v hard=10 -v most_changes=5 '
     FNR == NR && NF > 2 { kind[$2] = $3; all[$3]++; next }
     match($0, /^{"id":"M[0-9]*_[PVH][0-9]*"/) {
         id = substr($0, 8, RLENGTH - 8); of = kind[id]

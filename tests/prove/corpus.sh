@@ -37,11 +37,11 @@ check()
     fi
 }
 
-check ignition   ignition/ignition.sm     18 12 "$@"
+check ignition   ignition/ignition.sm     21 12 "$@"
 check chilldown  chilldown/chilldown.sm   15  6 --step=50 "$@"
-check parachutes parachutes/parachutes.sm 12  6 "$@"
-check recovery   recovery/recovery.sm      9  5 "$@"
-check stand      teststand/stand.sm       17  8 "$@"
+check parachutes parachutes/parachutes.sm 14  6 "$@"
+check recovery   recovery/recovery.sm     10  5 "$@"
+check stand      teststand/stand.sm       19  8 "$@"
 check monitor    teststand/monitor.sm      5  2 "$@"
 check airbrakes  mission/airbrakes.sm      5  4 "$@"
 check tank       tank/tank.sm              3  3 "$@"

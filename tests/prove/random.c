@@ -6,6 +6,8 @@
 //   vacuous    and no step comes to the premise
 //   exhaustive on machines with few inputs, all sequences of some values of the inputs, step by step, as long as they are few
 //
+// Every third program is one whose variables are maxima, minima and sums of each other (related_text.h).
+//
 //     random SEED COUNT [STEPS]
 #include <inttypes.h>
 #include <stdio.h>
@@ -18,8 +20,9 @@
 #include "compiler/search/search.h"
 #include "stdlib/convert.h"
 #include "tests/diff/subject.h"
+#include "tests/prove/related_text.h"
 
-enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 500, LAYERS = 24, CHOICES_MOST = 27 };
+enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 500, LAYERS = 24, CHOICES_MOST = 27, RELATED = 3 };
 
 typedef struct Test {
     Arena *arena;
@@ -35,7 +38,7 @@ typedef struct Test {
     uint64_t *cell;           // by Program.var
 } Test;
 
-static struct { uint64_t programs, verdict[4], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted; } met;
+static struct { uint64_t programs, verdict[PROVE_VERDICTS], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted, related; } met;
 
 // ---- values ----
 
@@ -183,6 +186,40 @@ static void print_samples_requirement(Test *t, Buf *out)
     buf_char(out, '\n');
 }
 
+// Returns a number that the machine or the requirement computes from variables.
+static const char *any_number(Test *t, const Var *v)
+{
+    const char *name = v->name->text;
+
+    switch (rng_below(&t->rng, 8)) {
+    case 0: return format_in(t->arena, "prev(%s)", name);
+    case 1: return format_in(t->arena, "roll_median(%s, %u)", name, 2 + (unsigned)rng_below(&t->rng, 3));
+    case 2: return format_in(t->arena, "(%s + 1)", name);
+    default: return name;
+    }
+}
+
+// A requirement on two variables, or on a variable and the one of the step before.
+static void print_related_requirement(Test *t, Buf *out)
+{
+    static const char *const relation[] = {"<", "<=", ">", ">=", "==", "!="};
+    const Var *v = t->p->var.at[rng_below(&t->rng, t->p->var.n)], *w = rng_percent(&t->rng, 40) ? v : t->p->var.at[rng_below(&t->rng, t->p->var.n)];
+    const char *a = any_number(t, v), *b = any_number(t, w), *r = relation[rng_below(&t->rng, 6)];
+    const bool always = rng_percent(&t->rng, 50);
+
+    buf_str(out, always ? "always " : "never ");
+    if (rng_percent(&t->rng, 50)) {
+        print_condition(t, 1, out);
+        buf_str(out, always ? " implies " : " and ");
+    }
+    switch (rng_below(&t->rng, 3)) {
+    case 0: buf_printf(out, "abs(%s - %s) %s %u", a, b, r, (unsigned)rng_below(&t->rng, 4)); break;
+    case 1: buf_printf(out, "%s - %s %s %u", a, b, r, (unsigned)rng_below(&t->rng, 3)); break;
+    default: buf_printf(out, "%s(%s %s %s)", rng_percent(&t->rng, 30) ? "not " : "", a, r, b);
+    }
+    buf_char(out, '\n');
+}
+
 static void print_operand(Test *t, Buf *out)
 {
     if (rng_percent(&t->rng, 60))
@@ -196,8 +233,9 @@ static void print_operand(Test *t, Buf *out)
 
 static void print_requirement(Test *t, Buf *out)
 {
-    switch (rng_below(&t->rng, 6)) {
+    switch (rng_below(&t->rng, 7)) {
     case 5: print_samples_requirement(t, out); return;
+    case 6: print_related_requirement(t, out); return;
     case 0:
         buf_str(out, "never not (");
         print_condition(t, DEPTH, out);
@@ -443,6 +481,7 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     met.sliced += of->irrelevant > 0;
     met.loose += of->is_loose;
     met.compared += of->is_compared;
+    met.related += of->is_related;
     for (uint64_t done = 0, length = 64; !wrong && done < steps; done += length, length = length < steps / 4 ? length * 2 : length)
         wrong = run_randomly(t, of, length);
     if (!wrong)
@@ -450,12 +489,24 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     return wrong ? format_in(t->arena, "%s is %s, but a run %s", of->what->id->text, of->verdict == PROVE_PROVED ? "proved" : "vacuous", wrong) : NULL;
 }
 
+static const char *compile_program(Test *t, uint64_t seed, bool is_related, Related *of, Subject *s)
+{
+    Buf sm;
+
+    if (!is_related)
+        return subject_compile(s, gen_program(t->arena, seed, 10), t->arena);
+    buf_init(&sm, t->arena);
+    *of = related_print_machine(&t->rng, &sm);
+    return subject_compile_text(s, buf_text(&sm), t->arena);
+}
+
 static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_t steps, const char **text)
 {
     const ProveOptions o = {.effort = 5000, .visits = 15000};
-    Gen *g = gen_program(arena, seed, 10);
     Test t = {.arena = arena, .rng = {rng_mix(seed, 4711)}};
-    const char *wrong = subject_compile(s, g, arena);
+    Related of = {NULL, NULL, NULL, 0};
+    const bool is_related = seed % RELATED == 0;
+    const char *wrong = compile_program(&t, seed, is_related, &of, s);
     const Source *src;
     const ProveResult *r;
     Buf rq;
@@ -472,7 +523,10 @@ static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_
     buf_init(&rq, arena);
     for (int i = 0; i < REQUIREMENTS; i++) {
         buf_printf(&rq, "R%d \"random\" ", i + 1);
-        print_requirement(&t, &rq);
+        if (is_related)
+            related_print_requirement(&t.rng, &of, &rq);
+        else
+            print_requirement(&t, &rq);
     }
     *text = buf_text(&rq);
     src = source_new(&s->session.arena, "random.rq", buf_text(&rq), rq.n);
@@ -516,9 +570,9 @@ int main(int argc, char **argv)
         arena_free(&arena);
     }
     printf("%" PRIu64 " programs: %" PRIu64 " proved, %" PRIu64 " vacuous, %" PRIu64 " violated, %" PRIu64 " undecided; %" PRIu64 " steps, %" PRIu64 " layers, %" PRIu64
-           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
-           met.sliced, met.loose, met.windows, met.compared);
-    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 20 < count || met.violations < count)
+           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples, %" PRIu64 " with differences\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
+           met.sliced, met.loose, met.windows, met.compared, met.related);
+    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 40 < count || met.related * 50 < count || met.violations < count)
         failed++;
     printf("verdicts on random requirements: %" PRIu64 " passed, %" PRIu64 " failed\n", met.programs, failed);
     return failed > 0;

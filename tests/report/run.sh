@@ -82,11 +82,17 @@ echo 'send beacon every 1 s to 10.0.0.2:1 { nowhere }' >"$out/wrong.net"
 expect "messages with an error" ends_with 1 "$smc" report "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "--net=$out/wrong.net"
 
 # A diagram that is readable on part of a page is marked as low, others are not.
-expect "a low diagram" grep -q '<figure class="diagram low">' "$out/chilldown.html"
+expect "a low diagram" grep -q '<figure class="diagram low"' "$out/tank.html"
+expect "a diagram that is legible on a page of its own only" sh -c "! grep -q '<figure class=\"diagram low\"' '$out/chilldown.html'"
 expect "a large diagram has slices for paper" test "$(grep -c '^<svg' "$out/twostage.html")" -ge 4
-expect "it is printed on landscape pages" grep -q '<figure class="diagram large">' "$out/twostage.html"
-expect "a diagram without slices" sh -c "! grep -q '<div class=\"print\"' '$out/chilldown.html'"
-expect "a diagram that is not low" grep -q '<figure class="diagram">' "$out/rocket.html"
+expect "it is printed on landscape pages" grep -q '<figure class="diagram large"' "$out/twostage.html"
+expect "a diagram without slices" sh -c "! grep -q '<div class=\"print\"' '$out/tank.html'"
+expect "a diagram that is not low" grep -q '<figure class="diagram"' "$out/ignition.html"
+# Letters of a diagram are legible on paper: no slice is wider than 1,564 pixels, which a landscape page scales to 65 %.
+page star 0 "$root/tests/graph/machines/star.sm"
+slices_fit() { grep -o '^<svg[^>]* width="[0-9]*"' "$1" | tail -n +2 | sed 's/.*width="//; s/"//' | awk '$1 > 1564 { wide++ } END { exit NR < 2 || wide }'; }
+expect "slices of a wide diagram fit on a page" slices_fit "$out/star.html"
+expect "a screen shows it at 80 % of its width at least" grep -q '<figure class="diagram large" style="--width:1[0-9]*px">' "$out/star.html"
 
 # The JSON is valid, if python3 exists to check it.
 if command -v python3 >/dev/null; then

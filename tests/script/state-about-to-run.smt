@@ -18,13 +18,13 @@ U8 n
 delta_t 10
 [First]
 G == 0 and T == 0 and S == 1:    @assert n == 1
-G == 20 and T == 20 and S == 1:  @assert n == 3 and T == 20 and S == 1
+G == 20 and T == 20 and S == 1:  @assert n == 3 and T == 20 and S == 1   #! W0752
 G == 30 and T == 0 and S == 1:   @assert n == 4
 G == 40 and T == 10:             @assert n == 5
 G == 80 and T == 0 and S == 1:   @assert n == 6
 G == 90: @stop
 [Second]
-G == 50 and T == 0 and S == 2:   @assert n == 5 and S == 2 and T == 0
+G == 50 and T == 0 and S == 2:   @assert n == 5 and S == 2 and T == 0   #! W0752
 G == 60 and T == 10:             @assert T == 10
 G == 70 and T == 20:             @assert T == 20
 -- report --

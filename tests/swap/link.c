@@ -4,145 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compiler/device/app_host.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/sim/sim.h"
-#include "tests/swap/stage.h"
+#include "tests/swap/wire.h"
 #include "tests/test.h"
-
-#define COUNT(by) A "[local]\nU32 n = 0\n[A] @swap\n.step\nn = n + " #by "\nout = n\n"
-#define COUNT_B(by) B "[local]\nU32 n = 0\n[A] @swap\n.step\nn = n + " #by "\nmore = n\n"
-
-static SwapMachine one, ten, b_one, b_ten;
-static const char right_key[] = "00112233445566778899aabbccddeeff", wrong_key[] = "ff112233445566778899aabbccddeeff";
-
-// ---- a line ----
-
-typedef struct Wire {
-    uint32_t sent;            // bytes that the host has sent
-    uint32_t cut;             // the line is cut after this many bytes; UINT32_MAX: never
-    uint32_t frames;          // frames that have arrived; each has one answer
-    uint32_t lose, lose_answer, repeat;   // number of the frame to lose, of the answer to lose, of the frame to deliver twice; UINT32_MAX: none
-    LinkReceiver in;
-    uint8_t received[LINK_ROOM(LINK_BODY_MAX)];
-    uint8_t answers[8 * LINK_ROOM(LINK_BODY_MAX)];
-    size_t first, end;        // the answers that the host has not read yet: `answers` from first to end - 1
-    uint32_t refuse;          // at this frame the application itself begins a swap that is refused; 0: never
-    uint32_t ends_busy;       // how often END was answered with SM_E_BUSY
-    uint32_t steps;           // ticks of the application
-} Wire;
-
-static Wire wire;
-
-// Runs the application for a tick, and a part of a preparation.
-static void run_application(void)
-{
-    (void)sm_swaps_prepare(&stage.swaps);
-    stage_tick(0);
-    wire.steps++;
-}
-
-static void deliver_frame(bool answers)
-{
-    uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
-    uint16_t n;
-
-    if (wire.refuse != 0 && wire.frames == wire.refuse)
-        CHECK(stage_swap("a", &ten, (SmSwapMode)3, NULL) == SM_OK);
-    n = sm_swap_link_answer(&stage.link, wire.in.buffer, wire.in.n, answer);
-    wire.ends_busy += n > 0 && wire.in.buffer[1] == LINK_END && stage.link.transfer == SM_SWAP_RECEIVING;
-    CHECK(n <= sizeof answer);
-    if (answers && wire.end + n <= sizeof wire.answers) {
-        memcpy(wire.answers + wire.end, answer, n);
-        wire.end += n;
-    }
-    run_application();
-}
-
-static bool wire_send(void *context, const uint8_t *bytes, size_t n)
-{
-    (void)context;
-    for (size_t i = 0; i < n; i++) {
-        if (wire.sent == wire.cut)
-            return false;
-        wire.sent++;
-        if (sm_link_receive(&wire.in, bytes[i])) {
-            const uint32_t number = wire.frames++;
-            if (number == wire.lose)
-                continue;
-            deliver_frame(number != wire.lose_answer);
-            if (number == wire.repeat)
-                deliver_frame(true);
-        }
-    }
-    return true;
-}
-
-static int wire_receive(void *context, uint8_t *bytes, size_t room, uint32_t wait)
-{
-    (void)context, (void)room;
-    if (wire.first == wire.end) {
-        wire.first = wire.end = 0;
-        for (uint32_t i = 0; i < (wait < 5 ? wait : 5); i++)
-            run_application();
-        (void)pal_clock_sleep_until(pal_clock_now() + (uint64_t)wait * PAL_MILLISECOND);
-        return 0;
-    }
-    bytes[0] = wire.answers[wire.first++];
-    return 1;
-}
-
-static uint32_t wire_now(void *context)
-{
-    (void)context;
-    return (uint32_t)(pal_clock_now() / PAL_MILLISECOND);
-}
-
-static const SerialLine line = {NULL, wire_send, wire_receive, wire_now};
-
-static void connect_host(LinkHost *h)
-{
-    memset(&wire, 0, sizeof wire);
-    wire.cut = wire.lose = wire.lose_answer = wire.repeat = UINT32_MAX;
-    sm_link_receiver_init(&wire.in, wire.received, sizeof wire.received);
-    link_host_init(h, &line, 20, 4, 7);
-}
-
-// ---- an application ----
-
-static void begin_with(const SwapMachine *b, const char *key_file)
-{
-    const StagePlan plan = {.a = &one, .b = b, .room = STAGE_ROOM, .trial = 100000};
-
-    stage_begin(&plan);
-    stage_reach(SM_SWAP_AT_ADDRESS, "", key_file);
-    if (key_file != NULL)
-        CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_OK);
-    run_application();
-}
-
-static void begin(LinkHost *h)
-{
-    sim_reset();
-    connect_host(h);
-    begin_with(NULL, NULL);
-    wire.steps = 1;
-}
-
-static void make_swap(Buf *out, Arena *arena, const SwapMachine *a, const SwapMachine *b, uint8_t mode, const uint8_t *key, uint32_t number)
-{
-    const ApplicationChange change[] = {{"a", mode, NULL, a->image, a->image_size}, {"b", mode, NULL, b ? b->image : NULL, b ? b->image_size : 0}};
-
-    buf_init(out, arena);
-    application_write_swap(change, b ? 2 : 1, key, number, out);
-}
-
-static ApplicationStep send(LinkHost *h, const Buf *swap, const uint8_t *key, uint32_t number, uint16_t session)
-{
-    ApplicationInfo info;
-
-    return application_query(h, &info) ? application_send_swap(h, &info, swap, key, number, session) : APPLICATION_BEGIN;
-}
 
 // Checks that `one` has stepped at every tick: its count is the number of steps.
 static bool has_one_stepped(void) { return stage_number(AT_OUT) == wire.steps; }
@@ -163,7 +28,7 @@ static void test_swap(Arena *arena)
     CHECK(application_query(&h, &info) && info.protocol == LINK_PROTOCOL && info.machines == 1 && !info.requires_signature);
     CHECK(strcmp(info.name, "stage") == 0 && info.room == SM_SWAP_ROOM(2, STAGE_ROOM));
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE && has_one_stepped());
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE && has_one_stepped());
     stage_settle();
     // clause 12.42
     CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_TRIAL && s.machine == UINT16_MAX && s.checksum != 0);
@@ -174,7 +39,7 @@ static void test_swap(Arena *arena)
     CHECK(application_read_item(&h, 0, 1, &item) && item.kind == SMVM_SWAP_LOCAL && strcmp(item.name, "n") == 0);
     CHECK(!application_read_item(&h, 0, 2, &item) && h.result == SM_E_MISSING);
     // clause 12.40: a trial; clause 12.41
-    CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    CHECK(send_swap(&h, &swap, NULL, 0, 6) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
     s.checksum++;
     CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_HANDLE && stage_phase() == SM_SWAP_TRIAL);
     s.checksum--;
@@ -182,7 +47,7 @@ static void test_swap(Arena *arena)
     CHECK(application_confirm(&h, &s, NULL));              // clause 12.39
     run_application();
     // a swap to the same image
-    CHECK(send(&h, &swap, NULL, 0, 7) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 7) == APPLICATION_DONE);
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 2);
     // a swap that the application itself has begun
@@ -201,13 +66,13 @@ static void test_refusals(Arena *arena)
 
     begin(&h);
     make_swap(&swap, arena, &ten, &b_ten, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_END && h.result == SM_E_ARGUMENT);  // the swap names more machines than the application has
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_END && h.result == SM_E_ARGUMENT);  // the swap names more machines than the application has
     make_swap(&swap, arena, &ten, NULL, 3, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_DONE && application_read_swap(&h, &s));
+    CHECK(send_swap(&h, &swap, NULL, 0, 6) == APPLICATION_DONE && application_read_swap(&h, &s));
     CHECK(s.phase == SM_SWAP_REFUSED && s.reason == SM_SWAP_NO_MODE && s.machine == 0);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
     stage_arm(true);
-    CHECK(send(&h, &swap, NULL, 0, 7) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 7) == APPLICATION_DONE);
     stage_settle();
     CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_REFUSED && s.reason == SM_SWAP_NO_ARMED);
     // both machines, or none
@@ -215,7 +80,7 @@ static void test_refusals(Arena *arena)
     connect_host(&h);
     begin_with(&b_one, NULL);
     make_swap(&swap, arena, &ten, &b_ten, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 2);
 }
@@ -282,7 +147,7 @@ static SmResult send_bytes(LinkHost *h, const char *bytes, size_t n)
 
     buf_init(&swap, &one.session.arena);
     buf_put(&swap, bytes, n);
-    return send(h, &swap, NULL, 0, 5) == APPLICATION_DONE ? SM_OK : h->result;
+    return send_swap(h, &swap, NULL, 0, 5) == APPLICATION_DONE ? SM_OK : h->result;
 }
 
 // clause 12.38: every prefix of a swap, a swap with one byte more, and names that end with no zero or with two
@@ -321,13 +186,13 @@ static void test_cuts(Arena *arena)
 
     begin(&h);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
     all = wire.sent;
     CHECK(all > swap.n);
     for (uint32_t cut = 0; cut < all; cut++) {
         begin(&h);
         wire.cut = cut;
-        CHECK(send(&h, &swap, NULL, 0, 5) != APPLICATION_DONE && h.gone);
+        CHECK(send_swap(&h, &swap, NULL, 0, 5) != APPLICATION_DONE && h.gone);
         for (int i = 0; i < 10; i++)
             run_application();
         begun += stage_phase() != SM_SWAP_IDLE;
@@ -345,13 +210,13 @@ static void test_lost_and_repeated(Arena *arena)
 
     begin(&h);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
     frames = wire.frames;
     CHECK(frames >= 5);
     for (uint32_t i = 0; i < 3 * frames; i++) {
         begin(&h);
         *(i % 3 == 0 ? &wire.lose : i % 3 == 1 ? &wire.lose_answer : &wire.repeat) = i / 3;
-        CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+        CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
         stage_settle();
         CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_SWAP, NULL) == 1 && stage_status().number == 1);
     }
@@ -367,18 +232,18 @@ static void test_refused_requests(Arena *arena)
 
     begin(&h);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL && stage_events(SM_EVENT_HOST_REFUSED, NULL) == 0);
     for (uint16_t session = 6; session < 20; session++)
-        CHECK(send(&h, &swap, NULL, 0, session) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+        CHECK(send_swap(&h, &swap, NULL, 0, session) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
     CHECK(stage_events(SM_EVENT_HOST_REFUSED, &e) == 1 && e.a == (uint32_t)-SM_E_BUSY && e.b == application_swap_checksum(&swap) && e.source == 0);
     CHECK(application_read_swap(&h, &s));
     s.checksum ^= 1;
     CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_HANDLE);
     CHECK(stage_events(SM_EVENT_HOST_REFUSED, &e) == 2 && e.a == (uint32_t)-SM_E_HANDLE && e.b == s.checksum);
     (void)pal_clock_sleep_until(pal_clock_now() + PAL_SECOND);
-    CHECK(send(&h, &swap, NULL, 0, 20) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    CHECK(send_swap(&h, &swap, NULL, 0, 20) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
     CHECK(stage_events(SM_EVENT_HOST_REFUSED, NULL) == 3);
 }
 
@@ -402,7 +267,7 @@ static void test_stored(Arena *arena)
     run_application();
     CHECK(application_read_machine(&h, 0, &m) && m.is_built_in && !m.is_stored);
     make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 5) == APPLICATION_DONE);
     stage_settle();
     CHECK(application_read_swap(&h, &s));
     sim_fail(SIM_nvm_write, 1, SM_E_SPACE);
@@ -412,7 +277,7 @@ static void test_stored(Arena *arena)
     run_application();
     buf_init(&swap, arena);
     application_write_swap(&back, 1, NULL, 0, &swap);
-    CHECK(send(&h, &swap, NULL, 0, 6) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, 6) == APPLICATION_DONE);
     stage_settle();
     CHECK(application_read_machine(&h, 0, &m) && m.is_built_in && m.is_on_trial && m.checksum == stage_identity(&one));
     CHECK(application_read_swap(&h, &s) && application_confirm(&h, &s, NULL));
@@ -442,9 +307,9 @@ static void test_two_hosts(Arena *arena)
     sm_link_store(body + 2, (uint32_t)swap.n, 3);
     sm_link_store(body + 5, 1, 4);
     CHECK(link_request(&h, LINK_BEGIN, body, sizeof body) && h.result == SM_OK);
-    CHECK(send(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
+    CHECK(send_swap(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_BEGIN && h.result == SM_E_BUSY);
     (void)pal_clock_sleep_until(pal_clock_now() + 4 * (uint64_t)PAL_SECOND);
-    CHECK(send(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_DONE);
+    CHECK(send_swap(&h, &swap, NULL, 0, (uint16_t)sessions[0]) == APPLICATION_DONE);
     CHECK(link_request(&h, LINK_END, body, 2) && h.result == SM_E_HANDLE);
     // a damaged swap: its checksum differs
     begin(&h);
@@ -458,174 +323,6 @@ static void test_two_hosts(Arena *arena)
         CHECK(link_request(&h, LINK_DATA, data, 5 + n) && h.result == SM_OK);
     }
     CHECK(link_request(&h, LINK_END, body, 2) && h.result == SM_E_IMAGE && stage_phase() == SM_SWAP_IDLE);
-}
-
-// ---- keys ----
-
-static uint8_t key[16], wrong[16];         // the bytes of right_key and wrong_key
-
-static void read_key(const char *digits, uint8_t *into)
-{
-    for (int i = 0; i < 16; i++) {
-        const char two[] = {digits[2 * i], digits[2 * i + 1], '\0'};
-        into[i] = (uint8_t)strtoul(two, NULL, 16);
-    }
-}
-
-static void begin_with_key(LinkHost *h, bool fresh)
-{
-    if (fresh) {
-        sim_reset();
-        memcpy(sim_nvm("flash"), right_key, 32);
-    }
-    connect_host(h);
-    begin_with(NULL, "flash");
-}
-
-static void end_with_key(void) { sm_swap_link_close(&stage.link.service); }
-
-// clause 12.46: no permit, a permit of another key, and a swap that was changed after it was signed; then CONFIRM
-static void test_signatures(Arena *arena)
-{
-    LinkHost h;
-    ApplicationSwap s;
-    SmEvent e;
-    Buf swap, plain;
-
-    begin_with_key(&h, true);
-    make_swap(&plain, arena, &ten, NULL, SM_SWAP_CONTINUE, NULL, 0);
-    CHECK(send(&h, &plain, NULL, 0, 5) == APPLICATION_BEGIN && h.result == SM_E_UNSIGNED);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 1);
-    CHECK(send(&h, &swap, wrong, 1, 5) == APPLICATION_BEGIN && h.result == SM_E_UNSIGNED);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 3);
-    for (size_t i = 0; i < swap.n; i += 13) {
-        swap.at[i] ^= 1;
-        CHECK(send(&h, &swap, key, 3, (uint16_t)(6 + i)) == APPLICATION_END && h.result == SM_E_UNSIGNED);
-        swap.at[i] ^= 1;
-    }
-    CHECK(stage_phase() == SM_SWAP_IDLE && stage.link.newest == 0);
-    CHECK(stage_events(SM_EVENT_HOST_REFUSED, &e) == 1 && e.a == (uint32_t)-SM_E_UNSIGNED && e.b == application_swap_checksum(&plain));
-    CHECK(send(&h, &swap, key, 3, 6) == APPLICATION_DONE && stage.link.newest == 3);
-    stage_settle();
-    CHECK(application_read_swap(&h, &s) && s.phase == SM_SWAP_TRIAL && s.number == 3);
-    CHECK(!application_confirm(&h, &s, NULL) && h.result == SM_E_UNSIGNED && !application_confirm(&h, &s, wrong) && h.result == SM_E_UNSIGNED);
-    CHECK(application_confirm(&h, &s, key) && stage_phase() == SM_SWAP_CONFIRMED);
-    run_application();
-    end_with_key();
-}
-
-// clause 12.47: the same swap again, an older swap, and both after a restart
-static void test_replays(Arena *arena)
-{
-    LinkHost h;
-    Buf swap;
-
-    begin_with_key(&h, true);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 3);
-    CHECK(send(&h, &swap, key, 3, 6) == APPLICATION_DONE);
-    stage_settle();
-    CHECK(sm_swap_confirm(&stage.swaps) == SM_OK);
-    run_application();
-    CHECK(send(&h, &swap, key, 3, 8) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
-    end_with_key();
-    begin_with_key(&h, false);
-    CHECK(stage.link.newest == 3);
-    CHECK(send(&h, &swap, key, 3, 9) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
-    CHECK(send(&h, &swap, key, 2, 10) == APPLICATION_BEGIN && h.result == SM_E_REPLAY);
-    end_with_key();
-}
-
-// A permit with a higher number than that of the swap: for a swap that is not signed, and for a swap whose number has been used.
-static void test_foreign_permits(Arena *arena)
-{
-    LinkHost h;
-    Buf swap;
-
-    begin_with_key(&h, true);
-    make_swap(&swap, arena, &ten, NULL, 3, key, 4);
-    CHECK(send(&h, &swap, key, 4, 20) == APPLICATION_DONE && stage.link.newest == 4);
-    run_application();
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, wrong, 5);
-    CHECK(send(&h, &swap, key, 5, 21) == APPLICATION_END && h.result == SM_E_UNSIGNED && stage.link.newest == 4);
-    end_with_key();
-    begin_with_key(&h, true);
-    make_swap(&swap, arena, &ten, NULL, 3, key, 3);
-    CHECK(send(&h, &swap, key, 3, 22) == APPLICATION_DONE && stage.link.newest == 3);
-    end_with_key();
-    begin_with_key(&h, false);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 2);
-    CHECK(send(&h, &swap, key, 4, 11) == APPLICATION_END && h.result == SM_E_REPLAY && stage_phase() == SM_SWAP_IDLE);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 4);
-    CHECK(send(&h, &swap, key, 4, 12) == APPLICATION_DONE && stage.link.newest == 4);
-    end_with_key();
-}
-
-// clause 12.39: END arrives again while the refusal of another swap is not yet in the events
-static void test_repeated_end(Arena *arena)
-{
-    uint32_t frames;
-    LinkHost h;
-    Buf swap;
-
-    begin_with_key(&h, true);
-    make_swap(&swap, arena, &ten, NULL, SM_SWAP_CONTINUE, key, 1);
-    CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE);
-    frames = wire.frames;                                  // the last frame is END
-    end_with_key();
-    begin_with_key(&h, true);
-    wire.refuse = frames;
-    CHECK(send(&h, &swap, key, 1, 5) == APPLICATION_DONE && wire.ends_busy == 1 && stage.link.newest == 1);
-    stage_settle();
-    CHECK(stage_phase() == SM_SWAP_TRIAL);
-    end_with_key();
-}
-
-// The application does not start without its key, or without the memory for the numbers of swaps.
-static void test_missing_files(void)
-{
-    LinkHost h;
-
-    begin_with_key(&h, true);
-    end_with_key();
-    // no key in the file
-    sim_nvm("flash")[31] = 'g';
-    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_ARGUMENT && stage.app.failed_file == stage.link.key_file);
-    CHECK(stage.app.reason != NULL);
-    // no memory for the numbers
-    memcpy(sim_nvm("flash"), right_key, 32);
-    stage.link.number_memory = "absent";
-    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.number_memory && stage.app.reason == NULL);
-    // no file
-    stage.link.key_file = "absent";
-    CHECK(sm_swap_link_open(&stage.link.service, &stage.app) == SM_E_MISSING && stage.app.failed_file == stage.link.key_file && stage.app.reason != NULL);
-}
-
-// clause 12.47: the power is cut after each byte that writes the number.  After the restart, the highest number is the old or the new one.
-static void test_power_cuts(Arena *arena)
-{
-    uint32_t stored = 0;
-    LinkHost h;
-    Buf swap;
-
-    for (uint32_t bytes = 0; bytes <= 8; bytes++) {
-        begin_with_key(&h, true);
-        for (uint32_t number = 1; number <= 3; number++) {
-            make_swap(&swap, arena, &ten, NULL, 3, key, number);       // refused for its mode: the next one can follow
-            if (number == 3)
-                sim_cut_power(0, bytes);
-            CHECK((send(&h, &swap, key, number, (uint16_t)(5 + number)) == APPLICATION_DONE) == (number < 3));
-            run_application();
-        }
-        CHECK(stage_status().number == 2);
-        sim_power_on();
-        CHECK(pal_socket_close(stage.link.listening) == SM_OK);
-        begin_with_key(&h, false);
-        CHECK(stage.link.newest == 2 || stage.link.newest == 3);
-        stored += stage.link.newest == 3;
-        end_with_key();
-    }
-    CHECK(stored > 0);
 }
 
 // ---- hostile hosts ----
@@ -692,7 +389,7 @@ static void test_hostile(Arena *arena, unsigned rounds)
             buf_put(&bad, good.at, good.n);
             if (next_random(4))
                 damage(&bad);
-            begun += send(&h, &bad, NULL, 0, (uint16_t)(10 + i % 1000)) == APPLICATION_DONE;
+            begun += send_swap(&h, &bad, NULL, 0, (uint16_t)(10 + i % 1000)) == APPLICATION_DONE;
             wire.first = wire.end = 0;
             continue;
         }
@@ -711,7 +408,7 @@ static void test_hostile(Arena *arena, unsigned rounds)
         run_application();
     CHECK(stage_phase() != SM_SWAP_TRIAL || sm_swap_confirm(&stage.swaps) == SM_OK);
     run_application();
-    CHECK(send(&h, &good, NULL, 0, 3) == APPLICATION_DONE);        // afterwards a valid swap succeeds
+    CHECK(send_swap(&h, &good, NULL, 0, 3) == APPLICATION_DONE);        // afterwards a valid swap succeeds
     stage_settle();
     CHECK(stage_phase() == SM_SWAP_TRIAL);
 }
@@ -785,8 +482,6 @@ int main(int argc, char **argv)
     machine_compile(&b_one, COUNT_B(1), STAGE_SV, 2, true);
     machine_compile(&b_ten, COUNT_B(10), STAGE_SV, 2, true);
     arena = &one.session.arena;
-    read_key(right_key, key);
-    read_key(wrong_key, wrong);
     test_swap(arena);
     test_refusals(arena);
     test_lies(arena);
@@ -796,12 +491,7 @@ int main(int argc, char **argv)
     test_refused_requests(arena);
     test_stored(arena);
     test_two_hosts(arena);
-    test_signatures(arena);
-    test_replays(arena);
-    test_foreign_permits(arena);
-    test_repeated_end(arena);
-    test_missing_files();
-    test_power_cuts(arena);
+    test_keys(arena);
     test_hostile(arena, rounds);
     test_connections();
     machine_free(&one);

@@ -96,5 +96,18 @@ for script in "$dir/cut"/*.ss; do
     [ ! -e "$script" ] || check "$script" grep -q '^# ---- the fault ----\|@stop' "$script"
 done
 
+# The page of smc report after a signal, and after the time that it was given.
+"$smc" report tests/whatif/sequencer.sm tests/whatif/sequencer.ss --faults --pairs --mutate --format=text -o "$dir/page.txt" 2>"$dir/errors" &
+sleep 5
+kill -TERM $!
+wait $!
+check "a signal ends smc report" [ $? -eq 143 ]
+check "the page is there, and says it" grep -q '^Stopped before it was complete: .*faults of sensors' "$dir/page.txt"
+check "the page is complete" grep -q '^Costs$' "$dir/page.txt"
+"$smc" report tests/whatif/sequencer.sm tests/whatif/sequencer.ss --faults --pairs --time=1 --format=text -o "$dir/page.txt" 2>"$dir/errors"
+check "the time ends no process" [ $? -eq 0 ]
+check "the page says that time was over" grep -q '^Stopped before it was complete: faults of sensors' "$dir/page.txt"
+check "so does a note" grep -q 'stopped before it was complete: faults of sensors' "$dir/errors"
+
 echo "whatif: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -17,13 +17,13 @@ typedef struct BcValue {
     uint32_t last;            // position + 1 at which its last user is computed
     uint32_t next_store;      // for a store: position + 1 of the next store to its variable; UINT32_MAX: no other in this block
     uint32_t depth;           // length of the longest chain of waiting operations in its expression
-    bool is_computed;         // it has been computed at its own position: its value is in X or in `slot`
-    bool waits;               // it is computed where its only user needs it; a conversion that leaves the number as it is, at each user
+    bool is_computed;         // the value has been computed at its own position: it is in X or in `slot`
+    bool waits;               // the value is computed where its only user needs it; a conversion that does not change the number, at each user
     bool early;               // for a load: must execute at its own position, because a store to its variable precedes its last use
     bool negative;            // an integer that can be below zero
     bool inverted;            // for a waiting boolean: computes its negation instead
-    bool minus_zero;          // an integer that the VM, which computes it as an F64, can compute as -0
-    BcRef slot;               // the operand that has its value, if any; for a constant or a load also BC_LATER, until it is created
+    bool minus_zero;          // the VM, which computes this integer as an F64, can get -0
+    BcRef slot;               // the operand that stores the value; BC_LATER for a constant or a load whose operand is created when first needed
 } BcValue;
 
 // The known contents of register X or Y: the value, and operands with the same number.
@@ -78,7 +78,7 @@ static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->val
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the part of bc_skip_exact_cvts that is not inline
 // Returns the operand of r before the waiting conversions that leave the number unchanged; r itself if r is no such conversion.
 static inline IrRef bc_skip_exact_cvts(const BcSelect *s, IrRef r) { return bc_is_waiting_cvt(s, r) ? bc_follow_exact_cvts(s, r) : r; }
-IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r);   // r without conversions that do not affect whether it is true
+IrRef bc_skip_truth_cvts(const BcSelect *s, IrRef r);   // returns r without conversions that keep its truth
 IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type);  // r without conversions that a store to that type performs anyway
 bool bc_is_within(SmType a, SmType b);                // whether type b can represent every number of type a
 bool bc_is_exact(const BcSelect *s, IrRef r, SmType type);          // whether type `type` can represent every value of r
@@ -101,10 +101,10 @@ static inline bool bc_register_has(const BcRegister *h, BcRef o) { return o != B
 BcIns *bc_emit(BcSelect *s, uint8_t op);
 void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
 void bc_load_x(BcSelect *s, BcRef o);                   // loads operand o into X; emits nothing if X contains its value already
-void bc_load_y(BcSelect *s, BcRef o);                   // the same for Y
+void bc_load_y(BcSelect *s, BcRef o);                   // the same for the register Y
 void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is loaded
 void bc_forget_y(BcSelect *s);                                 // records that Y is undefined
-void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction whose result replaces X
+void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction that changes X
 void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed
 void bc_drop_cvt(BcSelect *s, uint32_t type);           // removes a conversion of X to `type` before a store to this type, which converts too
 void bc_store_x(BcSelect *s, BcRef d, bool same);       // stores X in d.  same: a load of d then returns exactly what X contains

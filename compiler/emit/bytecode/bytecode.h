@@ -26,7 +26,7 @@ typedef enum BcOperandKind {
     BC_VAR,                   // element, local or T: variable `var`
     BC_SLOT,                  // a temporary local of type `type`, without a source name; the `index`-th slot of its type
     BC_STAT,                  // statistic `index` of window `var`
-    BC_CONST                  // the F64 with these `bits`; unless bc_try_whole finds it encodable in the code, the `index`-th of its table
+    BC_CONST                  // the F64 with these `bits`; if bc_try_whole cannot encode it in the code, entry `index` of its table
 } BcOperandKind;
 
 typedef struct BcOperand {

@@ -55,7 +55,7 @@ bool bc_try_whole(SmF64 x, int32_t *n)
 // Whether an F32 constant represents x exactly; true for NaN.
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
-static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to the F32s or F64s, unless instructions can encode it
+static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to the table of F32s or F64s, unless instructions can encode it
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;
@@ -74,7 +74,8 @@ static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to
 // Returns the index of the constant in the hash table, or of the free entry where it would be added.
 static size_t find_const_slot(const BcMachine *m, const BcRef *table, size_t cap, uint64_t bits)
 {
-    size_t i = (size_t)(bits * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
+    const uint64_t folded = bits ^ bits >> 32;       // the low half of most F64 is 0
+    size_t i = (size_t)(folded * UINT64_C(0x9e3779b97f4a7c15) >> 32) & (cap - 1);
 
     while (table[i] != BC_NONE && m->operand.at[table[i]].bits != bits)
         i = (i + 1) & (cap - 1);

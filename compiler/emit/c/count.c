@@ -7,7 +7,7 @@
 // The sum or difference of a counter and its increment, which is a constant or the conversion of an integer or a bool.
 typedef struct CCounter {
     IrRef v, by;              // the counter and the increment, as F64s
-    IrRef condition;          // a bool: the increment is one if it is true, otherwise zero; or IR_NONE
+    IrRef condition;          // a bool: the increment is 1 if it is true, else 0; IR_NONE: the increment is always 1
     bool down;                // the increment is subtracted, not added
 } CCounter;
 

@@ -18,7 +18,7 @@ enum { SNIPPETS_MAX = 250, DEPS_MAX = 24, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LI
 
 typedef struct Snippet {
     char name[NAME_MAX_LEN];
-    bool native;              // it exists only where SmF64 is a double
+    bool native;              // the snippet exists only where SmF64 is a double
     char text[TEXT_MAX];      // C99 guarantees string literals of up to 4095 characters
     int dep[DEPS_MAX];        // indices of the snippets that it depends on
     int deps;

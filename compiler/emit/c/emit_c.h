@@ -15,7 +15,7 @@ typedef struct EmitCOptions {
     const char *header;           // the file name in the #include of the header; NULL: the machine's name and ".h"
     const char *source;           // the source file's name without folders, for comments; NULL: the machine's name and its extension
     bool track_stores;            // each step sets in m->stored which elements it stored
-    bool soft;                    // for chips whose double is not a binary64: numbers are SmF64s (sm_soft.h or stdlib/f64.h)
+    bool soft;                    // for chips whose double is not a binary64: numbers are SmF64, whose operations are calls (sm_soft.h, stdlib/f64.h)
     bool runtime;                 // for the flight runtime.  Adds to a state vector what runtime-c/statevec.h describes, and to a machine
                                   // PREFIX_machine (runtime-c/machine_type.h); the machine tracks stores if the vector has `lock`
 } EmitCOptions;

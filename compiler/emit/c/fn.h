@@ -23,13 +23,13 @@ typedef struct CIns {
     Fact fact;                // its possible values
     uint32_t uses;            // number of operands and branch conditions that read it, not counting instructions that are omitted
     uint32_t latest;          // position in its block of the last statement, variable or branch whose expression contains it
-    uint32_t level;           // its greatest nesting depth in those expressions
+    uint32_t level;           // the greatest nesting depth of an expression that uses the value
     const char *variable;     // name of its C variable; NULL: none, or not yet defined
     bool unchecked;           // the load of a float that needs no NaN check: it cannot be NaN, or no use distinguishes NaN from 0
     uint32_t nan_is_zero_uses;        // how many of its uses have the same result for NaN and 0
     uint32_t sign_free_uses;  // how many of its uses have the same result for 0 and -0
     bool is_named;            // a condition that becomes a variable
-    bool is_masked;           // a comparison whose result does not matter when an operand is NaN or 0
+    bool is_masked;           // a comparison whose result has no effect when an operand is NaN or 0
     IrRef decided_by;         // a load that decides this condition if it reads NaN or 0; IR_NONE: none
     bool decided_value;       // the value of the condition if `decided_by` reads NaN or 0
 } CIns;
@@ -40,14 +40,14 @@ typedef struct CVarUse {
     uint32_t stamp;
     uint32_t loads;           // number of uses of its loads
     bool stored;              // the function stores it
-    bool as_double;           // it is an F32, and some uses need it as a double
+    bool as_double;           // the variable is an F32, and some uses need it as a double
     bool never_nan;           // a store of the function has set it to a value that is not NaN: in the rest of the store's block, and in all
     uint32_t never_nan_from;  // blocks that this block dominates, it is not NaN.  never_nan_from: the store's block
     const char *copy;         // name of the C variable that is initialised from it at the start of the function; NULL: none
     SmType copy_type;         // F64, F32, or the type of T
     uint32_t block_stamp;     // stamp of the block for which next_store is valid
     uint32_t next_store;      // while lower.c walks the block backwards: position of the nearest store after the current instruction
-    uint32_t flag_stamp;      // stamp of the block for which it is already in CFn.stored
+    uint32_t flag_stamp;      // stamp of the last block that has the element in CFn.stored
 } CVarUse;
 
 // Dominator tree with skip pointers, so that the nearest common dominator of two blocks is found in logarithmic time.
@@ -176,11 +176,11 @@ void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated);
 
 // ---- window.c ----
 
-void c_write_ring_steps(CUnit *u, Buf *out);               // what the function that samples the windows begins with
+void c_write_ring_steps(CUnit *u, Buf *out);               // writes the beginning of the function that samples the windows: it advances the rings
 void c_write_sample(CFn *fn, const IrIns *i);              // the statement that adds a sample to a rolling window
 // Whether the function that adds sample i to its rolling window reads a NaN as 0, so that the caller need not check for it.
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i);
 void c_write_statistic_call(CFn *fn, IrRef r);            // the call that reads a statistic of a rolling window
-bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r); // the same as an integer, if r is a median of integers
+bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r); // writes the median as an integer, if r is a median of integers
 
 #endif

@@ -121,7 +121,7 @@ static void write_init(CUnit *u, Buf *out)
 // The run function of a machine, PREFIX_run: it runs the blocks of the current state.
 typedef struct CRun {
     bool any;                     // at least one state has a block, so the function exists
-    bool first;                   // it has the parameter `first`: whether this is the state's first step
+    bool first;                   // the function has the parameter `first`: whether this is the state's first step
     CSignature as;                // the signature of the function without `first`
 } CRun;
 

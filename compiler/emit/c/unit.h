@@ -70,7 +70,7 @@ typedef struct CUnit {
     unsigned key_bits;            // width of the widest key of a window's samples; 0: no window
     bool self_test;               // init calls the self-test of the arithmetic (guard.c)
     StrPool constant_names;       // remark.c: names of the locals that are constants
-    Map constants;                // the set of those names; its arena is NULL until it is filled
+    Map constants;                // the set of the names of constants; its arena is NULL until it is filled
 } CUnit;
 
 // ---- emit_c.c ----
@@ -144,7 +144,7 @@ void c_write_vector_struct(const CUnit *u, Buf *out);
 // Writes the check of the struct's size, for the source file: foreign function interfaces read the header, and most cannot evaluate it.
 void c_write_vector_check(const CUnit *u, Buf *out);
 bool c_has_parameters(const CUnit *u);
-void c_write_parameter_types(CUnit *u, Buf *out);        // parameters.c: for a machine without parameters these three write nothing
+void c_write_parameter_types(CUnit *u, Buf *out);        // parameters.c: these three write nothing for a machine without parameters
 void c_write_parameter_prototypes(const CUnit *u, Buf *out);
 void c_write_parameters(CUnit *u, Buf *out);
 void c_write_machine_types(CUnit *u, Buf *out);
@@ -178,7 +178,7 @@ const char *c_window_declaration(const CUnit *u, size_t w);
 void c_write_empty_windows(const CUnit *u, Buf *out);        // the statements of init that empty all windows
 // Writes a function for each statistic that window_stats_read lists.
 void c_write_statistic_functions(CUnit *u, Buf *out);
-uint32_t c_small_roll_words(uint32_t n, uint32_t kind);      // sm_roll_words as it is when compiled with SM_ROLL_SMALL, for least memory
+uint32_t c_small_roll_words(uint32_t n, uint32_t kind);      // returns sm_roll_words as compiled with SM_ROLL_SMALL, for least memory
 
 // ---- vector.c ----
 

@@ -69,7 +69,7 @@ SmResult pal_dio_open(PalDio *pin, uint16_t number, PalDioMode mode, bool level)
         return r;
     port = avr_pin_port((uint8_t)number, &mask);
     if (!output) {
-        avr_pin_set(port + DDR, mask, false);  // before PORT is set, which then selects the pull-up: an output would drive that level
+        avr_pin_set(port + DDR, mask, false);  // DDR before PORT: PORT then selects the pull-up; on an output it would drive the level
         level = mode == PAL_DIO_PULL_UP;
     }
     avr_pin_set(port + PORT, mask, level);

@@ -95,7 +95,7 @@ ssize_t psl_write(int fd, const void *bytes, size_t n)
 {
     const int numbers[] = {SIGPIPE, SIGXFSZ};
     const struct timespec at_once = {0, 0};
-    sigset_t both, own, mask, pending;         // own: those of the two that only this write can raise
+    sigset_t both, own, mask, pending;         // own: the signals of these two that only this write can raise
     ssize_t written;
     int error;
 

@@ -83,7 +83,7 @@ static int64_t file_size(int fd)
 static void apply_change(uint8_t *block, uint32_t at, uint32_t n, const NvmChange *c)
 {
     for (uint32_t i = 0; i < n; i++)
-        if (at + i - c->at < c->n)                         // also implies at + i ≥ c->at: the difference wraps around
+        if (at + i - c->at < c->n)                         // also implies at + i >= c->at: otherwise the difference would be huge
             block[i] = c->bytes ? c->bytes[at + i - c->at] : BLANK;
 }
 

@@ -8,7 +8,7 @@
 
 typedef struct ChannelEntry {
     const SbrioPin *row;
-    bool written;             // whether it has been written since it was opened
+    bool written;             // the output has been written since it was opened
 } ChannelEntry;
 
 static bool used[PAL_AIOS];

@@ -12,7 +12,7 @@
 static struct {
     bool open;
     int32_t value;
-    uint16_t source;          // 1 + number of the channel that it is wired to; 0: none
+    uint16_t source;          // 1 + number of the channel to which it is wired; 0: none
 } channels[CHANNELS];
 
 static bool used[PAL_AIOS];

@@ -6,10 +6,10 @@
 #include "runtime-c/psl/sim/world.h"
 
 typedef struct SimPin {
-    bool open, output, level;      // level: the level that it has as an output
+    bool open, output, level;      // level: what the pin drives as an output
     bool driven, external_level;   // whether it is driven externally, and to which level
     bool pulled_up;
-    uint16_t source;               // 1 + number of the pin that it is wired to; 0: none
+    uint16_t source;               // 1 + number of the pin to which it is wired; 0: none
     uint32_t edges;
 } SimPin;
 

@@ -30,7 +30,7 @@ bool sim_reaches(const PalAddress *to, const PalAddress *local);
 
 typedef struct SimStream {
     bool used;
-    bool open[2];             // its ends: 0 the connecting one, 1 the accepting one
+    bool open[2];             // whether each end is open: 0 the connecting one, 1 the accepting one
     uint8_t listening;        // the listening socket that has not accepted it yet; 0: none
     uint64_t order;
     PalAddress address[2];

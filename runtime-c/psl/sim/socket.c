@@ -55,7 +55,7 @@ static SmResult choose_port(PalAddress *a, SimSocketKind kind)
     if (a->port != 0)
         return is_port_taken(a, kind) ? SM_E_BUSY : SM_OK;
     a->port = FIRST_PORT;
-    while (is_port_taken(a, kind))                              // ends, because there are more ports than sockets
+    while (is_port_taken(a, kind))                              // the loop ends: there are more ports than sockets
         a->port++;
     return SM_OK;
 }

@@ -5,7 +5,7 @@
 #include "runtime-c/psl/sim/world.h"
 
 static struct {
-    uint32_t count, after;    // calls so far; calls that still succeed before the fault
+    uint32_t count, after;    // number of calls so far; number of calls that still succeed before the fault
     uint64_t delay;
     SmResult result;          // result of the injected fault; SM_OK: no call fails
     bool permanent;           // all calls after the fault fail too

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scenario: what the outside does to a machine from its start on.  Searches produce scenarios, and scripts are written from them.
+// A scenario: the values that the inputs of a machine have from its start on, and how long it runs.  Searches produce scenarios, and scripts
+// are written from them.
 //
 // The machine starts in `init_state`.  Step k, counted from 1, runs with G = (k - 1) * delta_t.  Before it runs, the inputs are set: for each
 // variable the last change whose step is not after k decides.  A variable without one keeps the value of the start, as in a script
@@ -7,17 +8,18 @@
 #ifndef SMC_SCENARIO_H
 #define SMC_SCENARIO_H
 
+#include "compiler/script/engine.h"
 #include "compiler/sema/program.h"
 
 typedef enum ScenarioKind {
     SCENARIO_HOLD,            // the value is a
     SCENARIO_ALTERNATE,       // a in the step of the change, b in the next one, then a again: a sensor with noise
     SCENARIO_RAMP,            // a in the step of the change, and b more in each step after it
-    SCENARIO_COPY             // the value that `source` has when the step begins, as a feedback has it
+    SCENARIO_COPY             // the value that `source` has when the step begins, so that a feedback follows its command
 } ScenarioKind;
 
 typedef struct ScenarioChange {
-    uint64_t step;            // the first step with it
+    uint64_t step;            // the first step in which the change applies
     uint32_t var;             // index into Program.var: what is set
     ScenarioKind kind;
     double a, b;              // stored as an assignment stores them (language.md 2.13)
@@ -42,5 +44,12 @@ typedef struct Scenario {
 const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step);
 // Returns the same scenario without loops: every change is listed as often as it is made.
 Scenario scenario_unroll(Arena *arena, const Scenario *s);
+
+// The value that a change has in step `step`, as a cell of the type of its variable.  `cell`, by Var.index, has all values before the step:
+// only a COPY reads it, and for other kinds it can be NULL.
+uint64_t scenario_cell(const Program *p, const ScenarioChange *c, uint64_t step, const uint64_t *cell);
+// Runs a scenario on any engine.  Calls `after` with the number of each step, if it is not NULL.  Returns the status of the last step.
+EngineStatus scenario_run(Arena *arena, const Program *p, const Scenario *s, Engine *e,
+                          void (*after)(void *context, uint64_t step, const EngineStep *result), void *context);
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs scenarios on engines.
-#include "compiler/search/search.h"
+#include "compiler/script/scenario.h"
+
+#include "compiler/base/arena.h"
 #include "stdlib/convert.h"
 
 uint64_t scenario_cell(const Program *p, const ScenarioChange *c, uint64_t step, const uint64_t *cell)
@@ -15,14 +17,6 @@ uint64_t scenario_cell(const Program *p, const ScenarioChange *c, uint64_t step,
     case SCENARIO_COPY: x = sm_cell_to_f64(p->var.at[c->source]->type, cell[c->source]); break;
     }
     return sm_cell_from_f64(type, x);
-}
-
-void search_default_inputs(const Program *p, bool *writable)
-{
-    for (uint32_t i = 0; i < p->var.n; i++) {
-        const Var *v = p->var.at[i];
-        writable[i] = v->kind == VAR_ELEMENT ? v != p->g && v != p->s && !v->written && v->read : v->kind == VAR_LOCAL && v->outside;
-    }
 }
 
 const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step)
@@ -82,8 +76,8 @@ Scenario scenario_unroll(Arena *arena, const Scenario *s)
     return out;
 }
 
-EngineStatus scenario_run(Arena *arena, const Program *p, const Scenario *looped, Engine *e, void (*after)(void *context, uint64_t step, const EngineStep *result),
-                          void *context)
+EngineStatus scenario_run(Arena *arena, const Program *p, const Scenario *looped, Engine *e,
+                          void (*after)(void *context, uint64_t step, const EngineStep *result), void *context)
 {
     const Scenario unrolled = scenario_unroll(arena, looped), *s = &unrolled;
     const ScenarioChange **current = arena_array(arena, p->var.n, sizeof *current);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reports states that cannot abort on a bool input, such as a button, on which nearly all other states abort, also one that follows.  Where
+// no state that follows aborts on it either, as in a last state that vents, the danger can be over.
+//
+// That is read from the guards of the paths in the abort matrix, through definitions and windows.  An input that is stored in a local says
+// nothing here: a later guard can read that local instead.
+#include "compiler/analysis/abort.h"
+#include "compiler/analysis/trial_checks.h"
+
+enum {
+    OTHERS_LEAST = 3,             // states that must abort on the input before one that does not is reported
+    OTHERS_FOR_EACH = 3           // and if several do not: this many for each of them
+};
+
+static bool reads(const Expr *e, const Var *v)
+{
+    bool any = e->kind == EX_VAR && e->var == v;
+
+    for (uint32_t i = 0; i < e->n && !any; i++)
+        any = reads(e->arg[i], v);
+    return any;
+}
+
+static bool any_reads(const Condition *when, const Var *v)
+{
+    bool any = false;
+
+    for (; when && !any; when = when->outer)
+        any = reads(when->stmt->value, v);
+    return any;
+}
+
+// Whether an assignment to a local depends on the input: by its value, or by a guard around it.
+static bool is_stored(const Trials *t, const Var *input)
+{
+    for (uint32_t n = 1; n <= t->a->p->stmts; n++) {
+        const Stmt *s = t->stmt[n];
+        if (s && s->kind == ST_ASSIGN && s->var->kind == VAR_LOCAL && (reads(s->value, input) || any_reads(t->when[n], input)))
+            return true;
+    }
+    return false;
+}
+
+// Returns the first path out of the state that depends on the input, or NULL.
+static const AbortPath *path_on(const AbortRow *r, const Var *input)
+{
+    for (size_t k = 0; k < r->path.n; k++)
+        if (abort_is_bounded(&r->path.at[k]) && any_reads(r->path.at[k].first->when, input))
+            return &r->path.at[k];
+    return NULL;
+}
+
+// Whether the state counts: the machine reaches it, and it neither is where aborts end nor safe.
+static bool can_need_abort(const AbortRow *r)
+{
+    return r->verdict != ABORT_ITSELF && r->verdict != ABORT_UNREACHED && !r->state->is_safe;
+}
+
+// Whether some transition leads to a state that aborts on the input.
+static bool is_followed_by_abort_on(const Analysis *a, const AbortMatrix *x, const AbortRow *r, const Var *input)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < a->transition.n && !any; i++)
+        any = a->transition.at[i].from == r->state && a->stmt[a->transition.at[i].stmt->number].reached &&
+              path_on(&x->row[a->transition.at[i].to->number - 1], input) != NULL;
+    return any;
+}
+
+// Whether an output is on in the state: in some trial, or because a statement of the state switches it on.
+static bool drives(const Trials *t, const AbortRow *r)
+{
+    bool any = r->drives;
+
+    for (uint32_t n = 1; n <= t->a->p->stmts && !any; n++) {
+        const Stmt *s = t->stmt[n];
+        const StmtFact *f = &t->a->stmt[n];
+        any = s && s->kind == ST_ASSIGN && t->state_of[n] == r->state && t->actuator[t->a->m->var_of[s->var->index]] && f->reached &&
+              (f->value.lo < 0 || f->value.hi > 0);
+    }
+    return any;
+}
+
+// Whether the state is one to report, if enough others abort on the input.
+static bool skips(const Trials *t, const AbortMatrix *x, const AbortRow *r, const Var *input)
+{
+    return can_need_abort(r) && drives(t, r) && !path_on(r, input) && is_followed_by_abort_on(t->a, x, r, input);
+}
+
+static void report_states_without(Trials *t, const AbortMatrix *x, const Var *input)
+{
+    Analysis *a = t->a;
+    const AbortPath *example = NULL;
+    size_t with = 0, without = 0;
+
+    for (size_t s = 0; s < x->n; s++) {
+        const AbortPath *path = can_need_abort(&x->row[s]) ? path_on(&x->row[s], input) : NULL;
+        example = example ? example : path;
+        with += path != NULL;
+        without += skips(t, x, &x->row[s], input);
+    }
+    if (with < OTHERS_LEAST || with < OTHERS_FOR_EACH * without)
+        return;
+    for (size_t s = 0; s < x->n; s++) {
+        const AbortRow *r = &x->row[s];
+        Diag *d;
+        if (!skips(t, x, r, input))
+            continue;
+        d = diag_report(a->diags, DIAG_abort_skips_input, r->state->span, r->state->name->text, input->name->text,
+                        format_in(a->arena, "%lu", (unsigned long)with));
+        diag_note(a->diags, d, example->first->stmt->span, DIAG_note_aborts_on_input, example->first->from->name->text, input->name->text);
+    }
+}
+
+void abort_report_skipped_inputs(Trials *t, const AbortMatrix *x)
+{
+    for (size_t v = 0; v < t->a->p->var.n; v++) {
+        const Var *input = t->a->p->var.at[v];
+        if (input->kind == VAR_ELEMENT && input->type == SM_BOOL && !input->written && !is_stored(t, input))
+            report_states_without(t, x, input);
+    }
+}

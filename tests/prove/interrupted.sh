@@ -1,0 +1,145 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# smc prove is interrupted by a real signal while it works on a requirement that takes long.  What was decided before stays decided.  What was not
+# must end as "not decided", never as "no violation found", and the process ends by the signal.
+#
+#     interrupted.sh SMC
+smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+trap 'exit 130' INT TERM
+cd "$dir" || exit 1
+checks=0
+fails=0
+
+fail()
+{
+    echo "interrupted: $*"
+    sed 's/^/    /' out err
+    fails=$((fails + 1))
+}
+
+cat >a.sm <<'END'
+[options]
+step 10 ms
+
+[state_vector]
+U64  time  @alias G
+U32  state @alias S
+F64  key   @read_only
+bool valve
+
+[local]
+F64 a = 0
+F64 b = 0
+
+[Idle]
+.step
+    a = a * 31 + key * key
+    a = a - 65521 * floor(a / 65521)
+    b = b * 57 + key * (key + 3)
+    b = b - 65521 * floor(b / 65521)
+    T >= 40 ms and a == 40961 and b == 41309: -> Locked
+
+[Locked]
+.entry
+    valve = true
+END
+cat >a.rq <<'END'
+R1 "in a state"     always S == Idle or S == Locked
+R2 "never open"     never valve
+R3 "never at 7"     never valve and a == 7
+END
+
+# interrupt SECONDS OPTION…: runs until the signal
+interrupt()
+{
+    seconds=$1
+    shift
+    timeout --preserve-status -s INT "$seconds" "$smc" prove a.sm a.rq --effort=1000000 "$@" >out 2>err
+    code=$?
+}
+
+# The signal can come before R1 is decided, or even before signals are delayed, on a computer that is busy.  Then it has to come later.
+for seconds in 2 4 8 16 32 64; do
+    interrupt "$seconds"
+    grep -q '^  R1  proved ' out && break
+done
+checks=$((checks + 1))
+grep -q '^  R1  proved ' out || fail "R1 is not proved before the signal"
+checks=$((checks + 1))
+[ "$code" = 130 ] || fail "ends with $code, not by the signal"
+checks=$((checks + 1))
+grep -q '^  R2  not decided ' out && grep -q '^      interrupted after [1-9][0-9]* steps of runs and [1-9][0-9]* paths of proofs; this says nothing about it$' out || fail "R2 was interrupted"
+checks=$((checks + 1))
+grep -q '^  R3  not decided ' out && grep -q '^      interrupted before anything was tried$' out || fail "R3 was not begun"
+checks=$((checks + 1))
+grep -q 'no violation found' out && fail "a requirement that was not decided counts as searched"
+
+interrupt "$seconds" --format=json -o verdicts
+checks=$((checks + 1))
+if [ "$code" != 130 ] || ! grep -q '"id":"R2".*"verdict":"interrupted".*"steps":[1-9]' verdicts || ! grep -q '"id":"R3".*"verdict":"interrupted".*"steps":0,"abstract_states":0,"paths":0' verdicts; then
+    cp verdicts out 2>/dev/null
+    fail "in JSON, what was not decided is not interrupted"
+fi
+checks=$((checks + 1))
+grep -q '"verdict":"undecided"' verdicts && fail "in JSON, a requirement that was not decided counts as searched"
+
+# A signal during a proof that takes long: it comes after a short search.
+cat >large.sm <<'END'
+[options]
+step 10 ms
+
+[state_vector]
+U64  time   @alias G
+U32  state  @alias S
+F64  p      @read_only
+F64  key    @read_only
+bool go     @read_only
+U32  count
+U32  other
+bool valve
+
+[local]
+F64 a = 0
+
+[Idle]
+.step
+    count = count + 1
+    a = a * 31 + key * key
+    a = a - 65521 * floor(a / 65521)
+    T >= 40 ms and a == 40961 and held(key > 7, 9 s): -> Locked
+    held(p > 5, 700 ms) and go: -> Wait
+
+[Wait]
+.step
+    other = other + count
+    T > 7 s and go: -> Idle
+    held(p < 2, 300 ms): -> Idle
+
+[Locked]
+.entry
+    valve = true
+END
+for n in 1 2 3 4 5 6 7 8 9; do echo "P$n \"different\" never count == 4000000000 and other == 7$n and held(p > 3, 500 ms)"; done >large.rq
+for seconds in 1 2 3; do
+    timeout --preserve-status -s INT "$seconds" "$smc" prove large.sm large.rq --effort=1 >out 2>err
+    checks=$((checks + 1))
+    grep -q ' proved \| vacuous ' out && fail "a proof that was interrupted after $seconds s counts"
+    checks=$((checks + 1))
+    [ -s out ] && ! grep -q ' not decided ' out && fail "the proofs ended before $seconds s"
+done
+
+# Other commands with proofs end without output.
+printf '@step_all 10\n' >a.ss
+for command in "report a.sm a.rq --prove -o page.html" "test a.sm a.ss a.rq --traceability=page.html --prove"; do
+    checks=$((checks + 1))
+    timeout --preserve-status -s INT 2 "$smc" $command >out 2>err
+    code=$?
+    if [ "$code" = 130 ] && [ -e page.html ]; then fail "$command: writes a file though it was interrupted"; fi
+    if [ "$code" != 130 ]; then fail "$command: ends with $code"; fi
+    rm -f page.html
+done
+
+echo "interrupted proofs: $((checks - fails)) passed, $fails failed"
+[ "$fails" = 0 ] && [ "$checks" -ge 15 ]
