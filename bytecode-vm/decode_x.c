@@ -8,7 +8,8 @@
 
 static void emit_unary(DecodeState *d, uint8_t op, const DecodedValue *x)
 {
-    static const uint16_t unary_ops[] = {FAST_NEG_OP, FAST_ABS_OP, FAST_FLOOR_OP, FAST_CEIL_OP, FAST_TRUNC_OP, FAST_ROUND_OP, FAST_SQRT_OP, FAST_SIGN_OP};
+    static const uint16_t unary_ops[] = {FAST_NEG_OP, FAST_ABS_OP, FAST_FLOOR_OP, FAST_CEIL_OP, FAST_TRUNC_OP, FAST_ROUND_OP, FAST_SQRT_OP,
+                                         FAST_SIGN_OP};
 
     smvm_emit_load(d, x);
     smvm_emit_op(d, unary_ops[op - SMVM_neg]);
@@ -72,7 +73,8 @@ unsigned smvm_add_unordered(unsigned m, const DecodedValue *x, const DecodedValu
 // Emits F = 1 if x is in one of the relations m to y, else 0.
 static void emit_set(DecodeState *d, unsigned m, DecodedValue x, DecodedValue y)
 {
-    static const uint16_t set_ops[16] = {0, FAST_LT_I8_OP, FAST_EQ_I8_OP, FAST_LE_I8_OP, FAST_GT_I8_OP, 0, FAST_GE_I8_OP, 0, 0, 0, 0, 0, 0, FAST_NE_I8_OP, 0, 0};
+    static const uint16_t set_ops[16] = {0, FAST_LT_I8_OP, FAST_EQ_I8_OP, FAST_LE_I8_OP, FAST_GT_I8_OP, 0, FAST_GE_I8_OP, 0, 0, 0, 0, 0, 0,
+                                         FAST_NE_I8_OP, 0, 0};
     DecodedValue c;
 
     m = smvm_possible_relations(m, &x, &y);

@@ -29,7 +29,8 @@ static void print_property(DisasmOutput *o, const char *what, uint64_t v, const 
 
 static void print_window(DisasmOutput *o, uint32_t w)
 {
-    static const char *const stat[] = {" average", " median", " smallest", " largest", " range", " oldest", " newest", " change", " elapsed", " run-steps", " run-time"};
+    static const char *const stat[] = {" average", " median", " smallest", " largest", " range", " oldest", " newest", " change", " elapsed",
+                                       " run-steps", " run-time"};
     uint32_t entry = smvm_window(o->m->image, o->m->windows_at, w), kind = entry >> SMVM_WINDOW_SIZE_BITS;
     const SmvmLocation number = {SM_I8, w};
     const SmvmName name = smvm_name_of(o->m, SMVM_IS_SAMPLE, &number);

@@ -72,7 +72,8 @@ static void print_jump(DisasmOutput *o, uint8_t op, uint32_t target)
 
 static void print_statistic(DisasmOutput *o, uint32_t k)
 {
-    static const char *const stat[] = {"average", "median", "smallest", "largest", "range", "oldest", "newest", "change", "elapsed", "run-steps", "run-time"};
+    static const char *const stat[] = {"average", "median", "smallest", "largest", "range", "oldest", "newest", "change", "elapsed", "run-steps",
+                                       "run-time"};
 
     smvm_print(o, stat[k % SM_STAT_COUNT]);
 }

@@ -316,7 +316,8 @@ SmvmParts smvm_parts(SmVm *vm, const SmvmMachine *m)
 }
 
 typedef char load_tables_are_part_of_a_machine[offsetof(SmvmMachine, width) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, width) &&
-                                               offsetof(SmvmMachine, locals) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, more) ? 1 : -1];
+                                               offsetof(SmvmMachine, locals) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, more)
+                                               ? 1 : -1];
 
 // Extracts the tables of m that a step needs, for the memory at vm.
 void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
@@ -477,7 +478,8 @@ bool smvm_stored(const SmVm *vm, uint32_t output)
 
 // ---- opcodes ----
 
-typedef char load_shape_bits_are_in_the_order_of_operands[SMVM_SHAPE_L == 1 << SMVM_OPERAND_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_OPERAND_J >> 1 ? 1 : -1];
+typedef char load_shape_bits_are_in_the_order_of_operands[SMVM_SHAPE_L == 1 << SMVM_OPERAND_L >> 1 && SMVM_SHAPE_J == 1 << SMVM_OPERAND_J >> 1
+                                                          ? 1 : -1];
 
 // Returns the SMVM_SHAPE_ bits of an opcode; 0: there is no such opcode.
 uint32_t smvm_shape(uint8_t opcode)

@@ -354,7 +354,8 @@ static uint8_t check_all_sampled(const Verifier *c)
 enum { CONSTANT = 0x80, RELATION_SETS = 14 };         // a set of relations is 1 to 14: neither empty nor all four
 static const struct OperandLimit { uint8_t below, from, rule; } limits[] SM_FLASH = {
     {0, 0, 0}, {FIELD(locals), 0, SMVM_R_OPERAND}, {FIELD(to), 0, SMVM_R_OPERAND}, {0, 0, 0}, {FIELD(f32s), 0, SMVM_R_OPERAND},
-    {FIELD(f64s), 0, SMVM_R_OPERAND}, {FIELD(outputs), 0, SMVM_R_OPERAND}, {FIELD(states), 1, SMVM_R_GOTO}, {CONSTANT | SM_STAT_COUNT, 0, SMVM_R_OPERAND},
+    {FIELD(f64s), 0, SMVM_R_OPERAND}, {FIELD(outputs), 0, SMVM_R_OPERAND}, {FIELD(states), 1, SMVM_R_GOTO},
+    {CONSTANT | SM_STAT_COUNT, 0, SMVM_R_OPERAND},
     {FIELD(windows), 0, SMVM_R_WINDOW_USED}, {CONSTANT | SM_TYPE_COUNT, 0, SMVM_R_OPERAND}, {CONSTANT | RELATION_SETS, 1, SMVM_R_OPERAND},
 };
 

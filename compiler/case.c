@@ -227,7 +227,8 @@ bool case_run_scripts(SmtCase *c, Engine **engine, size_t engines, uint64_t max_
     bool is_first = true, works = true, passed = true;
 
     for (size_t i = 0; i < f->part.n; i++) {
-        ScriptOptions o = {.max_steps = f->steps ? f->steps : max_steps, .after_step = trace_part && is_first ? add_to_trace : NULL, .context = &trace,
+        ScriptOptions o = {.max_steps = f->steps ? f->steps : max_steps, .after_step = trace_part && is_first ? add_to_trace : NULL,
+                           .context = &trace,
                            .requirements = c->requirements, .is_compared = report_part || trace_part};
         ScriptResult r;
         Buf report;

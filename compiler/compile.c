@@ -33,7 +33,8 @@
 // IR and image from the Program.
 //
 // Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A function of session.h that
-// parses or checks returns NULL after errors.  Stages that do not depend on its result still run, so that one call reports as many errors as possible.
+// parses or checks returns NULL after errors.  Stages that do not depend on its result still run, so that one call reports as many errors as
+// possible.
 // Parsing always produces a tree, with error nodes, so that checking finds further errors.
 #include "compiler/compile.h"
 

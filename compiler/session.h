@@ -32,7 +32,8 @@ typedef struct SourceFinder {
 // One compilation.  All its results live in its arena.
 typedef struct Session {
     Arena arena;
-    Arena tree;                   // memory for the syntax tree of the file that is being checked; freed after the check.  The tree of an .app is in `arena`
+    Arena tree;                   // memory for the syntax tree of the file that is being checked; freed after the check.  The tree of an .app is in
+                                  // `arena`
     Arena work, scratch;          // `work` is freed when a stage ends, `scratch` when a part of a stage ends
     StrPool strings;
     Diags diags;
@@ -83,8 +84,8 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files);
 // Joins the machines of an application, compiled by session_app, for its scripts, which write the names of `written` (language.md 8.71 to
 // 8.83). Returns NULL after an error: the application has no machines.
 const Program *session_join(Session *s, const App *a, const AppFiles *files, const Map *written);
-// Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in the unit `unit`; 0 if it has
-// none, or errors.
+// Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in the unit
+// `unit`; 0 if it has none, or errors.
 uint64_t session_script_writes(Session *s, const Source *ss, TimeUnit unit, Map *written);
 // Checks a script for the machine p.
 Script *session_script(Session *s, const Source *ss, const Program *p);

@@ -125,7 +125,8 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
 
     if (r != SM_OK)
         return r;
-    if (SM_SWAP_IS_IN_PROGRESS(s->status.phase) || s->refusal_due || s->end_due) {      // the events of the last one are emitted at the end of this tick
+    // the events of the last one are emitted at the end of this tick
+    if (SM_SWAP_IS_IN_PROGRESS(s->status.phase) || s->refusal_due || s->end_due) {
         sm_handover_unlock(s->lock);
         return SM_E_BUSY;
     }

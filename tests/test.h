@@ -6,7 +6,13 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-static int test_passed, test_failed;
+// A program has one pair of counters. In each of its sources but the one with main, TEST_PART is defined before this header is included; without it
+// the linker refuses a second pair, whose failures nothing would report.
+#ifdef TEST_PART
+extern int test_passed, test_failed;
+#else
+int test_passed, test_failed;
+#endif
 
 // A check in a loop counts once if it is true, and each time that it is false.
 #define CHECK(condition)                                                                      \

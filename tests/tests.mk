@@ -317,14 +317,18 @@ $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) 
 #   2. Documents and CI pages are mostly compiled by a plain `cc`, or run the commands that golden cases and examples run.
 #   3. findings-seeded runs the analyses of `findings`, `analysis` and `examples` on more machines; under the sanitizers it takes 7 times as long.
 #   4. These read what the command has written with python3, a browser or dot: golden cases write reports, JUnit, SARIF and graphs as well.
-#   5. conformance-c-small compiles what conformance-O2 compiles with one macro; stdlib_roll_small runs that code under the sanitizers.
+#   5. The table of searches takes five minutes under the sanitizers, alone at the end: `make asan-search`.  search_run, cover, mutation and prove
+#      run its code on smaller machines.
+#   6. conformance-c-small compiles what conformance-O2 compiles with one macro; stdlib_roll_small runs that code under the sanitizers.
 ASAN_LEAVES_OUT = check-words check-wrap check-sentences check-links check-layers check-hints check-codes check-builtins check-arguments check-clauses \
-                  check-citations check-licence check-last-return check-places check-configurations check-headers check-headers-targets check-names \
+                  check-citations check-licence check-columns check-last-return check-places check-configurations check-headers check-headers-targets check-names \
                   check-imports check-commits documents mutants-places runner \
-                  check-docs ci-pages findings-seeded report junit sarif graph-read conformance-c-small
+                  check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small
 SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
 asan:
 	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g1' CC='$(CC) $(SANITIZE) -O0' LEVELS=2 PARTS='quick thorough' LEFT_OUT='$(ASAN_LEAVES_OUT)' check
+asan-search:
+	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g1' CC='$(CC) $(SANITIZE) -O0' check-search
 
 # Coverage-guided fuzzing with clang: `make fuzz FUZZ=script FUZZ_SECONDS=3600`.  The next run starts from the inputs found so far.
 FUZZ         ?= $(notdir $(basename $(filter-out tests/fuzz/driver.c,$(wildcard tests/fuzz/*.c))))
@@ -909,6 +913,7 @@ $(call test, check-arguments,      quick,, sh tests/check/files.sh compiler | aw
 $(call test, check-clauses,        quick,, sh tests/check/files.sh evidence | awk -f tests/check/clauses.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md tests/check/clauses.txt -)
 $(call test, check-citations,      quick,, sh tests/check/files.sh sources | awk -f tests/check/citations.awk docs/language.md docs/config.md docs/swapping.md docs/requirements.md -)
 $(call test, check-licence,        quick,, sh tests/check/files.sh code | awk -f tests/check/licence.awk)
+$(call test, check-columns,        quick,, sh tests/check/files.sh code | LC_ALL=C awk -f tests/check/columns.awk tests/check/columns.txt -)
 $(call test, check-last-return,    quick,, sh tests/check/files.sh code | awk -f tests/check/last_return.awk)
 $(call test, check-places,         quick,, sh tests/check/files.sh text | awk -f tests/check/places.awk)
 $(call test, check-configurations, quick,, sh tests/check/configurations.sh)
@@ -966,7 +971,7 @@ $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, whatif,               thorough, , sh tests/whatif/run.sh $(B)/smc)
-$(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --seed=40012098 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=40024584 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
+$(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --seed=40012098 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=40024584 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=41961545 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
 $(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')

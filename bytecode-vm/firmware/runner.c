@@ -25,7 +25,8 @@ static bool claim_bytes(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-SMVM_INLINE uint8_t row_bytes_inline(uint8_t kind) { return kind & KIND_DIGITAL ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }  // inlined where steps must be fast
+// inlined where steps must be fast
+SMVM_INLINE uint8_t row_bytes_inline(uint8_t kind) { return kind & KIND_DIGITAL ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }
 SMVM_NOINLINE static uint8_t row_bytes(uint8_t kind) { return row_bytes_inline(kind); }
 
 // Subtracts the rows of all pins from the memory that is left.  SM_E_MISSING: the chip has no such pin.  SM_E_MEMORY: too little is left.

@@ -41,7 +41,8 @@ static void find_latest_record(StateLog *l)
 // Opens the log of an image in a slot of this size, after the newest record that it contains.
 void smvm_state_log_open(StateLog *l, SmvmBytes image, SmvmAt slot_size)
 {
-    const SmvmAt length = smvm_read_offset(image, SMVM_LENGTH_AT, 3), room = length > slot_size ? 0 : (SmvmAt)((slot_size - length) / LINK_TRANSITION);
+    const SmvmAt length = smvm_read_offset(image, SMVM_LENGTH_AT, 3),
+        room = length > slot_size ? 0 : (SmvmAt)((slot_size - length) / LINK_TRANSITION);
 
     memset(l, 0, sizeof *l);
     l->image = image;
@@ -52,7 +53,10 @@ void smvm_state_log_open(StateLog *l, SmvmBytes image, SmvmAt slot_size)
     find_latest_record(l);
 }
 
-static void count_lost(StateLog *l, uint32_t lost) { l->lost = lost >= (uint8_t)(LINK_LOST_MAX - l->lost) ? LINK_LOST_MAX : (uint8_t)(l->lost + lost); }
+static void count_lost(StateLog *l, uint32_t lost)
+{
+    l->lost = lost >= (uint8_t)(LINK_LOST_MAX - l->lost) ? LINK_LOST_MAX : (uint8_t)(l->lost + lost);
+}
 
 // Begins a record, if the event is a transition.  `lost`: how many events before it were lost.
 void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost)

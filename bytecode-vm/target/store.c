@@ -188,7 +188,8 @@ uint8_t smvm_store_flags(const Store *s, uint8_t slot)
 {
     if (slot >= s->plan.slots || image_checksum(s, slot) != load32(s->choice.checksum_previous))
         return 0;
-    return slot == s->choice.previous && s->plan.slots > 1 ? STORE_FALLBACK : s->choice.ended;         // `ended` is nonzero only if there is no previous image
+    // `ended` is nonzero only if there is no previous image
+    return slot == s->choice.previous && s->plan.slots > 1 ? STORE_FALLBACK : s->choice.ended;
 }
 
 // Returns the milliseconds between steps of a slot's image; 0: none was set.

@@ -92,7 +92,8 @@ static SmResult answer_machine(LinkExchange *x)
     if (r != SM_OK && r != SM_E_MISSING)
         return r;
     if (r == SM_OK) {
-        put_uint(x, LINK_SWAPPABLE | (state.is_on_trial ? LINK_ON_TRIAL : 0) | (state.is_built_in ? LINK_BUILT_IN : 0) | (state.is_stored ? LINK_STORED : 0), 1);
+        put_uint(x, LINK_SWAPPABLE | (state.is_on_trial ? LINK_ON_TRIAL : 0) | (state.is_built_in ? LINK_BUILT_IN : 0)
+                 | (state.is_stored ? LINK_STORED : 0), 1);
         put_uint(x, state.identity, 4);
         put_identity(x, state.slot);
         put_uint(x, state.state, 4);

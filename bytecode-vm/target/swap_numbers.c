@@ -8,7 +8,10 @@
 #define MARK UINT32_C(0x534d4e52)
 enum { RECORD = 8, STRIDE = 512, DIGITS = 2 * SMVM_KEY };
 
-static int digit_value(uint8_t c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; }
+static int digit_value(uint8_t c)
+{
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
 
 static SmResult decode_key(const uint8_t *digits, uint8_t *key)
 {

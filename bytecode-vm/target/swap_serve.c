@@ -41,7 +41,8 @@ static void end_client(SmSwapLink *l, SmSwapClient *c)
 
 static SmResult receive_bytes(SmSwapLink *l, const SmSwapClient *c, uint8_t *bytes, size_t room, size_t *n, uint64_t timeout)
 {
-    return l->place == SM_SWAP_AT_LINE ? pal_serial_receive(l->line, bytes, room, n, timeout) : pal_socket_receive(c->stream, bytes, room, n, timeout);
+    return l->place == SM_SWAP_AT_LINE ? pal_serial_receive(l->line, bytes, room, n, timeout)
+           : pal_socket_receive(c->stream, bytes, room, n, timeout);
 }
 
 // Sends the rest of the answer as far as the platform accepts it.  Returns whether all of it is sent.
@@ -156,7 +157,8 @@ static SmResult open_place(SmSwapLink *l)
 // Returns why the file of a key cannot be used; NULL: the text of r says it.
 static const char *key_problem(SmResult r)
 {
-    return r == SM_E_ARGUMENT ? SM_TEXT("it has no key; 'smc key' makes one") : r == SM_E_MISSING ? SM_TEXT("there is no such file; 'smc key' makes one") : NULL;
+    return r == SM_E_ARGUMENT ? SM_TEXT("it has no key; 'smc key' makes one") : r == SM_E_MISSING
+           ? SM_TEXT("there is no such file; 'smc key' makes one") : NULL;
 }
 
 SmResult sm_swap_link_open(SmSwapService *service, SmApp *app)

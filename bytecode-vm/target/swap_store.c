@@ -433,6 +433,7 @@ SmResult sm_swap_store_save(SmSwapStorage *storage, SmSwaps *swaps)
         return r;
     s->current = set;
     for (uint16_t i = 0; i < swaps->machines; i++)
-        swaps->machine[i].stored = is_in_set(&swaps->machine[i]) ? swaps->machine[i].type->identity(swaps->machine[i].slot[swaps->machine[i].running]) : 0;
+        swaps->machine[i].stored = is_in_set(&swaps->machine[i])
+            ? swaps->machine[i].type->identity(swaps->machine[i].slot[swaps->machine[i].running]) : 0;
     return SM_OK;
 }

@@ -71,6 +71,9 @@ AbortMatrix abort_build_matrix(Trials *t);
 // is marked @abort.
 const State *abort_next_state(const AbortMatrix *x, const State *s);
 
+// Returns the first path of the row that is bounded and whose guard reads the variable itself, also through a window; NULL: there is none.
+const AbortPath *abort_path_that_reads(const AbortRow *r, const Var *v);
+
 // ---- inside compiler/analysis ----
 
 // Indexed by state (State.number - 1).

@@ -41,8 +41,7 @@ static bool is_stored(const Trials *t, const Var *input)
     return false;
 }
 
-// Returns the first path out of the state that depends on the input, or NULL.
-static const AbortPath *path_on(const AbortRow *r, const Var *input)
+const AbortPath *abort_path_that_reads(const AbortRow *r, const Var *input)
 {
     for (size_t k = 0; k < r->path.n; k++)
         if (abort_is_bounded(&r->path.at[k]) && any_reads(r->path.at[k].first->when, input))
@@ -63,7 +62,7 @@ static bool is_followed_by_abort_on(const Analysis *a, const AbortMatrix *x, con
 
     for (size_t i = 0; i < a->transition.n && !any; i++)
         any = a->transition.at[i].from == r->state && a->stmt[a->transition.at[i].stmt->number].reached &&
-              path_on(&x->row[a->transition.at[i].to->number - 1], input) != NULL;
+              abort_path_that_reads(&x->row[a->transition.at[i].to->number - 1], input) != NULL;
     return any;
 }
 
@@ -84,7 +83,7 @@ static bool drives(const Trials *t, const AbortRow *r)
 // Whether the state is one to report, if enough others abort on the input.
 static bool skips(const Trials *t, const AbortMatrix *x, const AbortRow *r, const Var *input)
 {
-    return can_need_abort(r) && drives(t, r) && !path_on(r, input) && is_followed_by_abort_on(t->a, x, r, input);
+    return can_need_abort(r) && drives(t, r) && !abort_path_that_reads(r, input) && is_followed_by_abort_on(t->a, x, r, input);
 }
 
 static void report_states_without(Trials *t, const AbortMatrix *x, const Var *input)
@@ -94,7 +93,7 @@ static void report_states_without(Trials *t, const AbortMatrix *x, const Var *in
     size_t with = 0, without = 0;
 
     for (size_t s = 0; s < x->n; s++) {
-        const AbortPath *path = can_need_abort(&x->row[s]) ? path_on(&x->row[s], input) : NULL;
+        const AbortPath *path = can_need_abort(&x->row[s]) ? abort_path_that_reads(&x->row[s], input) : NULL;
         example = example ? example : path;
         with += path != NULL;
         without += skips(t, x, &x->row[s], input);

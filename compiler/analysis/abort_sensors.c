@@ -13,7 +13,7 @@ enum {
     LATCH_ENTRIES_TRIED = 8,      // how many situations at the entry of a state find_latch compares with each other
     TRIALS_PER_ENTRY = 80,        // after this many trials from a situation without an abort, no trial is assumed to abort
     INPUT_CHANGES = 4,            // how often the inputs change in one trial
-    WORK_MAX = 400000             // instructions spent on one state and sensor
+    WORK_MAX = 1600000             // instructions spent on one state and sensor
 };
 
 typedef struct AbortTrials {
@@ -77,6 +77,17 @@ static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
     return f;
 }
 
+// In the first trials, sets sensors to an end of their range: all of them to the upper end, all to the lower, then each one alone.  A guard on a
+// second sensor, as in max(a, b) > 60, is so tried whatever random readings do.
+static void set_to_ends(AbortTrials *k, int trial)
+{
+    const Trials *t = k->t;
+
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (!t->input[i].command && (trial < 2 || (uint32_t)trial / 2 == i + 1))
+            k->in[i] = trial % 2 ? t->input[i].lo : t->input[i].hi;
+}
+
 // Runs trials from a situation at the entry of a state until one aborts.  Returns whether one did.
 static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 {
@@ -95,7 +106,9 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
                 trial_draw_inputs_freely(t, k->in, &t->state[state - 1]);
             else
                 trial_draw_inputs(t, k->in, &t->state[state - 1], k->commands, true);
-            if (c == 0 && n % 2)
+            if (c == 0 && (uint32_t)n < 2 + 2 * t->inputs)
+                set_to_ends(k, n);
+            else if (c == 0 && n % 2)
                 f = run_step(k, state);
             if (f == TRIAL_STAYS)
                 f = hold_inputs_in_state(k, state);
@@ -107,7 +120,7 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 }
 
 // Runs trials of a state, with or without commands, and with or without a failed sensor.  Returns true if a trial aborted.  Also returns
-// true if no trial stayed in the state: then the trials do not show that the state cannot abort.
+// true if the trials do not show that the state cannot abort: no trial stayed in the state, or too few could be run.
 static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -121,7 +134,7 @@ static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const
         found = find_aborting_trial(k, &s->entry.at[n]);
     k->failed = NULL;
     k->aborted = found;
-    return found || !k->stayed;
+    return found || !k->stayed || k->t->run->work >= k->until;
 }
 
 // ---- inputs of the paths ----

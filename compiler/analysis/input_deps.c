@@ -111,7 +111,8 @@ static bool merge_deps(InputDeps *to, const InputDeps *from)
     to->input |= from->input;
     to->command |= from->command;
     to->other |= from->other;
-    return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->command != was.command || to->other != was.other;
+    return to->n != was.n || to->more != was.more || to->time != was.time || to->input != was.input || to->command != was.command ||
+           to->other != was.other;
 }
 
 // Returns the set of v's own inputs: v itself if it is an input, else the empty set.

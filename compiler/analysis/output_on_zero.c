@@ -342,6 +342,8 @@ static void try_sensor(FailureSearch *k, const TrialState *s, uint32_t sensor)
         k->kinds |= is_failure_of_sensor(i, f) ? 1u << f : 0;
     for (c.motion = 0; c.motion < motions; c.motion++)
         try_motion(k, &l, &c);
+    if (l.n > 0 && (k->kinds & ~k->tried) != 0)
+        trial_add_gap(t->gaps, (TrialGap){GAP_SENSOR, t->a->p->state.at[s - t->state], i->v, NULL});
 }
 
 // Whether failures of the input are tried in the state.

@@ -4,9 +4,15 @@
 #include "stdlib/elementary.h"
 #include "stdlib/math.h"
 
+// Tolerances, relative unless a unit is named.
+static const double rounding = 1e-9;          // numbers that differ by the rounding of a few operations only
+static const double written_factor = 0.02;    // factors between units are often written with two digits: 3.3 for 3.2808, 9.8 for 9.80665
+static const double written_zero = 0.5;       // kelvins: 273 is written for 273.15
+static const double least_zero = 100;         // kelvins: a smaller shift is a correction, and not the zero of another scale (273.15, 459.67)
+enum { GAIN_MAX = 12 };                       // the largest whole number that is assumed to be a count or a gain: cells of a battery, a dozen
+
 static double size_of(double x) { return x < 0 ? -x : x; }
 static bool is_near(double a, double b, double tolerance) { return size_of(a - b) <= tolerance * size_of(b); }
-
 
 // ---- building ----
 
@@ -48,7 +54,10 @@ static Quantity invert_if(const Quantity *a, double power)
     return out;
 }
 
-static Quantity drop_unusable_unit(Quantity q) { return q.kind == QUANTITY_UNIT && !measure_is_usable(&q.unit) ? quantity_of_kind(QUANTITY_UNKNOWN) : q; }
+static Quantity drop_unusable_unit(Quantity q)
+{
+    return q.kind == QUANTITY_UNIT && !measure_is_usable(&q.unit) ? quantity_of_kind(QUANTITY_UNKNOWN) : q;
+}
 
 Quantity quantity_product(const Quantity *a, const Quantity *b, double power)
 {
@@ -138,7 +147,8 @@ Quantity quantity_sum(const Quantity *a, const Quantity *b, bool minus)
     out = quantity_one_of(a, &negated);
     out.constant = a->constant && b->constant;
     out.shift = a->scaled == b->scaled ? a->shift + sign * b->shift : 0;
-    if (measure_is_temperature(&a->unit))                // 20 degC + 5 K, 293 K - 273.15 K, 20 degC - 15 degC; but 20 degC + 15 degC is part of an average
+    // 20 degC + 5 K, 293 K - 273.15 K, 20 degC - 15 degC; but 20 degC + 15 degC is part of an average
+    if (measure_is_temperature(&a->unit))
         out.zero_unknown = minus || !has_zero(a) || !has_zero(b);
     return out;
 }
@@ -150,7 +160,7 @@ static bool is_plain_gain(double number)
 {
     const double x = number < 1 ? 1 / number : number, whole = sm_round(x);
 
-    return whole <= 12 && is_near(x, whole, 1e-9);
+    return whole <= GAIN_MAX && is_near(x, whole, rounding);
 }
 
 // Judges two temperatures whose zeros differ.
@@ -159,11 +169,11 @@ static QuantityFit fit_zeros(const Quantity *a, const Quantity *b, double factor
     const double zero = (a->unit.zero - b->unit.zero) / b->unit.scale;        // x in a's unit is factor * x + zero in b's
     const double shift = (a->shift - b->shift) / b->factor;
 
-    if (is_near(ratio, factor, 0.02) && size_of(shift - zero) <= 0.5)
+    if (is_near(ratio, factor, written_factor) && size_of(shift - zero) <= written_zero)
         return QUANTITY_FITS;
     if (a->scaled || b->scaled)
         return QUANTITY_MAY_DIFFER;
-    return size_of(shift) < 100 || size_of(shift + zero) <= 0.5 ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;     // the second: in the wrong direction
+    return size_of(shift) < least_zero || size_of(shift + zero) <= written_zero ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;     // the second: in the wrong direction
 }
 
 // Judges two values that measure the same thing, by the numbers that they are multiplied with. `factor`: 1 of a's unit in b's.
@@ -173,16 +183,17 @@ static QuantityFit fit_scales(const Quantity *a, const Quantity *b, QuantityUse 
         return QUANTITY_DIFFERS;
     if (ratio != ratio)
         return QUANTITY_MAY_DIFFER;
-    if (is_near(ratio, factor, 0.02))
+    if (is_near(ratio, factor, written_factor))
         return QUANTITY_FITS;
-    if (is_near(ratio * factor, 1, 0.02) || is_plain_gain(ratio))
+    if (is_near(ratio * factor, 1, written_factor) || is_plain_gain(ratio))
         return QUANTITY_DIFFERS;
     // The weights of a filter, as in 0.9 * a + 0.1 * b.
-    return use == QUANTITY_ADDED && is_near(a->factor + b->factor, 1, 1e-9) && a->factor > 0 && b->factor > 0 ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;
+    return use == QUANTITY_ADDED && is_near(a->factor + b->factor, 1, rounding) && a->factor > 0 && b->factor > 0
+           ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;
 }
 
 // Whether a is measured in gn and b is a plain number: both count how many times gn.
-static bool is_count_of_g(const Measure *a, const Measure *b) { return measure_is_g(a) && measure_is_number(b) && is_near(b->scale, 1, 1e-9); }
+static bool is_count_of_g(const Measure *a, const Measure *b) { return measure_is_g(a) && measure_is_number(b) && is_near(b->scale, 1, rounding); }
 
 QuantityFit quantity_fit(const Quantity *a, const Quantity *b, QuantityUse use)
 {
@@ -196,11 +207,11 @@ QuantityFit quantity_fit(const Quantity *a, const Quantity *b, QuantityUse use)
     if (!measure_is_same_kind(&a->unit, &b->unit))
         return a->scaled || b->scaled ? QUANTITY_MAY_DIFFER : QUANTITY_DIFFERS;
     if (has_zeros && !a->zero_unknown && !b->zero_unknown && a->unit.zero != b->unit.zero && measure_is_temperature(&a->unit)) {
-        const bool is_same_step = is_near(factor, 1, 1e-9);
+        const bool is_same_step = is_near(factor, 1, rounding);
         // A difference in K is added to a temperature in degC or subtracted from it; but a temperature in degC is not subtracted from one in K.
         if (use != QUANTITY_COMPARED && is_same_step && !(use == QUANTITY_SUBTRACTED && !has_zero(a) && !b->constant && !b->scaled))
             return QUANTITY_FITS;
         return fit_zeros(a, b, factor, ratio);
     }
-    return is_near(factor, 1, 1e-9) ? QUANTITY_FITS : fit_scales(a, b, use, factor, ratio);
+    return is_near(factor, 1, rounding) ? QUANTITY_FITS : fit_scales(a, b, use, factor, ratio);
 }

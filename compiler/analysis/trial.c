@@ -220,6 +220,7 @@ static void add_unreached_states(TrialSearch *k)
 
     for (uint32_t s = 0; s < t->a->p->state.n; s++)
         if (t->state[s].entry.n == 0 && facts_may_reach(t->a->facts, s, BLOCK_ENTRY)) {
+            trial_add_gap(t->gaps, (TrialGap){GAP_STATE, t->a->p->state.at[s], NULL, NULL});
             ir_run_start(t->run, k->at, s + 1);
             memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
             k->steps = TRIAL_MANY;
@@ -285,9 +286,9 @@ static void set_parameters(Trials *t)
     }
 }
 
-Trials *trials_of(Analysis *a) { return trials_at(a, TRIAL_DEFAULTS, 1); }
+Trials *trials_of(Analysis *a) { return trials_at(a, TRIAL_DEFAULTS, 1, NULL); }
 
-Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share)
+Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *gaps)
 {
     Trials *t = ARENA_NEW(a->arena, Trials);
     const InputDepsTable *deps = input_deps_of(a);
@@ -295,6 +296,7 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share)
     t->a = a;
     t->setting = setting;
     t->share = share;
+    t->gaps = gaps;
     t->run = ir_run_new(a->arena, a->m);
     set_parameters(t);
     t->state = ARENA_ARRAY(a->arena, TrialState, a->p->state.n);

@@ -17,6 +17,7 @@
 #define SMC_TRIAL_H
 
 #include "compiler/analysis/analysis.h"
+#include "compiler/analysis/trial_gaps.h"
 #include "compiler/ir/ir_run.h"
 
 typedef struct TrialInput {
@@ -62,6 +63,7 @@ typedef struct Trials {
     Analysis *a;
     TrialSetting setting;
     uint32_t share;                   // the bounds of effort are divided by this: 1, or the number of settings of the parameters
+    TrialGaps *gaps;                  // what was not tried; may be NULL
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
     uint64_t check_at;                // value of run->work at which trial_step lets the host end the trials
@@ -99,8 +101,8 @@ typedef struct Trials {
 
 // Prepares trials with the defaults of parameters, and with all effort.
 Trials *trials_of(Analysis *a);
-// Prepares trials with a setting, which have 1 / share of the effort.
-Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share);
+// Prepares trials with a setting, which have 1 / share of the effort.  `gaps` lists what they do not try; it may be NULL.
+Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *gaps);
 // Returns the value of a parameter in these trials.
 double trial_value_of_parameter(TrialSetting setting, const Var *v);
 

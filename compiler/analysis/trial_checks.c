@@ -38,7 +38,10 @@ static void run_checks(Trials *t)
 {
     const uint64_t share = effort / t->share;
 
-#define TRIAL_CHECK(name, sentence) t->random = TRIAL_SEED, t->until = t->run->work + share, check_##name(t);
+#define TRIAL_CHECK(name, flag, sentence) \
+    t->random = TRIAL_SEED, t->until = t->run->work + share, check_##name(t); \
+    if (!trial_may_continue(t)) \
+        trial_add_gap(t->gaps, (TrialGap){GAP_CHECK, NULL, NULL, flag});
 #include "compiler/analysis/trial_checks.def"
 #undef TRIAL_CHECK
 }
@@ -63,6 +66,7 @@ static const char *setting_text(const Analysis *a, TrialSetting setting)
 // (diag_report drops repetitions).
 void analyse_trials(Analysis *a)
 {
+    TrialGaps gaps = {.arena = a->arena};
     const uint32_t share = 1u + has_setting(a, TRIAL_LOWEST) + has_setting(a, TRIAL_HIGHEST);
 
     for (int k = 0; k < TRIAL_SETTINGS; k++) {
@@ -70,8 +74,9 @@ void analyse_trials(Analysis *a)
         const size_t before = a->diags->list.n;
         if (!has_setting(a, setting))
             continue;
-        run_checks(trials_at(a, setting, share));
+        run_checks(trials_at(a, setting, share, &gaps));
         for (size_t i = before; i < a->diags->list.n && setting != TRIAL_DEFAULTS; i++)
             diag_note(a->diags, a->diags->list.at[i], (Span){0}, DIAG_note_setting, setting_text(a, setting));
     }
+    trial_report_gaps(a, &gaps);
 }

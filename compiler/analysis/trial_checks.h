@@ -5,7 +5,7 @@
 
 #include "compiler/analysis/trial.h"
 
-#define TRIAL_CHECK(name, sentence) void check_##name(Trials *t);
+#define TRIAL_CHECK(name, flag, sentence) void check_##name(Trials *t);
 #include "compiler/analysis/trial_checks.def"
 #undef TRIAL_CHECK
 

@@ -11,7 +11,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { ROOTS_MAX = 16 };              // the most roots stored for one input
+enum { ROOTS_MAX = 64 };              // the most roots stored for one input
 
 // Executes each assignment of one state, or of all states if `state` is 0, once in file order.
 static void run_assignments(TrialFinder *f, uint32_t state)
@@ -31,7 +31,8 @@ static void compute_vars(TrialFinder *f)
     run_assignments(f, 0);
 }
 
-typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; } Roots;       // readings at which the sides of a comparison are equal
+// Readings at which the sides of a comparison are equal.
+typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; bool full; } Roots;
 
 static void add_root(Roots *r, double x)
 {
@@ -42,6 +43,8 @@ static void add_root(Roots *r, double x)
             return;
     if (r->n < ROOTS_MAX)
         r->at[r->n++] = x;
+    else
+        r->full = true;
 }
 
 // Which variables are assumed to keep their values when a reading changes, because another state or an earlier step stored them: none,
@@ -141,7 +144,7 @@ static void find_readings(TrialFinder *f, uint32_t input)
 {
     TrialInput *i = &f->t->input[input];
     const bool whole = sm_type_info[i->v->type].kind != SM_KIND_FLOAT;
-    Roots r = {{0}, 0};
+    Roots r = {{0}, 0, false};
 
     i->reading = ARENA_ARRAY(f->arena, double, 3 * ROOTS_MAX + 16);
     find_roots(f, set_one_input, input, input, REMEMBER_NOTHING, &r);
@@ -150,6 +153,8 @@ static void find_readings(TrialFinder *f, uint32_t input)
     else
         for (int remembered = 0; remembered < READING_MEMORIES; remembered++)
             find_roots(f, set_input_group, input, input, (ReadingMemory)remembered, &r);
+    if (r.full)
+        trial_add_gap(f->t->gaps, (TrialGap){GAP_NUMBERS, NULL, i->v, NULL});
     qsort(r.at, r.n, sizeof *r.at, compare_numbers);
     i->rough = !i->v->range && r.n == 0;
     i->scale = i->v->range ? i->hi - i->lo : r.n > 1 ? r.at[r.n - 1] - r.at[0] : r.n == 1 && r.at[0] != 0 ? sm_abs(r.at[0]) : 1;
@@ -217,11 +222,13 @@ static void find_stamps(TrialFinder *f)
 
 void trial_find_waits(TrialFinder *f)
 {
-    Roots r = {{0}, 0};
+    Roots r = {{0}, 0, false};
     Trials *t = f->t;
 
     find_roots(f, set_time, 0, IR_NONE, REMEMBER_NOTHING, &r);
     find_roots(f, set_time, 0, IR_NONE, REMEMBER_EVERYTHING, &r);
+    if (r.full)
+        trial_add_gap(t->gaps, (TrialGap){GAP_NUMBERS, NULL, NULL, NULL});
     qsort(r.at, r.n, sizeof *r.at, compare_numbers);
     t->wait = ARENA_ARRAY(f->arena, double, ROOTS_MAX);
     for (uint32_t k = 0; k < r.n; k++)

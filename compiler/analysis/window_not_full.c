@@ -290,13 +290,46 @@ static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
     }
 }
 
+// Returns the first entries of a state, at most ENTRIES_TRIED, from which windows are filled.  Stores their number in *n.
+static const TrialEntry *const *choose_entries(const Trials *t, const TrialState *s, uint32_t *n)
+{
+    const TrialEntry **out = ARENA_ARRAY(t->a->arena, const TrialEntry *, ENTRIES_TRIED);
+
+    *n = 0;
+    for (size_t k = 0; k < s->entry.n && *n < ENTRIES_TRIED; k++) {
+        const TrialEntry *e = &s->entry.at[k];
+        if (e->steps != TRIAL_MANY && e->steps + 1 < t->window && !e->commanded && !e->unhealthy)
+            out[(*n)++] = e;
+    }
+    return out;
+}
+
+// Tries the entries of all states.  Each has an equal share of the effort that remains.
+static void try_entries(WindowTrial *w)
+{
+    const Trials *t = w->t;
+    const uint64_t until = t->run->work + work_max / t->share;
+    uint32_t left = 0, n;
+
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        choose_entries(t, &t->state[s], &n);
+        left += n;
+    }
+    for (size_t s = 0; s < t->a->p->state.n; s++) {
+        const TrialEntry *const *entry = choose_entries(t, &t->state[s], &n);
+        for (uint32_t k = 0; k < n; k++, left--) {
+            w->until = t->run->work + (until > t->run->work ? (until - t->run->work) / left : 0);
+            try_entry(w, &t->state[s], entry[k]);
+        }
+    }
+}
+
 void check_window_not_full(Trials *t)
 {
     WindowTrial w = {.t = t, .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
 
     if (t->window < 2)
         return;
-    w.until = t->run->work + work_max / t->share;
     w.deciding = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.found = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 1u);
     w.earlier = trial_new_inputs(t);
@@ -307,16 +340,7 @@ void check_window_not_full(Trials *t)
     w.few = arena_alloc(t->a->arena, t->run->size);
     w.few_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
     w.full_did.at = ARENA_ARRAY(t->a->arena, uint32_t, t->a->p->stmts + 2u);
-    for (size_t s = 0; s < t->a->p->state.n; s++) {
-        uint32_t tried = 0;
-        for (size_t n = 0; n < t->state[s].entry.n && tried < ENTRIES_TRIED; n++) {
-            const TrialEntry *e = &t->state[s].entry.at[n];
-            if (e->steps == TRIAL_MANY || e->steps + 1 >= t->window || e->commanded || e->unhealthy)
-                continue;
-            try_entry(&w, &t->state[s], e);
-            tried++;
-        }
-    }
+    try_entries(&w);
     for (uint32_t n = 1; n <= t->a->p->stmts; n++)
         if (w.found[n] > 0) {
             w.guard = t->stmt[n];

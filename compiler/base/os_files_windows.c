@@ -203,7 +203,8 @@ static char *temporary_name(const char *target)
 HANDLE windows_create_new(const char *path, SECURITY_ATTRIBUTES *security, const char **why)
 {
     wchar_t *wide = windows_path(path);
-    const HANDLE file = wide ? CreateFileW(wide, GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, security, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, NULL)
+    const HANDLE file = wide ? CreateFileW(wide, GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, security, CREATE_NEW, FILE_ATTRIBUTE_NORMAL,
+                                           NULL)
                              : INVALID_HANDLE_VALUE;
 
     if (file == INVALID_HANDLE_VALUE)

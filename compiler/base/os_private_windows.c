@@ -37,7 +37,8 @@ bool windows_private_security(SECURITY_ATTRIBUTES *attributes, SECURITY_DESCRIPT
     const DWORD n = user ? (DWORD)(sizeof(ACL) + sizeof(ACCESS_ALLOWED_ACE)) + GetLengthSid(user->User.Sid) : 0;
     const bool ok = user && (*acl = LocalAlloc(LPTR, n)) != NULL && InitializeAcl(*acl, n, ACL_REVISION) &&
                     AddAccessAllowedAceEx(*acl, ACL_REVISION, OBJECT_INHERIT_ACE | CONTAINER_INHERIT_ACE, GENERIC_ALL, user->User.Sid) &&
-                    InitializeSecurityDescriptor(descriptor, SECURITY_DESCRIPTOR_REVISION) && SetSecurityDescriptorDacl(descriptor, TRUE, *acl, FALSE) &&
+                    InitializeSecurityDescriptor(descriptor, SECURITY_DESCRIPTOR_REVISION) &&
+                    SetSecurityDescriptorDacl(descriptor, TRUE, *acl, FALSE) &&
                     SetSecurityDescriptorControl(descriptor, SE_DACL_PROTECTED, SE_DACL_PROTECTED);
 
     free(user);
@@ -100,7 +101,8 @@ bool os_is_private(const char *path)
     PSECURITY_DESCRIPTOR descriptor = NULL;
     PSID owner = NULL;
     ACL *acl = NULL;
-    const DWORD error = wide ? GetNamedSecurityInfoW(wide, SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION | DACL_SECURITY_INFORMATION, &owner, NULL, &acl, NULL,
+    const DWORD error = wide ? GetNamedSecurityInfoW(wide, SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION | DACL_SECURITY_INFORMATION, &owner, NULL, &acl,
+                                                     NULL,
                                                      &descriptor)
                              : ERROR_NOT_ENOUGH_MEMORY;
     const bool is_private = error != 0 || !others_can_read(acl, owner);

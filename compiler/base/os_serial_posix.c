@@ -156,7 +156,8 @@ bool os_tcp_open(const char *address, int *fd, const char **why)
     bool open = false;
 
     *why = "it is no HOST:PORT with a port from 1 to 65535";
-    if (!port || strspn(port + 1, "0123456789") != strlen(port + 1) || strtoul(port + 1, NULL, 10) - 1 > 65534 || (size_t)(port - address) >= sizeof host)
+    if (!port || strspn(port + 1, "0123456789") != strlen(port + 1) || strtoul(port + 1, NULL, 10) - 1 > 65534 ||
+        (size_t)(port - address) >= sizeof host)
         return false;
     memcpy(host, address, (size_t)(port - address));
     host[port - address] = '\0';

@@ -110,7 +110,8 @@ bool os_tcp_open(const char *address, int *fd, const char **why)
     bool open = false;
 
     *why = "it is no HOST:PORT with a port from 1 to 65535";
-    if (!port || strspn(port + 1, "0123456789") != strlen(port + 1) || strtoul(port + 1, NULL, 10) - 1 > 65534 || (size_t)(port - address) >= sizeof host)
+    if (!port || strspn(port + 1, "0123456789") != strlen(port + 1) || strtoul(port + 1, NULL, 10) - 1 > 65534 ||
+        (size_t)(port - address) >= sizeof host)
         return false;
     memcpy(host, address, (size_t)(port - address));
     host[port - address] = '\0';
@@ -211,7 +212,8 @@ int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait)
         return receive_from_socket((SOCKET)port, bytes, room, wait);
     if (!set_timeouts(port, wait) || !ReadFile(port, bytes, (DWORD)room, &got, NULL))
         return -1;
-    return got > 0 ? (int)got : ClearCommError(port, &state, NULL) ? 0 : -1;      // the device may be gone: some drivers then report 0 bytes read instead of an error
+    // the device may be gone: some drivers then report 0 bytes read instead of an error
+    return got > 0 ? (int)got : ClearCommError(port, &state, NULL) ? 0 : -1;
 }
 
 void os_serial_close(int fd)

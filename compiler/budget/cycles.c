@@ -217,7 +217,8 @@ static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
              + cycles_of_store(c, (uint8_t)smvm_output(c->m, (SmvmAt)number[0]).type);
     case SMVM_goto: return row_cost(c, CYCLES_end, true) + row_cost(c, CYCLES_goto, true);
     case SMVM_end: return row_cost(c, CYCLES_end, true);
-    case SMVM_sample: return stores_times(c, number[0]) ? row_cost(c, CYCLES_event, true) : cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
+    case SMVM_sample: return stores_times(c, number[0])
+                             ? row_cost(c, CYCLES_event, true) : cycles_of_window(c, number[0], CYCLES_sample, CYCLES_sample_sorted);
     default: return op >= SMVM_st_local ? cycles_of_store(c, op & OPCODE_TYPE) : cycles_of_load(c, op, number);
     }
 }

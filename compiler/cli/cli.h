@@ -102,6 +102,7 @@ bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard 
 // Prints the session's diagnostics to standard error, with warnings as -W… selects them, and empties the list. Returns EXIT_PROBLEM if
 // there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.
 int cli_print_diagnostics(Cli *c);
+bool cli_prints_text(const Cli *c);       // whether diagnostics are printed as text alone, for a person
 
 // Prints a SARIF document, and writes the file that --message-file names. Every command returns through it, with its exit code. After a usage
 // error there is no document and no file: the file can be what the error is about.

@@ -319,7 +319,8 @@ int cmd_build(Cli *c)
     o.emit = in.app ? EMIT_C : emit;
     o.names = (in.app || c->given[OPT_DEBUG]) && !c->given[OPT_STRIP];      // the log of an application contains the names of states
     for (size_t i = 0; i < in.n; i++)
-        in.at[i].c = make_c_options(c, c->file[i], emit == EMIT_C ? c_path(c, c->file[i], in.at[i].kind == FILE_IO ? "_io.h" : in.at[i].kind == FILE_NET ? "_net.h" : ".h")
+        in.at[i].c = make_c_options(c, c->file[i], emit == EMIT_C
+                                    ? c_path(c, c->file[i], in.at[i].kind == FILE_IO ? "_io.h" : in.at[i].kind == FILE_NET ? "_net.h" : ".h")
                                                              : output_path(c, c->file[i], "_image.h"));
     in.at[0].array = path_stem(c, c->file[0]);
     ok = compile_sources(&c->session, &in, &o, &made);

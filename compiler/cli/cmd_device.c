@@ -115,7 +115,8 @@ static int erase_image(BoardLine *b, Buf *out)
         // SM_E_MISSING: the first answer was lost, and the request that followed found nothing more to erase.
         code = list_images(b, out);
         if (runs)                        // the board refuses to stop a running machine: only the user knows when it is safe to stop it
-            buf_printf(out, "image %s is erased, but it runs until the next start of the board: press its reset button, or switch it off and on\n", word);
+            buf_printf(out, "image %s is erased, but it runs until the next start of the board: press its reset button, or switch it off and on\n",
+                       word);
         return code;
     }
     if (!b->host.answered || b->host.result != SM_E_MISSING)
@@ -177,7 +178,8 @@ static void write_transition(Buf *out, const LinkTransition *t)
         buf_printf(out, "%u or more transitions were not stored\n", (unsigned)t->lost);
     else if (t->lost > 0)
         buf_printf(out, "%u transition%s not stored\n", (unsigned)t->lost, t->lost == 1 ? " was" : "s were");
-    buf_printf(out, "%12.3f s  STATE of machine %u, from %u, to %u\n", t->time * 1048576e-9, (unsigned)t->machine, (unsigned)t->from, (unsigned)t->to);
+    buf_printf(out, "%12.3f s  STATE of machine %u, from %u, to %u\n", t->time * 1048576e-9, (unsigned)t->machine, (unsigned)t->from,
+               (unsigned)t->to);
 }
 
 // Prints the transitions that the board has stored in its slots, also those from before its last restart. Returns false if a request failed.

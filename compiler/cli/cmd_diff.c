@@ -10,7 +10,8 @@ enum { STEPS_MOST = 1000000 };
 
 typedef void WriteDiff(const ProgramDiff *d, Buf *out);
 
-static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"markdown", {".md", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL},
+static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"markdown", {".md", NULL, NULL}, NULL},
+                                    {"json", {".json", NULL, NULL}, NULL},
                                     {"svg", {".svg", NULL, NULL}, "a browser"}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
@@ -31,7 +32,8 @@ static int check_arguments(Cli *c)
         if (has_suffix(c->file[i], ".app"))
             return runs_refuse_app(c, c->file[i]);
         if (!has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sm"))
-            return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i], has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
+            return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],
+                                   has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
         machines += has_suffix(c->file[i], ".sm");
     }
     return machines == 2 ? EXIT_OK : cli_usage_error(c, TEXT_diff_machines);

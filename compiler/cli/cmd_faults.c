@@ -116,10 +116,12 @@ static void write_text(const FaultsRun *r, Buf *out)
     const Faults *f = r->f;
 
     buf_printf(out, "faults of %s: %lu input%s, %lu trigger%s in %lu script%s; %lu of %" PRIu64 " faults have an effect\n", f->p->name->text,
-               (unsigned long)f->input.n, plural(f->input.n), (unsigned long)f->trigger.n, plural(f->trigger.n), (unsigned long)f->scripts, plural(f->scripts),
+               (unsigned long)f->input.n, plural(f->input.n), (unsigned long)f->trigger.n, plural(f->trigger.n), (unsigned long)f->scripts,
+               plural(f->scripts),
                count_effects(f), f->faults - f->pairs);
     if (f->options.pairs)
-        buf_printf(out, "two faults at once: %" PRIu64 " pair%s, %" PRIu64 " of them worse than each alone\n", f->pairs, plural(f->pairs), f->pairs_worse);
+        buf_printf(out, "two faults at once: %" PRIu64 " pair%s, %" PRIu64 " of them worse than each alone\n", f->pairs, plural(f->pairs),
+                   f->pairs_worse);
     if (r->c->given[OPT_VERBOSE])
         buf_printf(out, "%" PRIu64 " run%s; the outcome of every other fault follows from these\n", f->runs, plural(f->runs));
     if (f->input.n)
@@ -127,7 +129,8 @@ static void write_text(const FaultsRun *r, Buf *out)
     write_lines(r, out);
     write_ranges(r, out);
     if (r->c->given[OPT_SCRIPTS])
-        buf_printf(out, "%lu of %lu line%s can be reproduced by a script in %s\n", (unsigned long)r->lines.scripts, (unsigned long)r->lines.at.n, plural(r->lines.at.n),
+        buf_printf(out, "%lu of %lu line%s can be reproduced by a script in %s\n", (unsigned long)r->lines.scripts, (unsigned long)r->lines.at.n,
+                   plural(r->lines.at.n),
                    r->c->value[OPT_SCRIPTS]);
 }
 
@@ -182,7 +185,8 @@ static void write_json_result(const FaultsRun *r, const FaultResult *x, Buf *out
     for (uint32_t i = 0; i < x->faults; i++)
         buf_printf(out, "%s{\"input\":\"%s\",\"kind\":\"%s\"}", i ? "," : "", r->f->input.at[x->fault[i].input].var->report_name->text,
                    fault_kind_name[x->fault[i].kind]);
-    buf_printf(out, "],\"trigger\":%lu,\"outcome\":\"%s\",\"end\":\"%s\"", (unsigned long)x->trigger, fault_outcome_name[x->outcome], x->end->name->text);
+    buf_printf(out, "],\"trigger\":%lu,\"outcome\":\"%s\",\"end\":\"%s\"", (unsigned long)x->trigger, fault_outcome_name[x->outcome],
+               x->end->name->text);
     if (x->violated)
         buf_printf(out, ",\"requirement\":\"%s\",\"by\":\"%s\",\"violated_G\":%" PRIu64, r->f->options.requirements->at.at[x->violated - 1].id->text,
                    x->violated_in_truth ? "true values" : "readings", x->violated_at.g);
@@ -204,7 +208,8 @@ static void write_json(const FaultsRun *r, Buf *out)
 {
     const Faults *f = r->f;
 
-    buf_printf(out, "{\"smc-faults\":1,\"machine\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n", f->p->name->text, f->faults, f->runs, f->pairs,
+    buf_printf(out, "{\"smc-faults\":1,\"machine\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n",
+               f->p->name->text, f->faults, f->runs, f->pairs,
                f->is_cut || r->is_interrupted ? "false" : "true");
     write_json_inputs(f, out);
     buf_str(out, ",\n");
@@ -309,7 +314,8 @@ static bool add_kind(void *context, const char *word, size_t n)
             r->o.kinds |= 1u << k;
             return true;
         }
-    cli_usage_error(r->c, TEXT_faults_kind, list_names(r->arena, fault_kind_name, FAULT_KIND_COUNT, "and"), format_in(r->arena, "%.*s", (int)n, word));
+    cli_usage_error(r->c, TEXT_faults_kind, list_names(r->arena, fault_kind_name, FAULT_KIND_COUNT, "and"),
+                    format_in(r->arena, "%.*s", (int)n, word));
     return false;
 }
 
@@ -332,7 +338,8 @@ static bool add_input(void *context, const char *word, size_t n)
 
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (v->kind != VAR_ELEMENT || v == p->g || v == p->s || (strcmp(v->name->text, name) != 0 && (!v->alias || strcmp(v->alias->text, name) != 0)))
+        if (v->kind != VAR_ELEMENT || v == p->g || v == p->s ||
+            (strcmp(v->name->text, name) != 0 && (!v->alias || strcmp(v->alias->text, name) != 0)))
             continue;
         for (uint32_t k = 0; k < r->input.n; k++)
             if (r->input.at[k] == v)

@@ -77,7 +77,8 @@ static void describe_image(const char *name, const Source *image, Buf *out)
 
     for (uint32_t i = 0; smvm_machine((SmvmBytes)image->text, i, &m); i++)
         buf_printf(out, "%s: machine %lu: %lu state%s%s, longest step %lu instructions, %lu bytes of RAM on a 64-bit computer, state vector %lu bytes (layout %08lx)\n",
-                   name, (unsigned long)(i + 1), (unsigned long)m.states, m.states == 1 ? "" : "s", smvm_state_is_safe(&m, 1) ? "" : ", the first not marked @safe", (unsigned long)smvm_longest_step(&m),
+                   name, (unsigned long)(i + 1), (unsigned long)m.states, m.states == 1 ? "" : "s",
+                   smvm_state_is_safe(&m, 1) ? "" : ", the first not marked @safe", (unsigned long)smvm_longest_step(&m),
                    (unsigned long)smvm_ram_size_64(&m), (unsigned long)m.sv_size, (unsigned long)m.layout);
     if (!smvm_pins((SmvmBytes)image->text, &all) || all.left == 0)
         return;

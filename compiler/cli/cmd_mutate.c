@@ -44,7 +44,7 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         buf_printf(out, " [%s%s%s]", path_portable_name(r->script.at[m->script]->src->name), m->violated ? ": " : "", m->violated ? m->violated->id->text : "");
     if (m->scenario) {
         buf_str(out, "\n    ");
-        mutant_write_scenario(r->p, m, out);
+        mutant_write_scenario(r->p, m, MUTANT_INPUTS_SHOWN, out);
     }
     if (script_of(r, m))
         buf_printf(out, " [%s]", path_file_name(script_of(r, m)));
@@ -83,6 +83,13 @@ static void write_requirements(const MutateRun *r, Buf *out)
         buf_char(out, '\n');
 }
 
+// Writes for how many changes the search has found inputs, and how the user gets them.
+static void write_search(const MutateRun *r, const MutationScore *s, Buf *out)
+{
+    buf_printf(out, "inputs were found for %lu of the %lu changes that no script notices%s\n", s->of[MUTANT_GENERATED],
+               s->of[MUTANT_GENERATED] + s->of[MUTANT_UNNOTICED], s->of[MUTANT_GENERATED] && !r->c->given[OPT_SCRIPTS] ? "; --scripts=DIR writes them as scripts" : "");
+}
+
 static void write_text(const MutateRun *r, Buf *out)
 {
     const MutationScore s = mutation_score(r->u);
@@ -94,6 +101,8 @@ static void write_text(const MutateRun *r, Buf *out)
         buf_printf(out, ", and %lu were not tried", s.all - r->tried);
     buf_char(out, '\n');
     write_requirements(r, out);
+    if (r->is_searched)
+        write_search(r, &s, out);
     write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
     write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
     if (r->scripts.by_mutant)
@@ -126,7 +135,7 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     if (m->scenario) {
         Buf words;
         buf_init(&words, r->arena);
-        mutant_write_scenario(r->p, m, &words);
+        mutant_write_scenario(r->p, m, SIZE_MAX, &words);
         buf_str(out, ",\"inputs\":");
         json_put_string(out, buf_text(&words));
     }

@@ -19,7 +19,8 @@ static int check_arguments(Cli *c)
             return runs_refuse_app(c, c->file[i]);
         const bool is_requirements = has_suffix(c->file[i], ".rq"), is_machine = has_suffix(c->file[i], ".sm");
         if (!is_requirements && !is_machine && !has_suffix(c->file[i], ".ss"))
-            return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i], has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
+            return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i],
+                                   has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
         machines += is_machine;
         requirements += is_requirements;
     }
@@ -82,7 +83,8 @@ static void show_progress(void *context, uint32_t done)
         return;
     buf_init(&out, &k->c->session.arena);
     if (done < k->what->at.n)
-        buf_printf(&out, "\r%lu of %lu requirements decided, now %.30s  ", (unsigned long)done, (unsigned long)k->what->at.n, k->what->at.at[done].id->text);
+        buf_printf(&out, "\r%lu of %lu requirements decided, now %.30s  ", (unsigned long)done, (unsigned long)k->what->at.n,
+                   k->what->at.at[done].id->text);
     else
         buf_printf(&out, "\r%70s\r", "");
     cli_print(k->c, 2, &out);
@@ -140,7 +142,8 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
     const Program *p = what->program;
     ProveProgress progress = {c, what};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
-                                  .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .progress = show_progress,
+                                  .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20,
+                                  .progress = show_progress,
                                   .go_on = is_not_interrupted, .context = &progress};
     const Requirement *first, *second;
     const ProveResult *r;
@@ -151,7 +154,8 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
     if (p->step && o->step && o->step != p->step)
         return cli_usage_error(c, TEXT_other_step, (unsigned long)p->step);
     if (prove_find_contradiction(&c->session.arena, what, &first, &second)) {
-        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text), first->span, DIAG_note_first_here);
+        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
+                  first->span, DIAG_note_first_here);
         return cli_print_diagnostics(c);
     }
     os_signals_begin();

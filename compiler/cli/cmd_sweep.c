@@ -22,7 +22,8 @@ typedef struct SweepRun {
 } SweepRun;
 
 static const CliFormat formats[] = {
-    {"text", {".txt", NULL, NULL}, NULL}, {"csv", {".csv", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}, {"svg", {".svg", NULL, NULL}, "a browser"}};
+    {"text", {".txt", NULL, NULL}, NULL}, {"csv", {".csv", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL},
+        {"svg", {".svg", NULL, NULL}, "a browser"}};
 
 // ---- text ----
 
@@ -93,7 +94,8 @@ static void write_map(const SweepRun *r, Buf *out)
 
     for (uint32_t k = 0; k < b->n; k++)
         widest = strlen(number_text(r, b->value[k])) > widest ? strlen(number_text(r, b->value[k])) : widest;
-    buf_printf(out, "map: %s up, %s to the right from %s to %s; '.' passes, a digit is the number of checks that fail, '+' more than 9\n", b->parameter->name->text,
+    buf_printf(out, "map: %s up, %s to the right from %s to %s; '.' passes, a digit is the number of checks that fail, '+' more than 9\n",
+               b->parameter->name->text,
                a->parameter->name->text, number_text(r, a->value[0]), number_text(r, a->value[a->n - 1]));
     for (uint32_t k = b->n; k-- > 0; ) {
         buf_printf(out, "  %*s  ", (int)widest, number_text(r, b->value[k]));
@@ -107,7 +109,8 @@ static void write_map(const SweepRun *r, Buf *out)
 
 static void write_text(const SweepRun *r, Buf *out)
 {
-    buf_printf(out, "sweep of %s: %lu script%s, %" PRIu64 " runs\n", r->s->p->name->text, (unsigned long)r->s->scripts, r->s->scripts == 1 ? "" : "s", r->s->runs);
+    buf_printf(out, "sweep of %s: %lu script%s, %" PRIu64 " runs\n", r->s->p->name->text, (unsigned long)r->s->scripts, r->s->scripts == 1 ? "" : "s",
+               r->s->runs);
     for (uint32_t i = 0; i < r->o.axes; i++) {
         write_line(r, i, out);
         write_boundaries(r, i, out);

@@ -18,7 +18,7 @@ const char *test_suite_name(Arena *arena, const char *path)
 
 static void add_error(TestRun *t, const char *path, const char *message, int code)
 {
-    TestResult r = {path, test_suite_name(t->arena, path), TEST_BROKEN, message, code, 0, "", "", ""};
+    const TestResult r = {.path = path, .suite = test_suite_name(t->arena, path), .status = TEST_BROKEN, .message = message, .code = code};
 
     vec_push(t->arena, &t->result, r);
 }

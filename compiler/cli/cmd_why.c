@@ -330,7 +330,8 @@ static int report_status(WhyCommand *y, const WhyAnswer *a)
             cli_print_error(y->c, TEXT_why_between, asked, (unsigned long long)a->before, (unsigned long long)a->after);
         break;
     case WHY_ENDED_BEFORE:
-        cli_print_error(y->c, y->q.at_step ? TEXT_why_ended_step : TEXT_why_ended, asked, (unsigned long long)a->steps, (unsigned long long)a->before);
+        cli_print_error(y->c, y->q.at_step ? TEXT_why_ended_step : TEXT_why_ended, asked, (unsigned long long)a->steps,
+                        (unsigned long long)a->before);
         break;
     case WHY_NO_STEP: cli_print_error(y->c, TEXT_why_never_ran, machine_name(y, y->q.machine)); break;
     case WHY_NOT_RUN: cli_print_error(y->c, TEXT_why_not_run); break;

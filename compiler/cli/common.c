@@ -22,6 +22,8 @@ static MessageFormat format_of_option(const Cli *c)
 }
 
 // With --message-file, --message-format applies to that file.
+bool cli_prints_text(const Cli *c) { return format_of_option(c) == MESSAGE_TEXT && !c->given[OPT_MESSAGE_FILE]; }
+
 static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : format_of_option(c); }
 
 // Without --message-format, the suffix of the file's name decides.

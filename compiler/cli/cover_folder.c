@@ -31,7 +31,8 @@ static int read_old(CoverRun *r, const char *name)
     OldScript old = {.path = path};
     size_t n;
 
-    if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) || generated_read(COVER_MADE_BY, r->machine, head, n) == GENERATED_OTHER)
+    if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) ||
+        generated_read(COVER_MADE_BY, r->machine, head, n) == GENERATED_OTHER)
         return EXIT_OK;
     if ((old.src = cli_read_source(r->c, path)) == NULL)
         return EXIT_ENVIRONMENT;

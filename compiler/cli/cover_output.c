@@ -142,7 +142,8 @@ static void write_blocked(const CoverRun *r, const SearchFind *f, Buf *out)
     const CoverPlace *p = &r->all->place.at[f->blocked_by];
     const LineCol at = source_position(p->span.src, p->span.at);
 
-    buf_printf(out, ",\"blocked_by\":{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu", cover_kind_name[p->kind], (unsigned long)at.line, (unsigned long)at.col);
+    buf_printf(out, ",\"blocked_by\":{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu", cover_kind_name[p->kind], (unsigned long)at.line,
+               (unsigned long)at.col);
     write_field(out, "text", source_text(r->arena, p->span));
     buf_printf(out, ",\"wanted\":%s,\"never\":%s", p->value ? "true" : "false", f->is_never ? "true" : "false");
     if (f->missed_by < SEARCH_UNKNOWN)

@@ -28,7 +28,8 @@ typedef struct NewScript {
 } NewScript;
 
 // A pair of states without a transition.
-typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;       // path: the script that makes the forbidden transition; NULL: none
+// path: the script that makes the forbidden transition; NULL: none
+typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;
 
 typedef struct CoverRun {
     Cli *c;

@@ -73,7 +73,8 @@ static int sign_again(BoardLine *b, ReadImage *image)
     if ((code = key_load(b->c, key)) != EXIT_OK)
         return code;
     if (b->info.reports_mark && b->info.requires_signature && smvm_auth_mark(key) != b->info.mark)
-        return cli_print_error(b->c, TEXT_device_other_key, b->c->value[OPT_KEY], (unsigned long)smvm_auth_mark(key), (unsigned long)b->info.mark), EXIT_PROBLEM;
+        return cli_print_error(b->c, TEXT_device_other_key, b->c->value[OPT_KEY], (unsigned long)smvm_auth_mark(key), (unsigned long)b->info.mark),
+               EXIT_PROBLEM;
     if (number > SIGN_NUMBER_MOST)
         return cli_print_error(b->c, TEXT_device_set_number, (unsigned long)b->info.newest), EXIT_PROBLEM;
     image->at.length = image_sign(image->bytes, image->at.length, key, number, bytes);

@@ -21,7 +21,8 @@ void fault_lines_show_progress(const Faults *f, ProgressLine *k)
 {
     if (progress_is_due(k))
         progress_show(k, format_in(&k->c->session.arena, "faults: trigger %lu of %lu, %lu runs",
-                                   f->result.n ? f->result.at[f->result.n - 1].trigger + 1UL : 1UL, (unsigned long)f->trigger.n, (unsigned long)f->runs));
+                                   f->result.n ? f->result.at[f->result.n - 1].trigger + 1UL : 1UL, (unsigned long)f->trigger.n,
+                                   (unsigned long)f->runs));
 }
 
 // ---- the list ----
@@ -109,7 +110,8 @@ static const char *name_script(const FaultLines *l, const FaultLine *line, unsig
     const char *name = format_in(&l->c->session.arena, "%03lu", number);
 
     for (uint32_t i = 0; i < line->r->faults; i++)
-        name = format_in(&l->c->session.arena, "%s-%s-%s", name, l->f->input.at[line->r->fault[i].input].var->report_name->text, fault_kind_name[line->r->fault[i].kind]);
+        name = format_in(&l->c->session.arena, "%s-%s-%s", name, l->f->input.at[line->r->fault[i].input].var->report_name->text,
+                         fault_kind_name[line->r->fault[i].kind]);
     return format_in(&l->c->session.arena, "%s%s%s.ss", folder, path_ends_in_separator(folder) ? "" : "/", name);
 }
 

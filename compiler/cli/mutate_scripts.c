@@ -161,7 +161,8 @@ void mutate_show_progress(const Mutation *u, ProgressLine *k)
         return;
     s = mutation_score(u);
     if (s.of[MUTANT_WAITING])
-        progress_show(k, format_in(&k->c->session.arena, "changes: %lu of %lu tried, %lu not noticed", s.all - s.of[MUTANT_WAITING], s.all, s.of[MUTANT_UNNOTICED]));
+        progress_show(k, format_in(&k->c->session.arena, "changes: %lu of %lu tried, %lu not noticed", s.all - s.of[MUTANT_WAITING], s.all,
+                                   s.of[MUTANT_UNNOTICED]));
     else
         progress_show(k, format_in(&k->c->session.arena, "inputs found for %lu of %lu changes that no script notices", s.of[MUTANT_GENERATED],
                                    s.of[MUTANT_GENERATED] + s.of[MUTANT_UNNOTICED]));

@@ -458,7 +458,8 @@ static bool is_input_of_command(const Cli *c, const char *path)
     for (size_t i = 0; i < c->data.n; i++)
         if (os_same_file(c->data.at[i], path))
             return true;
-    return is_value_of_option(c, OPT_SV, path) || is_value_of_option(c, OPT_IO, path) || is_value_of_option(c, OPT_NET, path) || is_value_of_option(c, OPT_KEY, path);
+    return is_value_of_option(c, OPT_SV, path) || is_value_of_option(c, OPT_IO, path) || is_value_of_option(c, OPT_NET, path) ||
+           is_value_of_option(c, OPT_KEY, path);
 }
 
 // Returns the path with links followed; the path itself if that fails.

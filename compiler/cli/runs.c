@@ -34,7 +34,8 @@ int runs_refuse_app(Cli *c, const char *app)
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c)
 {
-    const bool judges = c->command->run == cmd_report || c->command->run == cmd_mutate || c->command->run == cmd_faults || c->command->run == cmd_sweep;
+    const bool judges = c->command->run == cmd_report || c->command->run == cmd_mutate || c->command->run == cmd_faults ||
+        c->command->run == cmd_sweep;
     size_t machines = 0;
 
     for (size_t i = 0; i < c->files; i++) {

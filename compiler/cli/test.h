@@ -25,6 +25,7 @@ typedef struct TestResult {
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
     const char *seed;         // the seed of its random numbers; "" or NULL: it draws none
+    bool is_limit;            // a limit of --min-coverage, not a test
     const char *requirements; // the ids of the requirements that it has tested, separated by spaces; "" or NULL: none
 } TestResult;
 

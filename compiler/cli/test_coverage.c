@@ -99,7 +99,7 @@ static void report_too_low(TestRun *t, const TestCoverage *v, const Cover *c, in
 static void judge_coverage(TestRun *t, const TestCoverage *v, const char *machine)
 {
     Demand demand[DEMANDS] = {{false, 0}};
-    TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
+    TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = "", .is_limit = true};
 
     if (!t->c->given[OPT_MIN_COVERAGE])
         return;

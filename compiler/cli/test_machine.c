@@ -22,6 +22,7 @@ typedef struct MachineTest {
     TestTrace *trace;         // the trace that --trace requests; or NULL
     TestCoverage *coverage;   // results of --coverage; or NULL
     Traceability *matrix;     // results of --traceability; or NULL
+    VEC(Span) explained;      // conditions of requirements whose violation is printed in full
 } MachineTest;
 
 // Returns a script's name in results: standard input has the name that diagnostics use.
@@ -29,7 +30,8 @@ static const char *result_name(const char *path) { return strcmp(path, "-") == 0
 
 static void add_result(MachineTest *m, const char *path, TestStatus status, const char *message, int code)
 {
-    TestResult r = {path, m->path, status, message, code, os_seconds() - m->begin, "", "", ""};
+    const TestResult r = {.path = path, .suite = m->path, .status = status, .message = message, .code = code,
+                          .seconds = os_seconds() - m->begin, .printed = "", .seed = "", .requirements = ""};
 
     vec_push(m->t->arena, &m->t->result, r);
 }
@@ -48,8 +50,32 @@ static void add_errors(MachineTest *m, const char *message, int code)
 
 // ---- one script ----
 
-// Prints the session's diagnostics and stores them for the result's message.
-int test_report_diagnostics(TestRun *t, const char **text)
+// Shortens the report of a requirement that an earlier script has violated, whose report has the steps before.
+static void shorten_violation(MachineTest *m, Diag *d, const char *script)
+{
+    bool is_explained = false;
+
+    for (size_t i = 0; i < m->explained.n; i++)
+        is_explained = is_explained || (m->explained.at[i].src == d->span.src && m->explained.at[i].at == d->span.at);
+    if (!is_explained) {
+        vec_push(m->t->arena, &m->explained, d->span);
+        return;
+    }
+    d->notes.n = 0;
+    diag_note(&m->t->c->session.diags, d, (Span){0}, DIAG_note_violated_in, script);
+}
+
+static void shorten_violations(MachineTest *m, const char *script)
+{
+    const Diags *d = &m->t->c->session.diags;
+
+    for (size_t i = 0; i < d->list.n; i++)
+        if (d->list.at[i]->code == DIAG_requirement_violated)
+            shorten_violation(m, d->list.at[i], script);
+}
+
+// Returns the session's diagnostics as the message of a result.
+static const char *render_diagnostics(const TestRun *t)
 {
     DiagStyle plain = {false, 20};
     Buf b;
@@ -58,7 +84,13 @@ int test_report_diagnostics(TestRun *t, const char **text)
     diags_apply_allows(&t->c->session.diags);
     diags_select(&t->c->session.diags, &t->c->warn);
     diags_render_text(&t->c->session.diags, &plain, &b);
-    *text = buf_text(&b);
+    return buf_text(&b);
+}
+
+// Prints the session's diagnostics and stores them for the result's message.
+int test_report_diagnostics(TestRun *t, const char **text)
+{
+    *text = render_diagnostics(t);
     return cli_print_diagnostics(t->c);
 }
 
@@ -118,7 +150,10 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     buf_str(&m->report, r.printed);
     m->printed = m->report.n;
     script_report(&r, m->p, &m->report);
-    reported = test_report_diagnostics(t, &message);
+    message = render_diagnostics(t);
+    if (cli_prints_text(t->c))
+        shorten_violations(m, path);
+    reported = cli_print_diagnostics(t->c);
     if (code == EXIT_OK)
         code = reported;
     add_result(m, path, code == EXIT_OK ? TEST_PASSED : code == EXIT_PROBLEM ? TEST_FAILED : TEST_BROKEN, message, code);

@@ -35,8 +35,21 @@ static size_t count_status(const TestRun *t, TestStatus status)
     size_t n = 0;
 
     for (size_t i = 0; i < t->result.n; i++)
-        n += t->result.at[i].status == status;
+        n += t->result.at[i].status == status && !t->result.at[i].is_limit;
     return n;
+}
+
+// Adds whether what the scripts cover reaches the limits of --min-coverage, if it has any.
+static void write_limits(const TestRun *t, Buf *out)
+{
+    size_t limits = 0, failed = 0;
+
+    for (size_t i = 0; i < t->result.n; i++) {
+        limits += t->result.at[i].is_limit;
+        failed += t->result.at[i].is_limit && t->result.at[i].status != TEST_PASSED;
+    }
+    if (limits)
+        buf_printf(out, "; coverage %s --min-coverage", failed ? "is below" : "reaches");
 }
 
 // Adds a line for each script that failed.  If many failed, their output is long, and these lines at the end are an overview.
@@ -49,8 +62,9 @@ static void write_failed_scripts(const TestRun *t, Buf *out)
     for (size_t i = 0; i < t->result.n && scripts > 1; i++) {
         const TestResult *r = &t->result.at[i];
         const char *why = line_of_failure(r->message);
+        const bool names_script = r->is_limit || strncmp(why, r->path, strlen(r->path)) == 0;        // a requirement is in another file
         if (r->status == TEST_FAILED && !has_suffix(r->path, ".smt"))
-            buf_printf(out, "failed: %.*s\n", (int)first_line_length(why), why);
+            buf_printf(out, "failed: %s%s%.*s\n", names_script ? "" : r->path, names_script ? "" : ": ", (int)first_line_length(why), why);
     }
 }
 
@@ -63,6 +77,7 @@ void test_write_summary(const TestRun *t, Buf *out)
                (unsigned long)(count_status(t, TEST_FAILED) + count_status(t, TEST_BROKEN)));
     if (skipped)
         buf_printf(out, ", %lu skipped", (unsigned long)skipped);
+    write_limits(t, out);
     buf_char(out, '\n');
 }
 

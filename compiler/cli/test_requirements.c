@@ -39,7 +39,8 @@ RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what)
 // Appends `path:line` and the result to a list, unless it is the last entry.
 static void add_place(Arena *arena, Buf *list, Span span, const char *result)
 {
-    const char *place = format_in(arena, "%s:%lu%s", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line, result);
+    const char *place = format_in(arena, "%s:%lu%s", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line,
+                                  result);
     const size_t n = strlen(place);
 
     if (list->n >= n && memcmp(list->at + list->n - n, place, n) == 0)
@@ -57,7 +58,8 @@ static void add_asserts(RequirementTable *table, const Script *s, const ScriptRe
                 const ScriptAssert *a = &item->asserts.at[n];
                 const size_t *number = a->remark && a->remark->requirement ? map_find(&table->number, a->remark->requirement) : NULL;
                 if (number && (a->kind == SCRIPT_FAIL || r->evaluated[item->first_assert + n]))
-                    add_place(table->t->arena, &table->asserts[*number], a->remark->span, r->failed_asserts[item->first_assert + n] ? " (failed)" : "");
+                    add_place(table->t->arena, &table->asserts[*number], a->remark->span,
+                              r->failed_asserts[item->first_assert + n] ? " (failed)" : "");
             }
         }
 }
@@ -69,7 +71,8 @@ void test_requirements_add(RequirementTable *table, const char *path, const Scri
     requirement_add_run(table->total, table->what, r);
     for (size_t i = 0; i < table->what->at.n; i++)
         if (r->requirement[i].judged)
-            buf_printf(&table->judged[i], "%s%s: %llu", table->judged[i].n ? ", " : "", path_portable_name(path), (unsigned long long)r->requirement[i].judged);
+            buf_printf(&table->judged[i], "%s%s: %llu", table->judged[i].n ? ", " : "", path_portable_name(path),
+                       (unsigned long long)r->requirement[i].judged);
     add_asserts(table, s, r);
 }
 

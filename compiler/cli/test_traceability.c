@@ -59,7 +59,7 @@ static void judge_tested_requirements(TestRun *t, const Traceability *matrix, co
 {
     Diags *d = &t->c->session.diags;
     const uint32_t tested = matrix->counts.tested + matrix->counts.violated, all = matrix->requirement.n;
-    TestResult r = {.path = format_in(t->arena, "requirements of %s", machine), .suite = machine, .status = TEST_PASSED, .message = ""};
+    TestResult r = {.path = format_in(t->arena, "requirements of %s", machine), .suite = machine, .status = TEST_PASSED, .message = "", .is_limit = true};
     Diag *low = NULL;
 
     for (size_t i = 0; i < all && 100.0 * tested < percent * all; i++) {

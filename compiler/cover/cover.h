@@ -37,6 +37,7 @@ typedef struct CoverPlace {
     uint32_t part_of;         // the place without which this one cannot be covered, and which a report names instead; 0: none
     uint32_t result;          // CONDITION: the place of the decision's outcome to which this value leads
     bool assigned;            // GUARD: the decision is no guard
+    bool sampled;             // GUARD: a window samples the decision, at every step; a statement that has the same text is another place
     const Var *parameter;     // PARAMETER
     uint64_t cell;            // PARAMETER: the value that it had when a run began
     const char *impossible;   // why no run can cover it; NULL: it is not proved

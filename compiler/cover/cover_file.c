@@ -144,7 +144,8 @@ static void write_json_place(const Cover *c, uint32_t i, Buf *out)
     const CoverPlace *p = &c->place.at[i];
     const LineCol at = source_position(p->where.src, p->where.at);
 
-    buf_printf(out, "{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu,\"text\":", cover_kind_name[p->kind], (unsigned long)at.line, (unsigned long)at.col);
+    buf_printf(out, "{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu,\"text\":", cover_kind_name[p->kind], (unsigned long)at.line,
+               (unsigned long)at.col);
     json_put_string(out, source_text(c->arena, p->span));
     if (p->kind == COVER_TRANSITION)
         buf_printf(out, ",\"from\":\"%s\",\"to\":\"%s\"", p->from->name->text, p->to->name->text);

@@ -36,7 +36,8 @@ static const char *quote_place(const Cover *c, const CoverPlace *p)
     for (uint32_t i = 0; i < all->n && !is_within(p->span, p->where); i++)
         if (is_within(p->span, all->at[i]->value_span) && (!inner || is_within(all->at[i]->value_span, inner->value_span)))
             inner = all->at[i];
-    return inner ? format_in(c->arena, "`%s` of `%s`", source_text(c->arena, p->span), inner->name->text) : format_in(c->arena, "`%s`", source_text(c->arena, p->span));
+    return inner ? format_in(c->arena, "`%s` of `%s`", source_text(c->arena, p->span), inner->name->text)
+           : format_in(c->arena, "`%s`", source_text(c->arena, p->span));
 }
 
 // Returns the states from which a transition of [all_states] was not taken, in the order of the places: "Fill and Hold".
@@ -48,7 +49,8 @@ static const char *list_origins(const Cover *c, uint32_t first, unsigned kinds, 
 
     for (uint32_t i = first; i < c->place.n; i++) {
         const CoverPlace *q = &c->place.at[i];
-        if (q->kind == COVER_TRANSITION && q->span.at == p->span.at && is_open(c, i) && !has_named_cause(c, i, kinds) && !q->impossible == !impossible)
+        if (q->kind == COVER_TRANSITION && q->span.at == p->span.at && is_open(c, i) && !has_named_cause(c, i, kinds) &&
+            !q->impossible == !impossible)
             vec_push(c->arena, &name, q->from->name->text);
     }
     buf_init(&out, c->arena);
@@ -77,7 +79,8 @@ static const char *text_of_place(const Cover *c, uint32_t i, unsigned kinds)
 
     switch (p->kind) {
     case COVER_TRANSITION:
-        return format_in(c->arena, "%s was never taken from %s", text, p->of_all_states ? list_origins(c, i, kinds, p->impossible) : p->from->name->text);
+        return format_in(c->arena, "%s was never taken from %s", text,
+                         p->of_all_states ? list_origins(c, i, kinds, p->impossible) : p->from->name->text);
     case COVER_STATEMENT: return format_in(c->arena, "%s was never executed", text);
     case COVER_GUARD: return format_in(c->arena, "%s was never %s", text, p->value ? "true" : "false");
     case COVER_CONDITION: return format_in(c->arena, "%s was never %s while it decided", text, p->value ? "true" : "false");
@@ -98,7 +101,8 @@ static bool is_listed_with_earlier(const Cover *c, uint32_t i, unsigned kinds)
 
     for (uint32_t k = 1; p->of_all_states && k < i; k++) {
         const CoverPlace *q = &c->place.at[k];
-        if (q->kind == COVER_TRANSITION && q->span.at == p->span.at && is_open(c, k) && !has_named_cause(c, k, kinds) && !q->impossible == !p->impossible)
+        if (q->kind == COVER_TRANSITION && q->span.at == p->span.at && is_open(c, k) && !has_named_cause(c, k, kinds) &&
+            !q->impossible == !p->impossible)
             return true;
     }
     return false;
@@ -130,7 +134,8 @@ CoverGaps cover_list_gaps(const Cover *c, unsigned kinds)
     for (uint32_t i = 1; i < c->place.n; i++) {
         const CoverPlace *p = &c->place.at[i];
         CoverGap gap = {p->where, i, NULL, p->impossible != NULL};
-        if (!is_open(c, i) || !(kinds >> p->kind & 1) || has_named_cause(c, i, kinds) || repeats_guard(c, i, kinds) || is_listed_with_earlier(c, i, kinds))
+        if (!is_open(c, i) || !(kinds >> p->kind & 1) || has_named_cause(c, i, kinds) || repeats_guard(c, i, kinds) ||
+            is_listed_with_earlier(c, i, kinds))
             continue;
         gap.text = text_of_place(c, i, kinds);
         if (p->impossible)

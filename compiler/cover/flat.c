@@ -151,7 +151,8 @@ static void add_decisions_at(Maker *k, const IrFn *f, IrRef ref)
 {
     const FlatProbes *p = k->f->probes;
 
-    for (; p && k->next_decision < p->decisions && p->decision[k->next_decision].fn == f && p->decision[k->next_decision].value == ref; k->next_decision++)
+    for (; p && k->next_decision < p->decisions && p->decision[k->next_decision].fn == f && p->decision[k->next_decision].value == ref;
+         k->next_decision++)
         add_decision(k, k->next_decision);
 }
 

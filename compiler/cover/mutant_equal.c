@@ -273,7 +273,8 @@ static bool is_same_at_every_step(const Program *p, const Expr *old, const Expr 
             return false;
         for (int by = -1; by <= 2; by++) {
             const double t = (near + by) * (double)step;
-            if (t >= 0 && compare_numbers(old->op, t, expr_constant_value(old->arg[1])) != compare_numbers(new->op, t, expr_constant_value(new->arg[1])))
+            if (t >= 0 && compare_numbers(old->op, t, expr_constant_value(old->arg[1]))
+                != compare_numbers(new->op, t, expr_constant_value(new->arg[1])))
                 return false;
         }
     }

@@ -231,7 +231,8 @@ uint32_t mutant_runs_find_failing(const MutantRuns *u) { return u->failing; }
 FlatMachine *mutant_runs_original(const MutantRuns *u) { return u->original; }
 
 // Adds the inputs that a step writes, if they change.  cell: by Var.index, what was written last; is_set: whether anything was.
-static void add_changes(const MutantRuns *u, Arena *arena, InputChanges *list, uint64_t step, const EngineWrite *write, uint32_t n, uint64_t *cell, bool *is_set)
+static void add_changes(const MutantRuns *u, Arena *arena, InputChanges *list, uint64_t step, const EngineWrite *write, uint32_t n, uint64_t *cell,
+                        bool *is_set)
 {
     for (uint32_t i = 0; i < n; i++) {
         const Var *v = u->p->var.at[write[i].var];

@@ -18,7 +18,8 @@ typedef struct MutantRuns MutantRuns;
 
 // Records the runs of the scripts, and which statements they execute.  A run fails if it violates one of the requirements `rq`, which
 // can be NULL.
-MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq,
+                            uint64_t max_steps);
 // Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
 uint32_t mutant_runs_find_failing(const MutantRuns *r);
 // Values in place of a Stmt.number for a change outside statements: of something that each step executes; of an initial value.

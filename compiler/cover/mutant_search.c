@@ -253,7 +253,8 @@ static void change_inputs(Lockstep *l, Node *n, uint64_t duration, ScenarioChang
         Course *c = &n->course[i];
         ScenarioChange change = {n->steps + 1, k->v.input.at[i].var, SCENARIO_HOLD, 0, 0, 0};
         double now;
-        if (k->v.input.at[i].is_stored ? !is_first || random_below(k, 4) : !is_first && random_below(k, k->v.readings < 3 ? 2 : k->v.readings / 2 + 1))
+        if (k->v.input.at[i].is_stored ? !is_first || random_below(k, 4)
+            : !is_first && random_below(k, k->v.readings < 3 ? 2 : k->v.readings / 2 + 1))
             continue;
         now = c->step ? value_at(c, n->steps + 1) : 0;
         change.a = choose_value(l, &k->v.input.at[i]);
@@ -499,7 +500,8 @@ static void add_start(Lockstep *l, Node *n)
         vec_push(l->work, &l->inside, n);
 }
 
-const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n, uint64_t steps,
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n,
+                                  uint64_t steps,
                                   const Var **what)
 {
     Lockstep *l = ARENA_NEW(work, Lockstep);

@@ -17,7 +17,8 @@ MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *ori
 // Returns a scenario in whose last step the mutant differs, allocated in `out`; NULL: none was found in `steps` steps.  state: where the
 // change is, and where most runs begin; or NULL.  around: the numbers, n
 // of them, that the change concerns; they are tried more often.  *what receives the variable that differs; NULL: S.
-const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n, uint64_t steps,
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n,
+                                  uint64_t steps,
                                   const Var **what);
 
 #endif

@@ -125,7 +125,8 @@ static void list_inputs(ValueLists *k)
 {
     for (uint32_t i = 0; i < k->p->var.n; i++) {
         const Var *v = k->p->var.at[i];
-        const bool is_input = v->kind == VAR_ELEMENT ? v != k->p->g && v != k->p->s && !v->written && v->read : v->kind == VAR_LOCAL && v->outside && !v->parameter;
+        const bool is_input = v->kind == VAR_ELEMENT ? v != k->p->g && v != k->p->s && !v->written && v->read
+            : v->kind == VAR_LOCAL && v->outside && !v->parameter;
         const MutantInput in = {.var = i, .type = v->type, .is_stored = v->kind == VAR_ELEMENT && v->written};
         if (is_input || (in.is_stored && v != k->p->s && v != k->p->g))
             vec_push(k->arena, &k->out->input, in);

@@ -74,17 +74,19 @@ static void write_input(const Program *p, const ScenarioChange *c, Buf *out)
     buf_str(out, " a step");
 }
 
-void mutant_write_scenario(const Program *p, const Mutant *m, Buf *out)
+void mutant_write_scenario(const Program *p, const Mutant *m, size_t most, Buf *out)
 {
     const Scenario *s = m->scenario;
 
     buf_printf(out, "from %s", s->init_state->name->text);
-    for (size_t i = 0; i < s->changes; i++) {
+    for (size_t i = 0; i < s->changes && i < most; i++) {
         if (i > 0 && s->change[i].step == s->change[i - 1].step)
             buf_str(out, ", ");
         else
             buf_printf(out, "%s at G = %" PRIu64 ": ", i ? ";" : ",", (s->change[i].step - 1) * s->delta_t);
         write_input(p, &s->change[i], out);
     }
+    if (s->changes > most)
+        buf_printf(out, "; and %lu more inputs", (unsigned long)(s->changes - most));
     buf_printf(out, "%s at G = %" PRIu64 ", %s differs", s->changes ? ";" : ",", (s->steps - 1) * s->delta_t, (m->differs ? m->differs : p->s)->report_name->text);
 }

@@ -156,7 +156,8 @@ bool mutation_run_next(Mutation *u)
     m = &u->mutant.at[u->next++];
     undo = apply_edits(u, m);
     noticing = find_noticing(u, m);
-    m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0 ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
+    m->verdict = noticing < u->scripts ? MUTANT_NOTICED : strcmp(optimised_text(u, &u->work), u->original) == 0
+        ? MUTANT_EQUIVALENT : MUTANT_UNNOTICED;
     m->script = noticing;
     undo_edits(u, m->edit, undo);
     if (m->verdict == MUTANT_UNNOTICED && mutant_is_equivalent(&u->work, u->p, m->edit, u->step))

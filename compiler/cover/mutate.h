@@ -79,7 +79,9 @@ void mutation_end(Mutation *u);
 
 // Appends a change: "`>` changed to `>=` in Fill, an output".
 void mutant_write_change(Arena *arena, const Mutant *m, Buf *out);
-// Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs".
-void mutant_write_scenario(const Program *p, const Mutant *m, Buf *out);
+// Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs". `most`: how many inputs it shows, since
+// that of an edited script can have thousands.
+void mutant_write_scenario(const Program *p, const Mutant *m, size_t most, Buf *out);
+enum { MUTANT_INPUTS_SHOWN = 8 };         // of a list for a person
 
 #endif

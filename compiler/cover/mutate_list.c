@@ -126,7 +126,8 @@ static void add_operators(Mutation *u, Expr *e, uint32_t link, SmOperator was, S
         for (int k = 0; k < 2 && others[i].op == was; k++) {
             const SmOperator op = others[i].other[k];
             if (op != SM_OP_COUNT && keeps_grouping(was, op, alone))
-                add_mutant(u, at, sm_op_info[op].spelling, (MutantEdit){.kind = e->kind == EX_CHAIN ? EDIT_LINK : EDIT_OPERATOR, .e = e, .link = link, .op = op});
+                add_mutant(u, at, sm_op_info[op].spelling,
+                           (MutantEdit){.kind = e->kind == EX_CHAIN ? EDIT_LINK : EDIT_OPERATOR, .e = e, .link = link, .op = op});
         }
 }
 
@@ -134,7 +135,10 @@ static bool same_span(Span a, Span b) { return a.at == b.at && a.len == b.len; }
 
 // Whether the user wrote operator i of e: then its operands are on both sides of it in the source.  The checker adds other
 // operators, for example when it composes a median of comparisons (list.h).
-static bool is_in_source(const Expr *e, uint32_t i) { return e->arg[i]->span.at < e->arg[i + 1]->span.at && e->arg[i]->span.src == e->arg[i + 1]->span.src; }
+static bool is_in_source(const Expr *e, uint32_t i)
+{
+    return e->arg[i]->span.at < e->arg[i + 1]->span.at && e->arg[i]->span.src == e->arg[i + 1]->span.src;
+}
 
 static bool is_and_or(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR); }
 
@@ -194,7 +198,8 @@ static MutantDanger danger_of(const Mutation *u, const Stmts *list)
 // Notes that an expression is used for something of this danger.  Returns whether a local or a window is more dangerous than before.
 static bool note_use(Mutation *u, const Expr *e, MutantDanger danger)
 {
-    MutantDanger *of = e->kind == EX_ROLL ? &u->of_window[e->window] : e->kind == EX_VAR && e->var->kind == VAR_LOCAL ? &u->of_local[e->var->index] : NULL;
+    MutantDanger *of = e->kind == EX_ROLL ? &u->of_window[e->window] : e->kind == EX_VAR && e->var->kind == VAR_LOCAL
+        ? &u->of_local[e->var->index] : NULL;
     const bool is_raised = of && *of < danger;
     bool any = is_raised;
 

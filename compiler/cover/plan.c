@@ -266,8 +266,9 @@ static void add_condition_places(Plan *k, const Decision *d)
 
 static void add_decision(Plan *k, const Expr *root, bool is_guard)
 {
-    const Key key = {KEY_DECISION, root->span.at, root->span.len, 0};
-    CoverPlace p = {.kind = COVER_GUARD, .value = true, .span = root->span, .where = root->span, .part_of = k->inside, .assigned = !is_guard};
+    const Key key = {KEY_DECISION, root->span.at, root->span.len, k->in_window};
+    CoverPlace p = {.kind = COVER_GUARD, .value = true, .span = root->span, .where = root->span, .part_of = k->inside, .assigned = !is_guard,
+                    .sampled = k->in_window};
     const uint32_t first_pending = (uint32_t)k->pending.n;
     Decision d = {.root = root, .note = UINT32_MAX};
     bool is_new;
@@ -486,7 +487,8 @@ static void make_probe(Plan *k, const NoteTable *t, const Decision *d, FlatDecis
         ref[c] = t->notes->at[*note_slot(t, d->condition.at[c], d->link.at[c]) - 1].ref;
     for (uint32_t w = 0; w < d->full.n; w++)
         d->full.at[w].window = k->c->m->window_of[d->full.at[w].window];
-    *out = (FlatDecision){t->notes->at[d->note].fn, t->notes->at[d->note].ref, d->node.at, d->node.n, ref, d->condition.n, d->full.at, d->full.n, d->hit};
+    *out = (FlatDecision){t->notes->at[d->note].fn, t->notes->at[d->note].ref, d->node.at, d->node.n, ref, d->condition.n, d->full.at, d->full.n,
+                          d->hit};
 }
 
 // Finds the code of each decision, and makes the probes in the order of the code.

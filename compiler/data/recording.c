@@ -345,7 +345,8 @@ bool recording_next(Recording *r, const RecordingRow *before, RecordingRow *row)
             return result == CSV_ERROR && fail_csv(r);
         if (r->csv.cells != r->header_cells)
             return fail(r, RECORDING_FILE, r->csv.line,
-                        format_in(r->arena, "the row has %lu cells, and the header has %lu", (unsigned long)r->csv.cells, (unsigned long)r->header_cells));
+                        format_in(r->arena, "the row has %lu cells, and the header has %lu", (unsigned long)r->csv.cells,
+                                  (unsigned long)r->header_cells));
         if (!read_time(r, &row->time, &is_bad))
             return false;
         r->rows++;

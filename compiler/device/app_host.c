@@ -202,7 +202,8 @@ static void pause_for(LinkHost *h, uint32_t wait)
     while (h->line->now(h->line->context) - start < wait && h->line->receive(h->line->context, &byte, 1, wait) >= 0) {}
 }
 
-ApplicationStep application_send_swap(LinkHost *h, const ApplicationInfo *info, const Buf *swap, const uint8_t *key, uint32_t number, uint16_t session)
+ApplicationStep application_send_swap(LinkHost *h, const ApplicationInfo *info, const Buf *swap, const uint8_t *key, uint32_t number,
+                                      uint16_t session)
 {
     uint8_t body[2];
     bool begun;

@@ -23,7 +23,8 @@ typedef struct DeviceInfo {
     bool reports_limits;      // the firmware reports its limits; the following fields are valid only then
     bool windows;             // the firmware supports rolling windows
     bool parameters;          // the firmware supports parameters (language.md 5.77); older firmware does not
-    uint32_t functions;       // the elementary functions of the firmware: bit n for number n (stdlib/elementary.def); 0: firmware that does not report them
+    uint32_t functions;       // the elementary functions of the firmware: bit n for number n (stdlib/elementary.def); 0: firmware that does not
+                              // report them
     uint8_t machines;         // the most machines in an image; 0: any number
     uint8_t ram_digital, ram_analog;      // bytes of `ram` that each digital and each analog pin takes
     uint16_t period;          // default number of milliseconds between steps

@@ -147,7 +147,8 @@ static bool build_in_folder(BuildFolder *w, const Buf *code, OsPartner *partner)
     if (!os_run_program(argv.at, log, w->folder, &exit_code, &why))
         return set_error(w, no_compiler_message(w->arena, argv.at[0]), why);
     if (exit_code != 0)
-        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]), read_compiler_output(w->arena, log, exit_code));
+        return set_error(w, format_in(w->arena, "the C compiler %s does not accept the emitted C", argv.at[0]),
+                         read_compiler_output(w->arena, log, exit_code));
     if (!os_partner_start(partner, program_argv, &why))
         return set_error(w, "cannot start the compiled machine", why);
     return true;

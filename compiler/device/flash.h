@@ -25,7 +25,8 @@ typedef enum FlashRefusal {
     FLASH_ACCEPTED,
     FLASH_LINK_FAILED,        // the request for FlashCheck.asking failed; the reason is in the LinkHost
     // The board has too little for the image:
-    FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_HAS_PARAMETERS, FLASH_CALLS_FUNCTION, FLASH_TOO_MANY_MACHINES, FLASH_STEP_TOO_SLOW,
+    FLASH_TOO_LARGE, FLASH_RAM_TOO_SMALL, FLASH_STEP_TOO_LONG, FLASH_HAS_WINDOWS, FLASH_HAS_PARAMETERS, FLASH_CALLS_FUNCTION, FLASH_TOO_MANY_MACHINES,
+    FLASH_STEP_TOO_SLOW,
     // A board of this kind would refuse or ignore a pin:
     FLASH_PIN_ABSENT, FLASH_PINS_CLASH,
     // The board accepts this image, or any image, only later or never:

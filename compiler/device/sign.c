@@ -49,7 +49,8 @@ static Content find_content(const uint8_t *image, uint32_t length)
 static uint32_t add_sections(const uint8_t *image, uint32_t length, uint8_t *out)
 {
     const Content c = find_content(image, length);
-    const uint32_t old_data = SMVM_HEADER + (uint32_t)smvm_section_count(image) * SMVM_SECTION_ENTRY, table_end = SMVM_HEADER + c.sections * SMVM_SECTION_ENTRY;
+    const uint32_t old_data = SMVM_HEADER + (uint32_t)smvm_section_count(image) * SMVM_SECTION_ENTRY,
+        table_end = SMVM_HEADER + c.sections * SMVM_SECTION_ENTRY;
     const uint32_t data = table_end + 2 * SMVM_SECTION_ENTRY, end = data + (c.end - old_data);
     uint8_t *const entry = out + table_end;
 

@@ -5,7 +5,8 @@
 
 #include "bytecode-vm/permit.h"
 
-enum { SIGN_ROOM = 2 * 8 + SMVM_CODE + SMVM_AUTH };    // the most bytes by which an image grows: two section table entries of 8 bytes, and the sections
+// the most bytes by which an image grows: two section table entries of 8 bytes, and the sections
+enum { SIGN_ROOM = 2 * 8 + SMVM_CODE + SMVM_AUTH };
 
 // Numbers count seconds from the start of 2020: time increases on every computer that signs.  Higher numbers are refused, so that no mistake
 // uses up those that a board can still accept.

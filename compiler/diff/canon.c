@@ -20,7 +20,8 @@ static const State *named_state(const Canon *c, const Expr *e)
     s = p->state.at[(uint32_t)x - 1];
     if (e->number == s->number && c->keeps_numbers)
         return s;
-    return e->number == s->number && e->span.len == s->name->len && memcmp(e->span.src->text + e->span.at, s->name->text, s->name->len) == 0 ? s : NULL;
+    return e->number == s->number && e->span.len == s->name->len && memcmp(e->span.src->text + e->span.at, s->name->text, s->name->len) == 0
+           ? s : NULL;
 }
 
 static bool is_s(const Program *p, const Expr *e) { return e->kind == EX_VAR && e->var == p->s; }

@@ -162,7 +162,8 @@ static const char *canon_place(ProgramDiff *d, const Canon *c, Place place)
 
     buf_init(&out, d->arena);
     for (int b = 0; b < BLOCK_COUNT && place.state; b++) {
-        const Stmts list = place.all ? b == BLOCK_STEP ? written_section_stmts(c->p, place.all) : (Stmts){NULL, 0, 0} : written_own_stmts(place.state, (BlockKind)b);
+        const Stmts list = place.all ? b == BLOCK_STEP ? written_section_stmts(c->p, place.all) : (Stmts){NULL, 0, 0}
+            : written_own_stmts(place.state, (BlockKind)b);
         buf_printf(&out, ".%d ", b);
         canon_stmts(c, &list, &out);
     }
@@ -173,7 +174,8 @@ static const char *canon_place(ProgramDiff *d, const Canon *c, Place place)
 static void compare_place(ProgramDiff *d, const Canon canon[2], const char *where, Place old, Place new, bool same_code)
 {
     const size_t before = d->change.n;
-    DiffChange whole = {.part = DIFF_STATEMENT, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = where, .what = "order or nesting of its statements"};
+    DiffChange whole = {.part = DIFF_STATEMENT, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = where,
+                        .what = "order or nesting of its statements"};
 
     if (strcmp(canon_place(d, &canon[0], old), canon_place(d, &canon[1], new)) == 0)
         return;
@@ -233,7 +235,8 @@ static void compare_sections(ProgramDiff *d, const Canon canon[2])
         for (uint32_t s = 1; s <= q->state.n; s++)
             same = same && d->same_state[s];
         if (!same && old_name && new_name && strcmp(old_name, new_name) != 0)
-            diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = new_name, .what = "where [all_states] runs",
+            diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = new_name,
+                                     .what = "where [all_states] runs",
                                      .old = old_name, .new = new_name});
         compare_place(d, canon, new_name ? new_name : old_name, old, new, same);
     }
@@ -257,7 +260,8 @@ static void compare_states(ProgramDiff *d, const Canon canon[2])
     for (size_t i = 0; i < p->state.n; i++) {
         const State *a = p->state.at[i], *b = d->state_of[a->number] ? q->state.at[d->state_of[a->number] - 1] : NULL;
         if (!b)
-            diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_REMOVED, .weight = DIFF_BEHAVIOUR, .where = a->name->text, .what = "state", .old = state_text(d->arena, a)});
+            diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_REMOVED, .weight = DIFF_BEHAVIOUR, .where = a->name->text, .what = "state",
+                                     .old = state_text(d->arena, a)});
         else {
             d->same_state[b->number] = same_text(d, canon, a, b) || diff_same_code(d, a, b);
             differs = differs || !d->same_state[b->number];
@@ -266,7 +270,8 @@ static void compare_states(ProgramDiff *d, const Canon canon[2])
     for (size_t i = 0; i < q->state.n; i++) {
         const State *b = q->state.at[i], *a = d->old_state_of[b->number] ? p->state.at[d->old_state_of[b->number] - 1] : NULL;
         if (!a)
-            diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_ADDED, .weight = DIFF_BEHAVIOUR, .where = b->name->text, .what = "state", .new = state_text(d->arena, b)});
+            diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_ADDED, .weight = DIFF_BEHAVIOUR, .where = b->name->text, .what = "state",
+                                     .new = state_text(d->arena, b)});
         compare_place(d, canon, b->name->text, (Place){a, NULL}, (Place){b, NULL}, a && d->same_state[b->number]);
         if (a)
             compare_state_marks(d, a, b);
@@ -275,12 +280,14 @@ static void compare_states(ProgramDiff *d, const Canon canon[2])
     if (differs && count_behaviour(d) == 0)
         diff_add(d, (DiffChange){.part = DIFF_STATEMENT, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .what = "order or nesting of statements"});
     if (d->state_of[1] != 1)
-        diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = q->state.at[0]->name->text, .what = "initial state",
+        diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = q->state.at[0]->name->text,
+                                 .what = "initial state",
                                  .old = p->state.at[0]->name->text, .new = q->state.at[0]->name->text});
     else if (!canon[0].keeps_numbers && d->state_of[1] == 1)
         for (uint32_t s = 2; s <= p->state.n; s++)
             if (d->state_of[s] && d->state_of[s] != s)
-                diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_CHANGED, .weight = DIFF_INTERFACE, .where = q->state.at[d->state_of[s] - 1]->name->text,
+                diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_CHANGED, .weight = DIFF_INTERFACE,
+                                         .where = q->state.at[d->state_of[s] - 1]->name->text,
                                          .what = "number in S", .old = format_in(d->arena, "%lu", (unsigned long)s),
                                          .new = format_in(d->arena, "%lu", (unsigned long)d->state_of[s])});
 }
@@ -356,8 +363,10 @@ static void compare_variables(ProgramDiff *d)
     for (size_t i = 0; i < q->var.n; i++) {
         const Var *b = q->var.at[i];
         if (!d->old_var_of[i] && b->kind != VAR_TIME)
-            diff_add(d, (DiffChange){.part = DIFF_VARIABLE, .how = DIFF_ADDED, .weight = b->kind == VAR_ELEMENT || b->parameter ? DIFF_INTERFACE : DIFF_NOTE,
-                                     .what = format_in(d->arena, "%s %s", b->kind == VAR_ELEMENT ? "element" : b->parameter ? "parameter" : "local", b->name->text),
+            diff_add(d, (DiffChange){.part = DIFF_VARIABLE, .how = DIFF_ADDED,
+                                     .weight = b->kind == VAR_ELEMENT || b->parameter ? DIFF_INTERFACE : DIFF_NOTE,
+                                     .what = format_in(d->arena, "%s %s", b->kind == VAR_ELEMENT ? "element" : b->parameter ? "parameter" : "local",
+                                                       b->name->text),
                                      .new = var_text(d->arena, b)});
     }
 }
@@ -370,11 +379,14 @@ static void compare_options(ProgramDiff *d)
     const Program *p = d->old.p, *q = d->new.p;
 
     if (p->step != q->step)
-        diff_add(d, (DiffChange){.part = DIFF_OPTION, .how = DIFF_CHANGED, .weight = DIFF_INTERFACE, .what = "step", .old = format_in(d->arena, "%llu", (unsigned long long)p->step),
-                                 .new = format_in(d->arena, "%llu", (unsigned long long)q->step), .meaning = "how much G advances from step to step; 0: not declared"});
+        diff_add(d, (DiffChange){.part = DIFF_OPTION, .how = DIFF_CHANGED, .weight = DIFF_INTERFACE, .what = "step",
+                                 .old = format_in(d->arena, "%llu", (unsigned long long)p->step),
+                                 .new = format_in(d->arena, "%llu", (unsigned long long)q->step),
+                                 .meaning = "how much G advances from step to step; 0: not declared"});
     if (p->time_unit != q->time_unit)
         diff_add(d, (DiffChange){.part = DIFF_OPTION, .how = DIFF_CHANGED, .weight = DIFF_INTERFACE, .what = "time_unit",
-                                 .old = (size_t)p->time_unit < sizeof unit / sizeof *unit ? unit[p->time_unit] : "", .new = (size_t)q->time_unit < sizeof unit / sizeof *unit ? unit[q->time_unit] : ""});
+                                 .old = (size_t)p->time_unit < sizeof unit / sizeof *unit ? unit[p->time_unit] : "",
+                                 .new = (size_t)q->time_unit < sizeof unit / sizeof *unit ? unit[q->time_unit] : ""});
 }
 
 // Whether p has the mark as often as `least` times up to the given one.

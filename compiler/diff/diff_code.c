@@ -67,7 +67,8 @@ static bool keeps_numbers(const ProgramDiff *d)
 
 static bool same_instruction(CodeMatch *m, const uint32_t *ref, const IrIns *x, const IrIns *y)
 {
-    if (x->op != y->op || x->type != y->type || x->stat != y->stat || (x->a == IR_NONE) != (y->a == IR_NONE) || (x->b == IR_NONE) != (y->b == IR_NONE))
+    if (x->op != y->op || x->type != y->type || x->stat != y->stat || (x->a == IR_NONE) != (y->a == IR_NONE) ||
+        (x->b == IR_NONE) != (y->b == IR_NONE))
         return false;
     if ((x->a != IR_NONE && ref[x->a] != y->a) || (x->b != IR_NONE && ref[x->b] != y->b))
         return false;

@@ -4,7 +4,10 @@
 
 #include "compiler/diff/diff_part.h"
 
-static const char *value_text(Arena *arena, const Define *d) { return format_in(arena, "%.*s", (int)d->value_span.len, d->value_span.src->text + d->value_span.at); }
+static const char *value_text(Arena *arena, const Define *d)
+{
+    return format_in(arena, "%.*s", (int)d->value_span.len, d->value_span.src->text + d->value_span.at);
+}
 
 static const Define *find_define(const Program *p, const Define *like)
 {
@@ -54,7 +57,8 @@ const char *diff_describe_defines(ProgramDiff *d, const Stmt *stmt, const Condit
         for (const Condition *c = when; c && !used; c = c->outer)
             used = is_used_in(a, c->stmt->value->span, p->define.n);
         if (used && b && strcmp(value_text(d->arena, a), value_text(d->arena, b)) != 0)
-            buf_printf(&out, "%s'%s' was %s and is %s", out.n ? "; " : "written as before, but ", a->name->text, value_text(d->arena, a), value_text(d->arena, b));
+            buf_printf(&out, "%s'%s' was %s and is %s", out.n ? "; " : "written as before, but ", a->name->text, value_text(d->arena, a),
+                       value_text(d->arena, b));
     }
     return out.n ? buf_text(&out) : "written as before, but a name in it means something else";
 }

@@ -196,7 +196,8 @@ static const char *list_parts(Arena *arena, const GuardParts *g)
     buf_init(&out, arena);
     for (size_t i = 0; i < g->n; i++)
         if (!g->at[i].cancelled)
-            buf_printf(&out, "%s%s%s%s", out.n ? " and " : "", g->at[i].holds ? "" : "not (", source_text(arena, g->at[i].e->span), g->at[i].holds ? "" : ")");
+            buf_printf(&out, "%s%s%s%s", out.n ? " and " : "", g->at[i].holds ? "" : "not (", source_text(arena, g->at[i].e->span),
+                       g->at[i].holds ? "" : ")");
     return buf_text(&out);
 }
 

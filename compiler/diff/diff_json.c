@@ -61,7 +61,8 @@ void diff_write_json(const ProgramDiff *d, Buf *out)
     buf_printf(out, "{\"smc-diff\":1,\"old\":");
     json_put_string(out, path_portable_name(d->old.p->src->name));
     write_member(out, "new", path_portable_name(d->new.p->src->name));
-    buf_printf(out, ",\"same\":%s,\"same_layout\":%s,\"same_image\":%s", diff_is_same(d) ? "true" : "false", d->same_layout ? "true" : "false", d->same_image ? "true" : "false");
+    buf_printf(out, ",\"same\":%s,\"same_layout\":%s,\"same_image\":%s", diff_is_same(d) ? "true" : "false", d->same_layout ? "true" : "false",
+               d->same_image ? "true" : "false");
     write_member(out, "swap", d->swap);
     buf_str(out, ",\n\"changes\":[");
     for (size_t i = 0; i < d->change.n; i++) {
@@ -75,7 +76,8 @@ void diff_write_json(const ProgramDiff *d, Buf *out)
     }
     buf_str(out, "],\n\"costs\":[");
     for (size_t i = 0; i < d->cost.n; i++)
-        buf_printf(out, "%s{\"name\":\"%s\",\"old\":%" PRIu64 ",\"new\":%" PRIu64 "}", i ? ",\n" : "\n", d->cost.at[i].name, d->cost.at[i].old, d->cost.at[i].new);
+        buf_printf(out, "%s{\"name\":\"%s\",\"old\":%" PRIu64 ",\"new\":%" PRIu64 "}", i ? ",\n" : "\n", d->cost.at[i].name, d->cost.at[i].old,
+                   d->cost.at[i].new);
     buf_str(out, "],\n\"findings\":[");
     for (size_t i = 0; i < d->finding.n; i++) {
         const DiffFinding *f = &d->finding.at[i];

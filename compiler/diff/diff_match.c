@@ -59,7 +59,8 @@ static bool same_name(const Program *a, const Var *x, const Program *b, const Va
 
     if (s || t)
         return s && t && strcmp(s, t) == 0;
-    return x->kind == y->kind && strcmp(x->kind == VAR_ELEMENT ? element_name(x) : x->name->text, y->kind == VAR_ELEMENT ? element_name(y) : y->name->text) == 0;
+    return x->kind == y->kind && strcmp(x->kind == VAR_ELEMENT ? element_name(x) : x->name->text,
+                                        y->kind == VAR_ELEMENT ? element_name(y) : y->name->text) == 0;
 }
 
 static void match_names(ProgramDiff *d)
@@ -174,7 +175,8 @@ static const Var *only_form(const Program *p, const Var *const *var_of, const Va
 static void match_likely_locals(ProgramDiff *d, const Canon canon[2])
 {
     for (size_t i = 0; i < d->old.p->var.n; i++) {
-        const Var *a = d->old.p->var.at[i], *b = d->var_of[i] || a->kind != VAR_LOCAL || a->is_constant ? NULL : only_form(d->new.p, d->old_var_of, a);
+        const Var *a = d->old.p->var.at[i], *b = d->var_of[i] || a->kind != VAR_LOCAL || a->is_constant
+            ? NULL : only_form(d->new.p, d->old_var_of, a);
         if (b && only_form(d->old.p, d->var_of, b) == a && shares_line(list_uses(d->arena, &canon[0], a), list_uses(d->arena, &canon[1], b)))
             pair_vars(d, a, b);
     }
@@ -198,7 +200,8 @@ static void add_incoming(const StmtLocation *at, void *context)
     Incoming *in = context;
 
     if (at->stmt->kind == ST_TRANSITION && at->stmt->target == in->to)
-        vec_push(in->arena, in->out, format_in(in->arena, "from %s %s", in->c->state[at->state->number], canon_condition(in->arena, in->c, at->when)));
+        vec_push(in->arena, in->out, format_in(in->arena, "from %s %s", in->c->state[at->state->number],
+                                               canon_condition(in->arena, in->c, at->when)));
 }
 
 // Lists what characterises a state: its statements, and the transitions to it.

@@ -73,7 +73,8 @@ static void compare_step(void *context, const ScriptStep *s)
         if (a->kind != VAR_ELEMENT || !b || a == p->g || a == p->s || same_cell(a, r->now[i], b, s->cell[b->index]))
             continue;
         if (run->values < DIFF_VALUES_MAX)
-            run->value[run->values++] = (DiffValue){b->name->text, cell_text(d->arena, a->type, r->now[i]), cell_text(d->arena, b->type, s->cell[b->index])};
+            run->value[run->values++] = (DiffValue){b->name->text, cell_text(d->arena, a->type, r->now[i]),
+                                                    cell_text(d->arena, b->type, s->cell[b->index])};
     }
     run->steps = s->number;
     if (!other_state && run->values == 0)
@@ -88,7 +89,8 @@ static void compare_step(void *context, const ScriptStep *s)
 
 static const char *result_text(Arena *arena, const ScriptResult *r)
 {
-    static const char *const outcome[] = {"passed", "failed", "did not stop", "ran out of time", "has no data", "was cancelled", "broke down", "differed"};
+    static const char *const outcome[] = {"passed", "failed", "did not stop", "ran out of time", "has no data", "was cancelled", "broke down",
+                                          "differed"};
 
     return format_in(arena, "%s after %" PRIu64 " step%s", outcome[r->outcome], r->steps, r->steps == 1 ? "" : "s");
 }
@@ -112,7 +114,8 @@ void diff_run_script(ProgramDiff *d, const char *name, const Script *old, const 
     ScriptResult a, b;
 
     if (!old || !new) {
-        run.problem = !old && !new ? "it has errors for both machines" : old ? "it has errors for the new machine" : "it has errors for the old machine";
+        run.problem = !old && !new ? "it has errors for both machines" : old
+            ? "it has errors for the new machine" : "it has errors for the old machine";
         vec_push(d->arena, &d->run, run);
         return;
     }

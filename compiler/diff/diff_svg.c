@@ -60,7 +60,8 @@ static bool is_removed(const ProgramDiff *d, const Transition *t)
         return true;
     for (size_t i = 0; i < d->change.n; i++)
         if (d->change.at[i].part == DIFF_TRANSITION && d->change.at[i].old_stmt == t->stmt)
-            return d->change.at[i].how == DIFF_REMOVED || !d->change.at[i].new_stmt || d->state_of[t->to->number] != d->change.at[i].new_stmt->target->number;
+            return d->change.at[i].how == DIFF_REMOVED || !d->change.at[i].new_stmt ||
+                   d->state_of[t->to->number] != d->change.at[i].new_stmt->target->number;
     return false;
 }
 
@@ -136,7 +137,8 @@ static DiagramChange change_of_transition(const Union *u, const Transition *t)
     for (size_t i = 0; i < u->d->change.n; i++) {
         const DiffChange *c = &u->d->change.at[i];
         if (c->part == DIFF_TRANSITION && c->new_stmt == t->stmt)
-            return c->how == DIFF_ADDED || (c->old_stmt && u->d->state_of[c->old_stmt->target->number] != c->new_stmt->target->number) ? DIAGRAM_ADDED : DIAGRAM_CHANGED;
+            return c->how == DIFF_ADDED || (c->old_stmt && u->d->state_of[c->old_stmt->target->number] != c->new_stmt->target->number)
+                   ? DIAGRAM_ADDED : DIAGRAM_CHANGED;
     }
     return DIAGRAM_SAME;
 }

@@ -36,7 +36,8 @@ static const char *verdict_text(const ProgramDiff *d)
 
     if (!changes && !runs)
         return "no change of behaviour";
-    return format_in(d->arena, "behaviour changed: %s%s%s", count_text(d->arena, changes, "change"), runs ? ", seen in " : "", runs ? count_text(d->arena, runs, "script") : "");
+    return format_in(d->arena, "behaviour changed: %s%s%s", count_text(d->arena, changes, "change"), runs ? ", seen in " : "",
+                     runs ? count_text(d->arena, runs, "script") : "");
 }
 
 static const char *side_name(const DiffSide *s) { return path_portable_name(s->p->src->name); }
@@ -81,7 +82,8 @@ static void write_run(const DiffRun *r, Buf *out)
     else if (r->step == 0)
         buf_printf(out, "%s, now %s\n", r->old_result, r->new_result);
     else {
-        buf_printf(out, "differs after step %" PRIu64 " (G = %" PRIu64 ", state %s%s%s)", r->step, r->g, r->old_state, strcmp(r->old_state, r->new_state) ? ", now " : "",
+        buf_printf(out, "differs after step %" PRIu64 " (G = %" PRIu64 ", state %s%s%s)", r->step, r->g, r->old_state,
+                   strcmp(r->old_state, r->new_state) ? ", now " : "",
                    strcmp(r->old_state, r->new_state) ? r->new_state : "");
         for (uint32_t i = 0; i < r->values; i++)
             buf_printf(out, "%s%s = %s, now %s", i ? "; " : ": ", r->value[i].name, r->value[i].old, r->value[i].new);

@@ -132,7 +132,8 @@ bool env_table_find_join(const EnvTable *t, EnvJoin *j)
 {
     const EnvJoin *known = t->joins ? join_slot(t, j) : NULL;
 
-    if (!known || known->a != j->a || known->b != j->b || known->widen != j->widen || known->first != j->first || known->level != j->level || known->side != j->side)
+    if (!known || known->a != j->a || known->b != j->b || known->widen != j->widen || known->first != j->first || known->level != j->level ||
+        known->side != j->side)
         return false;
     j->joined = known->joined;
     return true;

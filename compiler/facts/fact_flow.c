@@ -556,15 +556,26 @@ static void repeat_effect(FlowWalk *w, const FactEffect *e)
         repeat_edge(w, j->otherwise, e->update + e->stores + e->on_then, e->on_otherwise, true);
 }
 
-// Stores the facts that the visit of the current block has recorded.
+// Returns a copy of n updates: in `old`, the memory of `room` others that are no longer needed, if they fit there.
+static FactUpdate *copy_updates(Arena *arena, const FactUpdate *from, size_t n, FactUpdate *old, size_t room)
+{
+    if (n > room)
+        return arena_copy(arena, from, n * sizeof *from);
+    if (n > 0)
+        memcpy(old, from, n * sizeof *from);
+    return old;
+}
+
+// Stores the facts that the visit of the current block has recorded, in place of those of an earlier visit.
 static void store_effect(FlowWalk *w, FactEffect *effect)
 {
     FactMachine *fm = w->fm;
+    const FactEffect *old = &w->effect[w->block];
 
     effect->known = true;
     effect->loads = (uint32_t)fm->load.n;
-    effect->load = arena_copy(fm->shape.arena, fm->load.at, fm->load.n * sizeof *fm->load.at);
-    effect->update = arena_copy(fm->shape.arena, fm->update.at, fm->update.n * sizeof *fm->update.at);
+    effect->load = copy_updates(fm->shape.arena, fm->load.at, fm->load.n, old->load, old->loads);
+    effect->update = copy_updates(fm->shape.arena, fm->update.at, fm->update.n, old->update, old->stores + old->on_then + old->on_otherwise);
     w->effect[w->block] = *effect;
 }
 

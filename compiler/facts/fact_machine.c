@@ -65,7 +65,8 @@ static const Env *join_at_begin(FactIteration *v, const FactBegin *b, const Env 
     if (b->changes > CHANGES_MAX && !last)
         return v->fm->constants;
     v->widened |= b->changes > CHANGES_BEFORE_WIDENING;
-    return env_join(&v->fm->shape, b->env, env, last || b->changes <= CHANGES_BEFORE_WIDENING ? NULL : b->changes <= CHANGES_BEFORE_FEW_LIMITS ? &v->limits : &few);
+    return env_join(&v->fm->shape, b->env, env, last || b->changes <= CHANGES_BEFORE_WIDENING
+                    ? NULL : b->changes <= CHANGES_BEFORE_FEW_LIMITS ? &v->limits : &few);
 }
 
 // Merges the facts `env` of a path into a function into the facts at the function's beginning.  If these change, queues its state for
@@ -178,7 +179,8 @@ static void narrow_facts(FactIteration *v, const Env *initial)
 static Fact fact_of_initial(const IrVar *v)
 {
     const Parameter *p = v->parameter;
-    const Fact any = {p ? p->lo : 0, p ? p->hi : 0, .whole = !ir_is_float(v->type), .minus_zero = ir_is_float(v->type) && p && p->lo <= 0 && p->hi >= 0};
+    const Fact any = {p ? p->lo : 0, p ? p->hi : 0, .whole = !ir_is_float(v->type),
+                      .minus_zero = ir_is_float(v->type) && p && p->lo <= 0 && p->hi >= 0};
 
     return fact_convert(p ? any : fact_of_cell(v->type, v->init), v->type);
 }

@@ -57,7 +57,8 @@ static SharedWindow *find_shared_window(const Builder *b, SharedWindow *table, s
 {
     size_t at = (size_t)mix_hash(hash_shape(b, w->sample), w->size) & (cap - 1);
 
-    while (table[at].first && (table[at].first->size != w->size || kind_of(table[at].first) != kind_of(w) || table[at].first->gap != w->gap || !expr_equal(table[at].first->sample, w->sample, b->window)))
+    while (table[at].first && (table[at].first->size != w->size || kind_of(table[at].first) != kind_of(w) || table[at].first->gap != w->gap ||
+                               !expr_equal(table[at].first->sample, w->sample, b->window)))
         at = (at + 1) & (cap - 1);
     return &table[at];
 }

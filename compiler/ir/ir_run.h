@@ -57,7 +57,8 @@ const uint32_t *ir_run_writers(const IrRun *r, const void *situation);
 bool ir_run_step(IrRun *r, void *situation, IrTrace *trace);
 // Samples every window n times, at times that are dt apart and end with the last step.  `inputs` may be NULL; it is called before each sample to
 // set the inputs.
-void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, double dt, void (*inputs)(void *context, double *vars, uint32_t sample), void *context);
+void ir_run_fill_windows(IrRun *r, void *situation, uint32_t n, double dt, void (*inputs)(void *context, double *vars, uint32_t sample),
+                         void *context);
 
 // Removes the samples of all windows.
 void ir_run_clear_windows(const IrRun *r, void *situation);

@@ -43,7 +43,8 @@
 #include "compiler/ir/ir.h"
 #include "compiler/ir/text.h"
 
-const char *const ir_stat_name[SM_STAT_COUNT] = {"avg", "median", "min", "max", "range", "oldest", "newest", "change", "elapsed", "run_steps", "run_time"};
+const char *const ir_stat_name[SM_STAT_COUNT] = {"avg", "median", "min", "max", "range", "oldest", "newest", "change", "elapsed", "run_steps",
+                                                 "run_time"};
 const char *const ir_block_name[BLOCK_COUNT] = {"entry", "step", "exit"};
 
 // Prints d with the fewest digits from which the same number of this type can be read back.

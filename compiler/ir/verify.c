@@ -314,7 +314,8 @@ static bool check_jump(IrChecker *c, IrBlkRef b, const IrJump *j)
     case IR_GOTO:
         if (!c->state || strcmp(c->block, ir_block_name[BLOCK_EXIT]) == 0)
             return report_violation(c, "a transition is not allowed here");
-        return (j->state >= 1 && j->state <= c->m->state.n) || report_violation(c, "block b%lu goes to a state that does not exist", (unsigned long)b);
+        return (j->state >= 1 && j->state <= c->m->state.n) ||
+               report_violation(c, "block b%lu goes to a state that does not exist", (unsigned long)b);
     }
     return report_violation(c, "block b%lu ends in no jump", (unsigned long)b);
 }

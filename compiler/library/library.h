@@ -171,7 +171,8 @@ void *library_memory_alloc(LibraryMemory *m, void *old, uint64_t size);
 // ---- library_session.c ----
 
 bool library_is_open(const SmcSession *s);
-uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v);       // returns the number of the parameter; UINT32_MAX: no parameter
+// returns the number of the parameter; UINT32_MAX: no parameter
+uint32_t library_parameter(const LibraryMachine *own, const LibraryVariable *v);
 // Records r with the sentence `text`, and returns r.  `text` NULL: the sentence of smc_result_text.
 SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text);
 // Allocates memory outside the arenas; NULL: out of memory.

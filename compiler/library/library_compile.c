@@ -368,7 +368,8 @@ static void set_c_options(SmcSession *s, CompileSource *in, CompileEmit emit)
 {
     memset(&in->c, 0, sizeof in->c);
     in->c.prefix = s->prefix;
-    in->c.header = format_in(&s->compiler.arena, "%s%s", stem_of(s, in->text), emit == EMIT_ARRAY ? "_image.h" : in->kind == FILE_IO ? "_io.h" : in->kind == FILE_NET ? "_net.h" : ".h");
+    in->c.header = format_in(&s->compiler.arena, "%s%s", stem_of(s, in->text),
+                             emit == EMIT_ARRAY ? "_image.h" : in->kind == FILE_IO ? "_io.h" : in->kind == FILE_NET ? "_net.h" : ".h");
     in->c.source = library_base_name(in->text->name);
     in->c.track_stores = s->option[SMC_OPTION_TRACK] != 0;
     in->c.soft = s->option[SMC_OPTION_SOFT] != 0;

@@ -31,8 +31,8 @@
 // Only a pointer to memory that the program has freed, or that is shorter than it says, is undefined.  A session that was closed is freed memory,
 // unless the program provided its memory.
 //
-// **Texts** end with a NUL.  They are UTF-8, unless a name that the program passed is not.  Every pointer that a function returns or stores belongs to the
-// session, and is valid until the next smc_close, smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.
+// **Texts** end with a NUL.  They are UTF-8, unless a name that the program passed is not.  Every pointer that a function returns or stores belongs
+// to the session, and is valid until the next smc_close, smc_compile, smc_emit, smc_run, smc_report, or smc_source_* call that changes something.
 // Exceptions:
 //
 //   - smc_render, smc_apply_edits and smc_diagram each store one text, which is also valid only until the next call of the same function;
@@ -122,7 +122,8 @@ enum SmcKind {    // a kind of source; later versions can have more
 // `name`, which can be a path.
 // The file name in it, without folders and suffix, names what is generated.  An application finds its files by their names, written as in
 // the application.  A script finds the scripts that it includes by their names, which are paths relative to the folder in its own name.  A
-// script that another one includes does not run by itself.  A script finds its recorded data in the same way, as a source of SMC_KIND_DATA.  `text` can be NULL if `size` is 0.
+// script that another one includes does not run by itself.  A script finds its recorded data in the same way, as a source of SMC_KIND_DATA.  `text`
+// can be NULL if `size` is 0.
 // SMC_E_ARGUMENT: the name is empty, or contains a control character.  SMC_E_SIZE: the text is longer than 1 GB.
 SmcResult smc_source_add(SmcSession *s, int32_t kind, const char *name, const char *text, uint64_t size, uint32_t *source);
 // Replaces the text of a source, which keeps its number, its name and its place in the order of machines.  What was compiled stays as it is until

@@ -4,10 +4,12 @@
 #include "compiler/prove/prove_explore.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_goal.h"
+#include "compiler/prove/prove_near.h"
 
 enum {
     DELTA_T = 10,             // the step, if neither the machine nor a given run has one
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
+    NEAR_SHARE = 32,          // 1 / NEAR_SHARE of them run close to the given runs
     FIRST_SHARE = 16,         // 1 / FIRST_SHARE of them run before the proofs that take long
     FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
@@ -122,6 +124,8 @@ static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
         p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
+    for (uint32_t n = 0; n < v->p->var.n && !v->o->assume_ranges; n++)
+        of->beyond_range |= v->p->var.at[n]->range && v->m->var_of[n] != IR_NONE && p->model[PROVE_EXACT]->var[v->m->var_of[n]].kind == PROVE_INPUT;
     for (uint32_t n = 0; n < v->m->var.n; n++)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
@@ -300,27 +304,67 @@ static uint32_t find_violating_given(ProveRun *v, const ProveOf *of, const Scena
     return best;
 }
 
+// Stores a run that violates the requirement, or a simpler one.
+static void keep_violation(ProveRun *v, ProveOf *of, const Scenario *s)
+{
+    GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
+    const Scenario *simpler;
+    uint64_t steps;
+
+    if (s->changes > FEW_CHANGES) {
+        s = near_shorten(v->arena, &v->work, v->m, &g, s, &steps);
+        of->steps += steps;
+        v->result->steps += steps;
+    }
+    g.given = s;
+    g.givens = 1;
+    simpler = run_goal_search(v, of, &g).scenario;
+    of->verdict = PROVE_VIOLATED;
+    of->premise_seen = true;
+    of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
+}
+
 // Whether a given run violates the requirement.  If so, the scenario of the result is a simpler one.
 static bool is_violated_by_given(ProveRun *v, ProveOf *of)
 {
-    GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
-    const Scenario *given, *simpler;
+    const size_t requirement = (size_t)(of->what - v->all->at.at);
+    const Scenario *given;
     const uint32_t n = find_violating_given(v, of, &given);
 
     for (uint32_t i = 0; i < v->givens; i++) {
-        of->premise_seen |= v->judged[i][g.requirement].premise_seen;
+        of->premise_seen |= v->judged[i][requirement].premise_seen;
         of->steps += v->given[i].steps;
     }
     if (!given)
         return false;
-    of->verdict = PROVE_VIOLATED;
     of->given = v->given_of[n];
-    of->given_step = v->judged[n][g.requirement].violated;
-    of->premise_seen = true;
-    g.given = given;
-    g.givens = 1;
-    simpler = run_goal_search(v, of, &g).scenario;
-    of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, given) ? simpler : given);
+    of->given_step = v->judged[n][requirement].violated;
+    keep_violation(v, of, given);
+    return true;
+}
+
+// Whether a given run violates the requirement with other values of few inputs.
+static bool is_violated_near_given(ProveRun *v, ProveOf *of)
+{
+    const GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / NEAR_SHARE);
+    ProveNear *near;
+    NearFound found;
+
+    if (v->givens == 0 || !goes_on(v))
+        return false;
+    found = near_search(v->arena, &v->work, v->m, &g);
+    of->steps += found.steps;
+    v->result->steps += found.steps;
+    of->premise_seen |= found.premise_seen;
+    if (!found.scenario)
+        return false;
+    of->near = near = ARENA_NEW(v->arena, ProveNear);
+    *near = (ProveNear){.given = v->given_of[found.given], .vars = found.turns, .from = found.from, .to = found.to, .step = found.scenario->steps};
+    for (uint32_t i = 0; i < found.turns; i++) {
+        near->var[i] = found.turn[i].var;
+        near->value[i] = found.turn[i].value;
+    }
+    keep_violation(v, of, found.scenario);
     return true;
 }
 
@@ -335,7 +379,7 @@ static void try_to_decide(ProveRun *v, ProveOf *of)
     of->verdict = PROVE_UNDECIDED;
     begin_proof(v, &proof, of);
     if (!try_proofs(v, &proof, of, ATTEMPTS_FIRST)) {
-        if (search_violation(v, of, 1, effort / FIRST_SHARE))
+        if (is_violated_near_given(v, of) || search_violation(v, of, 1, effort / FIRST_SHARE))
             return;
         if (!try_proofs(v, &proof, of, ATTEMPTS)) {
             search_violation(v, of, 2, effort > of->steps ? effort - of->steps : 1);
@@ -426,6 +470,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : o->givens ? o->given[0].run.delta_t : DELTA_T;
     result->init_state = o->init_state ? o->init_state : v.p->state.at[0];
     result->n = r->at.n;
+    result->effort = effort_of(&v);
     result->given = o->given;
     result->givens = o->givens;
     judge_givens(&v);

@@ -76,6 +76,16 @@ typedef struct ProveGiven {
     const Var *ended_by;      // what it sets then, and no search does: G, S, a local or an element that the machine assigns; NULL: `run` is all of it
 } ProveGiven;
 
+// A violation that differs from a given run in few inputs (prove_near.h).
+typedef struct ProveNear {
+    const ProveGiven *given;
+    const Var *var[2];        // `vars` inputs have other values
+    double value[2];
+    uint32_t vars;
+    uint64_t from, to;        // in these steps
+    uint64_t step;            // the step that violates the requirement
+} ProveNear;
+
 // Something with too many values for a proof: a variable of the machine, the samples of a window, or, if both are NULL, the time since a `leads to`
 // is open.
 typedef struct ProveWide { const Var *var; const Window *window; } ProveWide;
@@ -90,10 +100,12 @@ typedef struct ProveOf {
     const Scenario *scenario; // VIOLATED
     const ProveGiven *given;  // VIOLATED: a given run that violates it, too; or NULL
     uint64_t given_step;      // in this step
+    const ProveNear *near;    // VIOLATED: a given run violates it with other values of few inputs; or NULL
     bool premise_seen;        // some run that was tried could have violated the requirement; always true if VIOLATED
     ProveObstacle obstacle;   // UNDECIDED
     ProveWide wide[PROVE_WIDES];      // UNDECIDED: what the last exploration could not distinguish all values of, `wides` of them
     uint32_t wides;
+    bool beyond_range;        // UNDECIDED: it depends on an element with @range, and values beyond that were not excluded
     bool *tried;              // by state from 0: some run was in it
     bool *excluded;           // by state from 0: an exploration has found that no run comes to it before it violates the requirement
     uint32_t irrelevant;      // variables that cannot influence the requirement
@@ -127,6 +139,7 @@ typedef struct ProveResult {
     uint64_t delta_t;
     const State *init_state;
     uint64_t steps;           // steps of all runs that were tried
+    uint64_t effort;          // of each search: as in the options, or the default
     const char *bug;          // a sentence: a found violation that the reference interpreter does not confirm; or NULL
 } ProveResult;
 

@@ -35,7 +35,8 @@ typedef struct ProveExplored {
 
 // `assumed`: a set of 1u << ProveAssumption.  `fine`: nodes differ in the values of all variables that change; else only of those with few values.
 // `work`: memory of the exploration, which is reset first.
-ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine, const ProveLimits *limits);
+ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine,
+                            const ProveLimits *limits);
 
 // Whether some values of the variables violate the requirement, whatever the machine does.
 bool prove_can_violate(Arena *arena, ProveModel *p);

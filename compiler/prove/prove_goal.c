@@ -139,7 +139,8 @@ static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
     const RefWindows *windows = &w->monitor->windows;
     const Distance none = distance_of_value(false);
 
-    return (Conditions){r->a ? distance_of(r->a, cell, windows) : none, r->b ? distance_of(r->b, cell, windows) : none, r->c ? distance_of(r->c, cell, windows) : none};
+    return (Conditions){r->a ? distance_of(r->a, cell, windows) : none, r->b ? distance_of(r->b, cell, windows) : none,
+                        r->c ? distance_of(r->c, cell, windows) : none};
 }
 
 static bool is_true(Distance d) { return d.to_true == 0; }
@@ -356,8 +357,8 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
     return s->steps == 0 ? NULL : s;
 }
 
-// Returns how much a step costs.  The reference computes the statistics of a window from all its samples.
-static uint64_t cost_of_step(const Monitor *m)
+// The reference computes the statistics of a window from all its samples.
+uint64_t goal_cost_of_step(const Monitor *m)
 {
     enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step
     uint64_t samples = 0;
@@ -373,8 +374,10 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     const Expr *condition[3];
     SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true, .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
-                       .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS, .go_on = may_go_on, .context = &stop};
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true,
+                       .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
+                       .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS,
+                       .go_on = may_go_on, .context = &stop};
     const Requirement *r = &g->all->at.at[g->requirement];
     const Expr *const part[3] = {r->a, r->b, r->c};
     const SearchResult *found;
@@ -387,7 +390,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
         if (part[k])
             condition[watch.conditions++] = part[k];
     o.writable = goal_inputs(work, g->all->program);
-    o.effort = (g->effort - 1) / cost_of_step(w->monitor) + 1;
+    o.effort = (g->effort - 1) / goal_cost_of_step(w->monitor) + 1;
     found = search_run(work, c, &o);
     out.steps = found->steps;
     if (found->find[found->places].outcome == SEARCH_REACHED) {

@@ -37,6 +37,8 @@ typedef struct GoalFound {
 const bool *goal_inputs(Arena *arena, const Program *p);
 // `work` has the memory of the search: it is reset first.
 GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g);
+// Returns how much a step of a search costs, with the windows that a monitor judges.
+uint64_t goal_cost_of_step(const Monitor *m);
 // Runs a scenario on the reference interpreter.  Returns the first step that violates the requirement (GOAL_PREMISE: that could have violated
 // it); 0: none.
 uint64_t goal_confirm(Arena *arena, const GoalSearch *g, const Scenario *s);

@@ -53,7 +53,8 @@ static void judge_before(ProveMaker *k, IrBlkRef met, IrBlkRef violated)
 // never a after b without c: `seen` is whether an earlier step had b, `open` whether no step since the last one with b had c.
 static void judge_after(ProveMaker *k, IrBlkRef met, IrBlkRef violated)
 {
-    const IrBlkRef had_b = prove_new_block(k), premise = prove_new_block(k), update = prove_new_block(k), with_b = prove_new_block(k), without = prove_new_block(k), with_c = prove_new_block(k);
+    const IrBlkRef had_b = prove_new_block(k), premise = prove_new_block(k), update = prove_new_block(k), with_b = prove_new_block(k),
+        without = prove_new_block(k), with_c = prove_new_block(k);
 
     judge_condition(k, 0, had_b, update);
     k->b = had_b;
@@ -93,7 +94,9 @@ static void stay_open(ProveMaker *k, IrBlkRef met)
     prove_emit_store(k, k->age, prove_emit(k, IR_add, prove_emit_load(k, k->age), prove_emit_number(k, delta)));
     prove_branch_if_above(k, k->model->next, 0, leaves, met);
     k->b = leaves;
-    prove_emit_store(k, k->offset, prove_emit(k, IR_add, prove_emit(k, IR_add, prove_emit_load(k, k->offset), prove_emit_load(k, k->model->machine->t)), prove_emit_number(k, delta)));
+    prove_emit_store(k, k->offset, prove_emit(k, IR_add,
+                                              prove_emit(k, IR_add, prove_emit_load(k, k->offset), prove_emit_load(k, k->model->machine->t)),
+                                              prove_emit_number(k, delta)));
     prove_jump_from(k, leaves, met);
 }
 
@@ -101,7 +104,8 @@ static void stay_open(ProveMaker *k, IrBlkRef met)
 static void judge_leads_to(ProveMaker *k, IrBlkRef met, IrBlkRef violated)
 {
     const double within = (double)k->model->what->within, delta = (double)k->model->delta_t;
-    const IrBlkRef closed = prove_new_block(k), opens = prove_new_block(k), is_open = prove_new_block(k), has_b = prove_new_block(k), closes = prove_new_block(k), waits = prove_new_block(k),
+    const IrBlkRef closed = prove_new_block(k), opens = prove_new_block(k), is_open = prove_new_block(k), has_b = prove_new_block(k),
+        closes = prove_new_block(k), waits = prove_new_block(k),
                    stays = prove_new_block(k);
 
     prove_branch_if_above(k, k->open, 0, is_open, closed);

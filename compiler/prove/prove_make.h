@@ -43,8 +43,8 @@ typedef struct ProveMaker {
     uint32_t windows, of_machine;     // how many there are; of the machine
     uint32_t of_both;                 // of the machine and the requirement; the others are of comparisons
     IrFn *condition[3];               // a, b, c of the requirement; NULL: it has none
-    uint32_t sampled;                 // variable: a step has run
-    uint32_t seen, open, age, offset; // variables: what the requirement has seen (judge_leads_to)
+    uint32_t sampled;                 // a variable: whether a step has run
+    uint32_t seen, open, age, offset; // variables that carry the state of the requirement from step to step (prove_judge.c)
     IrFn *f;                          // the step that is being made
     IrBlkRef b;                       // its current block
     VEC(ProveEnd) end;                // by block

@@ -138,7 +138,8 @@ static void new_functions(Slicer *s)
     for (size_t n = 0; n < m->state.n * BLOCK_COUNT; n++) {
         const IrFn *from = m->state.at[n / BLOCK_COUNT].block[n % BLOCK_COUNT];
         if (from)
-            s->fn[n] = (SliceFn){from, ARENA_ARRAY(arena, bool, from->ins.n + 1), ARENA_ARRAY(arena, bool, from->blk.n), ARENA_ARRAY(arena, IrBlkRef, from->blk.n)};
+            s->fn[n] = (SliceFn){from, ARENA_ARRAY(arena, bool, from->ins.n + 1), ARENA_ARRAY(arena, bool, from->blk.n),
+                                 ARENA_ARRAY(arena, IrBlkRef, from->blk.n)};
     }
 }
 

@@ -184,16 +184,38 @@ static void write_wides(Arena *arena, const Program *p, const ProveOf *of, size_
     }
     if (written)
         buf_char(out, '\n');
+    if (written && !large)
+        buf_printf(out, "%*sa proof can become possible by: limits on them that the machine keeps, such as clamp(x, 0, 100)\n", (int)indent, "");
 }
 
 static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     buf_printf(out, "%*s%llu steps were tried; %s\n", (int)indent, "", (unsigned long long)of->steps, obstacle_text[of->obstacle]);
     write_untried(p, of, indent, out);
-    buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes, (unsigned long long)of->visits);
+    buf_printf(out, "%*s%lu abstract states and %llu paths were examined\n", (int)indent, "", (unsigned long)of->nodes,
+               (unsigned long long)of->visits);
     write_wides(arena, p, of, indent, out);
     if (of->obstacle == PROVE_TOO_LARGE && of->wides)
         write_remedies(p, of, indent, out);
+}
+
+// Writes what the user of the command can do.
+static void write_advice(const Program *p, const ProveResult *r, const ProveOf *of, size_t indent, Buf *out)
+{
+    enum { MILLION = 1000000, LONGER = 10 };
+    const uint64_t effort = (r->effort + MILLION - 1) / MILLION * LONGER;
+    bool untried = false;
+
+    for (uint32_t s = 0; s < p->state.n; s++)
+        untried = untried || is_untried(of, s);
+    buf_printf(out, "%*swhat can help: ", (int)indent, "");
+    if (untried)
+        buf_str(out, "a script that comes to these states, named in the command; ");
+    else if (!of->premise_seen)
+        buf_str(out, "a script that comes to the premise, named in the command; ");
+    if (of->beyond_range)
+        buf_str(out, "--assume-ranges, if no element has values beyond its @range; ");
+    buf_printf(out, "--effort=%llu, which searches longer\n", (unsigned long long)effort);
 }
 
 // Writes how much was tried before the interruption, which shows how long the requirement takes, but nothing about it.
@@ -202,8 +224,22 @@ static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
     if (of->steps == 0 && of->visits == 0)
         buf_printf(out, "%*sinterrupted before anything was tried\n", (int)indent, "");
     else
-        buf_printf(out, "%*sinterrupted after %llu steps of runs and %llu paths of proofs; this says nothing about it\n", (int)indent, "", (unsigned long long)of->steps,
+        buf_printf(out, "%*sinterrupted after %llu steps of runs and %llu paths of proofs; this says nothing about it\n", (int)indent, "",
+                   (unsigned long long)of->steps,
                    (unsigned long long)of->visits);
+}
+
+static void write_near(const ProveNear *n, size_t indent, Buf *out)
+{
+    buf_printf(out, "%*sthe script %s violates it in its step %llu if ", (int)indent, "", n->given->name, (unsigned long long)n->step);
+    for (uint32_t i = 0; i < n->vars; i++) {
+        buf_printf(out, "%s%s is ", i ? " and " : "", n->var[i]->name->text);
+        script_write_value(out, n->var[i]->type, n->value[i]);
+    }
+    if (n->from == n->to)
+        buf_printf(out, " in its step %llu\n", (unsigned long long)n->from);
+    else
+        buf_printf(out, " from its step %llu to %llu\n", (unsigned long long)n->from, (unsigned long long)n->to);
 }
 
 void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
@@ -227,6 +263,8 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
     case PROVE_VIOLATED:
         if (of->given)
             buf_printf(out, "%*sthe script %s violates it in its step %llu\n", (int)indent, "", of->given->name, (unsigned long long)of->given_step);
+        if (of->near)
+            write_near(of->near, indent, out);
         buf_printf(out, "%*safter %lu steps\n", (int)indent, "", (unsigned long)of->scenario->steps);
         script = prove_script(arena, p, of);
         if (script)
@@ -269,7 +307,8 @@ void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf 
 
     for (uint32_t i = 0; i < r->n; i++)
         width = r->of[i].what->id->len > width ? r->of[i].what->id->len : width;
-    buf_printf(out, "requirements of %s, from state %s, with a step every %llu", p->name->text, r->init_state->name->text, (unsigned long long)r->delta_t);
+    buf_printf(out, "requirements of %s, from state %s, with a step every %llu", p->name->text, r->init_state->name->text,
+               (unsigned long long)r->delta_t);
     if (p->uses_time_unit)
         buf_printf(out, " %s", time_unit_name(p->time_unit));
     buf_str(out, ":\n");
@@ -278,6 +317,8 @@ void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf 
         const ProveOf *of = &r->of[i];
         buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, prove_verdict_words(of->verdict), of->what->text->text);
         prove_write_reason(arena, p, of, 6, out);
+        if (of->verdict == PROVE_UNDECIDED)
+            write_advice(p, r, of, 6, out);
     }
 }
 
@@ -335,6 +376,19 @@ static void write_json_obstacle(Arena *arena, const Program *p, const ProveOf *o
     buf_char(out, ']');
 }
 
+static void write_json_near(Arena *arena, const ProveNear *n, Buf *out)
+{
+    buf_str(out, ",\"violated_near\":");
+    json_put_string(out, n->given->name);
+    buf_printf(out, ",\"violated_near_step\":%llu,\"other_inputs\":[", (unsigned long long)n->step);
+    for (uint32_t i = 0; i < n->vars; i++) {
+        buf_str(out, i ? ",{\"name\":" : "{\"name\":");
+        json_put_string(out, n->var[i]->name->text);
+        buf_printf(out, ",\"value\":%s,\"from_step\":%llu,\"to_step\":%llu}", const_text(arena, n->value[i]), (unsigned long long)n->from, (unsigned long long)n->to);
+    }
+    buf_char(out, ']');
+}
+
 static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of, Buf *out)
 {
     const char *separator = "";
@@ -343,7 +397,8 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     json_put_string(out, of->what->id->text);
     buf_str(out, ",\"text\":");
     json_put_string(out, of->what->text->text);
-    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"abstract_states\":%lu,\"paths\":%llu,\"assumptions\":[", prove_verdict_name(of->verdict),
+    buf_printf(out, ",\"verdict\":\"%s\",\"premise_seen\":%s,\"steps\":%llu,\"abstract_states\":%lu,\"paths\":%llu,\"assumptions\":[",
+               prove_verdict_name(of->verdict),
                of->premise_seen ? "true" : "false", (unsigned long long)of->steps, (unsigned long)of->nodes, (unsigned long long)of->visits);
     for (int a = 0; a < PROVE_ASSUMPTIONS; a++)
         if (of->assumed >> a & 1) {
@@ -356,13 +411,16 @@ static void write_json_verdict(Arena *arena, const Program *p, const ProveOf *of
     if (of->verdict == PROVE_UNDECIDED)
         write_json_obstacle(arena, p, of, out);
     if (of->verdict == PROVE_VIOLATED) {
-        buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps, (unsigned long)of->scenario->changes);
+        buf_printf(out, ",\"violated_after\":%llu,\"changes\":%lu,\"script\":", (unsigned long long)of->scenario->steps,
+                   (unsigned long)of->scenario->changes);
         json_put_string(out, prove_script(arena, p, of));
         if (of->given) {
             buf_str(out, ",\"violated_by\":");
             json_put_string(out, of->given->name);
             buf_printf(out, ",\"violated_by_step\":%llu", (unsigned long long)of->given_step);
         }
+        if (of->near)
+            write_json_near(arena, of->near, out);
     }
     buf_char(out, '}');
 }

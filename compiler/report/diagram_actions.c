@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a state or a section [all_states] does, as lines in its box: the assignments to elements of the state vector.  Two kinds of assignments are not shown: those to
-// locals, and those in the same branch as a transition, which happen when the state is left.
+// What a state or a section [all_states] does, as lines in its box: the assignments to elements of the state vector.  Two kinds of assignments are
+// not shown: those to locals, and those in the same branch as a transition, which happen when the state is left.
 #include "compiler/report/diagram_model.h"
 
 typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by node, the number of its actions that are not shown

@@ -334,7 +334,10 @@ static void add_count(const Diagram *d, DiagramEdge *e)
 
 // ---- changes ----
 
-static const char *change_sign(DiagramChange c) { return c == DIAGRAM_ADDED ? "+ " : c == DIAGRAM_REMOVED ? "\xe2\x88\x92 " : c == DIAGRAM_CHANGED ? "~ " : ""; }
+static const char *change_sign(DiagramChange c)
+{
+    return c == DIAGRAM_ADDED ? "+ " : c == DIAGRAM_REMOVED ? "\xe2\x88\x92 " : c == DIAGRAM_CHANGED ? "~ " : "";
+}
 
 // Precedes the lines of a guard with the sign of its change, and adds its earlier condition.
 static void show_change(Diagram *d, DiagramGuard *g)

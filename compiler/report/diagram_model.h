@@ -114,7 +114,8 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 
 uint64_t diagram_times_taken(const DiagramEdge *e);       // at most
 uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the count for one state of the edge; at most
-uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);       // how often runs entered it; of [all_states]: the sum over the states where it runs
+// how often runs entered it; of [all_states]: the sum over the states where it runs
+uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count
 const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e);         // of an edge that was taken: ", never by line 24"; or ""

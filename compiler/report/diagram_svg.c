@@ -28,7 +28,7 @@ static const DiagramColour colours[] = {
     {".g-bang", "fill:#3d2f00", "fill:#3d2f00"},
 };
 
-// Only in a diagram of changes.
+// Colours that only a diagram of changes uses, for light and dark screens.
 static const DiagramColour change_colours[] = {
     {".g-added .g-line,.g-added .g-box", "stroke:#1a7f37", "stroke:#56d364"},
     {".g-removed .g-line,.g-removed .g-box", "stroke:#cf222e", "stroke:#ff7b72"},

@@ -54,7 +54,8 @@ static void write_json_field(const NetChannel *c, size_t i, Buf *out)
 
 static void write_json_message(const NetChannel *c, Buf *out)
 {
-    buf_printf(out, "\n  {\"name\":\"%s\",\"direction\":\"%s\",\"link\":\"%s\",\"listens\":\"%s\",\"address\":\"%u.%u.%u.%u\",\"port\":%u,", c->name->text,
+    buf_printf(out, "\n  {\"name\":\"%s\",\"direction\":\"%s\",\"link\":\"%s\",\"listens\":\"%s\",\"address\":\"%u.%u.%u.%u\",\"port\":%u,",
+               c->name->text,
                c->is_send ? "send" : "receive", link_of(c), listener_of(c), c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port);
     buf_printf(out, "\"period_ns\":%llu,\"timeout_ns\":%llu,", (unsigned long long)c->period, (unsigned long long)c->timeout);
     buf_printf(out, "\"hash\":%lu,\"bytes\":%lu,\"sealed\":%s,\"fields\":[", (unsigned long)c->hash, (unsigned long)c->size,

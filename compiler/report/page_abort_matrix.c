@@ -125,6 +125,50 @@ static bool has_unbounded(const AbortMatrix *x)
     return false;
 }
 
+// ---- what each state aborts on ----
+
+// Whether some state aborts on the variable.
+static bool is_cause(const AbortMatrix *x, const Var *v)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < x->n && !any; i++)
+        any = abort_path_that_reads(&x->row[i], v) != NULL;
+    return any;
+}
+
+// Adds a row for each state that can need an abort, and a column for each variable that a guard of an abort reads.
+static void add_causes(const Report *r, Doc *d, const AbortMatrix *x)
+{
+    const Program *p = r->analysis.p;
+    VEC(const Var *) cause = {NULL, 0, 0};
+    DocColumn *column = ARENA_ARRAY(r->arena, DocColumn, p->var.n + 1u);
+    DocTable *t;
+
+    column[0] = (DocColumn){"state", "State"};
+    for (size_t v = 0; v < p->var.n; v++)
+        if (p->var.at[v] != p->s && is_cause(x, p->var.at[v])) {
+            const bool is_time = p->var.at[v] == p->t || p->var.at[v] == p->g;
+            const char *name = is_time ? format_in(r->arena, "time (%s)", p->var.at[v] == p->t ? "T" : "G") : p->var.at[v]->name->text;
+            vec_push(r->arena, &cause, p->var.at[v]);
+            column[cause.n] = (DocColumn){name, name};
+        }
+    if (cause.n == 0)
+        return;
+    doc_add_heading(d, "abort-causes", "What each state aborts on");
+    doc_add_paragraph(d, TEXT_ABORT_CAUSES);
+    t = doc_add_table(d, "causes", column, (uint32_t)cause.n + 1);
+    t->narrow = t->dense = true;
+    for (size_t i = 0; i < x->n; i++) {
+        const AbortRow *row = &x->row[i];
+        if (row->verdict == ABORT_ITSELF || row->verdict == ABORT_UNREACHED)
+            continue;
+        doc_add_state_cell(t, row->state->name->text);
+        for (size_t v = 0; v < cause.n; v++)
+            doc_add_plain_cell(t, abort_path_that_reads(row, cause.at[v]) ? "yes" : "-");
+    }
+}
+
 // ---- the table of transitions ----
 
 // A row: a transition with the same values in one state, or in several where [all_states] runs.
@@ -220,5 +264,6 @@ void report_add_abort_matrix(Report *r, Doc *d)
         add_steps_cell(r, t, row->steps, waiting_of_row(row));
         doc_add_text_cell(t, dependence_text(r, row));
     }
+    add_causes(r, d, &x);
     add_transitions(r, d, &x);
 }

@@ -30,7 +30,8 @@ static void add_matrix(const Report *r, Doc *d)
             const ReportFaultCell *c = &f->cell.at[i * f->kind.n + k];
             const ReportOutcome *outcome = &f->outcome[c->outcome];
             if (c->line)
-                doc_add_linked_badge_cell(t, format_in(r->arena, "%s %lu", outcome->name, (unsigned long)c->line), tone[outcome->danger], line_id(r, c->line));
+                doc_add_linked_badge_cell(t, format_in(r->arena, "%s %lu", outcome->name, (unsigned long)c->line), tone[outcome->danger],
+                                          line_id(r, c->line));
             else
                 doc_add_plain_cell(t, c->applies ? "-" : "");
         }
@@ -74,10 +75,13 @@ static void add_lines(const Report *r, Doc *d)
         if (pairs > PAIRS_MOST)
             continue;
         if (i == 0 || l->is_pair != l[-1].is_pair || l->outcome != l[-1].outcome) {
-            DocPart *heading = doc_add_heading(d, NULL, format_in(r->arena, "%s%s", l->is_pair ? "Two faults, and worse than each alone: " : "With one fault, ", words));
+            DocPart *heading = doc_add_heading(d, NULL,
+                                               format_in(r->arena, "%s%s", l->is_pair
+                                                         ? "Two faults, and worse than each alone: " : "With one fault, ", words));
             heading->badge = name;
             heading->tone = tone[f->outcome[l->outcome].danger];
-            t = doc_add_table(d, format_in(r->arena, "%s%s", l->is_pair ? "two-" : "", name), line_columns, sizeof line_columns / sizeof *line_columns);
+            t = doc_add_table(d, format_in(r->arena, "%s%s", l->is_pair ? "two-" : "", name), line_columns,
+                              sizeof line_columns / sizeof *line_columns);
         }
         add_line(r, t, i);
     }

@@ -72,7 +72,7 @@ static void add_change_row(const Report *r, DocTable *t, const Mutant *m)
     buf_init(&inputs, r->arena);
     mutant_write_change(r->arena, m, &change);
     if (m->scenario)
-        mutant_write_scenario(r->analysis.p, m, &inputs);
+        mutant_write_scenario(r->analysis.p, m, MUTANT_INPUTS_SHOWN, &inputs);
     else
         buf_str(&inputs, "none were found");
     doc_add_line_cell(t, report_line_of(m->span));

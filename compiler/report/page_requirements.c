@@ -48,7 +48,8 @@ static void add_asserts(const Report *r, const ReportRun *run, Str id, Buf *out)
                 const ScriptAssert *a = &item->asserts.at[n];
                 const uint32_t number = item->first_assert + (uint32_t)n;
                 if (a->remark && a->remark->requirement == id && (a->kind == SCRIPT_FAIL || run->result.evaluated[number]))
-                    add_entry(out, format_in(r->arena, "%s%s", place_text(r, a->remark->span), run->result.failed_asserts[number] ? " (failed)" : ""));
+                    add_entry(out, format_in(r->arena, "%s%s", place_text(r, a->remark->span),
+                                             run->result.failed_asserts[number] ? " (failed)" : ""));
             }
         }
 }
@@ -133,7 +134,8 @@ static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
         doc_add_plain_cell(t, q->text->text);
         doc_add_code_cell(t, rule_text(r, i));
         doc_add_badge_cell(t, requirement_verdict(&total[i]), total[i].violated ? "bad" : total[i].undecided || !total[i].judged ? "note" : "good");
-        doc_add_badge_cell(t, r->proofs ? prove_verdict_words(r->proofs->of[i].verdict) : "", r->proofs ? report_proof_tone(r->proofs->of[i].verdict) : NULL);
+        doc_add_badge_cell(t, r->proofs ? prove_verdict_words(r->proofs->of[i].verdict) : "",
+                           r->proofs ? report_proof_tone(r->proofs->of[i].verdict) : NULL);
         add_faults_cell(r, t, i);
     }
 }

@@ -132,7 +132,8 @@ static const char *edge_remark(const Report *r, const Diagram *d, const DiagramE
     if (!d->node[e->from].state)
         buf_str(&out, states_taken_text(r, d, e));
     if (e->guard.n > 1)
-        buf_printf(&out, "%s%lu transitions%s", out.n ? "; " : "", (unsigned long)e->guard.n, r->cover ? diagram_unused_lines(d, e) : ", counted together");
+        buf_printf(&out, "%s%lu transitions%s", out.n ? "; " : "", (unsigned long)e->guard.n,
+                   r->cover ? diagram_unused_lines(d, e) : ", counted together");
     if (e->shared)
         buf_printf(&out, "%sat least %llu, the others may belong to another row", out.n ? "; " : "", (unsigned long long)e->taken);
     return buf_text(&out);
@@ -252,7 +253,8 @@ static void add_uncovered(const Report *r, Doc *d, const Diagram *diagram)
     for (size_t i = 0; i < diagram->edge.n; i++) {
         const DiagramEdge *e = &diagram->edge.at[i];
         if (diagram_times_taken(e) == 0)
-            vec_push(r->arena, &edge, format_in(r->arena, "from %s to ^%s^", origin_in_markup(r, &diagram->node[e->from]), diagram->node[e->to].title));
+            vec_push(r->arena, &edge, format_in(r->arena, "from %s to ^%s^", origin_in_markup(r, &diagram->node[e->from]),
+                                                diagram->node[e->to].title));
     }
     buf_init(&b, r->arena);
     for (size_t i = 0; i < state.n; i++)
@@ -356,7 +358,8 @@ static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
         }
 }
 
-static const DocColumn compare_columns[] = {{"line", "Line"}, {"element", "Element"}, {"column", "Column"}, {"steps", "Steps"}, {"differs", "Differs in"},
+static const DocColumn compare_columns[] = {{"line", "Line"}, {"element", "Element"}, {"column", "Column"}, {"steps", "Steps"},
+                                            {"differs", "Differs in"},
                                             {"first", "First at G"}, {"largest", "Largest difference"}, {"times", "Times"}};
 
 // Adds a table of what @compare has found.
@@ -385,7 +388,9 @@ static void add_compares(const Report *r, Doc *d, const ReportRun *run)
         doc_add_plain_cell(t, column->name->text);
         doc_add_number_cell(t, c->steps);
         doc_add_number_cell(t, c->failed);
-        doc_add_plain_cell(t, c->failed ? format_in(r->arena, "%llu, line %llu of the data", (unsigned long long)c->first.g, (unsigned long long)c->first.line) : "");
+        doc_add_plain_cell(t, c->failed
+                           ? format_in(r->arena, "%llu, line %llu of the data", (unsigned long long)c->first.g, (unsigned long long)c->first.line)
+                           : "");
         doc_add_plain_cell(t, buf_text(&largest));
         doc_add_plain_cell(t, buf_text(&times));
     }

@@ -77,7 +77,9 @@ static void add_predecessors(const Report *r, Doc *d, const Predecessors *s)
 // Starts with a capital: "All states except ^Abort^".
 static const char *section_heading(const Report *r, const AllStates *all)
 {
-    return format_in(r->arena, "A%s", written_section_name(r->arena, r->analysis.p, all, "^") + 1);
+    const char *name = written_section_name(r->arena, r->analysis.p, all, "^");
+
+    return format_in(r->arena, "%c%s", name[0] - 'a' + 'A', name + 1);
 }
 
 // Describes the statements of the sections [all_states], which the descriptions of the states do not repeat.

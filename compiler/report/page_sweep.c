@@ -3,7 +3,8 @@
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
-static const DocColumn margin_columns[] = {{"parameter", "Parameter"}, {"verdict", "Verdict"}, {"now", "Now"}, {"below", "Below"}, {"above", "Above"}};
+static const DocColumn margin_columns[] = {{"parameter", "Parameter"}, {"verdict", "Verdict"}, {"now", "Now"}, {"below", "Below"},
+                                           {"above", "Above"}};
 static const DocColumn span_columns[] = {{"from", "From"}, {"to", "To"}, {"fails", "What fails"}};
 static const DocColumn boundary_columns[] = {{"check", "Check"}, {"meaning", "Meaning"}, {"passes", "Passes at"}, {"fails", "Fails at"}};
 
@@ -15,7 +16,8 @@ static void add_margins(const Report *r, Doc *d)
     for (uint32_t i = 0; i < r->sweep->of.n; i++) {
         const ReportSweepOf *s = &r->sweep->of.at[i];
         doc_add_code_cell(t, s->parameter);
-        doc_add_badge_cell(t, s->fails_now ? "fails now" : s->has_margin ? "has a limit" : "nothing fails", s->fails_now ? "bad" : s->has_margin ? "good" : "note");
+        doc_add_badge_cell(t, s->fails_now ? "fails now" : s->has_margin ? "has a limit" : "nothing fails",
+                           s->fails_now ? "bad" : s->has_margin ? "good" : "note");
         doc_add_plain_cell(t, s->now);
         doc_add_plain_cell(t, s->below);
         doc_add_plain_cell(t, s->above);
@@ -35,7 +37,8 @@ static void add_parameter(const Report *r, Doc *d, const ReportSweepOf *s)
         doc_add_plain_cell(t, *s->span.at[i].fails ? s->span.at[i].fails : "nothing");
     }
     if (s->boundary.n) {
-        t = doc_add_table(d, format_in(r->arena, "boundaries.%s", s->parameter), boundary_columns, sizeof boundary_columns / sizeof *boundary_columns);
+        t = doc_add_table(d, format_in(r->arena, "boundaries.%s", s->parameter), boundary_columns,
+                          sizeof boundary_columns / sizeof *boundary_columns);
         t->narrow = true;
     }
     for (uint32_t i = 0; i < s->boundary.n; i++) {

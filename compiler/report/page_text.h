@@ -126,6 +126,9 @@
     "and without. The steps are the worst case, from the step in which a condition becomes true to the first step of the abort " \
     "state. They do not include the time until the condition is true: \"after `held`\" and \"after its window\" mark conditions that `held` or " \
     "a rolling statistic delays. A counter or a timer delays its condition, too."
+#define TEXT_ABORT_CAUSES \
+    "The variables that the guards of aborts read. A state that has no `yes` where most others have one does not abort on that. " \
+    "Compare it with what the state must do."
 #define TEXT_ABORT_UNDECLARED \
     "No state is marked `@abort`, so the report cannot show how this machine aborts. Put the mark after the header of the state " \
     "that handles failures, as in `[Abort] @abort`."

@@ -47,7 +47,8 @@ static void add_parts(const Traceability *t, Doc *d)
 
 static void add_asserts(const Traceability *t, Doc *d)
 {
-    static const DocColumn columns[] = {{"place", "Place"}, {"text", "Text"}, {"evaluated", "Times"}, {"result", "Result"}, {"requirement", "Requirement"}};
+    static const DocColumn columns[] = {{"place", "Place"}, {"text", "Text"}, {"evaluated", "Times"}, {"result", "Result"},
+                                        {"requirement", "Requirement"}};
     DocTable *table;
 
     if (t->assert.n == 0)

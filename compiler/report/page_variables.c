@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine reads, writes and stores: elements, parameters that can be set, constants, other locals, definitions, windows; with the comments of its author.
+// What the machine reads, writes and stores: elements, parameters that can be set, constants, other locals, definitions, windows; with the comments
+// of its author.
 #include <string.h>
 
 #include "compiler/report/comment.h"
@@ -167,7 +168,8 @@ static size_t count_variables(const Program *p, bool (*wanted)(const Var *v))
     return n;
 }
 
-static const DocColumn setting_columns[] = {{"name", "Parameter"}, {"type", "Type"}, {"unit", "Unit"},       {"range", "Range"},  {"default", "Default"},
+static const DocColumn setting_columns[] = {{"name", "Parameter"}, {"type", "Type"}, {"unit", "Unit"},       {"range", "Range"},
+                                            {"default", "Default"},
                                             {"value", "Value"},                      {"comment", "Comment"}, {"read", "Read in"}, {"line", "Line"}};
 
 // Lists what is marked @parameter.

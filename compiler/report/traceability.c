@@ -98,7 +98,8 @@ static void add_marked(Traceability *t, TracedPart *part, const Stmt *stmt, cons
 {
     for (size_t i = 0; i < t->program->mark.n; i++) {
         const RequirementMark *m = &t->program->mark.at[i];
-        const bool is_here = stmt ? m->stmt == stmt : !m->is_statement && (all ? section_of(t->program, m->span) == all : m->state && m->state == state);
+        const bool is_here = stmt ? m->stmt == stmt : !m->is_statement &&
+            (all ? section_of(t->program, m->span) == all : m->state && m->state == state);
         if (!is_here)
             continue;
         add_index(t->arena, &part->requirement, index_of(t, m->requirement));
@@ -140,7 +141,8 @@ static void add_statement(const StmtLocation *at, void *context)
     const Stmt *s = at->stmt;
     TracedPart part = {.stmt = s, .state = w->all ? NULL : at->state, .span = s->span};
 
-    if (at->state != w->state || written_section(t->program, s->span) != w->all || (s->kind == ST_ASSIGN ? s->var->kind != VAR_ELEMENT : s->kind == ST_IF))
+    if (at->state != w->state || written_section(t->program, s->span) != w->all ||
+        (s->kind == ST_ASSIGN ? s->var->kind != VAR_ELEMENT : s->kind == ST_IF))
         return;
     part.kind = s->kind == ST_TRANSITION ? TRACED_TRANSITION : TRACED_OUTPUT;
     part.where = w->all ? written_section_name(t->arena, t->program, w->all, "") : at->state->name->text;
@@ -265,7 +267,8 @@ void traceability_finish(Traceability *t)
         TracedRequirement *q = &t->requirement.at[i];
         const bool is_violated = q->total.violated || has_assert(t, q, "failed"), is_undecided = q->total.undecided || has_assert(t, q, "undecided");
         const bool is_tested = q->total.judged || has_assert(t, q, "passed");
-        uint32_t *count = is_violated ? &t->counts.violated : is_undecided ? &t->counts.undecided : is_tested ? &t->counts.tested : &t->counts.untested;
+        uint32_t *count = is_violated ? &t->counts.violated : is_undecided
+            ? &t->counts.undecided : is_tested ? &t->counts.tested : &t->counts.untested;
         q->result = is_violated ? "violated" : is_undecided ? "undecided" : is_tested ? "tested" : "untested";
         ++*count;
     }

@@ -72,7 +72,8 @@ typedef struct CsvRow {
 
 static void write_row(Buf *out, const CsvRow *r)
 {
-    const char *const field[] = {r->kind, r->name, r->text, r->place, r->requirements, r->by, r->implemented, r->asserts, r->scripts, r->times, r->result, r->proof};
+    const char *const field[] = {r->kind, r->name, r->text, r->place, r->requirements, r->by, r->implemented, r->asserts, r->scripts, r->times,
+                                 r->result, r->proof};
 
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         if (i)
@@ -136,7 +137,8 @@ void traceability_write_csv(const Traceability *t, Buf *out)
                                  .result = outcome_text(t->script.at[i].outcome)});
     for (size_t i = 0; i < t->assert.n; i++) {
         const TracedAssert *a = &t->assert.at[i];
-        write_row(out, &(CsvRow){.kind = "assert", .name = traceability_place(t->arena, a->span), .text = a->text, .place = traceability_place(t->arena, a->span),
+        write_row(out, &(CsvRow){.kind = "assert", .name = traceability_place(t->arena, a->span), .text = a->text,
+                                 .place = traceability_place(t->arena, a->span),
                                  .requirements = a->requirement ? t->requirement.at[a->requirement - 1].id->text : "",
                                  .scripts = t->script.at[a->script].name, .times = format_in(t->arena, "%" PRIu64, a->evaluated), .result = a->result});
     }

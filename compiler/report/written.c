@@ -29,18 +29,23 @@ const AllStates *written_section(const Program *p, Span span)
     return i < p->all_states.n ? p->all_states.at[i] : NULL;
 }
 
+enum { EXCEPTED_NAMED = 3 };  // states that are named as exceptions although the others would be fewer
+
 const char *written_section_name(Arena *arena, const Program *p, const AllStates *all, const char *mark)
 {
-    size_t excepted = 0, n = 0;
+    size_t excepted = 0, named, n = 0;
+    bool names_excepted;
     Buf name;
 
     for (size_t s = 1; s <= p->state.n; s++)
         excepted += all->excepted[s];
+    names_excepted = excepted <= EXCEPTED_NAMED || excepted <= p->state.n - excepted;
+    named = names_excepted ? excepted : p->state.n - excepted;
     buf_init(&name, arena);
-    buf_str(&name, excepted ? "all states except " : "all states");
+    buf_str(&name, excepted == 0 ? "all states" : names_excepted ? "all states except " : "the states ");
     for (size_t s = 1; s <= p->state.n; s++)
-        if (all->excepted[s]) {
-            buf_printf(&name, "%s%s%s%s", describe_separator(n, excepted), mark, p->state.at[s - 1]->name->text, mark);
+        if (excepted && all->excepted[s] == names_excepted) {
+            buf_printf(&name, "%s%s%s%s", describe_separator(n, named), mark, p->state.at[s - 1]->name->text, mark);
             n++;
         }
     return buf_text(&name);

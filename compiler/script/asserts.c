@@ -107,7 +107,8 @@ static Diag *report_failed(const ScriptRun *r, const ScriptAssert *a)
     if (a->kind == SCRIPT_FAIL)
         return diag_report(r->diags, DIAG_fail_reached, a->remark->span, step, g, state, remark);
     if (a->kind == SCRIPT_EXPECT)
-        return diag_report(r->diags, DIAG_expect_failed, a->condition->span, number_text(r, a->remark->within), number_text(r, r->failed_since), step, g,
+        return diag_report(r->diags, DIAG_expect_failed, a->condition->span, number_text(r, a->remark->within), number_text(r, r->failed_since), step,
+                           g,
                            state, remark);
     return diag_report(r->diags, DIAG_assert_failed, a->condition->span, step, g, state, remark);
 }

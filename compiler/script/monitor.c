@@ -5,7 +5,8 @@
 
 // What the steps so far have shown about a requirement.
 typedef struct Memory {
-    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the step in which a was true, while b has not been true since
+    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the step in which a was true, while b has not been true
+                              // since
     bool seen;                // BEFORE, AFTER: b was true in some step so far
     bool open;                // AFTER: c has not been true since b was; LEADS_TO: b is still awaited
 } Memory;
@@ -47,7 +48,8 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     return m;
 }
 
-static void mark_used(Expr *e, void *context)       // the samples of a window, and windows that they read, are parts of its expression, so expr_walk visits them
+// the samples of a window, and windows that they read, are parts of its expression, so expr_walk visits them
+static void mark_used(Expr *e, void *context)
 {
     const Monitor *m = context;
 

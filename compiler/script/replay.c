@@ -370,7 +370,8 @@ void replay_report(const Replay *r, bool judged)
     const Recording *file = &r->cursor[0]->file;
 
     if (file->bad_rows && !file->error.text && !r->d->skips_bad_times)
-        diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows), count(r, file->rows), format_place(r, file->first_bad_line));
+        diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows), count(r, file->rows),
+                    format_place(r, file->first_bad_line));
     for (size_t i = 0; judged && i < r->d->compare.n; i++) {
         const ReplayCompare *k = &r->compare[i];
         if (k->result.failed)

@@ -94,7 +94,8 @@ typedef struct ScriptResult {
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
     const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
     uint64_t data_first_bad_line;     // the line of the first row that was skipped
-    uint64_t data_rows, data_bad_rows, data_between;  // number of data rows that were read; that were skipped; that lie between two steps, so that no step used them
+    uint64_t data_rows, data_bad_rows, data_between;  // number of data rows that were read; that were skipped; that lie between two steps, so that no
+                                                      // step used them
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 

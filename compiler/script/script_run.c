@@ -376,7 +376,8 @@ static void report_endless(ScriptRun *r)
 {
     const ScriptItem *stop = script_first_stop(r->s);
 
-    history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? script_stop_span(stop) : start_of_script(r), format_in(r->arena, "%" PRIu64, r->o->max_steps)));
+    history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? script_stop_span(stop) : start_of_script(r),
+                               format_in(r->arena, "%" PRIu64, r->o->max_steps)));
 }
 
 static void report_time_overflow(ScriptRun *r)

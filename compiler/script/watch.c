@@ -72,7 +72,8 @@ static void add_operands(Nodes *n, const Expr *e, unsigned depth, bool is_compar
     if (watch_is_run(e) || (explains && !is_listed(n, e)))
         add_node(n, e, WATCH_OPERAND, depth);
     for (uint32_t i = 0; i < e->n && e->kind != EX_ROLL; i++)
-        add_operands(n, e->arg[i], depth, watch_is_relation(e) && !is_composed(e) && !watch_held_run(e), in_call || e->kind == EX_CALL || is_compared);
+        add_operands(n, e->arg[i], depth, watch_is_relation(e) && !is_composed(e) && !watch_held_run(e),
+                     in_call || e->kind == EX_CALL || is_compared);
 }
 
 static void add_leaf(Nodes *n, const Expr *e, unsigned depth)

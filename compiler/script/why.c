@@ -53,7 +53,8 @@ static void open_engines(WhyRun *r, Engine *(*wrap)(void *context, WhyRun *r, En
     r->engine = p->joint ? engine_app_open(r->arena, p, r->machine) : r->machine[0];
 }
 
-void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, const WhyQuestion *q, Engine *(*wrap)(void *context, WhyRun *r, Engine *ref),
+void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, const WhyQuestion *q,
+             Engine *(*wrap)(void *context, WhyRun *r, Engine *ref),
              void *context)
 {
     memset(r, 0, sizeof *r);
@@ -61,7 +62,8 @@ void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, c
     r->s = s;
     r->given = o;
     r->q = *q;
-    r->o = (ScriptOptions){.max_steps = o->max_steps, .seed = o->seed, .after_step = note_step, .context = r, .is_cancelled = is_question_reached, .setting = o->setting,
+    r->o = (ScriptOptions){.max_steps = o->max_steps, .seed = o->seed, .after_step = note_step, .context = r, .is_cancelled = is_question_reached,
+                           .setting = o->setting,
                            .settings = o->settings, .requirements = o->requirements, .is_compared = true};
     diags_init(&r->silent, arena);
     r->silent.muted = true;
@@ -124,7 +126,8 @@ static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
         WhyLine *line;
         if (s->node[i].kind == WATCH_OPERAND)
             continue;
-        line = add_line(a, i ? WHY_CONDITION : WHY_GUARD, depth + s->node[i].depth, i ? (Span){0} : s->stmt->span, why_condition(&a->words, s, i, true));
+        line = add_line(a, i ? WHY_CONDITION : WHY_GUARD, depth + s->node[i].depth, i ? (Span){0} : s->stmt->span,
+                        why_condition(&a->words, s, i, true));
         line->e = s->node[i].e;
         line->truth = watch_truth(s, s->value, i);
         line->has_gap = !line->truth && s->node[i].kind == WATCH_LEAF && why_gap(s, i, &line->gap);
@@ -322,12 +325,14 @@ static void add_origin(Answer *a, const Var *local)
     WhyLine *line;
 
     if (stored && (!writer.src || stored->step >= written)) {
-        line = add_line(a, WHY_ORIGIN, 1, stored->stmt->span, format_in(arena, "%s was last stored in %s, by %s", name, why_step(arena, stored->step, stored->g),
+        line = add_line(a, WHY_ORIGIN, 1, stored->stmt->span,
+                        format_in(arena, "%s was last stored in %s, by %s", name, why_step(arena, stored->step, stored->g),
                         why_quote(arena, stored->stmt->span)));
         line->step = stored->step;
         line->g = stored->g;
     } else if (writer.src) {
-        line = add_line(a, WHY_ORIGIN, 1, writer, format_in(arena, "the script wrote %s in step %" PRIu64 ", by %s", name, written, why_quote(arena, writer)));
+        line = add_line(a, WHY_ORIGIN, 1, writer,
+                        format_in(arena, "the script wrote %s in step %" PRIu64 ", by %s", name, written, why_quote(arena, writer)));
         line->step = written;
     } else if (column) {
         add_line(a, WHY_ORIGIN, 1, column->span, format_in(arena, "%s is column '%s' of '%s'", name, column->name->text, a->r.s->data->file->text));
@@ -402,7 +407,8 @@ static void add_changes(Answer *a, unsigned depth)
     if (changes.n)
         add_line(a, WHY_HEADING, depth, (Span){0}, "what would have made a difference in this step:");
     for (uint32_t i = 0; i < changes.n; i++)
-        add_line(a, WHY_CHANGE, depth + 1, (Span){0}, format_in(a->r.arena, "with %s, %s", why_change_text(&a->r, &changes.at[i]), outcome_text(a, &changes.at[i])))->change =
+        add_line(a, WHY_CHANGE, depth + 1, (Span){0},
+                 format_in(a->r.arena, "with %s, %s", why_change_text(&a->r, &changes.at[i]), outcome_text(a, &changes.at[i])))->change =
             changes.at[i];
     if (!is_complete)
         add_remark(a, depth, "not all values of parameters were tried, because each needs a run of the whole script");
@@ -465,7 +471,8 @@ static bool add_nearest_to(Answer *a, const State *to)
     if (a->w->step == a->r.run.result.steps && why_could_take(a->w, t)) {
         now = why_distance(a->w, t);
         if (!why_is_nearer(&a->r.near[t->stmt->number].distance, &now)) {
-            line = add_line(a, WHY_NEAREST, 0, t->stmt->span, format_in(a->r.arena, "%s was never taken, and no step was nearer to taking it than this one", path));
+            line = add_line(a, WHY_NEAREST, 0, t->stmt->span,
+                            format_in(a->r.arena, "%s was never taken, and no step was nearer to taking it than this one", path));
             line->step = a->w->step;
             return true;
         }
@@ -513,8 +520,10 @@ static void add_head(Answer *a)
     const Joint *j = a->r.s->program->joint;
     const char *ending = ending_text(a);
     WhyLine *line = add_line(a, WHY_STEP, 0, (Span){0}, format_in(a->r.arena, "%s: %s%s%s, entered in %s; %s%s",
-                             why_step(a->r.arena, a->w->step, a->w->g), j ? j->member.at[a->r.q.machine].name->text : "", j ? " ran " : "", a->w->state->name->text,
-                             why_step(a->r.arena, a->w->entered, a->w->entered_g), t ? "took the transition to " : "took no transition", t ? t->target->name->text : ""));
+                             why_step(a->r.arena, a->w->step, a->w->g), j ? j->member.at[a->r.q.machine].name->text : "", j ? " ran " : "",
+                             a->w->state->name->text,
+                             why_step(a->r.arena, a->w->entered, a->w->entered_g), t ? "took the transition to " : "took no transition",
+                             t ? t->target->name->text : ""));
 
     line->step = a->w->step;
     line->g = a->w->g;
@@ -577,7 +586,8 @@ static void answer_of_input(Answer *a, const Var *v)
 
     buf_init(&value, a->r.arena);
     why_append_cell(v, a->r.run.cell[run_variable(a, v)->index], &value);
-    add_line(a, WHY_STEP, 0, (Span){0}, format_in(a->r.arena, "%s: %s = %s", why_step(a->r.arena, a->r.run.result.steps, a->r.last_g), name, buf_text(&value)));
+    add_line(a, WHY_STEP, 0, (Span){0},
+             format_in(a->r.arena, "%s: %s = %s", why_step(a->r.arena, a->r.run.result.steps, a->r.last_g), name, buf_text(&value)));
     add_origin(a, v);
 }
 
@@ -596,7 +606,8 @@ static void ask_about_store(Answer *a, Arena *arena, const Script *s, const Scri
     }
     buf_init(&value, arena);
     why_append_cell(q.of, a->r.run.cell[joined->index], &value);
-    add_line(a, WHY_STEP, 0, (Span){0}, format_in(arena, "%s: %s = %s, last stored in %s", why_step(arena, step, g), q.of->name->text, buf_text(&value),
+    add_line(a, WHY_STEP, 0, (Span){0},
+             format_in(arena, "%s: %s = %s, last stored in %s", why_step(arena, step, g), q.of->name->text, buf_text(&value),
              stored->step == step ? "this step" : why_step(arena, stored->step, stored->g)));
     if (stored->step < a->w->step) {
         q.at_step = stored->step;

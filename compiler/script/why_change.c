@@ -45,7 +45,10 @@ static void add_write(Before *b, uint32_t var, uint64_t cell)
     b->writes += i == b->writes;
 }
 
-static EngineStatus before_init(Engine *e, uint32_t state, EngineStep *out) { return ((Before *)e->self)->ref->init(((Before *)e->self)->ref, state, out); }
+static EngineStatus before_init(Engine *e, uint32_t state, EngineStep *out)
+{
+    return ((Before *)e->self)->ref->init(((Before *)e->self)->ref, state, out);
+}
 
 static EngineStatus before_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {

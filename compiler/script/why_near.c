@@ -32,7 +32,8 @@ bool why_gap(const WatchStmt *s, uint32_t leaf, double *gap)
     parts = watch_is_relation(e) ? e->n - 1 : 0;
     *gap = 0;
     for (uint32_t i = 0; i < parts; i++) {
-        const double part = is_measured(e->arg[i]) && why_operand(s, e->arg[i], &x) && why_operand(s, e->arg[i + 1], &y) ? (x > y ? x - y : y - x) : -1;
+        const double part = is_measured(e->arg[i]) && why_operand(s, e->arg[i], &x) && why_operand(s, e->arg[i + 1], &y)
+            ? (x > y ? x - y : y - x) : -1;
         if (!(part >= 0 && part - part == 0))
             return false;
         if (truth && any)

@@ -26,7 +26,8 @@ typedef struct WhyRun {
 
 // Runs the script to the step that `q` names, or to its end.  wrap: replaces the engine of machine q->machine, or NULL; then the run is
 // not watched.
-void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, const WhyQuestion *q, Engine *(*wrap)(void *context, WhyRun *r, Engine *ref),
+void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, const WhyQuestion *q,
+             Engine *(*wrap)(void *context, WhyRun *r, Engine *ref),
              void *context);
 
 // Returns the Program of machine i.
@@ -37,8 +38,8 @@ const Program *why_program(const Program *p, size_t i);
 typedef VEC(WhyChange) WhyChanges;
 
 // Lists inputs that would each have changed the outcome of the step in which `r` ended: the transition that it takes, or with q.of the value of
-// that variable after it.  With q.to, only outcomes that concern this state.  guard: the statements whose conditions are tried.  Returns false if not all
-// values of parameters were tried, because each needs a run.
+// that variable after it.  With q.to, only outcomes that concern this state.  guard: the statements whose conditions are tried.  Returns false if not
+// all values of parameters were tried, because each needs a run.
 bool why_find_changes(const WhyRun *r, const WatchStmt *const *guard, size_t guards, WhyChanges *out);
 // Returns the value that a change tries, in words: "above 825" if that is what it means.
 const char *why_change_text(const WhyRun *r, const WhyChange *c);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The short form of smc why, for the report of a run that failed: the statements that stored the variables of the condition, and why a machine is not in
-// the state that it demands.
+// The short form of smc why, for the report of a run that failed: the statements that stored the variables of the condition, and why a machine is not
+// in the state that it demands.
 #include "compiler/script/script_run.h"
 #include "compiler/script/why_paths.h"
 #include "compiler/script/why_words.h"
@@ -123,7 +123,8 @@ static void add_transitions(WhyShort *n, const State *to)
 {
     for (uint32_t i = 1; i <= n->w->p->stmts; i++) {
         const WatchStmt *t = &n->w->stmt[i];
-        if (t->stmt && t->stmt->kind == ST_TRANSITION && t->state == n->w->state && t->stmt->target == to && (t->block != BLOCK_ENTRY || n->w->is_first))
+        if (t->stmt && t->stmt->kind == ST_TRANSITION && t->state == n->w->state && t->stmt->target == to &&
+            (t->block != BLOCK_ENTRY || n->w->is_first))
             add_transition(n, t);
     }
 }

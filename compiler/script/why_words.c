@@ -132,7 +132,8 @@ static bool read_comparison(const WatchStmt *s, uint32_t leaf, LimitComparison *
         return false;
     if (!why_operand(s, e->arg[0], &x) || !why_operand(s, e->arg[1], &y))
         return false;
-    *c = is_fixed(e->arg[0]) && !is_fixed(e->arg[1]) ? (LimitComparison){e->arg[1], mirrored(e->op), y, x} : (LimitComparison){e->arg[0], e->op, x, y};
+    *c = is_fixed(e->arg[0]) && !is_fixed(e->arg[1]) ? (LimitComparison){e->arg[1], mirrored(e->op), y, x}
+        : (LimitComparison){e->arg[0], e->op, x, y};
     return !(x != x || y != y);
 }
 

@@ -71,7 +71,8 @@ static void add_constant(Expr *e, void *context)
     Constants *k = context;
 
     if (e->kind == EX_VAR && e->var->is_constant && !strstr(buf_text(&k->out), format_in(k->arena, "%s = ", e->var->name->text)))
-        buf_printf(&k->out, "%s%s = %s", k->out.n ? ", " : " (", e->var->name->text, const_text(k->arena, sm_cell_to_f64(e->var->type, e->var->init)));
+        buf_printf(&k->out, "%s%s = %s", k->out.n ? ", " : " (", e->var->name->text,
+                   const_text(k->arena, sm_cell_to_f64(e->var->type, e->var->init)));
 }
 
 // Returns the values of the constants in a condition: " (limit = 825, margin = 25)"; "" if it has none.
@@ -92,7 +93,8 @@ static const char *transition_sentence(const GoalTexts *t, const CoverPlace *p)
     const Transition *taken = transition_of(t, p);
     const char *when = taken ? condition_text(t->arena, taken->when) : "";
 
-    return *when ? format_in(t->arena, "%s -> %s, taken because %s%s.", p->from->name->text, p->to->name->text, when, constants_of(t->arena, taken->when))
+    return *when ? format_in(t->arena, "%s -> %s, taken because %s%s.", p->from->name->text, p->to->name->text, when,
+                             constants_of(t->arena, taken->when))
                  : format_in(t->arena, "%s -> %s, taken without a condition.", p->from->name->text, p->to->name->text);
 }
 
@@ -150,10 +152,13 @@ const char *goal_file_stem(const GoalTexts *t, uint32_t place)
     const char *machine = t->c->p->name->text;
     const State *state = state_of(t, p);
     const unsigned long n = number_of(t, place);
-    const char *end = p->kind == COVER_STATE ? (p->value ? "entered" : "left") : p->kind == COVER_WINDOW ? "full" : p->kind == COVER_STATEMENT ? "executed"
+    const char *end = p->kind == COVER_STATE ? (p->value ? "entered" : "left") : p->kind == COVER_WINDOW
+        ? "full" : p->kind == COVER_STATEMENT ? "executed"
                     : p->value ? "true" : "false";
 
     if (p->kind == COVER_TRANSITION)
-        return format_in(t->arena, "%s-%lu-%s-to-%s", machine, n, goal_name_part(t->arena, p->from->name->text), goal_name_part(t->arena, p->to->name->text));
-    return format_in(t->arena, "%s-%s-%lu-%s%s", machine, word[p->kind], n, state ? format_in(t->arena, "%s-", goal_name_part(t->arena, state->name->text)) : "", end);
+        return format_in(t->arena, "%s-%lu-%s-to-%s", machine, n, goal_name_part(t->arena, p->from->name->text),
+                         goal_name_part(t->arena, p->to->name->text));
+    return format_in(t->arena, "%s-%s-%lu-%s%s", machine, word[p->kind], n,
+                     state ? format_in(t->arena, "%s-", goal_name_part(t->arena, state->name->text)) : "", end);
 }

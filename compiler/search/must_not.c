@@ -36,7 +36,8 @@ double must_not_distance(const Expr *e, bool wanted, const uint64_t *cell)
     if (e->kind == EX_BINARY && e->op == SM_OP_OR)
         all = !wanted;
     for (uint32_t i = 0; i < parts; i++) {
-        const double d = e->kind == EX_CHAIN ? compare_distance(expr_ops(e)[i], ref_eval(e->arg[i], cell, NULL), ref_eval(e->arg[i + 1], cell, NULL), wanted)
+        const double d = e->kind == EX_CHAIN
+            ? compare_distance(expr_ops(e)[i], ref_eval(e->arg[i], cell, NULL), ref_eval(e->arg[i + 1], cell, NULL), wanted)
                                              : must_not_distance(e->arg[i], wanted, cell);
         sum += d;
         least = d < least ? d : least;
@@ -135,7 +136,8 @@ MustNots *must_not_list(Arena *arena, const Program *p)
     for (uint32_t i = 0; i < m->at.n; i++)
         for (const Condition *c = m->at.at[i].other->when; c && (i == 0 || m->at.at[i].to != m->at.at[i - 1].to); c = c->outer)
             vec_push(arena, &condition, c->stmt->value);
-    m->watch = (SearchWatch){.self = m, .goals = m->at.n, .size = m->at.n * sizeof(bool), .start = start_situation, .step = judge_step, .condition = condition.at,
+    m->watch = (SearchWatch){.self = m, .goals = m->at.n, .size = m->at.n * sizeof(bool), .start = start_situation, .step = judge_step,
+                             .condition = condition.at,
                              .conditions = condition.n};
     return m;
 }

@@ -298,7 +298,8 @@ static bool add_loop(Writer *w, const ScenarioLoop *l, const char *phase)
     item = add_item(w, l->from, RANK_INPUT, guard_of(w, l->from, l->to > w->s->steps ? 0 : l->to));
     item->is_block = true;
     for (size_t i = 0; i < n; i++)
-        vec_push(w->arena, &item->body, format_in(w->arena, "%s%*s %s", guard[i], (int)(width - strlen(guard[i])), "", first_assignment(w, &w->s->change[from + i])));
+        vec_push(w->arena, &item->body, format_in(w->arena, "%s%*s %s", guard[i], (int)(width - strlen(guard[i])), "",
+                                                  first_assignment(w, &w->s->change[from + i])));
     return true;
 }
 
@@ -432,7 +433,8 @@ static void record_step(void *context, uint64_t step, const EngineStep *result)
 // Runs the scenario.  Returns false if the engine refuses a step.
 static bool record_run(Writer *w, RunRecord *r)
 {
-    *r = (RunRecord){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part), .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
+    *r = (RunRecord){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part),
+                     .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
                      .last = arena_array(w->arena, w->p->var.n, sizeof *r->last)};
     for (uint32_t i = 0; i <= SPANS_MOST; i++)
         r->part[i].cell = arena_array(w->arena, w->output.n + 1, sizeof *r->part[i].cell);
@@ -529,7 +531,8 @@ static void add_part(Writer *w, const RunRecord *r, uint64_t i, uint64_t first)
     VEC(const char *) term = {NULL, 0, 0};
 
     if (w->page->is_skeleton) {
-        add_item(w, part->step, RANK_ASSERT, format_in(w->arena, "# %s, in %s: what must be true?", strcmp(guard, "true") == 0 ? "always" : guard, state));
+        add_item(w, part->step, RANK_ASSERT,
+                 format_in(w->arena, "# %s, in %s: what must be true?", strcmp(guard, "true") == 0 ? "always" : guard, state));
         return;
     }
     vec_push(w->arena, &term, format_in(w->arena, "state %s", state));

@@ -107,7 +107,8 @@ static void add_edges(SearchRun *k, uint32_t goal)
     for (uint32_t s = 0; s < k->goal[goal].site.n; s++) {
         const SearchSite *site = &k->goal[goal].site.at[s];
         for (uint32_t e = 0; e < site->path.n; e++) {
-            const SearchEdge edge = {goal, e, e == 0 ? site->condition : SEARCH_NONE, e == 0 && site->condition != SEARCH_NONE ? site->value : site->path.elem[e].value};
+            const SearchEdge edge = {goal, e, e == 0 ? site->condition : SEARCH_NONE,
+                                     e == 0 && site->condition != SEARCH_NONE ? site->value : site->path.elem[e].value};
             vec_push(&k->work, &k->decision[site->path.elem[e].decision].edge, edge);
         }
     }

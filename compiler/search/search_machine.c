@@ -45,7 +45,8 @@ static uint8_t handle_of(const SearchRun *k, const SearchFn *s, const IrIns *i)
     uint8_t h = 0;
 
     if (i->op == IR_load)
-        return k->var[i->var].input != SEARCH_NONE ? HANDLE_INPUT : i->var == k->m->g || i->var == k->m->t ? HANDLE_TIME : i->var == k->m->s ? 0 : HANDLE_VAR;
+        return k->var[i->var].input != SEARCH_NONE ? HANDLE_INPUT : i->var == k->m->g || i->var == k->m->t
+               ? HANDLE_TIME : i->var == k->m->s ? 0 : HANDLE_VAR;
     if (i->op == IR_stat)
         return HANDLE_WINDOW | HANDLE_INPUT;
     if (i->op == IR_const || i->op == IR_store || i->op == IR_sample)

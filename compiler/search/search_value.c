@@ -2,7 +2,8 @@
 // Chooses values within bounds: values that a person would write, values that the machine compares with, and any other.
 #include "compiler/search/search_wish.h"
 
-static const double power[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
+static const double power[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
+                               1e12};
 enum { POWERS = sizeof power / sizeof *power };
 
 static double nearest_whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }

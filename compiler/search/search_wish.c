@@ -384,7 +384,8 @@ static void wish_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
         a = f->ins.at[a].a;
     while (f->ins.at[b].op == IR_cvt)
         b = f->ins.at[b].a;
-    if (f->ins.at[a].op != IR_load || f->ins.at[b].op != IR_load || k->var[f->ins.at[a].var].input == SEARCH_NONE || k->var[f->ins.at[b].var].store.n == 0)
+    if (f->ins.at[a].op != IR_load || f->ins.at[b].op != IR_load || k->var[f->ins.at[a].var].input == SEARCH_NONE ||
+        k->var[f->ins.at[b].var].store.n == 0)
         return;
     for (uint32_t i = 0; i < k->output.n; i++)
         if (k->m->var_of[k->output.at[i]] == f->ins.at[b].var)

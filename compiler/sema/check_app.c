@@ -90,7 +90,8 @@ void app_list_files(Arena *arena, const AstFile *f, AppFiles *out)
 // Reports files that cannot be read.
 static void check_files(AppCheck *k)
 {
-    static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins", [FILE_NET] = "file of messages"};
+    static const char *const what[] = {[FILE_SV] = "state vector", [FILE_SM] = "machine", [FILE_IO] = "file of pins",
+                                       [FILE_NET] = "file of messages"};
 
     for (size_t i = 0; i < k->files->n; i++) {
         const AppFile *f = &k->files->at[i];

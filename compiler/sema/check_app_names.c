@@ -146,7 +146,8 @@ static bool is_file(AstAppOptionKind kind) { return is_written(kind) || kind == 
 // Reports a file that the running application writes, and that is also one of another option or a source.
 void check_app_platform_files(AppCheck *k)
 {
-    static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins", [FILE_NET] = "that of the messages"};
+    static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins",
+                                       [FILE_NET] = "that of the messages"};
 
     for (size_t i = 0; i < k->ast->options.n; i++) {
         const AstAppOption *o = &k->ast->options.at[i];
@@ -157,7 +158,8 @@ void check_app_platform_files(AppCheck *k)
         for (size_t j = 0; j < k->ast->options.n; j++) {
             const AstAppOption *other = &k->ast->options.at[j];
             if (is_file(other->kind) && (j < i || (j > i && !is_written(other->kind))))
-                check_file_differs(k, o, &other->file, other->kind == AST_APP_log ? "the log's" : format_in(k->c->arena, "that of '%s'", app_option_name(other->kind)));
+                check_file_differs(k, o, &other->file, other->kind == AST_APP_log
+                                   ? "the log's" : format_in(k->c->arena, "that of '%s'", app_option_name(other->kind)));
         }
     }
 }

@@ -119,7 +119,8 @@ static void check_elements_differ(Sema *s, const Program *p, const MachineInstan
         }
         for (size_t b = instance->bindings; b-- > 0; )
             if (bound_by[b] == v || bound_by[b] == other) {
-                Diag *d = diag_report(s->diags, DIAG_binding_shared, instance->binding[b].span, other->name->text, v->name->text, v->element->name->text);
+                Diag *d = diag_report(s->diags, DIAG_binding_shared, instance->binding[b].span, other->name->text, v->name->text,
+                                      v->element->name->text);
                 diag_note(s->diags, d, v->element->span, DIAG_note_declared_here, v->element->name->text);
                 break;
             }
@@ -142,7 +143,8 @@ void check_bindings(Sema *s, Program *p, const MachineInstance *instance)
         if (!v && !s->lost->names && !map_find(&s->lost->word, b->name.text) && !report_exchanged(s, p, b))
             report_unknown(s, p, b);
         else if (v && first < i)
-            diag_note(s->diags, diag_report(s->diags, DIAG_binding_twice, b->span, b->name.text->text), instance->binding[first].span, DIAG_note_first_here);
+            diag_note(s->diags, diag_report(s->diags, DIAG_binding_twice, b->span, b->name.text->text), instance->binding[first].span,
+                      DIAG_note_first_here);
         else if (v && v->kind != VAR_ELEMENT)
             bind_local(s, p, v, b);
     }

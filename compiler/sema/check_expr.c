@@ -220,11 +220,13 @@ static void warn_of_negated_number(Sema *s, const AstExpr *e)
     const AstExpr *not = e->b, *number = not->a;
     Diag *d;
 
-    if (not->kind != AST_UNARY || not->op != SM_OP_NOT || number->kind != AST_NUMBER || may_be_switch(number, sema_quote_source(s, number->span), NULL))
+    if (not->kind != AST_UNARY || not->op != SM_OP_NOT || number->kind != AST_NUMBER ||
+        may_be_switch(number, sema_quote_source(s, number->span), NULL))
         return;
     d = diag_report(s->diags, DIAG_number_as_condition, not->span, sema_quote_source(s, not->span), "never");
     if (e->op == SM_OP_EQ)
-        diag_label(s->diags, d, DIAG_label_did_you_mean, format_in(s->arena, "%s != %s", sema_quote_source(s, e->a->span), sema_quote_source(s, number->span)));
+        diag_label(s->diags, d, DIAG_label_did_you_mean,
+                   format_in(s->arena, "%s != %s", sema_quote_source(s, e->a->span), sema_quote_source(s, number->span)));
 }
 
 // Warns of time literals that a comparison or a product of a and b probably misuses.
@@ -564,7 +566,8 @@ static bool report_decimal_comma(Sema *s, const AstExpr *e, bool is_valid)
                 end++;
             const char *whole = format_in(s->arena, "%.*s", (int)(comma.at - from), text + from);
             const char *part = format_in(s->arena, "%.*s", (int)(end - comma.at - 1), text + comma.at + 1);
-            diag_label(s->diags, is_valid ? diag_report(s->diags, DIAG_two_numbers, comma, whole, part) : diag_report(s->diags, DIAG_decimal_comma, comma),
+            diag_label(s->diags, is_valid ? diag_report(s->diags, DIAG_two_numbers, comma, whole, part)
+                       : diag_report(s->diags, DIAG_decimal_comma, comma),
                        DIAG_label_decimal_point, whole, part);
             return true;
         }

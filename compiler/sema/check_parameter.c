@@ -27,7 +27,8 @@ static bool store_end(Sema *s, const Var *v, const AstNumber *written, SmF64 *en
     *end = stored;
     if (is_finite && !saturates && sm_eq(stored, x))
         return true;
-    diag_report(s->diags, DIAG_parameter_range_end, written->span, v->name->text, const_text(s->arena, written->value), sm_type_info[v->type].spelling);
+    diag_report(s->diags, DIAG_parameter_range_end, written->span, v->name->text, const_text(s->arena, written->value),
+                sm_type_info[v->type].spelling);
     return false;
 }
 

@@ -186,7 +186,8 @@ static Expr *check_held(Sema *s, const AstExpr *call)
     warn_of_held_without_step(s, call);
     if (gap)
         new_statistic(s, call, new_number(s, call, sm_from_i32(1)), 2, SM_STAT_ELAPSED);
-    run = new_statistic(s, call, new_not(s, call, new_not(s, call, c)), in_steps ? sm_to_u32(limit) : 1, in_steps ? SM_STAT_RUN_STEPS : SM_STAT_RUN_TIME);
+    run = new_statistic(s, call, new_not(s, call, new_not(s, call, c)), in_steps ? sm_to_u32(limit) : 1,
+                        in_steps ? SM_STAT_RUN_STEPS : SM_STAT_RUN_TIME);
     s->windows->at[run->window].gap = gap;
     s->windows->at[run->window].clock = run->window - (gap > 0);
     return new_operation(s, call, SM_OP_GE, run, new_number(s, call, limit));

@@ -431,8 +431,8 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
 // Whether G is a multiple of delta_t in every step.
 static bool has_regular_times(const ScriptCheck *k) { return k->script->delta_t > 0 && starts_at_zero(k->s.p); }
 
-// Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts is never true, the run itself reports its
-// asserts as unevaluated.
+// Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts
+// is never true, the run itself reports its asserts as unevaluated.
 static void check_guard_times(ScriptCheck *k)
 {
     for (size_t i = 0; has_regular_times(k) && i < k->script->section.n; i++)

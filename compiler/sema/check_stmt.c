@@ -42,6 +42,7 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
         return true;
     if (v->kind == VAR_TIME) {
         d = diag_report(s->diags, DIAG_write_time, span);
+        diag_label(s->diags, d, DIAG_label_other_time);
     } else if (v == s->p->g) {
         d = diag_report(s->diags, DIAG_write_global_time, span, name->text);
     } else if (v->state_of) {

@@ -80,7 +80,8 @@ void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *operand)
     if (!is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value))
         return;
     d = diag_report(s->diags, DIAG_time_factor, named->span,
-                    named == literal ? sema_quote_source(s, named->span) : format_in(s->arena, "'%s'", named->name->text), const_text(s->arena, value));
+                    named == literal ? sema_quote_source(s, named->span) : format_in(s->arena, "'%s'", named->name->text),
+                    const_text(s->arena, value));
     if (s->p->time_unit != TIME_S && literal_value(literal, TIME_S, &value))
         diag_label(s->diags, d, DIAG_label_time_in_seconds, const_text(s->arena, value));
 }

@@ -14,7 +14,8 @@ static void warn_of_unknown(const CheckContext *c, const AstAnnotation *a, const
         diag_edit(c->diags, d, span, error->near);
 }
 
-// Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the annotations.
+// Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the
+// annotations.
 const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool)
 {
     for (size_t i = 0; i < all->n; i++) {
@@ -30,7 +31,8 @@ const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str 
         }
         flaw = measure_parse(a->name->text, &unit, &error);
         if (flaw == MEASURE_MALFORMED)
-            diag_report(c->diags, DIAG_unit_malformed, (Span){a->name_span.src, a->name_span.at + error.at, error.len}, a->name->text, error.expected);
+            diag_report(c->diags, DIAG_unit_malformed, (Span){a->name_span.src, a->name_span.at + error.at, error.len}, a->name->text,
+                        error.expected);
         else if (flaw == MEASURE_UNKNOWN)
             warn_of_unknown(c, a, &error);
         return flaw == MEASURE_GOOD ? arena_copy(c->arena, &unit, sizeof unit) : NULL;

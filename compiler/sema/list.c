@@ -127,8 +127,8 @@ static void mark_needed(Selection *net)
     }
 }
 
-// Adds the value between lo and hi, lo not above hi (language.md 7.16, 7.17): lo if they are equal, else lo + (hi - lo) / 2, or lo / 2 + hi / 2 if the
-// difference is not finite.  Without a branch: `finite` is 1 or 0, and `near` is lo or a zero.  Subtracting (near - hi + 0) / 2 instead of
+// Adds the value between lo and hi, lo not above hi (language.md 7.16, 7.17): lo if they are equal, else lo + (hi - lo) / 2, or lo / 2 + hi / 2 if
+// the difference is not finite.  Without a branch: `finite` is 1 or 0, and `near` is lo or a zero.  Subtracting (near - hi + 0) / 2 instead of
 // adding its opposite leaves a lo of -0 as it is if hi is a zero.  The result is never outside lo and hi; min and max let the facts know that.
 static void add_middle_of_two(Steps *s, uint8_t lo, uint8_t hi)
 {

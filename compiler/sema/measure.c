@@ -25,7 +25,8 @@ static const MeasureRow rows[] = {
 enum { ROWS = sizeof rows / sizeof *rows };
 
 static const struct { const char *name; double scale; } prefixes[] = {
-    {"da", 1e1}, {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"h", 1e2}, {"d", 1e-1}, {"c", 1e-2}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+    {"da", 1e1}, {"T", 1e12}, {"G", 1e9}, {"M", 1e6}, {"k", 1e3}, {"h", 1e2}, {"d", 1e-1}, {"c", 1e-2}, {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9},
+        {"p", 1e-12}};
 
 enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
@@ -41,13 +42,16 @@ static const struct { const char *written, *unit; bool is_certain; } other_names
     {"kts", "kn", true}, {"kt", "kn", true}, {"mps", "m/s", true}, {"fps", "ft/s", true}, {"mph", "mi/h", true}, {"kph", "km/h", true},
     {"Nm", "N*m", true}, {"Ns", "N*s", true}, {"Ah", "A*h", true}, {"mAh", "mA*h", true}, {"Wh", "W*h", true}, {"kWh", "kW*h", true},
     {"newton", "N", true}, {"newtons", "N", true}, {"pascal", "Pa", true}, {"pascals", "Pa", true}, {"volt", "V", true}, {"volts", "V", true},
-    {"amp", "A", true}, {"amps", "A", true}, {"ampere", "A", true}, {"watt", "W", true}, {"watts", "W", true}, {"joule", "J", true}, {"joules", "J", true},
+    {"amp", "A", true}, {"amps", "A", true}, {"ampere", "A", true}, {"watt", "W", true}, {"watts", "W", true}, {"joule", "J", true},
+    {"joules", "J", true},
     {"ohms", "ohm", true}, {"hertz", "Hz", true}, {"kelvin", "K", true}, {"celsius", "degC", true}, {"fahrenheit", "degF", true}, {"degK", "K", true},
     {"degree", "deg", true}, {"degrees", "deg", true}, {"radian", "rad", true}, {"radians", "rad", true}, {"pct", "percent", true},
     {"kilo", "kg", false}, {"kilogram", "kg", true}, {"kilograms", "kg", true}, {"gram", "g", true}, {"grams", "g", true}, {"lbm", "lb", true},
     {"lbs", "lbf", false}, {"pound", "lbf", false}, {"pounds", "lbf", false}, {"psia", "psi", false}, {"psig", "psi", false}, {"psid", "psi", false},
-    {"bara", "bar", false}, {"barg", "bar", false}, {"g0", "gn", true}, {"gee", "gn", true}, {"gees", "gn", true}, {"gs", "gn", false}, {"RPM", "rpm", true},
-    {"%", "percent", true}, {"cc", "cm^3", true}, {"l", "L", true}, {"litre", "L", true}, {"liter", "L", true}, {"litres", "L", true}, {"liters", "L", true}, {"ml", "mL", true}};
+    {"bara", "bar", false}, {"barg", "bar", false}, {"g0", "gn", true}, {"gee", "gn", true}, {"gees", "gn", true}, {"gs", "gn", false},
+    {"RPM", "rpm", true},
+    {"%", "percent", true}, {"cc", "cm^3", true}, {"l", "L", true}, {"litre", "L", true}, {"liter", "L", true}, {"litres", "L", true},
+    {"liters", "L", true}, {"ml", "mL", true}};
 
 // ---- names ----
 

@@ -168,7 +168,8 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     Span span;
     SmF64 number;
     Var *var;
-    uint32_t window;          // ROLL: index into the owner's window list; AT: the length of the name of G at the start of `span`, 0: it is not written
+    uint32_t window;          // ROLL: index into the owner's window list; AT: the length of the name of G at the start of `span`, 0: it is not
+                              // written
     uint32_t define;          // if this is the use of a definition with a unit: 1 + the number of that definition; else 0
     Expr *arg[];              // n operands; for a CHAIN its n - 1 operators follow
 };

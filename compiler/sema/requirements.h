@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typed requirements (docs/requirements.md) of a machine or of an application: the checker's output for files without errors.  Conditions are expressions over the
-// variables of the machine, and sample after its step.  Nothing changes them after the check.
+// Typed requirements (docs/requirements.md) of a machine or of an application: the checker's output for files without errors.  Conditions are
+// expressions over the variables of the machine, and sample after its step.  Nothing changes them after the check.
 #ifndef SMC_REQUIREMENTS_H
 #define SMC_REQUIREMENTS_H
 

@@ -271,6 +271,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
         return;
     if (scope_find_variable(s, name) || map_find(&s->defines, name)) {
         d = diag_report(s->diags, DIAG_not_a_function, span, name->text);
+        diag_label(s->diags, d, DIAG_label_not_a_function, name->text, name->text);
         scope_note_declared(s, d, name);
         return;
     }

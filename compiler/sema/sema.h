@@ -146,7 +146,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
 
 // ---- check_measure.c: units of measurement ----
 
-// Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the annotations.
+// Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the
+// annotations.
 const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str name, bool is_bool);
 // Sets the unit of v, which a machine lists, to that of the .sv if the machine gives none. Warns if they differ.
 void set_listed_unit(Sema *s, Var *v, const AstDecl *decl, bool from_machine);

@@ -250,7 +250,8 @@ typedef struct AstSection {
     bool all_states;          // SCRIPT_STATE: it is [all_states]
 } AstSection;
 
-typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_RQ, FILE_KINDS } FileKind;     // docs/config.md defines .io, .app and .net, docs/requirements.md .rq
+// docs/config.md defines .io, .app and .net, docs/requirements.md .rq
+typedef enum FileKind { FILE_SV, FILE_SM, FILE_SS, FILE_IO, FILE_APP, FILE_NET, FILE_RQ, FILE_KINDS } FileKind;
 
 // Finds the kind of a file from its name; returns false if the name has no known ending.
 bool file_kind(const char *path, FileKind *kind);

@@ -310,7 +310,8 @@ static void print_section(Buf *out, const AstSection *s)
 {
     static const char *const kind[] = {
         [AST_STATE_VECTOR] = "state_vector", [AST_LOCAL] = "local", [AST_DEFINE] = "define", [AST_OPTIONS] = "options", [AST_REGION] = "region",
-        [AST_STATE] = "state", [AST_DATA] = "data", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins", [AST_IGNORED] = "ignored"};
+        [AST_STATE] = "state", [AST_DATA] = "data", [AST_ALL_STATES] = "all", [AST_SCRIPT_STATE] = "script", [AST_PINS] = "pins",
+        [AST_IGNORED] = "ignored"};
     static const char *const label[AST_LABEL_COUNT] = {".entry", ".step", ".exit"};
 
     buf_printf(out, "%s ", kind[s->kind]);

@@ -117,8 +117,9 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
         diag_label(l->diags, d, DIAG_label_percentage);
     else
         diag_label(l->diags, d, division ? DIAG_label_floor : DIAG_label_comment);
-    if (l->src->text[at] == '/' && l->src->text[at + 1] == '*' && !l->no_comment_end) {
-        while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == '/'))
+    if ((l->src->text[at] == '(' || l->src->text[at] == '/') && l->src->text[at + 1] == '*' && !l->no_comment_end) {
+        const char last = l->src->text[at] == '(' ? ')' : '/';
+        while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == last))
             p++;
         l->no_comment_end = p + 1 >= l->src->len;
         if (!l->no_comment_end)

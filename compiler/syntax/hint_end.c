@@ -216,6 +216,18 @@ HintResult hint_skip_const(HintCase *c)
     return HINT_READ;
 }
 
+// Reports and skips a word before a declaration that has no meaning here, as in static F64 x = 5.
+HintResult hint_skip_storage(HintCase *c)
+{
+    Parser *p = c->p;
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
+
+    diag_label(p->diags, d, DIAG_label_leave_out);
+    diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
+    parser_advance(p);
+    return HINT_READ;
+}
+
 // Reports a unit in brackets, as in F32 pressure [bar] @read_only, and skips it. The bracket does not begin a section.
 HintResult hint_report_bracketed_unit(HintCase *c)
 {

@@ -4,6 +4,7 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
+#include "compiler/syntax/lexer.h"
 
 // ---- words ----
 
@@ -142,6 +143,17 @@ HintResult hint_report_state_word(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Labels d with a name without a dot: for `a.b`, that is a_b; b if a is no part of it, as in self.valve and math.sqrt.
+static void label_dotted_name(Parser *p, Diag *d, const char *before, const char *after)
+{
+    static const char *const owners[] = {"self", "this", "math", "Math", "np", "numpy", "std", "obj"};
+    bool is_owner = false;
+
+    for (size_t i = 0; i < sizeof owners / sizeof *owners; i++)
+        is_owner = is_owner || strcmp(before, owners[i]) == 0;
+    diag_label(p->diags, d, DIAG_label_write, is_owner ? after : format_in(p->arena, "%s_%s", before, after));
+}
+
 // Reports a name with a dot, as in tank.pressure. The current token is `.pressure`.
 HintResult hint_report_dotted_name(HintCase *c)
 {
@@ -151,7 +163,7 @@ HintResult hint_report_dotted_name(HintCase *c)
     if (!hint_are_adjacent(&p->last, &p->tok) || hint_is_label(p->tok.text->text))
         return HINT_NONE;
     name.len += p->tok.len;
-    parser_fail(p, DIAG_name_with_dot, name, parser_text(p, name));
+    label_dotted_name(p, parser_fail(p, DIAG_name_with_dot, name, parser_text(p, name)), p->last.text->text, p->tok.text->text);
     parser_advance(p);
     return HINT_SKIPPED;
 }
@@ -266,13 +278,19 @@ HintResult hint_report_increment(HintCase *c)
     const char *text = p->lex.src->text;
     uint32_t at = p->last.at;
     char sign[2] = "?";
+    const char *name = "x";
+    uint32_t end, from;
     Diag *d;
 
     if (at == 0 || text[at - 1] != text[at])
         return HINT_NONE;
+    for (end = at - 1; end > 0 && text[end - 1] == ' '; end--) {}
+    for (from = end; from > 0 && lexer_is_word(text[from - 1]); from--) {}
+    if (end > from && lex_is_letter(text[from]))
+        name = format_in(p->arena, "%.*s", (int)(end - from), text + from);
     sign[0] = text[at];
     d = parser_fail(p, DIAG_op_assign, (Span){p->lex.src, at - 1, 2}, format_in(p->arena, "%s%s", sign, sign));
-    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "x = x %s 1", sign));
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s = %s %s 1", name, name, sign));
     return HINT_SKIPPED;
 }
 

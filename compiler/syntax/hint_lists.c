@@ -14,7 +14,7 @@ typedef struct Membership {
     Span written;             // `S not in (A, B)`
     const char *left;         // `S`
     bool left_is_operand;     // an operator of higher precedence can take the left value: `a + b in (1, 2)`
-    bool is_negated, has_brackets;
+    bool is_negated, has_brackets, is_range;
     size_t n;
     Span member[MEMBERS_MAX];
 } Membership;
@@ -107,6 +107,23 @@ static uint32_t read_members(Membership *m, uint32_t at, char close)
     }
 }
 
+// Reads a range after `in`, as in 3..5. Returns false if something else is there.
+static bool read_range(Membership *m, uint32_t at)
+{
+    const Source *src = m->written.src;
+    const char *text = src->text;
+    const uint32_t from = at + (uint32_t)strspn(text + at, "(["), lo = from + (uint32_t)strspn(text + from, "-0123456789");
+    const uint32_t second = lo + (uint32_t)strspn(text + lo, ".:"), hi = second + (uint32_t)strspn(text + second, "-0123456789");
+
+    if (lo == from || second < lo + 2 || hi == second || text[lo] != '.')
+        return false;
+    m->member[0] = (Span){src, from, lo - from};
+    m->member[1] = (Span){src, second, hi - second};
+    m->n = 2;
+    m->written.len = hi + (uint32_t)strspn(text + hi, ")]") - m->written.at;
+    return true;
+}
+
 // Reads what follows `in`, which ends at `at`.
 static bool read_list(Membership *m, uint32_t at, bool is_enclosed)
 {
@@ -115,6 +132,9 @@ static bool read_list(Membership *m, uint32_t at, bool is_enclosed)
     uint32_t end;
 
     at = skip_blanks(text, at);
+    m->is_range = read_range(m, at);
+    if (m->is_range)
+        return true;
     open = text[at] ? strchr(brackets, text[at]) : NULL;
     m->has_brackets = open && (open - brackets) % 2 == 0;
     end = read_members(m, at + m->has_brackets, m->has_brackets ? open[1] : '\0');
@@ -185,12 +205,16 @@ static void label_membership(Diags *diags, Diag *d, const Membership *m)
 
     if (m->left_is_operand) {
         label_each(diags, d, "x");
+    } else if (m->is_range) {
+        diag_label(diags, d, DIAG_label_write, format_in(diags->arena, m->is_negated ? "not (%s <= %s <= %s)" : "%s <= %s <= %s",
+                                                         text_of(diags->arena, m->member[0]), m->left, text_of(diags->arena, m->member[1])));
     } else if (!is_state && are_numbers(m) && m->n == 2) {                    // [0, 5] can be a range
         diag_label(diags, d, DIAG_label_compare_or_range, comparisons,
                    format_in(diags->arena, "%s <= %s <= %s", text_of(diags->arena, m->member[0]), m->left, text_of(diags->arena, m->member[1])));
     } else if (!is_state && !are_numbers(m) && !m->is_negated) {              // valve in Burn: while the machine is in that state
         const char *states = format_comparisons(diags->arena, m, "S");
-        diag_label(diags, d, DIAG_label_compare_or_state, format_in(diags->arena, m->n > 1 ? "%s and (%s)" : "%s and %s", m->left, states), comparisons);
+        diag_label(diags, d, DIAG_label_compare_or_state, format_in(diags->arena, m->n > 1 ? "%s and (%s)" : "%s and %s", m->left, states),
+                   comparisons);
     } else {
         const char *text = needs_parens(m) ? format_in(diags->arena, "(%s)", comparisons) : comparisons;
         diag_label(diags, d, DIAG_label_write, text);
@@ -248,7 +272,8 @@ HintResult hint_report_membership(HintCase *c)
         return HINT_NONE;
     m.left = name_of_left(p->arena, left->span, left->kind == AST_NAME && left->name->declared);
     m.left_is_operand = follows_arithmetic(text, left->span.at);
-    d = parser_report(p, DIAG_foreign_word, (Span){p->lex.src, p->tok.at, in - p->tok.at}, parser_text(p, (Span){p->lex.src, p->tok.at, in - p->tok.at}));
+    d = parser_report(p, DIAG_foreign_word, (Span){p->lex.src, p->tok.at, in - p->tok.at},
+                      parser_text(p, (Span){p->lex.src, p->tok.at, in - p->tok.at}));
     c->e->kind = AST_ERROR;
     if (!read_list(&m, in, p->parens > 0)) {
         label_each(p->diags, d, m.left_is_operand ? "x" : m.left);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints about malformed tokens: 5psi, 1__0, größe, [two words].
+#include <stdlib.h>
 #include <string.h>
 
 #include "compiler/syntax/hint_lists.h"
@@ -22,6 +23,15 @@ static bool is_name_expected(const Lexer *l, uint32_t at)
            (from && s[from - 1] == '@' && (end - from != 8 || memcmp(s + from, "priority", 8) != 0));
 }
 
+// Whether the text is a number in binary, as in 0b101.
+static bool is_binary_number(const Lexer *l, uint32_t at, uint32_t stop)
+{
+    const char *s = l->src->text;
+
+    return s[at] == '0' && (s[at + 1] == 'b' || s[at + 1] == 'B') && stop - at > 2 && stop - at <= 34 &&
+           strspn(s + at + 2, "01") == stop - at - 2;
+}
+
 // Reports a number with letters after it, such as 5psi or 0x1G, or a name that begins with a digit. The number ends at `end`, the letters
 // at `stop`.
 static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
@@ -31,6 +41,8 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
 
     if (l->last == TOK_TYPE)
         diag_label(l->diags, d, DIAG_label_name_first);
+    else if (is_binary_number(l, at, stop))
+        diag_label(l->diags, d, DIAG_label_write, format_in(l->diags->arena, "%lu", strtoul(l->src->text + at + 2, NULL, 2)));
     else if (!lexer_is_hex_prefix(l, at) && lex_is_identifier(l->src->text + end, stop - end) && hint_knows_word(l, end, stop) &&
              !hint_is_time_unit(lexer_text(l, end, stop)))
         diag_label(l->diags, d, DIAG_label_multiply, lexer_text(l, at, end), lexer_text(l, end, stop));
@@ -119,7 +131,10 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
                 diag_label(l->diags, d, DIAG_label_name_ascii);
                 return;
             }
-        diag_label(l->diags, d, DIAG_label_section_name);
+        if (strpbrk(name->text, "<>="))        // a transition as in Stateflow: [p > 5] -> Vent
+            diag_label(l->diags, d, DIAG_label_guard_in_brackets, name->text);
+        else
+            diag_label(l->diags, d, DIAG_label_section_name);
     }
 }
 

@@ -95,7 +95,8 @@ static void report_limit(HintCase *c)
     AstExpr *e = c->e;
 
     if (e->kind == AST_IMPLIES) {
-        diag_label(p->diags, d, DIAG_label_leads_to_within, parser_text(p, e->a->span), parser_text(p, e->b->span), parser_text(p, rest_of_line(p, p->tok.at)));
+        diag_label(p->diags, d, DIAG_label_leads_to_within, parser_text(p, e->a->span), parser_text(p, e->b->span),
+                   parser_text(p, rest_of_line(p, p->tok.at)));
         diag_edit(p->diags, d, ast_op_span(e), "leads to");
     } else {
         const char *limit = parser_text(p, rest_of_line(p, p->tok.at)), *after = strstr(limit, " after ");

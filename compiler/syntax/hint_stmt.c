@@ -34,6 +34,16 @@ static const char *format_between(const Parser *p, const AstExpr *e)
     return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
 
+// Returns the advice for `x > 5 for 3 s` and `x > 5 for 3 samples`. The current token is `for`; e is the condition.
+static const char *format_held(const Parser *p, const AstExpr *e)
+{
+    uint32_t at = p->ahead.at;
+    const char *n = read_word_at(p, &at), *unit = read_word_at(p, &at), *known = hint_find_synonym(HINT_UNITS, unit);
+    const bool is_number = lex_is_digit(*n), is_time = time_unit_find(known ? known : unit) != TIME_NONE;
+
+    return format_in(p->arena, "held(%s, %s %s)", parser_text(p, e->span), is_number ? n : "500", is_time ? known ? known : unit : is_number ? "steps" : "ms");
+}
+
 // ---- after a guard ----
 
 // Reports = after an expression that is not a name, as in x + 1 = 3.
@@ -107,7 +117,8 @@ HintResult hint_report_comma_for_colon(HintCase *c)
 
     if (c->e->kind == AST_NAME)
         return HINT_NONE;
-    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_colon_instead);
+    diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)),
+               hint_line_is_guard(p) ? DIAG_label_and_instead : DIAG_label_colon_instead);            // x > 5, y: ...
     return HINT_SKIPPED;
 }
 
@@ -123,7 +134,7 @@ HintResult hint_report_prose_in_guard(HintCase *c)
     if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, format_between(p, c->e));
     else if (hint_is_word(&p->tok, "for"))
-        diag_label(p->diags, d, DIAG_label_held_instead);
+        diag_label(p->diags, d, DIAG_label_write, format_held(p, c->e));
     return HINT_SKIPPED;
 }
 

@@ -128,7 +128,8 @@ HintResult hint_report_second_time(HintCase *c)
     if (e->when != AST_AT && e->when != AST_AFTER)
         return HINT_NONE;
     d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
-    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "from %s to %s", parser_text(p, e->a->span), parser_text(p, parser_span(p, &p->ahead))));
+    diag_label(p->diags, d, DIAG_label_write,
+               format_in(p->arena, "from %s to %s", parser_text(p, e->a->span), parser_text(p, parser_span(p, &p->ahead))));
     diag_edit(p->diags, d, ast_op_span(e), "from");
     e->kind = AST_ERROR;
     return HINT_SKIPPED;

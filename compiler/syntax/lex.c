@@ -284,8 +284,8 @@ bool lexer_may_be_remark(const Lexer *l)
             last == TOK_COMMA || last == TOK_TEXT);
 }
 
-// Reads text in quotes: the reason of an @allow, a file name, or the text of an item of a script. It can contain the characters that a comment can contain. Returns false if
-// the position allows no text, or the text does not end on its line.
+// Reads text in quotes: the reason of an @allow, a file name, or the text of an item of a script. It can contain the characters that a comment can
+// contain. Returns false if the position allows no text, or the text does not end on its line.
 static bool lex_text(Lexer *l, Token *t)
 {
     const char *s = l->src->text;

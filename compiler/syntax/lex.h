@@ -20,7 +20,8 @@ typedef struct Token {
     TokenKind kind;
     bool first;               // the first token on its line
     uint32_t at, len;         // offset and length in the source
-    Str text;                 // NAME, TYPE, words: as written; ADDRESS: with its port; HEADER, LABEL, ANNOTATION: the name without its punctuation; TEXT: without quotes
+    Str text;                 // NAME, TYPE, words: as written; ADDRESS: with its port; HEADER, LABEL, ANNOTATION: the name without its punctuation;
+                              // TEXT: without quotes
     SmType type;              // TYPE: which type it names
     SmF64 number;             // NUMBER: its value
 } Token;
@@ -71,7 +72,7 @@ typedef struct Lexer {
     // Only the hints read these.
     uint8_t first_hint[256];  // by character: 1 + the first row of hints.def whose spelling begins with it; 0: none
     uint8_t next_hint[LEX_HINTS];     // by row: 1 + the next row that begins with the same character
-    bool stores, annotated;   // on the current line, before the current position, there is: an =; an annotation
+    bool stores, annotated;   // whether an = precedes the current position on its line; whether an annotation does
     bool no_comment_end;      // the rest of the source contains no */
     uint32_t bar;             // position of the | that closes |x|
     uint32_t parens;          // number of parentheses opened on this line and still open

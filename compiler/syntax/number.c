@@ -38,7 +38,7 @@ static bool round_to_f64(uint64_t q, long e, bool more, SmF64 *value)
 
 // ---- big whole numbers ----
 
-enum { LIMBS = 128 };                                 // 4096 bits: 810 digits, or 10^1140 and 64 bits more
+enum { LIMBS = 128 };                                 // 4096 bits: enough for every number of 810 digits, and for 10^1140 times a number of 64 bits
 
 typedef struct Big { uint32_t limb[LIMBS]; int n; } Big;      // least significant limb first; n does not count leading zeros
 

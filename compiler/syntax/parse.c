@@ -254,7 +254,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parse_block(p, &ignored);
     else
         parser_skip_line(p);
-    if (p->diags->errors == errors && !reported)
+    if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // otherwise the header is wrong
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
     if (d && colon)
@@ -342,7 +342,8 @@ static AstSectionKind find_section_kind(FileKind file, const AstSection *s)
 // Reports section s if f already contains a section of this kind and a file can have only one.
 static void check_repeated(Parser *p, const AstFile *f, const AstSection *s)
 {
-    const bool is_single = s->kind == AST_STATE_VECTOR || s->kind == AST_PINS || ((s->kind == AST_LOCAL || s->kind == AST_OPTIONS) && f->kind != FILE_SS);
+    const bool is_single = s->kind == AST_STATE_VECTOR || s->kind == AST_PINS ||
+        ((s->kind == AST_LOCAL || s->kind == AST_OPTIONS) && f->kind != FILE_SS);
 
     if (!is_single)
         return;

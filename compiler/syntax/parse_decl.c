@@ -76,11 +76,19 @@ static bool begins_value(const Parser *p)
     return p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE;
 }
 
+// Returns the type of the declaration: that of this language if another one's is written.
+static const char *name_of_type(const Parser *p, const AstDecl *d)
+{
+    const char *written = parser_text(p, d->type_span), *synonym = hint_find_synonym(HINT_TYPES, written);
+
+    return synonym ? synonym : written;
+}
+
 static void parse_initial_value(Parser *p, AstDecl *d)
 {
     if (p->tok.kind != TOK_ASSIGN) {
         Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
-        diag_label(p->diags, x, DIAG_label_local_value, parser_text(p, d->type_span), d->name->text, d->type == SM_BOOL ? "false" : "0");
+        diag_label(p->diags, x, DIAG_label_local_value, name_of_type(p, d), d->name->text, d->type == SM_BOOL ? "false" : "0");
         return;
     }
     parser_advance(p);

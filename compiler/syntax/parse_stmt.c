@@ -348,7 +348,7 @@ static void parse_annotated(Parser *p, AstStmts *into)
         return;
     }
     if (!in_script(p))
-        parser_report(p, DIAG_script_only, parser_token_span(p), p->tok.text->text);
+        diag_label(p->diags, parser_report(p, DIAG_script_only, parser_token_span(p), p->tok.text->text), DIAG_label_for_scripts);
     parse_item(p, item->kind, into);
 }
 
@@ -525,7 +525,7 @@ static void report_stray_else(Parser *p)
     AstStmt s = {.arms = &arms};
 
     if (!p->lost_body)
-        parser_report(p, DIAG_else_without_if, parser_token_span(p));
+        diag_label(p->diags, parser_report(p, DIAG_else_without_if, parser_token_span(p)), DIAG_label_else_alone);
     p->lost_body = true;
     if (!enter_nesting(p))
         return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files of the parser. parse.c: files, sections, blocks; parse_decl.c: declarations and options;
-// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_when.c: guards by time. These files contain only the
-// grammar. Where the source violates it, hints.h finds what the user meant.
+// parse_annotation.c: annotations; parse_config.c: pins; parse_stmt.c: statements; parse_expr.c: expressions; parse_when.c: guards by time. These
+// files contain only the grammar. Where the source violates it, hints.h finds what the user meant.
 // Errors that follow from a reported error are not reported: parser_fail sets p->failed, which silences reports up to the next statement.
 #ifndef SMC_PARSER_H
 #define SMC_PARSER_H

@@ -50,7 +50,8 @@ void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out)
     const char *comma = "";
 
     if (r->violated) {
-        buf_printf(out, "%s%s at G = %" PRIu64, f->options.requirements->at.at[r->violated - 1].id->text, r->violated_in_truth ? ", by the true values," : "", r->violated_at.g);
+        buf_printf(out, "%s%s at G = %" PRIu64, f->options.requirements->at.at[r->violated - 1].id->text,
+                   r->violated_in_truth ? ", by the true values," : "", r->violated_at.g);
         comma = "; ";
     }
     if (r->failed) {
@@ -387,7 +388,8 @@ static void write_sensor(const FaultText *t, Buf *out)
 static FaultText text_of_fault(const Edits *e, const Faults *f, const FaultResult *r, const Script *s, uint32_t i)
 {
     const FaultTrigger *t = &f->trigger.at[r->trigger];
-    FaultText text = {.f = f, .var = e->var[i], .kind = r->fault[i].kind, .g = f->p->g->name->text, .input = e->var[i]->name->text, .truth = e->name[i],
+    FaultText text = {.f = f, .var = e->var[i], .kind = r->fault[i].kind, .g = f->p->g->name->text, .input = e->var[i]->name->text,
+                      .truth = e->name[i],
                       .from = t->g, .to = UINT64_MAX};
 
     text.other = free_name(e->arena, f, s, text.kind == FAULT_LATE ? "late" : "last", e->var[i]);
@@ -518,7 +520,8 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
     Engine *e;
     ScriptResult result;
     FaultMoment at = failing_moment(r);
-    const ScriptOptions o = {.max_steps = r->steps, .seed = f->options.has_seed ? &f->options.sizes.seed : NULL, .is_silent = true, .is_compared = true,
+    const ScriptOptions o = {.max_steps = r->steps, .seed = f->options.has_seed ? &f->options.sizes.seed : NULL, .is_silent = true,
+                             .is_compared = true,
                              .requirements = f->options.requirements, .setting = f->options.setting, .settings = f->options.settings};
     bool is_same;
 

@@ -9,7 +9,8 @@
 
 // How the file of a script relates to the original.
 typedef struct FaultScriptPlace {
-    const char *to_original;          // path from the folder of the script to that of the original, "" or with a separator at its end; NULL: there is no original
+    const char *to_original;          // path from the folder of the script to that of the original, "" or with a separator at its end; NULL: there is
+                                      // no original
     const char *command;              // the command line that runs the script
 } FaultScriptPlace;
 

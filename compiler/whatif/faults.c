@@ -121,7 +121,8 @@ static void add_middles(FaultRunner *x, uint32_t script)
     for (uint32_t s = 0; s < x->f->p->state.n; s++) {
         const Visit *v = &x->visit[s];
         if (v->last - v->first >= 2)
-            vec_push(x->arena, &x->f->trigger, ((FaultTrigger){script, v->first + (v->last - v->first + 1) / 2, 0, NULL, x->f->p->state.at[s], false}));
+            vec_push(x->arena, &x->f->trigger,
+                     ((FaultTrigger){script, v->first + (v->last - v->first + 1) / 2, 0, NULL, x->f->p->state.at[s], false}));
     }
 }
 

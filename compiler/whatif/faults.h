@@ -55,7 +55,8 @@ typedef struct FaultResult {
 
 typedef struct FaultOptions {
     unsigned kinds;                   // 1u << FaultKind
-    const Var *const *input;          // the inputs that can fail, `inputs` of them; 0: all that the machine reads and that a script writes or that are @read_only
+    const Var *const *input;          // the inputs that can fail, `inputs` of them; 0: all that the machine reads and that a script writes or that
+                                      // are @read_only
     uint32_t inputs;
     bool pairs;
     bool runs_all;                    // also runs faults whose outcome follows from other runs: for tests

@@ -127,7 +127,8 @@ static void write_map(Arena *arena, const Sweep *s, Buf *out)
         const double x = LEFT + w * (i / b->n), y = TOP + h * (b->n - 1 - i % b->n);
         write_rect(x, y, w, h, p->failing ? bad : good, out);
         if (p->failing && w > 16 && h > 11)
-            buf_printf(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\" fill=\"#fff\">%lu</text>\n", x + w / 2, y + h / 2 + 4, (unsigned long)p->failing);
+            buf_printf(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\" fill=\"#fff\">%lu</text>\n", x + w / 2, y + h / 2 + 4,
+                       (unsigned long)p->failing);
     }
     write_label(LEFT - 8, TOP + 10, "end", number_text(arena, b->value[b->n - 1]), out);
     write_label(LEFT - 8, TOP + h * b->n, "end", number_text(arena, b->value[0]), out);

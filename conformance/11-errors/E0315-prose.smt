@@ -10,7 +10,7 @@ bool on
 .step
     if p between 3 and 5: x = 1         #! E0315 write 3 <= p <= 5
     if p > 5 of max: x = 1              #! E0315 'of'
-    if p > 5 for 500 ms: x = 1          #! E0315 held(x > 5, 500 ms)
+    if p > 5 for 500 ms: x = 1          #! E0315 write held(p > 5, 500 ms)
     if p > 5, x = 1                     #! E0315 write ':' instead
     if abs p > 5: x = 1                 #! E0219 write abs(x)
     if p > 5 -> Hold                    #! E0315 insert ':'

@@ -33,7 +33,7 @@ bool b
     switch p                        #! E0329 write it as if ... else if ...
     case p                          #! E0329 write it as if ... else if ...
     return p                        #! E0329 put what follows into an 'else
-    break                           #! E0329 put what follows into an 'else
+    break                           #! E0329 leave it out: there are no loops
     wait 200                        #! E0329 T >= 200
     delay 200                       #! E0329 T >= 200
     sleep 200                       #! E0329 T >= 200

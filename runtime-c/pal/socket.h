@@ -65,8 +65,8 @@ SmResult pal_socket_listen(PalSocket *socket, const PalAddress *local);
 //     SM_E_FULL          the table has no free entry
 SmResult pal_socket_listen_local(PalSocket *socket, const char *path);
 
-// Accepts the next incoming stream.  If `peer` is not NULL, it receives the peer's address, or zeros from a path.  The caller must close the new socket
-// separately.  A stream that broke before it could be accepted is skipped.
+// Accepts the next incoming stream.  If `peer` is not NULL, it receives the peer's address, or zeros from a path.  The caller must close the new
+// socket separately.  A stream that broke before it could be accepted is skipped.
 //     SM_E_TIMEOUT       no peer connected
 //     SM_E_FULL          the table has no free entry; the peer stays in the queue
 //     SM_E_ARGUMENT      the socket is not a listening socket
@@ -91,8 +91,8 @@ SmResult pal_socket_connected(PalSocket stream);
 
 // Bounds what a stream stores for a peer that does not receive.  The platform accepts no more than about `room` bytes that the peer's
 // computer has not acknowledged; platforms round up, Linux to a few kilobytes.  If bytes are not acknowledged for `patience` nanoseconds,
-// 1 ms to PAL_TIMEOUT_MAX, the stream breaks, where the platform can notice that.  `room` is from 1 byte to 1 MiB.  SM_E_ARGUMENT: not a stream, or a number is
-// out of range.
+// 1 ms to PAL_TIMEOUT_MAX, the stream breaks, where the platform can notice that.  `room` is from 1 byte to 1 MiB.  SM_E_ARGUMENT: not a stream, or a
+// number is out of range.
 SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience);
 
 // Sends n bytes on a stream.  SM_OK: the platform has accepted all bytes, which does not mean that they arrived.  SM_E_TIMEOUT:

@@ -31,10 +31,10 @@ check()
     echo "$1 $2: $each instructions a line, at most $3"
 }
 
-check mission 300 41000
-check guards 1000 60500
-check conditionals 2000 41000
+check mission 300 30000
+check guards 1000 54500
+check conditionals 2000 33300
 check states 500 20900
-check states_locals 150 27000
+check states_locals 150 20700
 echo "instructions: $passed passed, $failed failed"
 [ $failed = 0 ]

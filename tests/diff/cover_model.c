@@ -15,7 +15,7 @@ typedef struct Model {
     uint8_t *stored;
     RefWindows windows;
     const State *state;
-    bool first, ran;
+    bool first, ran, is_sampling;
     uint64_t last_g, start;
 } Model;
 
@@ -25,7 +25,7 @@ static uint32_t find_place(const Model *m, CoverKind kind, Span s, bool value, c
 {
     for (uint32_t i = 1; i < m->c->place.n; i++) {
         const CoverPlace *p = &m->c->place.at[i];
-        if (p->kind == kind && p->span.at == s.at && p->span.len == s.len && p->value == value && p->from == from)
+        if (p->kind == kind && p->sampled == m->is_sampling && p->span.at == s.at && p->span.len == s.len && p->value == value && p->from == from)
             return i;
     }
     return 0;
@@ -194,6 +194,7 @@ static const State *execute(Model *m, const Stmts *list)
 
 static void note_samples(Model *m)
 {
+    m->is_sampling = true;
     for (size_t i = 0; i < m->p->window.n; i++) {
         const Window *w = &m->p->window.at[i];
         const Expr *e = w->sample;
@@ -204,6 +205,7 @@ static void note_samples(Model *m)
         else
             scan(m, e, NULL, false);
     }
+    m->is_sampling = false;
 }
 
 static EngineStatus answer(const Model *m, EngineStatus status, EngineStep *out)

@@ -36,6 +36,7 @@ G == 50 {
 }
 -- stdout --
 mutations of a: 8 of 23 changes are noticed (34.8 %)
+inputs were found for 15 of the 15 changes that no script notices
 not noticed; these inputs would show it:
   line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
     from Fill, at G = 10, S differs [a-change-10-5-2.ss]

@@ -133,6 +133,7 @@ noticed:
   line 14:5: `open = true` removed in Abort, an output [a.ss]
 mutations of a: 8 of 23 changes are noticed (34.8 %)
 mutations of a: 8 of 23 changes are noticed (34.8 %)
+inputs were found for 15 of the 15 changes that no script notices; --scripts=DIR writes them as scripts
 not noticed; these inputs would show it:
   line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
     from Fill, at G = 10, S differs
@@ -175,6 +176,7 @@ noticed:
   line 14:5: `open = true` removed in Abort, an output [still.ss: R1]
 1
 mutations of first: 22 of 27 changes are noticed (81.5 %), and 2 make no difference
+inputs were found for 2 of the 5 changes that no script notices
 not noticed; these inputs would show it:
   line 16:5: `alarm = false` removed in Off, an output
     from Off, at G = 0: alarm = true; at G = 0, alarm differs [first-change-16-5-1.ss]

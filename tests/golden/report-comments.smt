@@ -117,6 +117,14 @@ statistic delays. A counter or a timer delays its condition, too.
   Hold   yes                no                  1
   Abort  is an abort state
 
+What each state aborts on
+The variables that the guards of aborts read. A state that has no `yes` where most others have one
+does not abort on that. Compare it with what the state must do.
+
+  State  key  bad  time (T)
+  Full   -    yes  yes
+  Hold   yes  -    -
+
 Transitions that lead to an abort state
 "Unbounded": every path from the target state leads to an abort state, but before that the machine
 can wait for a condition that may never become true.

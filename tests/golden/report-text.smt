@@ -212,6 +212,15 @@ statistic delays. A counter or a timer delays its condition, too.
   Done   no                 no
   Abort  is an abort state
 
+What each state aborts on
+The variables that the guards of aborts read. A state that has no `yes` where most others have one
+does not abort on that. Compare it with what the state must do.
+
+  State  time (T)
+  Idle   -
+  Fill   yes
+  Done   -
+
 Transitions that lead to an abort state
   State  To     Condition  Reads  Worst-case steps  Line
   Fill   Abort  T > 60000  time   1                   28

@@ -5,6 +5,7 @@
 
 #include "runtime-c/psl/sim/sim.h"
 #include "tests/swap/wire.h"
+#define TEST_PART
 #include "tests/test.h"
 
 static uint8_t key[16], wrong[16];         // the bytes of right_key and wrong_key

@@ -5,6 +5,7 @@
 
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/psl/sim/sim.h"
+#define TEST_PART
 #include "tests/test.h"
 
 SwapMachine one, ten, b_one, b_ten;

@@ -217,7 +217,8 @@ uint32_t bc_relation_of(IrOp op)
 // Returns the set of outcomes with X and Y exchanged: LESS becomes GREATER.
 uint32_t bc_swapped_relation(uint32_t relation)
 {
-    return (relation & (SMVM_EQUAL | SMVM_UNORDERED)) | (relation & SMVM_LESS ? (uint32_t)SMVM_GREATER : 0) | (relation & SMVM_GREATER ? (uint32_t)SMVM_LESS : 0);
+    return (relation & (SMVM_EQUAL | SMVM_UNORDERED)) | (relation & SMVM_LESS ? (uint32_t)SMVM_GREATER : 0)
+           | (relation & SMVM_GREATER ? (uint32_t)SMVM_LESS : 0);
 }
 
 uint32_t bc_negated_relation(uint32_t relation) { return (SMVM_LESS | SMVM_EQUAL | SMVM_GREATER | SMVM_UNORDERED) & ~relation; }
@@ -228,7 +229,8 @@ static bool try_negate(BcSelect *s, IrRef r, bool now)
     const IrIns *i = bc_ins(s, r = bc_skip_truth_cvts(s, r));
     const bool both = i->op == IR_and || i->op == IR_or;
 
-    if (!s->value[r].waits || (!both && ir_op_info[i->op].types != IR_T_COMPARE) || (both && (!try_negate(s, i->a, now) || !try_negate(s, i->b, now))))
+    if (!s->value[r].waits || (!both && ir_op_info[i->op].types != IR_T_COMPARE) ||
+        (both && (!try_negate(s, i->a, now) || !try_negate(s, i->b, now))))
         return false;
     s->value[r].inverted = s->value[r].inverted != now;
     return true;

@@ -102,7 +102,8 @@ BcIns *bc_emit(BcSelect *s, uint8_t op);
 void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
 void bc_load_x(BcSelect *s, BcRef o);                   // loads operand o into X; emits nothing if X contains its value already
 void bc_load_y(BcSelect *s, BcRef o);                   // the same for the register Y
-void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is loaded
+void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is
+                                                        // loaded
 void bc_forget_y(BcSelect *s);                                 // records that Y is undefined
 void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction that changes X
 void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed

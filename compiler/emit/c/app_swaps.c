@@ -113,7 +113,8 @@ static unsigned storage_room(const AppEmitter *e, unsigned swappables)
 static void write_storage(const AppEmitter *e, unsigned swappables)
 {
     buf_printf(e->out, "\nstatic SmSwapStore swapStore = {\n    .storage = SM_SWAP_STORE_STORAGE, .memory = \"%s\", .room = %u%s\n};\n",
-               app_escape_string(e, e->app->swap_store), storage_room(e, swappables), app_is_reached(e) && e->app->swap_at.key ? ", .key = swapLink.key" : "");
+               app_escape_string(e, e->app->swap_store), storage_room(e, swappables),
+               app_is_reached(e) && e->app->swap_at.key ? ", .key = swapLink.key" : "");
 }
 
 // Marks the elements that this machine stores.

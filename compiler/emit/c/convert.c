@@ -38,7 +38,8 @@ static void write_bool_as_number(CFn *fn, IrRef r, SmType to, int prec)
     const bool opened = c_open_parens(fn, PREC_ANY, prec);
 
     c_write_condition(fn, r, false, PREC_OR);
-    c_write(fn, to == SM_F64 && fn->u->soft ? " ? sm_from_bits(0x3FF0000000000000u /* 1.0 */) : sm_from_bits(0 /* 0.0 */)" : to == SM_F64 ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
+    c_write(fn, to == SM_F64 && fn->u->soft ? " ? sm_from_bits(0x3FF0000000000000u /* 1.0 */) : sm_from_bits(0 /* 0.0 */)" : to == SM_F64
+            ? " ? 1.0 : 0.0" : to == SM_F32 ? " ? 1.0f : 0.0f" : to == SM_I64 ? " ? INT64_C(1) : 0" :
         to == SM_I32 ? " ? INT32_C(1) : 0" : " ? 1 : 0");
     c_close_parens(fn, opened);
 }

@@ -177,7 +177,8 @@ static void write_window_member(const CUnit *u, size_t w, const char *call, Buf 
     if (ir_stores_times(win))
         write_member(out, "uint64_t", u->ring[w], "number of times, and the next slot");
     else if (c_begins_ring(u, w))
-        write_member(out, "uint64_t", u->ring[w], format_in(u->arena, "number of samples in the windows of %u, and the next slot", (unsigned)win->size));
+        write_member(out, "uint64_t", u->ring[w],
+                     format_in(u->arena, "number of samples in the windows of %u, and the next slot", (unsigned)win->size));
     write_member(out, "uint64_t", c_window_declaration(u, w),
                call ? call : ir_stores_times(win) ? "times" : format_in(u->arena, "samples of the last %u steps", (unsigned)win->size));
 }
@@ -204,7 +205,8 @@ static void write_machine_struct(CUnit *u, Buf *out)
                     "// private.\ntypedef struct %s {\n", u->names.type);
     write_member(out, c_state_type(u), "state_", "the state that the next step runs; 0 before init");
     write_member(out, "bool", "first_", "the next step is the state's first");
-    write_member(out, "uint64_t", "gate_", u->soft ? "time of the last step plus 1; 0 before the first" : "how far time could advance after the last step");
+    write_member(out, "uint64_t", "gate_", u->soft ? "time of the last step plus 1; 0 before the first"
+                 : "how far time could advance after the last step");
     if (!u->soft)
         write_member(out, "uint64_t", "left_", "that value while gate_ is 0, before a state's first step");
     write_member(out, "uint64_t", "start_", "time of the state's first step");
@@ -212,7 +214,8 @@ static void write_machine_struct(CUnit *u, Buf *out)
         write_member(out, format_in(u->arena, "%sStored", u->names.type), "stored", "what the last step that ran stored");
     write_local_members(u, true, false, format_in(u->arena, "\n    // parameters: set them with %s_set_parameters\n", u->names.prefix), out);
     write_local_members(u, false, true, "\n    // [local]\n", out);
-    write_local_members(u, false, false, "\n    // [local], never stored: the code contains their values, and a change here has no defined effect\n", out);
+    write_local_members(u, false, false, "\n    // [local], never stored: the code contains their values, and a change here has no defined effect\n",
+                        out);
     if (m->window.n)
         buf_str(out, "\n    // rolling windows\n");
     for (size_t w = 0; w < m->window.n; w++)

@@ -115,7 +115,8 @@ static void write_pin_table(const IoUnit *u, bool output, Buf *out)
     for (size_t i = 0; i < u->io->pin.n; i++)
         if (pin_is_output(&u->io->pin.at[i]) == output)
             write_pin(u, &u->io->pin.at[i], out);
-    buf_printf(out, "};\nstatic uint8_t %s_handle[%lu];\nstatic uint16_t %s_missed[%lu];\nstatic uint64_t %s_value[%lu];\n\n", what, n, what, n, what, n);
+    buf_printf(out, "};\nstatic uint8_t %s_handle[%lu];\nstatic uint16_t %s_missed[%lu];\nstatic uint64_t %s_value[%lu];\n\n", what, n, what, n, what,
+               n);
     buf_printf(out, "SmIo %s_%ss = {%s, %lu, &%s_vector, %s_handle, %s_missed, %s_value, 0};\n", p, what, what, n, u->vector, what,
                what, what);
 }

@@ -161,7 +161,8 @@ static void write_channel_row(const NetChannel *c, unsigned n, Buf *out)
     if (c->peers)
         buf_printf(out, "     .stream = &sm_net_tcp, .is_server = %s, .peers = %lu, .peer = peer%u,\n",
                    c->transport == NET_TCP_SERVER ? "true" : "false", (unsigned long)c->peers, n);
-    buf_printf(out, "     .address = {{%u, %u, %u, %u}, %u}, .interface = {%u, %u, %u, %u},\n", c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port, c->interface[0], c->interface[1], c->interface[2], c->interface[3]);
+    buf_printf(out, "     .address = {{%u, %u, %u, %u}, %u}, .interface = {%u, %u, %u, %u},\n", c->ip[0], c->ip[1], c->ip[2], c->ip[3],
+               (unsigned)c->port, c->interface[0], c->interface[1], c->interface[2], c->interface[3]);
     buf_printf(out, "     .period = %lluu, .timeout = %lluu,", (unsigned long long)c->period, (unsigned long long)c->timeout);
     if (c->statistic.n)
         buf_printf(out, " .statistic = statistic%u, .statistics = %lu,", n, (unsigned long)c->statistic.n);

@@ -349,7 +349,8 @@ static void name_conditions(CFn *fn, const IrIns *store)
 {
     const IrIns *i = c_is_const(fn, store->a) ? store : c_ins(fn, store->a);
 
-    if ((i->op != IR_and && i->op != IR_or) || c_is_const(fn, i->a) || c_is_const(fn, i->b) || !is_cheap_condition(fn, i->a) || !is_cheap_condition(fn, i->b))
+    if ((i->op != IR_and && i->op != IR_or) || c_is_const(fn, i->a) || c_is_const(fn, i->b) || !is_cheap_condition(fn, i->a) ||
+        !is_cheap_condition(fn, i->b))
         return;
     fn->ins[i->a].is_named = fn->ins[i->b].is_named = true;
 }

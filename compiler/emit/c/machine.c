@@ -282,7 +282,8 @@ static void write_soft_time_check(const CUnit *u, const CStepParts *w, Buf *out)
     buf_printf(out, "\n    if (m->state_ == 0 || !sm_soft_advance(&m->gate_, &sv->%s)) {\n", n->var[u->m->g]);
     buf_printf(out, "        return m->state_ == 0 ? %s_NO_STATE : %s_REFUSED;\n    }\n", n->macro, n->macro);
     buf_str(out, w->first ? "    first = m->first_;\n    if (first) {\n" : "    if (m->first_) {\n");
-    buf_printf(out, "        m->first_ = false;\n        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n", n->var[u->m->g], n->var[u->m->s]);
+    buf_printf(out, "        m->first_ = false;\n        m->start_ = sv->%s;\n        sv->%s = m->state_;\n    }\n", n->var[u->m->g],
+               n->var[u->m->s]);
 }
 
 // Writes the step function up to where blocks run: the check of time, and the start of a first step.
@@ -292,7 +293,8 @@ static void write_step_head(const CUnit *u, const CStepParts *w, Buf *out)
 
     buf_printf(out, "%sStatus %s_step(%s *m, %s *sv)\n{\n", n->type, n->prefix, n->type, n->sv_type);
     if (!u->soft)
-        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // how far time can still advance; the largest value if it cannot\n", n->var[u->m->g]);
+        buf_printf(out, "    const uint64_t left = UINT64_MAX - 1 - sv->%s;      // how far time can still advance; the largest value if it cannot\n",
+                   n->var[u->m->g]);
     if (!u->soft)
         buf_printf(out, "    const %s state = m->state_;      // the state that this step runs; 0 if init has not succeeded\n", c_state_type(u));
     if (w->first)

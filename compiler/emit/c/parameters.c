@@ -74,7 +74,8 @@ static void write_bound(CUnit *u, size_t v, bool is_lowest, Buf *out)
     literal_write(u, &bound, var->type, sm_cell_from_f64(var->type, end));
     buf_str(out, " && ");
     if (call)
-        buf_printf(out, "%s(%s%s, %s%s)", call, is_lowest ? "" : "values->", is_lowest ? buf_text(&bound) : u->names.var[v], is_lowest ? "values->" : "",
+        buf_printf(out, "%s(%s%s, %s%s)", call, is_lowest ? "" : "values->", is_lowest ? buf_text(&bound) : u->names.var[v],
+                   is_lowest ? "values->" : "",
                    is_lowest ? u->names.var[v] : buf_text(&bound));
     else
         buf_printf(out, "values->%s %s %s", u->names.var[v], is_lowest ? ">=" : "<=", buf_text(&bound));

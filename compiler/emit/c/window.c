@@ -18,7 +18,8 @@ static void write_kind(const IrWindow *w, Buf *out)
 #include "stdlib/types.def"
 #undef SM_TYPE
     };
-    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE", "OLDEST", "NEWEST", "CHANGE", "ELAPSED", "RUN_STEPS", "RUN_TIME" };
+    static const char *const stat[SM_STAT_COUNT] = { "AVG", "MEDIAN", "MIN", "MAX", "RANGE", "OLDEST", "NEWEST", "CHANGE", "ELAPSED", "RUN_STEPS",
+                                                    "RUN_TIME" };
 
     buf_printf(out, "SM_ROLL_%s", type[roll_kind(w) & SM_ROLL_TYPE]);
     for (int s = 0; s < SM_STAT_COUNT; s++)
@@ -188,7 +189,8 @@ void c_write_sample(CFn *fn, const IrIns *i)
 
 // ---- statistics: one function for each, called wherever it is read ----
 
-static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range", "oldest", "newest", "change", "elapsed", "run_steps", "run_time" };
+static const char *const stat_name[SM_STAT_COUNT] = { "avg", "median", "min", "max", "range", "oldest", "newest", "change", "elapsed", "run_steps",
+                                                     "run_time" };
 
 // Writes the call that reads a statistic of a rolling window, whose value is temporary r.
 void c_write_statistic_call(CFn *fn, IrRef r)
@@ -218,7 +220,8 @@ static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
 static bool has_any_zero(const CUnit *u, size_t w, int stat)
 {
     const IrWindow *window = get_window(u, w);
-    const bool by_value = (window->stats & 1u << SM_STAT_MEDIAN) == 0 ? stat == SM_STAT_MIN || stat == SM_STAT_MAX : stat == SM_STAT_MEDIAN && window->size == 3;
+    const bool by_value = (window->stats & 1u << SM_STAT_MEDIAN) == 0
+        ? stat == SM_STAT_MIN || stat == SM_STAT_MAX : stat == SM_STAT_MEDIAN && window->size == 3;
 
     return by_value && ir_is_float(window->type) && (u->window_zeros_differ[w] >> stat & 1) == 0;
 }
