@@ -9,6 +9,7 @@
 enum {
     TAIL = 4,                 // steps that run after the changed inputs
     MOST_TAIL = 2000,         // also for a `leads to`
+    MOST_LASTING = 4000,      // ... if it runs on because it differs
     MOST_VISIT = 1500         // steps for which inputs are changed until the visit of the state ends
 };
 
@@ -117,7 +118,7 @@ static bool is_different(const NearSearch *k, const Variant *x, uint64_t step, u
     const NearTrace now = near_trace(k), *given = &k->trace[x->at->given][step];
     uint64_t since;
 
-    if (step >= s->steps)
+    if (step >= s->steps || step >= x->end + MOST_LASTING)
         return false;
     if (k->what->kind == REQUIREMENT_AFTER) {
         monitor_is_open(k->monitor, k->block + k->f->size, k->g->requirement, &since);
@@ -130,7 +131,8 @@ static bool is_different(const NearSearch *k, const Variant *x, uint64_t step, u
     return now.state == given->state && now.stored != given->stored;
 }
 
-// Whether a variant whose changed steps have ended runs on.  The first time, `how` it differs decides: one run for each difference.
+// Whether a variant whose changed steps have ended runs on.  The first time, `how` it differs decides: one run for each difference
+// from a given run.
 static bool lasts(NearSearch *k, const Variant *x, uint64_t step)
 {
     const bool is_first = step + 1 == x->end + tail_of(k);
@@ -138,7 +140,7 @@ static bool lasts(NearSearch *k, const Variant *x, uint64_t step)
 
     if (!x->lasting || !is_different(k, x, step, &how))
         return false;
-    how = how * 64 + near_state(k);
+    how = (how * 64 + near_state(k)) * 64 + x->at->given;
     for (uint32_t i = 0; is_first && i < k->lasted.n; i++)
         if (k->lasted.at[i] == how)
             return false;
@@ -263,6 +265,10 @@ static const struct { bool two, window, visit, lasting; uint32_t percent; } phas
     [TWO_WINDOW] = {.two = true, .window = true, .percent = 100},
 };
 
+// For most requirements what counts is close to the changed inputs.  `never a after b` can have its a much later.
+static const NearPhase usual_order[NEAR_PHASES] = {ONE_STEP, ONE_WINDOW, TWO_STEP, LASTING_STEP, LASTING_WINDOW, ONE_VISIT, TWO_WINDOW};
+static const NearPhase order_of_after[NEAR_PHASES] = {ONE_STEP, LASTING_WINDOW, LASTING_STEP, TWO_STEP, ONE_VISIT, TWO_WINDOW, ONE_WINDOW};
+
 // Tries a variant for as long as the phase says.
 static bool try_lasting(NearSearch *k, Arena *arena, NearPhase phase, Variant *x, NearFound *found)
 {
@@ -302,6 +308,8 @@ static bool try_step(NearSearch *k, Arena *arena, NearPhase phase, const NearSte
     prepare_values(k, at);
     for (uint32_t i = 0; i < k->value.n && k->steps < k->limit; i++) {
         x.value[0] = k->value.at[i];
+        if (x.lasting && k->what->kind == REQUIREMENT_AFTER && !x.value[0].is_required)
+            continue;                                 // it cannot change b
         if (x.values == 1 && try_lasting(k, arena, phase, &x, found))
             return true;
         for (uint32_t j = 0; x.values == 2 && j < i && k->steps < k->limit; j++) {
@@ -347,9 +355,10 @@ NearFound near_search(Arena *arena, Arena *work, const IrMachine *m, const GoalS
     effort = k.limit;
     near_find_leaves(&k);
     near_find_steps(&k);
-    for (int phase = 0; phase < NEAR_PHASES && !found.scenario; phase++) {
+    for (int i = 0; i < NEAR_PHASES && !found.scenario; i++) {
+        const NearPhase phase = (k.what->kind == REQUIREMENT_AFTER ? order_of_after : usual_order)[i];
         k.limit = k.steps + (effort > k.steps ? (effort - k.steps) * phase_info[phase].percent / 100 : 0);
-        try_phase(&k, arena, (NearPhase)phase, &found);
+        try_phase(&k, arena, phase, &found);
     }
     found.premise_seen = k.premise_seen;
     found.steps = k.steps;

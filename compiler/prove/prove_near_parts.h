@@ -54,7 +54,8 @@ typedef struct NearSearch {
     uint32_t required;        // how many these are
     VEC(NearStore) store;
     bool *is_named;           // by State.number: the requirement names the state
-    VEC(uint32_t) window;     // sizes of windows, above 2, without repetition
+    VEC(uint32_t) window;     // sizes of windows, above 2, without repetition; those of the requirement first
+    uint32_t required_windows;        // how many these are
     VEC(NearStep) step;       // in the order in which they are tried
     NearTrace **trace;        // by given run, and by step from 1
     VEC(NearValue) value;     // of the current step

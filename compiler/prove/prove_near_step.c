@@ -14,7 +14,7 @@ enum {
 };
 #define MOST_MEMORY ((size_t)64 << 20)        // bytes of all snapshots
 
-// How a given run is looked at.
+// The first run of a given one.
 typedef struct Look {
     NearSearch *k;
     uint8_t *rank;            // by step: UNWANTED, or the rank; a smaller one replaces a greater one
@@ -45,9 +45,10 @@ static void want_transition(Look *l, uint64_t step, uint32_t from, uint32_t to)
     want(l, step - 1, rank);
     want(l, step + 1, rank);
     want(l, (l->entered + step) / 2, rank + 1);
-    for (uint32_t i = 0; l->alike[pair] == 1 && i < k->window.n && i < MOST_WINDOWS; i++)
+    // What follows a change of an `after` differs from run to run.
+    for (uint32_t i = 0; (l->alike[pair] == 1 || k->what->kind == REQUIREMENT_AFTER) && i < k->window.n && i < MOST_WINDOWS; i++)
         for (uint32_t more = 0; more < 2 && k->window.at[i] + more <= step; more++)
-            want(l, step + 1 - k->window.at[i] - more, rank + 1);
+            want(l, step + 1 - k->window.at[i] - more, i < k->required_windows ? rank : rank + 1);
 }
 
 // Wants the steps at which a comparison of the requirement changes.

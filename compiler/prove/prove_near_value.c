@@ -21,12 +21,21 @@ static void add_window(NearSearch *k, uint32_t samples)
         vec_push(k->work, &k->window, samples);
 }
 
+// A state is named by `S == NAME`, in an `after` only in its b: its a can come much later.
+static void note_names(NearSearch *k, const Expr *e)
+{
+    const bool is_name = e->kind == EX_BINARY && e->op == SM_OP_EQ && e->arg[0]->kind == EX_VAR && e->arg[0]->var == k->p->s && e->arg[1]->kind == EX_NUMBER;
+
+    if (is_name && e->arg[1]->number >= 1 && e->arg[1]->number <= k->p->state.n)
+        k->is_named[(uint32_t)e->arg[1]->number] = true;
+    for (uint32_t i = 0; i < e->n; i++)
+        note_names(k, e->arg[i]);
+}
+
 static void add_leaf(NearSearch *k, const Expr *left, const Expr *right, uint32_t samples, uint32_t state)
 {
     const NearLeaf l = {left, right, samples, state};
 
-    if (right && left->kind == EX_VAR && left->var == k->p->s && right->kind == EX_NUMBER && state == 0 && right->number >= 1 && right->number <= k->p->state.n)
-        k->is_named[(uint32_t)right->number] = true;
     vec_push(k->work, &k->leaf, l);
 }
 
@@ -83,9 +92,13 @@ void near_find_leaves(NearSearch *k)
     const Expr *const part[] = {k->what->a, k->what->b, k->what->c};
 
     k->is_named = ARENA_ARRAY(k->work, bool, k->p->state.n + 1);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         add_leaves(k, part[i], &k->g->all->window, 1, 0);
+        if (part[i] && (k->what->kind != REQUIREMENT_AFTER || i == 1))
+            note_names(k, part[i]);
+    }
     k->required = k->leaf.n;
+    k->required_windows = k->window.n;
     for (uint32_t s = 0; s < k->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             add_code(k, &k->p->state.at[s]->block[b], s + 1);
