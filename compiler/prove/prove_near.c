@@ -209,13 +209,15 @@ static Scenario scenario_of(const NearSearch *k, Arena *arena, const Variant *x)
             was[i] = scenario_cell(k->p, &s->change[c], s->change[c].step, NULL);
     }
     for (uint32_t i = 0; i < x->values; i++)
-        change[out.changes++] = (ScenarioChange){.step = x->at->step, .var = x->value[i].var, .a = sm_cell_to_f64(k->p->var.at[x->value[i].var]->type, x->value[i].cell)};
+        change[out.changes++] = (ScenarioChange){.step = x->at->step, .var = x->value[i].var,
+                                                 .a = sm_cell_to_f64(k->p->var.at[x->value[i].var]->type, x->value[i].cell)};
     for (bool ended = false; ; c++) {
         const uint64_t step = c < s->changes ? s->change[c].step : UINT64_MAX;
         uint32_t i;
         if (!ended && step > x->end) {
             for (i = 0; i < x->values && x->end <= x->violated; i++)
-                change[out.changes++] = (ScenarioChange){.step = x->end, .var = x->value[i].var, .a = sm_cell_to_f64(k->p->var.at[x->value[i].var]->type, was[i])};
+                change[out.changes++] = (ScenarioChange){.step = x->end, .var = x->value[i].var,
+                                                         .a = sm_cell_to_f64(k->p->var.at[x->value[i].var]->type, was[i])};
             ended = true;
         }
         if (step > x->violated)

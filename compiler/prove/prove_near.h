@@ -5,8 +5,8 @@
 //
 //   - at the steps that matter: those of transitions, those before and after them, the middle of each visit of a state, those from which a window
 //     is filled when a transition is made, and those at which a condition of the requirement changes;
-//   - inputs with the values that matter: those at which a comparison of the requirement, or of the current state, changes, and their neighbours in the
-//     input's type; the ends of ranges; and the other value of a bool;
+//   - inputs with the values that matter: those at which a comparison of the requirement, or of the current state, changes, and their
+//     neighbours in the input's type; the ends of ranges; and the other value of a bool;
 //   - for one step, for as long as a window, and for the rest of the visit.
 //
 // The run then goes on with the inputs of the script.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Removes changes that a violation does not need from a run: of a script's plant, which changes inputs in each step, those remain that lead from state to
-// state.  First many changes at once, then fewer.
+// Removes changes that a violation does not need from a run, many at once, then fewer.  A script's plant changes inputs in each step: those
+// changes remain that lead from state to state.
 #include <string.h>
 
 #include "compiler/prove/prove_near_parts.h"

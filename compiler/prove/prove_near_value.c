@@ -10,7 +10,10 @@ enum {
 
 // ---- comparisons ----
 
-static bool is_relation(SmOperator op) { return op == SM_OP_EQ || op == SM_OP_NE || op == SM_OP_LT || op == SM_OP_LE || op == SM_OP_GT || op == SM_OP_GE; }
+static bool is_relation(SmOperator op)
+{
+    return op == SM_OP_EQ || op == SM_OP_NE || op == SM_OP_LT || op == SM_OP_LE || op == SM_OP_GT || op == SM_OP_GE;
+}
 
 static void add_window(NearSearch *k, uint32_t samples)
 {
@@ -24,7 +27,8 @@ static void add_window(NearSearch *k, uint32_t samples)
 // A state is named by `S == NAME`, in an `after` only in its b: its a can come much later.
 static void note_names(NearSearch *k, const Expr *e)
 {
-    const bool is_name = e->kind == EX_BINARY && e->op == SM_OP_EQ && e->arg[0]->kind == EX_VAR && e->arg[0]->var == k->p->s && e->arg[1]->kind == EX_NUMBER;
+    const bool is_name = e->kind == EX_BINARY && e->op == SM_OP_EQ && e->arg[0]->kind == EX_VAR && e->arg[0]->var == k->p->s &&
+                         e->arg[1]->kind == EX_NUMBER;
 
     if (is_name && e->arg[1]->number >= 1 && e->arg[1]->number <= k->p->state.n)
         k->is_named[(uint32_t)e->arg[1]->number] = true;
@@ -44,7 +48,8 @@ static bool is_run(const Expr *e) { return e->kind == EX_ROLL && (e->stat == SM_
 // How many samples in a row make `held` true: e compares them, or their time, with a number.
 static uint32_t samples_of_run(const NearSearch *k, const Expr *e)
 {
-    const double x = e->arg[1]->kind == EX_NUMBER ? e->arg[1]->number : 0, n = e->arg[0]->stat == SM_STAT_RUN_TIME ? x / (double)k->g->delta_t + 1 : x;
+    const double x = e->arg[1]->kind == EX_NUMBER ? e->arg[1]->number : 0;
+    const double n = e->arg[0]->stat == SM_STAT_RUN_TIME ? x / (double)k->g->delta_t + 1 : x;
 
     return n >= 1 && n < SM_WINDOW_MAX ? (uint32_t)n : 1;
 }
@@ -116,14 +121,18 @@ static bool is_evaluable(const Expr *e)
     return true;
 }
 
-double near_value_of(const NearSearch *k, const Expr *e) { return is_evaluable(e) ? ref_eval(e, k->cell, NULL) : sm_from_bits(UINT64_C(0x7ff8000000000000)); }
+double near_value_of(const NearSearch *k, const Expr *e)
+{
+    return is_evaluable(e) ? ref_eval(e, k->cell, NULL) : sm_from_bits(UINT64_C(0x7ff8000000000000));
+}
 
 static void add_cell(NearSearch *k, const Var *v, uint64_t cell, uint32_t samples, bool is_required)
 {
     const NearValue value = {v->index, cell, samples, is_required};
     const double x = sm_cell_to_f64(v->type, cell);
 
-    if (k->m->var_of[v->index] == IR_NONE || cell == k->cell[v->index] || k->value.n == MOST_VALUES || (k->g->assume_ranges && v->range && (x < v->range->lo || x > v->range->hi)))
+    if (k->m->var_of[v->index] == IR_NONE || cell == k->cell[v->index] || k->value.n == MOST_VALUES ||
+        (k->g->assume_ranges && v->range && (x < v->range->lo || x > v->range->hi)))
         return;
     for (uint32_t i = 0; i < k->value.n; i++)
         if (k->value.at[i].var == v->index && k->value.at[i].cell == cell) {
