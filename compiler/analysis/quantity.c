@@ -160,7 +160,7 @@ static bool is_plain_gain(double number)
 {
     const double x = number < 1 ? 1 / number : number, whole = sm_round(x);
 
-    return whole <= GAIN_MAX && is_near(x, whole, rounding);
+    return whole <= (double)GAIN_MAX && is_near(x, whole, rounding);
 }
 
 // Judges two temperatures whose zeros differ.

@@ -73,16 +73,17 @@ static void look_at(Look *l, uint32_t given)
 {
     NearSearch *k = l->k;
     const Scenario *s = &k->g->given[given];
+    const size_t places = (size_t)s->steps + 2;       // by number of the step, from 1, and one more
     size_t next = 0;
     MonitorResult last = MONITOR_IDLE;
 
     l->steps = s->steps;
     l->entered = 1;
-    l->rank = arena_alloc(k->work, s->steps + 2);
-    memset(l->rank, UNWANTED, s->steps + 2);
+    l->rank = arena_alloc(k->work, places);
+    memset(l->rank, UNWANTED, places);
     memset(l->met, 0, (size_t)k->p->state.n * k->p->state.n);
     memset(l->was, 2, k->required + 1);
-    k->trace[given] = arena_array(k->work, s->steps + 2, sizeof **k->trace);
+    k->trace[given] = arena_array(k->work, places, sizeof **k->trace);
     near_begin(k, s);
     for (uint64_t step = 1; step <= s->steps && k->steps < k->limit; step++) {
         const uint32_t from = near_state(k);
