@@ -7,9 +7,11 @@
 #include <stdio.h>
 
 // A program has one pair of counters. In each of its sources but the one with main, TEST_PART is defined before this header is included; without it
-// the linker refuses a second pair, whose failures nothing would report.
-#ifdef TEST_PART
+// the linker refuses a second pair, whose failures nothing would report. TEST_TALLY instead: each source has its own pair, and main adds them up.
+#if defined TEST_PART
 extern int test_passed, test_failed;
+#elif defined TEST_TALLY
+static int test_passed, test_failed;
 #else
 int test_passed, test_failed;
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "runtime-c/pal/pal.h"
+#define TEST_TALLY
 #include "tests/test.h"
 
 #define MS ((uint64_t)PAL_MILLISECOND)
