@@ -649,8 +649,14 @@ static void write_items(Writer *w, Buf *out)
 bool script_write(Arena *arena, const ScriptPage *page, Buf *out)
 {
     Writer w = {.arena = arena, .page = page, .p = page->p, .s = page->scenario};
+    const Scenario unrolled = scenario_unroll(arena, page->scenario);
+    bool can_write = add_inputs(&w);
 
-    if (!add_inputs(&w) || !add_run(&w))
+    if (!can_write && page->scenario->loops) {        // a change in a loop, such as a ramp, that only the rounds one after the other can show
+        w = (Writer){.arena = arena, .page = page, .p = page->p, .s = &unrolled};
+        can_write = add_inputs(&w);
+    }
+    if (!can_write || !add_run(&w))
         return false;
     for (size_t i = 0; i < page->comments; i++)
         write_comment(page->comment[i], out);

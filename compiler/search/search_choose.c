@@ -329,8 +329,7 @@ void search_choose(SearchRun *k)
     while ((best = choose_best(&c, all, n, &want)) != NULL) {
         best->used = true;
         choose_scenario(&c, best, &want);
-        // What results of it can reach less than it does.  A loop as it was found can have changes that no script can write.
-        if (best->s.loops == 0 && find_unreached(&c, want.at, want.n).n)
+        if (find_unreached(&c, want.at, want.n).n)     // what results of it can reach less than it does
             store_chosen(&c, &best->s, best->end, best->reached);
     }
     improve_longest(&c);
