@@ -14,7 +14,8 @@ static uint32_t add_value(Prover *p, Value v, bool is_unique)
 {
     for (uint32_t i = 0; i < p->value.n && !is_unique; i++) {
         const Value *w = &p->value.at[i];
-        if (w->op == v.op && w->type == v.type && (v.op != IR_stat || w->stat == v.stat) && w->a == v.a && w->b == v.b && w->var == v.var && w->bits == v.bits)
+        if (w->op == v.op && w->type == v.type && (v.op != IR_stat || w->stat == v.stat) && w->a == v.a && w->b == v.b &&
+            w->var == v.var && w->bits == v.bits)
             return i;
     }
     vec_push(&p->k->work, &p->value, v);
