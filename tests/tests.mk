@@ -349,7 +349,7 @@ fuzz: $(FUZZ:%=$(B)/fuzz-cov/%)
 FUZZ_SEEDS_ir = tests/ir/samples
 
 # tests/bench: time per step, size of code, growth of compile time.  `make bench W=mission`: one workload.
-WORKLOADS    = tank mission arith bigwindow seq40 big200 intcount f32filter vote decide ledger redlines
+WORKLOADS    = tank mission arith bigwindow seq40 big200 intcount f32filter vote decide ledger redlines kalman guide persist
 W           ?= $(WORKLOADS)
 $(B)/bench/scale $(B)/bench/compile $(B)/bench/memory: $(B)/bench/%: $(B)/obj/tests/bench/%.o $(B)/obj/tests/bench/shapes.o $(patsubst %.c,$(B)/obj/%.o,$(OS_FILES)) $(B)/libsmc.a
 	@mkdir -p $(@D)

@@ -58,7 +58,8 @@ enum {
 };
 
 // Each workload is in this list, and in WORKLOADS of tests.mk.
-#define EACH_WORKLOAD(X) X(tank) X(mission) X(arith) X(bigwindow) X(seq40) X(big200) X(intcount) X(f32filter) X(vote) X(decide) X(ledger) X(redlines)
+#define EACH_WORKLOAD(X) X(tank) X(mission) X(arith) X(bigwindow) X(seq40) X(big200) X(intcount) X(f32filter) X(vote) X(decide) X(ledger) X(redlines) \
+    X(kalman) X(guide) X(persist)
 #define DECLARE_WORKLOAD(w) extern const Workload workload_##w;
 EACH_WORKLOAD(DECLARE_WORKLOAD)
 
