@@ -98,8 +98,8 @@ check "nothing of it is what plain make makes" sh -c "$make -s -f own.mk | grep 
 # Where the command is, if it is in PATH, and the message if it is not.
 cp "$root/examples/tank/tank.sm" "$dir/project/found.sm"
 printf 'export PATH := %s/bin:$(PATH)\ninclude %s/share/smc/smc.mk\n' "$inst" "$inst" >path.mk
-# One goal of the tank is not found, and make ends with an error.
-check "make cover-NAME writes scripts" sh -c "! $make -s -f path.mk cover-tank && ls cover/tank-*.ss && rm -r cover"
+# Every goal of the tank is reached or impossible.
+check "make cover-NAME writes scripts" sh -c "$make -s -f path.mk cover-tank && ls cover/tank-*.ss && rm -r cover"
 cp "$root/examples/tank/tank.rq" "$root"/examples/tank/tank-*.ss .
 check "make test-NAME runs scripts with their requirements" sh -c "$make -s -f path.mk test-tank >test.txt && grep -q 'R1  *met' test.txt && rm test.txt"
 check "make test-NAME needs a script" sh -c "$make -s -f path.mk test-found 2>&1 | grep -q 'there is no found.ss'"
