@@ -261,7 +261,7 @@ SmResult sm_receive_step(void *context, const SmTick *tick)
 // ---- sending ----
 
 // Decides whether a message of this channel is due: the first in each of its periods.
-static void update_due(SmNetChannel *c, uint64_t now)
+static void update_channel_due(SmNetChannel *c, uint64_t now)
 {
     const uint64_t slot = now / c->period;
 
@@ -279,7 +279,7 @@ static SmResult load_due(SmNet *net, uint64_t now)
         return r;
     for (uint8_t i = 0; i < net->channels; i++) {
         SmNetChannel *c = &net->channel[i];
-        update_due(c, now);
+        update_channel_due(c, now);
         for (uint16_t k = 0; k < c->message.fields && c->due; k++)
             c->value[k] = sm_cell_load((SmType)c->message.field[k].type, address_of(net, c->message.field[k].offset));
         store_statistics(net, c, now);

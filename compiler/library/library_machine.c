@@ -153,7 +153,7 @@ SmcResult library_start_machine(LibraryMachine *m, uint32_t state)
 }
 
 // Fills in a machine whose image has been copied.
-static SmcResult prepare(SmcSession *s, LibraryMachine *m, uint32_t number)
+static SmcResult prepare_machine(SmcSession *s, LibraryMachine *m, uint32_t number)
 {
     SmvmVerdict why;
 
@@ -188,7 +188,7 @@ static SmcResult open_machine(SmcSession *s, const void *image, uint64_t size, u
         return library_fail(s, SMC_E_MEMORY, NULL);
     }
     m->image_size = (uint32_t)size;
-    if ((r = prepare(s, m, number)) != SMC_OK) {
+    if ((r = prepare_machine(s, m, number)) != SMC_OK) {
         free_machine(s, m);
         return r;
     }

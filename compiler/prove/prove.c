@@ -140,7 +140,7 @@ static ProveWide wide_of(const ProveRun *v, const ProveModel *model, uint32_t va
     return w;
 }
 
-static void add_wide(ProveOf *of, ProveWide w)
+static void add_wide_value(ProveOf *of, ProveWide w)
 {
     for (uint32_t n = 0; n < of->wides; n++)
         if (of->wide[n].var == w.var && of->wide[n].window == w.window)
@@ -154,7 +154,7 @@ static void note_obstacle(const ProveRun *v, const ProveModel *model, const Prov
     of->obstacle = x->closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
     of->wides = 0;
     for (uint32_t n = 0; n < x->wides; n++)
-        add_wide(of, wide_of(v, model, x->wide[n]));
+        add_wide_value(of, wide_of(v, model, x->wide[n]));
     for (uint32_t s = 0; x->closed && s < v->p->state.n; s++)
         of->excluded[s] |= !x->entered[s];
 }
@@ -324,8 +324,8 @@ static void keep_violation(ProveRun *v, ProveOf *of, const Scenario *s)
     of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
 }
 
-// Whether a given run violates the requirement.  If so, the scenario of the result is a simpler one.
-static bool is_violated_by_given(ProveRun *v, ProveOf *of)
+// If a given run violates the requirement, records the violation with a simplified scenario, and returns true.
+static bool record_violation_by_given(ProveRun *v, ProveOf *of)
 {
     const size_t requirement = (size_t)(of->what - v->all->at.at);
     const Scenario *given;
@@ -374,7 +374,7 @@ static void try_to_decide(ProveRun *v, ProveOf *of)
     const uint64_t effort = effort_of(v);
     ProveProof proof;
 
-    if (is_violated_by_given(v, of))
+    if (record_violation_by_given(v, of))
         return;
     of->verdict = PROVE_UNDECIDED;
     begin_proof(v, &proof, of);

@@ -468,7 +468,7 @@ static bool is_noted(const ProveExplored *out, uint32_t var)
     return false;
 }
 
-static void note_wide(ProveExplored *out, uint32_t var)
+static void record_wide_variable(ProveExplored *out, uint32_t var)
 {
     if (out->wides < PROVE_WIDES && !is_noted(out, var))
         out->wide[out->wides++] = var;
@@ -528,8 +528,8 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
     return EXPLORE_CLOSED;
 }
 
-// Explores one step from each node again, without widening.  The nodes cover every run, so the start and the ends of these steps cover every
-// run, too, with tighter bounds.
+// Computes tighter facts.  The nodes of explore_all have too wide bounds, but they contain every value that a run can have when a step begins.
+// So the initial values, together with all results of one step from these nodes, contain every such value, too.  This step does not widen.
 static ExploreEnd narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
@@ -651,12 +651,12 @@ static ProveExplored explore_within(Explorer *x, Arena *arena, Arena *work, cons
         if (end == EXPLORE_MANY_NODES && widest == x->keys)
             end = EXPLORE_MANY_VISITS;
         else if (end == EXPLORE_MANY_NODES) {
-            note_wide(&out, key[widest]);
+            record_wide_variable(&out, key[widest]);
             key[widest] = key[--x->keys];
         }
     } while (end == EXPLORE_MANY_NODES);
     for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(x, MANY_VALUES)) != x->keys; n++)
-        note_wide(&out, key[widest]);
+        record_wide_variable(&out, key[widest]);
     out.closed = end == EXPLORE_CLOSED;
     return out;
 }

@@ -93,7 +93,7 @@ static void set_values(NearSearch *k, const Variant *x)
 }
 
 // Exchanges the values of the changed inputs for those that the given run has.
-static void set_given(NearSearch *k, const Variant *x)
+static void exchange_given_values(NearSearch *k, const Variant *x)
 {
     uint64_t *cell = flat_cells(k->f, k->block);
 
@@ -131,7 +131,7 @@ static bool is_different(const NearSearch *k, const Variant *x, uint64_t step, u
 }
 
 // Whether a variant whose changed steps have ended runs on.  The first time, `how` it differs decides: one run for each difference.
-static bool lasts(NearSearch *k, const Variant *x, uint64_t step)
+static bool variant_runs_on(NearSearch *k, const Variant *x, uint64_t step)
 {
     const bool is_first = step + 1 == x->end + tail_of(k);
     uint64_t how = 0;
@@ -160,9 +160,9 @@ static bool run_variant(NearSearch *k, Variant *x)
     x->end = 0;
     x->violated = 0;
     get_given(k, x);
-    for (uint64_t step = first; x->end == 0 || step < x->end + tail || lasts(k, x, step - 1); step++) {
+    for (uint64_t step = first; x->end == 0 || step < x->end + tail || variant_runs_on(k, x, step - 1); step++) {
         MonitorResult r;
-        set_given(k, x);
+        exchange_given_values(k, x);
         next = near_set_inputs(k, s, next, step);
         get_given(k, x);
         if (x->end == 0 && (step == first + x->most || (x->for_visit && near_state(k) != state)))
@@ -264,7 +264,7 @@ static const struct { bool two, window, visit, lasting; uint32_t percent; } phas
 };
 
 // Tries a variant for as long as the phase says.
-static bool try_lasting(NearSearch *k, Arena *arena, NearPhase phase, Variant *x, NearFound *found)
+static bool try_variant_for_phase(NearSearch *k, Arena *arena, NearPhase phase, Variant *x, NearFound *found)
 {
     uint32_t samples = 1;
 
@@ -302,11 +302,11 @@ static bool try_step(NearSearch *k, Arena *arena, NearPhase phase, const NearSte
     prepare_values(k, at);
     for (uint32_t i = 0; i < k->value.n && k->steps < k->limit; i++) {
         x.value[0] = k->value.at[i];
-        if (x.values == 1 && try_lasting(k, arena, phase, &x, found))
+        if (x.values == 1 && try_variant_for_phase(k, arena, phase, &x, found))
             return true;
         for (uint32_t j = 0; x.values == 2 && j < i && k->steps < k->limit; j++) {
             x.value[1] = k->value.at[j];
-            if (is_pair(&x.value[0], &x.value[1]) && try_lasting(k, arena, phase, &x, found))
+            if (is_pair(&x.value[0], &x.value[1]) && try_variant_for_phase(k, arena, phase, &x, found))
                 return true;
         }
     }

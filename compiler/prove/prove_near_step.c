@@ -14,7 +14,7 @@ enum {
 };
 #define MOST_MEMORY ((size_t)64 << 20)        // bytes of all snapshots
 
-// How a given run is looked at.
+// Ranks the steps of a given run: near which steps a change is most likely to violate the requirement.
 typedef struct Look {
     NearSearch *k;
     uint8_t *rank;            // by step: UNWANTED, or the rank; a smaller one replaces a greater one
@@ -25,13 +25,14 @@ typedef struct Look {
     int8_t *was;              // by comparison of the requirement: -1, 0 or 1, as its sides were in the last step; 2: unknown
 } Look;
 
-static void want(Look *l, uint64_t step, uint32_t rank)
+// Gives a step the rank, unless its rank is already smaller.
+static void rank_step(Look *l, uint64_t step, uint32_t rank)
 {
     if (step >= 1 && step <= l->steps && rank < l->rank[step])
         l->rank[step] = (uint8_t)rank;
 }
 
-static void want_transition(Look *l, uint64_t step, uint32_t from, uint32_t to)
+static void rank_transition(Look *l, uint64_t step, uint32_t from, uint32_t to)
 {
     NearSearch *k = l->k;
     const size_t pair = (from - 1) * k->p->state.n + (to - 1);
@@ -41,17 +42,17 @@ static void want_transition(Look *l, uint64_t step, uint32_t from, uint32_t to)
         return;
     l->met[pair] = 1;
     l->alike[pair]++;
-    want(l, step, rank);
-    want(l, step - 1, rank);
-    want(l, step + 1, rank);
-    want(l, (l->entered + step) / 2, rank + 1);
+    rank_step(l, step, rank);
+    rank_step(l, step - 1, rank);
+    rank_step(l, step + 1, rank);
+    rank_step(l, (l->entered + step) / 2, rank + 1);
     for (uint32_t i = 0; l->alike[pair] == 1 && i < k->window.n && i < MOST_WINDOWS; i++)
         for (uint32_t more = 0; more < 2 && k->window.at[i] + more <= step; more++)
-            want(l, step + 1 - k->window.at[i] - more, rank + 1);
+            rank_step(l, step + 1 - k->window.at[i] - more, rank + 1);
 }
 
-// Wants the steps at which a comparison of the requirement changes.
-static void want_changes(Look *l, uint64_t step)
+// Ranks the steps at which a comparison of the requirement changes.
+static void rank_changes(Look *l, uint64_t step)
 {
     NearSearch *k = l->k;
 
@@ -61,14 +62,15 @@ static void want_changes(Look *l, uint64_t step)
         const int8_t now = a < b ? -1 : a > b ? 1 : a == b ? 0 : 2;
         if (l->was[i] != 2 && now != l->was[i] && l->changes[i] < MOST_CHANGES) {
             l->changes[i]++;
-            want(l, step, 1);
-            want(l, step + 1, 1);
+            rank_step(l, step, 1);
+            rank_step(l, step + 1, 1);
         }
         l->was[i] = now;
     }
 }
 
-static void look_at(Look *l, uint32_t given)
+// Runs a given run, and ranks its steps.
+static void rank_given_run(Look *l, uint32_t given)
 {
     NearSearch *k = l->k;
     const Scenario *s = &k->g->given[given];
@@ -90,11 +92,11 @@ static void look_at(Look *l, uint32_t given)
         now = near_run_step(k, step);
         k->trace[given][step] = near_trace(k);
         if (now != MONITOR_IDLE && last == MONITOR_IDLE)
-            want(l, step, 1);
+            rank_step(l, step, 1);
         last = now;
-        want_changes(l, step);
+        rank_changes(l, step);
         if (near_state(k) != from) {
-            want_transition(l, step, from, near_state(k));
+            rank_transition(l, step, from, near_state(k));
             l->entered = step + 1;
         }
     }
@@ -160,7 +162,7 @@ void near_find_steps(NearSearch *k)
     l.changes = arena_alloc(k->work, k->required + 1);
     l.was = arena_alloc(k->work, k->required + 1);
     for (uint32_t i = 0; i < givens; i++) {
-        look_at(&l, i);
+        rank_given_run(&l, i);
         look[i] = l;
     }
     choose_steps(look, givens, room < MOST_STEPS ? room : MOST_STEPS);

@@ -63,8 +63,8 @@ static void push_node(BackEdgeSearch *s, uint32_t node)
     vec_push(s->l->arena, &s->stack, v);
 }
 
-// Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
-// state stays at the top.
+// Marks the edges that close cycles, by a depth-first search from `start` along the edges in file order.  An edge back to a state on the
+// current path closes a cycle.  The first search begins at the first state, so every edge back to it closes a cycle, and it stays at the top.
 static void search_cycles_from(BackEdgeSearch *s, uint32_t start)
 {
     const Diagram *d = s->l->d;

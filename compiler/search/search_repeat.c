@@ -13,7 +13,7 @@ enum {
     MOST_LEGS = 24,
     LEG_TRIES = 4,            // attempts to leave a state
     MOST_ROUNDS = 2048,
-    OWN_PERCENT = 33,         // of the ways around begin in the state of the goal
+    OWN_PERCENT = 33,         // percentage of the paths around that begin in the state of the goal
     SHARE = 16                // an attempt uses at most 1 / SHARE of the effort
 };
 

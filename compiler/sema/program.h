@@ -147,8 +147,8 @@ typedef VEC(Define *) Defines;
 typedef enum ExprKind {
     EX_NUMBER,                // the number `number`
     EX_VAR,                   // the value of `var`, read as F64
-    EX_UNARY,                 // op arg[0]          (NOT NEG; PLUS was dropped)
-    EX_BINARY,                // arg[0] op arg[1]   (never part of a chain; each operand is evaluated once)
+    EX_UNARY,                 // op arg[0]          (op is NOT or NEG: a unary plus has no node)
+    EX_BINARY,                // arg[0] op arg[1]   (also a single relation, a < b; a < b < c is a CHAIN)
     EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only; true if all of them are
     EX_CALL,                  // fn(arg …), a function without side effects
     EX_ROLL,                  // statistic `stat` of window `window`; arg[0] is the sampled expression
