@@ -193,7 +193,7 @@ typedef struct Target {
     ApplicationMachine *machine;      // by change: the machine before the swap
 } Target;
 
-// Finds the machine of a change. Adds the names of those that can be swapped to `names`.
+// Finds the machine of a change.  Adds the names of all machines that can be swapped to `names`.
 static int find_machine(BoardLine *b, const char *name, uint16_t *number, ApplicationMachine *found, Buf *names)
 {
     ApplicationMachine m;

@@ -272,7 +272,7 @@ typedef struct MutantReplay {
     FlatMachine *mutant;
     bool same_layout;         // the states of both machines have the same parts at the same offsets
     bool same_start;          // no initial value was changed
-    const uint32_t *stmt;     // what was changed
+    const uint32_t *stmt;     // the changed statements
     uint32_t stmts;
 } MutantReplay;
 

@@ -22,7 +22,7 @@ typedef struct Node {
     const ScenarioChange *change;     // the changes between the parent and this node
     uint32_t changes;
     const State *start;
-    uint64_t steps;           // that have run
+    uint64_t steps;           // steps that have run
     void *original, *mutant;  // the states of both machines
     Course *course;           // by input
     bool differs;             // the states of machine and mutant differ, although no output does yet
@@ -85,7 +85,7 @@ typedef struct Lockstep {
     VEC(Node *) node;
     VEC(Node *) apart;        // nodes with `differs`
     const State *state;       // the state that contains the change; or NULL
-    VEC(Node *) inside;       // those of `node` that are in this state
+    VEC(Node *) inside;       // the nodes of `node` that are in this state
     uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
     const Var *what;          // the variable that differs
 } Lockstep;

@@ -175,7 +175,7 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
-// Returns the fact about the initial value of a local; of a parameter, that about all values that it can be set to.
+// Returns the fact about the initial value of a local, or about all values to which a parameter can be set.
 static Fact fact_of_initial(const IrVar *v)
 {
     const Parameter *p = v->parameter;

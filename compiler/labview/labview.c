@@ -15,10 +15,10 @@ enum { SESSIONS_MOST = 64, MACHINES_MOST = 1024, SLOT_BITS = 10, USES_MOST = 0xF
 typedef struct Slot {
     uint32_t uses;
     bool is_open;
-    bool is_busy;             // of a session: a call has not returned yet
+    bool is_busy;             // for a session: a call has not returned yet
     SmcSession *session;
-    SmcMachine machine;       // of a machine
-    int32_t owner;            // of a machine: the handle of its session
+    SmcMachine machine;       // for a machine
+    int32_t owner;            // for a machine: the handle of its session
 } Slot;
 
 static Slot sessions[SESSIONS_MOST], machines[MACHINES_MOST];

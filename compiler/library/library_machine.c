@@ -505,7 +505,8 @@ SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double
     return r;
 }
 
-// Stores where the value of a variable is, if `value`, of `size` bytes, can be a copy of it: SMC_E_SIZE if its type has another size.
+// Stores where the value of a variable is, if `value`, of `size` bytes, can be a copy of the variable.
+// Returns SMC_E_SIZE if the variable's type has another size.
 static SmcResult find_value_to_copy(const SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size, uint8_t **at)
 {
     SmType type;

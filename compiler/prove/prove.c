@@ -9,8 +9,8 @@
 enum {
     DELTA_T = 10,             // the step, if neither the machine nor a given run has one
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
-    NEAR_SHARE = 32,          // 1 / NEAR_SHARE of them run close to the given runs
-    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of them run before the proofs that take long
+    NEAR_SHARE = 32,          // 1 / NEAR_SHARE of the steps are for runs close to the given runs
+    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of the steps run before the proofs that need long
     FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };

@@ -71,10 +71,11 @@ typedef enum ProveObstacle {
 
 // The run of a script: a starting point of searches for violations (prove_given.h).
 typedef struct ProveGiven {
-    const char *name;         // of the script
+    const char *name;         // name of the script
     Scenario run;             // as far as a search could have made it: it sets only elements that the machine does not assign
     uint64_t ran;             // steps of the script
-    const Var *ended_by;      // what it sets then, and no search does: G, S, a local or an element that the machine assigns; NULL: `run` is all of it
+    const Var *ended_by;      // the variable that the script sets next and no search can set: G, S, or one that the machine assigns;
+                              // NULL: `run` is the whole script
 } ProveGiven;
 
 // A violation that differs from a given run in few inputs (prove_near.h).
@@ -91,7 +92,7 @@ typedef struct ProveNear {
 // is open.
 typedef struct ProveWide { const Var *var; const Window *window; } ProveWide;
 
-enum { PROVE_WIDES = 4 };     // that are named
+enum { PROVE_WIDES = 4 };     // the most wide values that a result names
 
 typedef struct ProveOf {
     const Requirement *what;

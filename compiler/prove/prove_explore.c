@@ -10,7 +10,7 @@
 #include "stdlib/convert.h"
 
 enum {
-    ENVS_MOST = 96,           // facts of different paths to a block that are not joined
+    ENVS_MOST = 96,           // the most facts of a block that are not joined, from different paths to the block
     CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
     CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
@@ -53,7 +53,7 @@ typedef struct Explorer {
     const ProveLimits *limits;
     uint64_t *visits;
     FactLimits widening;
-    double *limit;            // those of `widening`
+    double *limit;            // the limits of `widening`
     double *found;            // the bounds of the last nodes, `founds` of them: the limits of the next exploration
     size_t founds;
     uint32_t patience;

@@ -8,7 +8,7 @@
 
 enum {
     TAIL = 4,                 // steps that run after the changed inputs
-    MOST_TAIL = 2000,         // also for a `leads to`
+    MOST_TAIL = 2000,         // the most steps after the last change, also for a `leads to`
     MOST_VISIT = 1500         // steps for which inputs are changed until the visit of the state ends
 };
 
@@ -292,7 +292,7 @@ static void prepare_values(NearSearch *k, const NearStep *at)
     near_list_values(k, near_state(k));
 }
 
-// One of two inputs is one that the requirement compares.
+// The requirement compares at least one of the two inputs.
 static bool is_pair(const NearValue *a, const NearValue *b) { return a->var != b->var && (a->is_required || b->is_required); }
 
 static bool try_step(NearSearch *k, Arena *arena, NearPhase phase, const NearStep *at, NearFound *found)

@@ -99,7 +99,7 @@ static void break_cycles(Layout *l)
 static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 
-// By node, the edges of which it is the upper (or lower) end.  Only edges that are drawn as lines (EDGE_LINE) count.
+// By node, the edges whose upper (or lower) end the node is.  Only edges that are drawn as lines (EDGE_LINE) count.
 typedef struct EdgesByEnd { uint32_t *first, *edge; } EdgesByEnd;
 
 // Groups edges by the node that `end` returns, with a counting sort.
@@ -289,7 +289,7 @@ static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 
 // ---- stubs ----
 
-// Returns the number of states from which the stubs to a state come.  `seen`: by state, 1 + the last node for which it was counted.
+// Returns the number of states from which the stubs to a state come.  `seen`: by state, 1 + the last node for which the state was counted.
 static size_t count_origins(const Diagram *d, uint32_t node, uint32_t *seen)
 {
     size_t count = 0;

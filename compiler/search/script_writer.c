@@ -40,8 +40,8 @@ typedef struct Writer {
     const Program *p;
     const Scenario *s;
     VEC(TimelineItem) item;
-    VEC(const Var *) output;  // those of the time line
-    VEC(const Var *) busy;    // those that are asserted only at the end
+    VEC(const Var *) output;  // the outputs of the time line
+    VEC(const Var *) busy;    // outputs that are asserted only at the end
     const char **phase;       // by loop: the name of the time since the current round began
 } Writer;
 
@@ -393,7 +393,7 @@ static bool add_inputs(Writer *w)
 
 // A part of the run without a change of the state, or of an output of the time line.
 typedef struct Part {
-    uint64_t step;            // its first
+    uint64_t step;            // its first step
     uint32_t state;
     uint64_t *cell;           // by output of the time line
 } Part;

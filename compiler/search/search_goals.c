@@ -301,7 +301,7 @@ static const uint32_t *open_counters(SearchRun *k, Arena *arena, const uint32_t 
     return out;
 }
 
-// Whether some place of the decision is an open goal.  Then all of them are counted.
+// Whether some place of the decision is an open goal.  Then all places of the decision are counted.
 static bool is_open(const SearchRun *k, const FlatDecision *d)
 {
     for (uint32_t i = 0; i < 2 + 2 * d->conditions; i++)

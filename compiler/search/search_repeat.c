@@ -68,7 +68,7 @@ static uint64_t choose_width(SearchRun *k)
     return search_chance(k, 50) ? 1 + search_pick(k, 3) : UINT64_C(1) << search_pick(k, 9);
 }
 
-// Replaces the value of each change by the one that its input has now.
+// Replaces the value of each change by the value that its input has now.
 static void undo_changes(SearchRun *k)
 {
     for (uint32_t i = 0; i < k->turn.n; i++) {

@@ -487,7 +487,7 @@ static bool find_scenario_to(Chooser *c, uint32_t state, size_t most, Scenario *
     return true;
 }
 
-// Returns the first steps of a scenario, in which it makes so many of its changes.
+// Returns the first `step` steps of a scenario, which make its first `changes` changes.
 static Scenario cut_scenario(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
 {
     Scenario out = {.init_state = s->init_state, .delta_t = s->delta_t, .steps = step, .change = s->change, .changes = changes};

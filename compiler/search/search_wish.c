@@ -409,7 +409,7 @@ static void add_wishes_for_comparison(SearchRun *k, uint32_t fn, const IrIns *i,
         add_wishes_for_number(k, fn, i->a, rel, search_value_of(k, fn, i->b), depth);
 }
 
-// Adds wishes so that one of two nodes has the value; mostly the one that already has it.
+// Adds wishes so that temporary a or b gets the value `truth`.  Prefers the one that has this value already.
 static void add_wishes_for_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
 {
     const bool has_a = (search_value_of(k, fn, a) != 0) == truth, has_b = (search_value_of(k, fn, b) != 0) == truth;

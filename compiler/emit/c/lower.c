@@ -53,7 +53,7 @@ static CVarUse *get_var_use(CFn *fn, uint32_t v)
     return w;
 }
 
-// Counts the uses of temporaries and variables in block b, backwards, so that the uses of a result are known before those of its operands.
+// Counts the uses of temporaries and variables in block b, backwards, so that the uses of a result are known before the uses of its operands.
 static void count_uses(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
