@@ -12,7 +12,7 @@ static const double least_zero = 100;         // kelvins: a smaller shift is a c
 enum { GAIN_MAX = 12 };                       // the largest whole number that is assumed to be a count or a gain: cells of a battery, a dozen
 
 static double size_of(double x) { return x < 0 ? -x : x; }
-static bool is_near(double a, double b, double tolerance) { return size_of(a - b) <= tolerance * size_of(b); }
+static bool is_within_tolerance(double a, double b, double tolerance) { return size_of(a - b) <= tolerance * size_of(b); }
 
 // ---- building ----
 
@@ -160,7 +160,7 @@ static bool is_plain_gain(double number)
 {
     const double x = number < 1 ? 1 / number : number, whole = sm_round(x);
 
-    return whole <= GAIN_MAX && is_near(x, whole, rounding);
+    return whole <= GAIN_MAX && is_within_tolerance(x, whole, rounding);
 }
 
 // Judges two temperatures whose zeros differ.
@@ -169,7 +169,7 @@ static QuantityFit fit_zeros(const Quantity *a, const Quantity *b, double factor
     const double zero = (a->unit.zero - b->unit.zero) / b->unit.scale;        // x in a's unit is factor * x + zero in b's
     const double shift = (a->shift - b->shift) / b->factor;
 
-    if (is_near(ratio, factor, written_factor) && size_of(shift - zero) <= written_zero)
+    if (is_within_tolerance(ratio, factor, written_factor) && size_of(shift - zero) <= written_zero)
         return QUANTITY_FITS;
     if (a->scaled || b->scaled)
         return QUANTITY_MAY_DIFFER;
@@ -183,17 +183,20 @@ static QuantityFit fit_scales(const Quantity *a, const Quantity *b, QuantityUse 
         return QUANTITY_DIFFERS;
     if (ratio != ratio)
         return QUANTITY_MAY_DIFFER;
-    if (is_near(ratio, factor, written_factor))
+    if (is_within_tolerance(ratio, factor, written_factor))
         return QUANTITY_FITS;
-    if (is_near(ratio * factor, 1, written_factor) || is_plain_gain(ratio))
+    if (is_within_tolerance(ratio * factor, 1, written_factor) || is_plain_gain(ratio))
         return QUANTITY_DIFFERS;
     // The weights of a filter, as in 0.9 * a + 0.1 * b.
-    return use == QUANTITY_ADDED && is_near(a->factor + b->factor, 1, rounding) && a->factor > 0 && b->factor > 0
+    return use == QUANTITY_ADDED && is_within_tolerance(a->factor + b->factor, 1, rounding) && a->factor > 0 && b->factor > 0
            ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;
 }
 
 // Whether a is measured in gn and b is a plain number: both count how many times gn.
-static bool is_count_of_g(const Measure *a, const Measure *b) { return measure_is_g(a) && measure_is_number(b) && is_near(b->scale, 1, rounding); }
+static bool is_count_of_g(const Measure *a, const Measure *b)
+{
+    return measure_is_g(a) && measure_is_number(b) && is_within_tolerance(b->scale, 1, rounding);
+}
 
 QuantityFit quantity_fit(const Quantity *a, const Quantity *b, QuantityUse use)
 {
@@ -207,11 +210,11 @@ QuantityFit quantity_fit(const Quantity *a, const Quantity *b, QuantityUse use)
     if (!measure_is_same_kind(&a->unit, &b->unit))
         return a->scaled || b->scaled ? QUANTITY_MAY_DIFFER : QUANTITY_DIFFERS;
     if (has_zeros && !a->zero_unknown && !b->zero_unknown && a->unit.zero != b->unit.zero && measure_is_temperature(&a->unit)) {
-        const bool is_same_step = is_near(factor, 1, rounding);
+        const bool is_same_step = is_within_tolerance(factor, 1, rounding);
         // A difference in K is added to a temperature in degC or subtracted from it; but a temperature in degC is not subtracted from one in K.
         if (use != QUANTITY_COMPARED && is_same_step && !(use == QUANTITY_SUBTRACTED && !has_zero(a) && !b->constant && !b->scaled))
             return QUANTITY_FITS;
         return fit_zeros(a, b, factor, ratio);
     }
-    return is_near(factor, 1, rounding) ? QUANTITY_FITS : fit_scales(a, b, use, factor, ratio);
+    return is_within_tolerance(factor, 1, rounding) ? QUANTITY_FITS : fit_scales(a, b, use, factor, ratio);
 }

@@ -4,6 +4,7 @@
 
 typedef struct InitialSearch { const Program *p; const Var *v; bool is_read; } InitialSearch;         // is_read: before it is assigned
 
+// Sets k->is_read if an expression reads the variable.
 static void note_read(Expr *e, void *context)
 {
     InitialSearch *k = context;

@@ -181,7 +181,7 @@ static void add_number(Around *list, double x)
         list->at[list->n++] = x;
 }
 
-// Adds a constant in an expression (ExprVisitor).
+// Adds a constant in an expression.
 static void add_constant_number(Expr *e, void *context)
 {
     if (e->kind == EX_NUMBER || (e->kind == EX_VAR && e->var->is_constant))
@@ -216,7 +216,8 @@ static void add_all_guards(const Program *p, Around *around, const Stmt *inside)
             add_guards(around, &p->state.at[i]->block[b], inside);
 }
 
-static Around find_around(const Program *p, const Mutant *m)
+// Returns the numbers that a mutant changes, and the constants in the changed expressions and in the guards around them.
+static Around list_numbers_around(const Program *p, const Mutant *m)
 {
     Around list = {.n = 0};
 
@@ -245,11 +246,11 @@ static bool reads_var(const Expr *e, const Var *v)
 }
 
 // Whether some statement of the list reads a variable.
-static bool reads_variable(const Stmts *list, const Var *v)
+static bool any_statement_reads(const Stmts *list, const Var *v)
 {
     for (size_t i = 0; i < list->n; i++)
-        if ((list->at[i]->value && reads_var(list->at[i]->value, v)) || reads_variable(&list->at[i]->then, v)
-            || reads_variable(&list->at[i]->otherwise, v))
+        if ((list->at[i]->value && reads_var(list->at[i]->value, v)) || any_statement_reads(&list->at[i]->then, v)
+            || any_statement_reads(&list->at[i]->otherwise, v))
             return true;
     return false;
 }
@@ -261,7 +262,7 @@ static const State *find_state(const Program *p, const Mutant *m)
 
     for (size_t i = 0; i < p->state.n && m->edit->kind == EDIT_INITIAL; i++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (reads_variable(&p->state.at[i]->block[b], m->edit->var))
+            if (any_statement_reads(&p->state.at[i]->block[b], m->edit->var))
                 found = p->state.at[i];
     return found;
 }
@@ -311,7 +312,7 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
         u->search = new_search(u);
     arena_reset(&u->work);
     mutant = mutation_build(u, &u->work, m);
-    around = find_around(u->p, m);
+    around = list_numbers_around(u->p, m);
     m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, find_state(u->p, m), around.at, around.n, steps, &m->differs);
     if (m->scenario)
         m->verdict = MUTANT_GENERATED;

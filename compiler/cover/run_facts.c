@@ -169,7 +169,8 @@ static bool is_first_store(const IrFn *f, uint32_t i)
     return true;
 }
 
-static bool bound_all(RunFacts *r)
+// Returns whether some transition has got a tighter bound.
+static bool bound_all_transitions(RunFacts *r)
 {
     bool more = false;
 
@@ -194,7 +195,7 @@ RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, 
     make_functions(&r->m, arena);
     for (int round = 0; round < MOST_ROUNDS; round++) {
         r->facts = facts_from_first_state(arena, &r->m);
-        if (round + 1 == MOST_ROUNDS || !bound_all(r))
+        if (round + 1 == MOST_ROUNDS || !bound_all_transitions(r))
             break;
         r->counts = true;
     }

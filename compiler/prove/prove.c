@@ -78,7 +78,7 @@ static unsigned weaken_assumptions(ProveRun *v, ProveModel *model, unsigned assu
     return assumed;
 }
 
-static bool is_known(Fact f, SmType type)
+static bool is_narrower_than_type(Fact f, SmType type)
 {
     const Fact t = fact_of_type(type);
 
@@ -97,7 +97,7 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
             const uint32_t at = v->m->var_of[k];
             const Fact f = at == IR_NONE ? fact_of_type(var->type) : x->after[(size_t)s * model->ir->var.n + at];
             const ProveBound bound = {var, f};
-            if (at != IR_NONE && (var->written || var == v->p->t) && is_known(f, var->type))
+            if (at != IR_NONE && (var->written || var == v->p->t) && is_narrower_than_type(f, var->type))
                 vec_push(v->arena, &out[s].bound, bound);
         }
     }

@@ -313,7 +313,8 @@ static void enter_block(Explorer *x, IrBlkRef block, const Env *env)
         at->at[at->n - 1] = env_join(&x->fm->shape, at->at[at->n - 1], env, NULL);
 }
 
-static void join_after(Explorer *x, const Env *env)
+// Extends what is true after each step of the state by `env`.
+static void join_facts_after_step(Explorer *x, const Env *env)
 {
     const uint32_t vars = x->p->ir->var.n, state = x->from->state;
     Fact *after = x->out->after + (size_t)state * vars;
@@ -332,7 +333,7 @@ static void end_step(Explorer *x, const Env *env)
     const double states = (double)x->p->machine->state.n;
     const double hi = next.hi > states ? states : next.hi;
 
-    join_after(x, env);
+    join_facts_after_step(x, env);
     for (double n = next.lo < 0 ? 0 : next.lo; n <= hi; n++) {
         const bool first = n > 0;
         const uint32_t state = first ? (uint32_t)n - 1 : x->from->state;
@@ -507,7 +508,7 @@ typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISIT
 
 static bool goes_on(const Explorer *x) { return !x->limits->go_on || x->limits->go_on(x->limits->context); }
 
-static ExploreEnd explore_all(Explorer *x, const State *init)
+static ExploreEnd explore_until_closed(Explorer *x, const State *init)
 {
     ProveTable *t = x->table = new_table(x);
 
@@ -577,7 +578,7 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     ExploreEnd end;
 
     new_facts(x);
-    end = explore_all(x, init);
+    end = explore_until_closed(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
         end = narrow_facts(x, init);
     x->out->nodes = x->table->node.n;

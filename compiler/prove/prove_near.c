@@ -101,7 +101,7 @@ static void exchange_given_values(NearSearch *k, const Variant *x)
         cell[k->m->var_of[x->value[i].var]] = x->given[i];
 }
 
-static void get_given(const NearSearch *k, Variant *x)
+static void save_given_values(const NearSearch *k, Variant *x)
 {
     const uint64_t *cell = flat_cells(k->f, k->block);
 
@@ -159,12 +159,12 @@ static bool run_variant(NearSearch *k, Variant *x)
     state = near_state(k);
     x->end = 0;
     x->violated = 0;
-    get_given(k, x);
+    save_given_values(k, x);
     for (uint64_t step = first; x->end == 0 || step < x->end + tail || variant_runs_on(k, x, step - 1); step++) {
         MonitorResult r;
         exchange_given_values(k, x);
         next = near_set_inputs(k, s, next, step);
-        get_given(k, x);
+        save_given_values(k, x);
         if (x->end == 0 && (step == first + x->most || (x->for_visit && near_state(k) != state)))
             x->end = step;
         if (x->end == 0)
@@ -182,7 +182,7 @@ static bool run_variant(NearSearch *k, Variant *x)
 
 // ---- scenarios ----
 
-static uint32_t index_in(const Variant *x, uint32_t var)
+static uint32_t index_of_value(const Variant *x, uint32_t var)
 {
     uint32_t i = 0;
 
@@ -201,7 +201,7 @@ static Scenario scenario_of(const NearSearch *k, Arena *arena, const Variant *x)
     size_t c = 0;
 
     for (; c < s->changes && s->change[c].step < x->at->step; c++) {
-        const uint32_t i = index_in(x, s->change[c].var);
+        const uint32_t i = index_of_value(x, s->change[c].var);
         change[out.changes++] = s->change[c];
         if (i < x->values)
             was[i] = scenario_cell(k->p, &s->change[c], s->change[c].step, NULL);
@@ -218,7 +218,7 @@ static Scenario scenario_of(const NearSearch *k, Arena *arena, const Variant *x)
         }
         if (step > x->violated)
             break;
-        i = index_in(x, s->change[c].var);
+        i = index_of_value(x, s->change[c].var);
         if (i < x->values)
             was[i] = scenario_cell(k->p, &s->change[c], step, NULL);
         if (i == x->values || ended)

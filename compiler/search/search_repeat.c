@@ -22,6 +22,7 @@ typedef struct SearchLeg { SearchTurn *turn; uint32_t turns; uint64_t steps; } S
 
 typedef struct SearchRound { SearchLeg leg[MOST_LEGS]; uint32_t legs; uint64_t steps; } SearchRound;
 
+// A leg is a part of a round: the current changes of inputs, then so many steps.
 static void add_leg(SearchRun *k, Arena *arena, SearchRound *r, uint64_t steps)
 {
     SearchLeg *l = &r->leg[r->legs++];

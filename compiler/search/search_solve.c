@@ -12,6 +12,7 @@ enum { TREMBLE_PERCENT = 75 };
 
 // ---- changes ----
 
+// Adds a change of the input to the solution, unless the solution changes this input already.
 static void add_turn(SearchRun *k, uint32_t input, SearchSetting s)
 {
     const SearchTurn t = {input, s};
