@@ -266,7 +266,8 @@ SmF64 smvm_call(uint8_t n, SmF64 x, SmF64 y);
 void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 
-// Element access for code outside the interpreter: sm_load and sm_store without a second copy of their code (interp.c).
+// Read and write one value of a type in memory, for code outside the interpreter: sm_load and sm_store without a second copy of their
+// code (interp.c).
 SmF64 smvm_load(uint8_t type, const void *at);
 void smvm_store(SmF64 x, uint8_t type, void *at);
 

@@ -63,7 +63,7 @@ typedef struct CompileOptions {
 // The results for one source.  A field is NULL if it does not apply to the kind of the source, was not requested, or had errors.
 typedef struct CompiledSource {
     const Program *program;       // a machine as it will fly, without scripts
-    const Program *scripted;           // the same machine as its scripts run it (session_program_for_scripts); of an application, its machines
+    const Program *scripted;           // the machine, or the machines of an application, as scripts run them (session_program_for_scripts)
                                   // joined (session_join), if it has scripts
     IrMachine *ir;                // the optimised IR of `program`
     const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine

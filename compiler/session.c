@@ -324,7 +324,7 @@ static const AstFile *parse_silently(Session *s, const Source *ss, Map *written)
 }
 
 // Finds the file with recorded data of a checked script, and reads its header.  Returns false after a report.
-static bool find_data(Session *s, Script *script)
+static bool read_data_header(Session *s, Script *script)
 {
     const char *problem = "no file can be read here";
     const ScriptData *d = script->data;
@@ -364,7 +364,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
     arena_free(&s->tree);
     if (s->diags.errors_seen > errors || !out)
         return NULL;
-    return find_data(s, out) ? out : NULL;
+    return read_data_header(s, out) ? out : NULL;
 }
 
 // Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in

@@ -13,7 +13,7 @@
 
 // What code outside a machine does with the machine's locals between two steps.
 typedef enum SessionLocals {
-    LOCALS_READ,              // scripts read the locals; of emitted C, any code
+    LOCALS_READ,              // scripts can read the locals; if the machine becomes C, any other C code can read them, too
     LOCALS_HIDDEN,            // nothing outside the machine reads the locals: an image without names
     LOCALS_SWAPPED            // a swap reads and writes the locals by name: an image with names (swapping.md 12)
 } SessionLocals;

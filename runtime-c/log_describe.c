@@ -169,7 +169,7 @@ uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t
 }
 
 // Returns the CRC of the session's identity, not finalised.
-uint32_t sm_log_identity(const SmLog *log)
+uint32_t sm_log_identity_crc(const SmLog *log)
 {
     uint8_t bytes[LOG_IDENTITY];
 

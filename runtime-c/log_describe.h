@@ -12,6 +12,6 @@ uint32_t sm_log_description_size(const SmLog *log);
 uint32_t sm_log_describe(const SmLog *log, uint32_t size, uint32_t from, uint8_t *out, uint32_t room);
 
 // Returns the CRC of the session's identity, not finalised.  The CRCs of the session's other blocks continue from it.
-uint32_t sm_log_identity(const SmLog *log);
+uint32_t sm_log_identity_crc(const SmLog *log);
 
 #endif

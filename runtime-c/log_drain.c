@@ -76,7 +76,7 @@ static uint32_t find_contiguous_end(SmLog *log)
 // due, it stops after one block.
 static void add_checksums(SmLog *log, uint32_t limit)
 {
-    const uint32_t identity = sm_log_identity(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
+    const uint32_t identity = sm_log_identity_crc(log), most = is_description_due(log) ? 0 : SM_LOG_PIECE;
 
     while (log->checksummed < limit && (log->checksummed == log->tail || log->checksummed - log->tail < most)) {
         uint8_t *block = log->buffer + log->checksummed;

@@ -25,8 +25,8 @@ typedef struct SmMachineType {
     // Returns SM_E_LAYOUT if the machine was not built for a state vector of this layout and size.  Performs all other checks that
     // are needed only once: that the verifier accepts an image, that the memory is large enough.
     SmResult (*open)(void *self, uint32_t layout, uint32_t size);
-    // Enters a state and stores its number in S.  SM_E_ARGUMENT: no such state.  SM_E_UNSUPPORTED: floating-point results would
-    // differ here.
+    // Enters a state and stores its number in S.  SM_E_ARGUMENT: no such state.  SM_E_UNSUPPORTED: the floating-point arithmetic of
+    // this computer, as the program was built and set up, does not give the results that the language defines.
     SmResult (*init)(void *self, void *sv, uint32_t state);
     SmResult (*step)(void *self, void *sv);                       // SM_OK or SM_REFUSED; SM_E_ARGUMENT if init has not succeeded
     uint32_t (*state)(const void *self);                          // the state that the next step runs

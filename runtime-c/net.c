@@ -35,7 +35,7 @@ static uint64_t unknown_cell(SmType type)
 
 // ---- opening ----
 
-static bool is_inside(const SmNet *net, uint32_t offset, uint8_t type)
+static bool is_inside_vector(const SmNet *net, uint32_t offset, uint8_t type)
 {
     const uint32_t size = net->sv->layout->whole.size;
 
@@ -51,15 +51,15 @@ static bool is_row_valid(const SmNet *net, const SmNetChannel *c)
     if (!m->field || !c->value || !c->bytes || (m->key && (!m->seal || !c->run)))
         return false;
     for (uint16_t i = 0; i < m->fields; i++) {
-        if (!is_inside(net, m->field[i].offset, m->field[i].type))
+        if (!is_inside_vector(net, m->field[i].offset, m->field[i].type))
             return false;
         size += sm_type_bytes[m->field[i].type];
     }
     for (uint8_t i = 0; i < c->statistics; i++)
-        if (!is_inside(net, c->statistic[i].offset, c->statistic[i].type) || c->statistic[i].count >= SM_NET_COUNTS)
+        if (!is_inside_vector(net, c->statistic[i].offset, c->statistic[i].type) || c->statistic[i].count >= SM_NET_COUNTS)
             return false;
-    return size == m->size && (!c->age || is_inside(net, c->age->offset, c->age->type)) &&
-           (!c->run || (c->run->type == SM_U32 && is_inside(net, c->run->offset, SM_U32)));
+    return size == m->size && (!c->age || is_inside_vector(net, c->age->offset, c->age->type)) &&
+           (!c->run || (c->run->type == SM_U32 && is_inside_vector(net, c->run->offset, SM_U32)));
 }
 
 // Opens the UDP socket of a channel, and joins or selects the interface of its multicast group.
@@ -261,7 +261,7 @@ SmResult sm_receive_step(void *context, const SmTick *tick)
 // ---- sending ----
 
 // Decides whether a message of this channel is due: the first in each of its periods.
-static void update_due(SmNetChannel *c, uint64_t now)
+static void update_channel_due(SmNetChannel *c, uint64_t now)
 {
     const uint64_t slot = now / c->period;
 
@@ -279,7 +279,7 @@ static SmResult load_due(SmNet *net, uint64_t now)
         return r;
     for (uint8_t i = 0; i < net->channels; i++) {
         SmNetChannel *c = &net->channel[i];
-        update_due(c, now);
+        update_channel_due(c, now);
         for (uint16_t k = 0; k < c->message.fields && c->due; k++)
             c->value[k] = sm_cell_load((SmType)c->message.field[k].type, address_of(net, c->message.field[k].offset));
         store_statistics(net, c, now);

@@ -102,7 +102,7 @@ static uint64_t waiting_since(const SmApp *app, const SmExecutor *e)
     return due > ended ? due : ended;
 }
 
-// Returns the executor that began to wait first; of several, the first in the table.
+// Returns the executor that has waited longest.  If several have, returns the first in the table.
 static SmExecutor *longest_waiting(const SmApp *app)
 {
     SmExecutor *best = app->executor[0];

@@ -457,7 +457,7 @@ static void switch_slots(const SmSwaps *s, SmSwappable *w, bool starts, uint64_t
         emit_event(s, w, SM_EVENT_STATE, time, 0, m->last_state);
 }
 
-static void exchange_all(SmSwaps *s, uint64_t time)
+static void exchange_machines(SmSwaps *s, uint64_t time)
 {
     for (uint16_t i = 0; i < s->machines; i++) {
         SmSwappable *w = &s->machine[i];
@@ -481,7 +481,7 @@ static void try_exchange(SmSwaps *s, uint64_t time)
     }
     why = check_exchange(s, &failed);
     if (why == SM_SWAP_NOT_REFUSED)
-        exchange_all(s, time);
+        exchange_machines(s, time);
     else
         refuse(s, why, failed);
     sm_leave(s->sv);

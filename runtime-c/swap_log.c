@@ -84,7 +84,7 @@ bool sm_swap_log_names(SmLog *log, const SmMachine *m, const void *slot, uint32_
     log_put16(head + LOG_HEAD, m->number);
     log_put32(head + LOG_HEAD + 2, identity);
     log_put32(head + LOG_HEAD + 6, states);
-    b.crc = sm_log_identity(log);
+    b.crc = sm_log_identity_crc(log);
     put_bytes(&b, head, sizeof head);
     for (uint32_t i = 1; i <= states; i++)
         put_name(&b, m->type->state_name(slot, i));

@@ -702,7 +702,7 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme_number(const uint64_t *w, uint32_t n, uint3
     return (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_extreme_f32(at, n, count, up)) : sm_roll_extreme_f64(at, count, up);
 }
 // snippet: sm_roll_extreme_zero
-// The smallest, or the largest if `up`, of samples of which it is a zero: -0 if any is -0, or 0 if any is 0.
+// Returns the smallest sample, or the largest if `up`, where it is a zero: the smallest is -0 if any sample is -0, the largest 0 if any is 0.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_extreme_zero(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
     const SmRollKey minus = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? (SmRollKey)INT32_MIN : (SmRollKey)INT64_MIN, sought = up ? 0 : minus;

@@ -318,7 +318,7 @@ static void start_store(void)
     for (uint8_t i = 0; i < FIRMWARE_SLOTS && slot != STORE_BUILT_IN; i++) {
         if (run_image(plan.image[slot], smvm_store_period(&store, slot)) == SM_OK)
             return;
-        (void)smvm_store_skip_image(&store, &slot);          // for example, two of its pins are the same pin of the chip
+        (void)smvm_store_skip_image(&store, &slot);          // the image cannot run, for example if it uses one pin of the chip twice
     }
     smvm_store_run_built_in(&store);
     run_built_in();

@@ -191,7 +191,7 @@ static void emit_stored(const SmSwaps *s, const SmSwappable *w, uint32_t image, 
 typedef struct StoredImage {
     char name[SM_SWAP_NAME];
     uint32_t built_in;        // checksum of the image with which the application was built
-    uint32_t at, size;        // of the image in the memory
+    uint32_t at, size;        // where the image begins in the nonvolatile memory, and its length in bytes
 } StoredImage;
 
 // Reads the machine at *at, and moves *at after it.  Returns false at the end of the set.

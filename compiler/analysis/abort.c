@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the abort matrix: for each state, its paths to @abort states.  A state is called bound (for an @abort state) if it has
-// transitions to other states and all of them lead to bound states or to @abort states.
+// Builds the abort matrix: for each state, its paths to @abort states.  A state is called *bound* (on its way to an @abort state) if a run
+// that leaves it can only end in an @abort state: it has transitions to other states, and each leads to an @abort state or a bound state.
 #include "compiler/analysis/abort.h"
 
 static size_t state_index(const State *s) { return s->number - 1u; }

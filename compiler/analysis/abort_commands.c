@@ -67,7 +67,7 @@ static bool is_followed_by_abort_on(const Analysis *a, const AbortMatrix *x, con
 }
 
 // Whether an output is on in the state: in some trial, or because a statement of the state switches it on.
-static bool drives(const Trials *t, const AbortRow *r)
+static bool has_output_on(const Trials *t, const AbortRow *r)
 {
     bool any = r->drives;
 
@@ -80,10 +80,10 @@ static bool drives(const Trials *t, const AbortRow *r)
     return any;
 }
 
-// Whether the state is one to report, if enough others abort on the input.
-static bool skips(const Trials *t, const AbortMatrix *x, const AbortRow *r, const Var *input)
+// Whether the state must be reported if enough other states abort on the input.
+static bool lacks_abort(const Trials *t, const AbortMatrix *x, const AbortRow *r, const Var *input)
 {
-    return can_need_abort(r) && drives(t, r) && !abort_path_that_reads(r, input) && is_followed_by_abort_on(t->a, x, r, input);
+    return can_need_abort(r) && has_output_on(t, r) && !abort_path_that_reads(r, input) && is_followed_by_abort_on(t->a, x, r, input);
 }
 
 static void report_states_without(Trials *t, const AbortMatrix *x, const Var *input)
@@ -96,14 +96,14 @@ static void report_states_without(Trials *t, const AbortMatrix *x, const Var *in
         const AbortPath *path = can_need_abort(&x->row[s]) ? abort_path_that_reads(&x->row[s], input) : NULL;
         example = example ? example : path;
         with += path != NULL;
-        without += skips(t, x, &x->row[s], input);
+        without += lacks_abort(t, x, &x->row[s], input);
     }
     if (with < OTHERS_LEAST || with < OTHERS_FOR_EACH * without)
         return;
     for (size_t s = 0; s < x->n; s++) {
         const AbortRow *r = &x->row[s];
         Diag *d;
-        if (!skips(t, x, r, input))
+        if (!lacks_abort(t, x, r, input))
             continue;
         d = diag_report(a->diags, DIAG_abort_skips_input, r->state->span, r->state->name->text, input->name->text,
                         format_in(a->arena, "%lu", (unsigned long)with));

@@ -18,11 +18,11 @@ typedef struct ExitCheck {
 } ExitCheck;
 
 // Whether the block assigns v anywhere.
-static bool assigns(const Stmts *list, const Var *v)
+static bool assigns_variable(const Stmts *list, const Var *v)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
-        if ((s->kind == ST_ASSIGN && s->var == v) || (s->kind == ST_IF && (assigns(&s->then, v) || assigns(&s->otherwise, v))))
+        if ((s->kind == ST_ASSIGN && s->var == v) || (s->kind == ST_IF && (assigns_variable(&s->then, v) || assigns_variable(&s->otherwise, v))))
             return true;
     }
     return false;
@@ -32,7 +32,7 @@ static bool assigns(const Stmts *list, const Var *v)
 static bool target_assigns(const State *to, const Var *v)
 {
     for (int b = 0; b < BLOCK_COUNT; b++)
-        if (assigns(&to->block[b], v))
+        if (assigns_variable(&to->block[b], v))
             return true;
     return false;
 }
@@ -96,7 +96,7 @@ void check_exit_leaves_on(Trials *t)
         for (size_t i = 0; t->actuator[v] && !t->rests_on[v] && i < t->a->p->state.n; i++) {
             const State *s = t->a->p->state.at[i];
             ExitCheck x = {.t = t, .state = s, .v = t->var[v]};
-            if (assigns(&s->block[BLOCK_EXIT], x.v))
+            if (assigns_variable(&s->block[BLOCK_EXIT], x.v))
                 continue;
             follow(&x, &s->block[BLOCK_ENTRY], NULL);
             follow(&x, &s->block[BLOCK_STEP], NULL);

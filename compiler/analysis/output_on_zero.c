@@ -347,7 +347,7 @@ static void try_sensor(FailureSearch *k, const TrialState *s, uint32_t sensor)
 }
 
 // Whether failures of the input are tried in the state.
-static bool is_tried(const Trials *t, size_t state, uint32_t input) { return !t->input[input].command && t->state[state].relevant[input]; }
+static bool tries_failures_of(const Trials *t, size_t state, uint32_t input) { return !t->input[input].command && t->state[state].relevant[input]; }
 
 void check_output_on_zero(Trials *t)
 {
@@ -358,12 +358,12 @@ void check_output_on_zero(Trials *t)
     k.other = trial_new_inputs(t);
     for (size_t s = 0; s < t->a->p->state.n; s++)
         for (uint32_t i = 0; i < t->inputs; i++)
-            pairs += is_tried(t, s, i);
+            pairs += tries_failures_of(t, s, i);
     k.effort = (effort_in_all / pairs < effort ? effort_in_all / pairs : effort) / t->share;
     for (size_t s = 0; s < t->a->p->state.n; s++) {
         k.run.leaves = t->a->p->state.at[s]->is_abort;
         for (uint32_t i = 0; i < t->inputs; i++)
-            if (is_tried(t, s, i))
+            if (tries_failures_of(t, s, i))
                 try_sensor(&k, &t->state[s], i);
     }
 }

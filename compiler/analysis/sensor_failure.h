@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs two machines side by side from one situation.  In the healthy one every reading is constant or moves a little; in the other one
-// sensor fails.  If the healthy machine stays in its state and an output switches on in the other, the failure is the cause.
+// Runs two machines side by side from one situation.  In the healthy machine, every reading is constant or has a *motion*: a small change
+// from step to step, as a ramp, an oscillation or noise.  In the failed machine, one sensor fails.  If the healthy machine stays in its
+// state and an output switches on in the failed one, the failure is the cause.
 #ifndef SMC_SENSOR_FAILURE_H
 #define SMC_SENSOR_FAILURE_H
 
@@ -63,7 +64,7 @@ typedef struct FailureTrial {
 typedef enum StepEffect { NO_EFFECT, INCONCLUSIVE, HEALTHY_LEFT, HAS_EFFECT } StepEffect;
 
 FailureTrial failure_trial_new(Trials *t);
-// Returns whether the readings of this motion have noise.
+// Whether motion number `motion` (see FailureCase) adds noise to the readings.
 bool failure_has_noise(uint32_t motion);
 // Runs the healthy machine until its rolling windows contain only the current inputs.  Returns false if the machine leaves its state.
 bool failure_run_to_steady_state(FailureTrial *z, const FailureCase *c);

@@ -54,7 +54,7 @@ static void report_conflict(SharedVector *t, DiagCode code, SharedUse use, Str e
     diag_note_declaration(t->diags, d, DIAG_OTHER_WRITER, owner.span);
 }
 
-static bool is_other(SharedUse use, const Program *p) { return use.p && use.p != p; }
+static bool is_used_by_other(SharedUse use, const Program *p) { return use.p && use.p != p; }
 
 static void check_element(SharedVector *t, const Program *p, const Var *v, Span first_assignment)
 {
@@ -64,22 +64,22 @@ static void check_element(SharedVector *t, const Program *p, const Var *v, Span 
 
     if (v == p->s) {
         owner = &o->state;
-        if (is_other(o->state, p))
+        if (is_used_by_other(o->state, p))
             report_conflict(t, DIAG_two_states, use, element, o->state, DIAG_note_listed_there);
-        else if (is_other(o->writer, p))
+        else if (is_used_by_other(o->writer, p))
             report_conflict(t, DIAG_writes_state, o->writer, element, use, DIAG_note_listed_there);
     } else if (v == p->g) {
         owner = &o->time;
-        if (is_other(o->writer, p))
+        if (is_used_by_other(o->writer, p))
             report_conflict(t, DIAG_writes_time, o->writer, element, use, DIAG_note_listed_there);
     } else if (first_assignment.src) {
         owner = &o->writer;
         use.span = first_assignment;
-        if (is_other(o->state, p))
+        if (is_used_by_other(o->state, p))
             report_conflict(t, DIAG_writes_state, use, element, o->state, DIAG_note_listed_there);
-        if (is_other(o->time, p))
+        if (is_used_by_other(o->time, p))
             report_conflict(t, DIAG_writes_time, use, element, o->time, DIAG_note_listed_there);
-        if (is_other(o->writer, p))
+        if (is_used_by_other(o->writer, p))
             report_conflict(t, DIAG_two_writers, use, element, o->writer, DIAG_note_written_there);
     }
     if (owner && !owner->p)

@@ -133,7 +133,7 @@ void arena_restore(Arena *a, const ArenaCopy *copy)
 }
 
 // Takes a spare chunk with room for `wanted` bytes; NULL: none of the first spare chunks has that room.
-static ArenaChunk *take_spare(Arena *a, size_t wanted)
+static ArenaChunk *take_spare_chunk(Arena *a, size_t wanted)
 {
     ArenaChunk **at = &a->spare, *c;
 
@@ -149,7 +149,7 @@ static ArenaChunk *take_spare(Arena *a, size_t wanted)
 static void add_chunk(Arena *a, size_t wanted)
 {
     size_t size = a->chunk ? a->chunk->size * 2 : FIRST_CHUNK;
-    ArenaChunk *c = take_spare(a, wanted);
+    ArenaChunk *c = take_spare_chunk(a, wanted);
 
     if (size > LARGEST_CHUNK)
         size = LARGEST_CHUNK;

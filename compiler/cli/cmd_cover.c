@@ -222,7 +222,7 @@ static int write_script(CoverRun *r, const Scenario *found, const char *stem, co
     return code;
 }
 
-static int write_found(CoverRun *r)
+static int write_found_scripts(CoverRun *r)
 {
     int code = EXIT_OK;
 
@@ -310,7 +310,7 @@ static int search_and_write(CoverRun *r, const CoverSettings *s)
     os_signals_delay();
     if (has_open_goal(r)) {
         r->result = run_search(r, s, NULL);
-        code = write_found(r);
+        code = write_found_scripts(r);
         accept_proofs(r);
     }
     if (code == EXIT_OK && r->c->given[OPT_MUST_NOT])

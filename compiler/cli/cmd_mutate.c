@@ -26,8 +26,8 @@ static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json
 
 // ---- text ----
 
-// Returns the script of --scripts that shows a mutant, or NULL.
-static const char *script_of(const MutateRun *r, const Mutant *m)
+// Returns the path of the script that --scripts wrote to show a mutant, or NULL.
+static const char *path_of_script(const MutateRun *r, const Mutant *m)
 {
     uint32_t n;
 
@@ -46,8 +46,8 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         buf_str(out, "\n    ");
         mutant_write_scenario(r->p, m, MUTANT_INPUTS_SHOWN, out);
     }
-    if (script_of(r, m))
-        buf_printf(out, " [%s]", path_file_name(script_of(r, m)));
+    if (path_of_script(r, m))
+        buf_printf(out, " [%s]", path_file_name(path_of_script(r, m)));
     buf_char(out, '\n');
 }
 
@@ -139,9 +139,9 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         buf_str(out, ",\"inputs\":");
         json_put_string(out, buf_text(&words));
     }
-    if (script_of(r, m)) {
+    if (path_of_script(r, m)) {
         buf_str(out, ",\"shown_by\":");
-        json_put_string(out, path_file_name(script_of(r, m)));
+        json_put_string(out, path_file_name(path_of_script(r, m)));
     }
     buf_char(out, '}');
 }

@@ -193,7 +193,7 @@ typedef struct Target {
     ApplicationMachine *machine;      // by change: the machine before the swap
 } Target;
 
-// Finds the machine of a change. Adds the names of those that can be swapped to `names`.
+// Finds the machine of a change.  Adds the names of all machines that can be swapped to `names`.
 static int find_machine(BoardLine *b, const char *name, uint16_t *number, ApplicationMachine *found, Buf *names)
 {
     ApplicationMachine m;
@@ -271,7 +271,7 @@ static int describe_exchange(BoardLine *b, const Changes *all, const Target *t, 
 
 // ---- the swap ----
 
-static int report_refused(BoardLine *b, const ApplicationSwap *s)
+static int report_refused_swap(BoardLine *b, const ApplicationSwap *s)
 {
     ApplicationMachine m;
 
@@ -352,7 +352,7 @@ static int follow_swap(BoardLine *b, const Changes *all, const Target *t, uint32
     if (code != EXIT_OK)
         return code;
     if (s.phase == SM_SWAP_REFUSED)
-        return report_refused(b, &s);
+        return report_refused_swap(b, &s);
     buf_init(&out, &b->c->session.arena);
     code = describe_exchange(b, all, t, &out);
     if (code == EXIT_OK)

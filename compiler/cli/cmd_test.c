@@ -92,7 +92,7 @@ unsigned test_absent_engines(TestRun *t, unsigned which)
     return which;
 }
 
-static void report_absent(TestRun *t)
+static void report_absent_engines(TestRun *t)
 {
     for (unsigned i = 0; i < ENGINE_KINDS; i++)
         if (t->absent & 1u << i)
@@ -282,7 +282,7 @@ int cmd_test(Cli *c)
         if (!test_is_script(c, c->file[i]) && !test_is_requirements(c->file[i]) && !test_is_coverage_data(c->file[i]) && c->file[i] != f.machine)
             collect_argument(&t, c->file[i]);
     test_run_cases(&t, t.path.at, t.path.n);
-    report_absent(&t);
+    report_absent_engines(&t);
     written = write_results(&t, f.cases > 0 || f.scripts > 1);
     code = exit_code(&t);
     code = code > ran ? code : ran;

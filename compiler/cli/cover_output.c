@@ -87,7 +87,7 @@ static void write_gaps(const CoverRun *r, bool impossible, Buf *out)
     }
 }
 
-static void write_old(const CoverRun *r, Buf *out)
+static void write_old_scripts(const CoverRun *r, Buf *out)
 {
     for (uint32_t i = 0; i < r->old.n; i++) {
         const OldScript *old = &r->old.at[i];
@@ -123,7 +123,7 @@ void cover_write_report(const CoverRun *r, Buf *out)
     buf_char(out, '\n');
     for (uint32_t i = 0; i < r->new_one.n; i++)
         buf_printf(out, "wrote %s: %s\n", r->new_one.at[i].path, r->new_one.at[i].goal);
-    write_old(r, out);
+    write_old_scripts(r, out);
     write_gaps(r, false, out);
     write_gaps(r, true, out);
     write_pairs(r, out);

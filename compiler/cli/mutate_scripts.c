@@ -88,8 +88,8 @@ static bool fails_on(const ScriptsRun *r, const Script *s, const Mutant *m)
     return !passes_on_machine(r, s, engine_flat_open(r->arena, r->p, mutation_build(r->u, r->arena, m)));
 }
 
-// Notes the mutants without a script on which this one fails.
-static void note_shown(const ScriptsRun *r, const Script *s, const char *path)
+// Records this script for each mutant that it shows and that has no script yet.
+static void record_shown_mutants(const ScriptsRun *r, const Script *s, const char *path)
 {
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
@@ -128,7 +128,7 @@ static int write_script(const ScriptsRun *r, const Mutant *m)
     if ((code = cli_write_generated(r->c, &file)) != EXIT_OK)
         return code;
     r->out->scripts++;
-    note_shown(r, s, path);
+    record_shown_mutants(r, s, path);
     diags_clear(diags);
     return EXIT_OK;
 }

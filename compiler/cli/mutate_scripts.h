@@ -7,7 +7,7 @@
 #include "compiler/cli/progress.h"
 #include "compiler/cover/mutate.h"
 
-// Shows how many changes have been tried, and how many of those that no script notices have been searched.
+// Shows how many changes have been tried, and for how many unnoticed changes a script has been searched.
 void mutate_show_progress(const Mutation *u, ProgressLine *k);
 
 typedef struct MutateScripts {

@@ -56,7 +56,7 @@ bool setting_parse(Cli *c, const char *word, Setting *s)
 }
 
 // Reports an unknown parameter whose name is near to that of another one.  Returns false if none is near.
-static bool report_near(Cli *c, const Program *p, const Setting *s)
+static bool report_similar_parameter(Cli *c, const Program *p, const Setting *s)
 {
     const char **name = ARENA_ARRAY(&c->session.arena, const char *, p->var.n), *near;
     size_t n = 0;
@@ -80,7 +80,7 @@ int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
         refusal = parameter_judge(out->parameter, s->value, &out->cell);
     if (!refusal)
         return EXIT_OK;
-    if (refusal != SM_REFUSAL_UNKNOWN || !report_near(c, p, s))
+    if (refusal != SM_REFUSAL_UNKNOWN || !report_similar_parameter(c, p, s))
         setting_report_refused(c, s, parameter_refusal_text(refusal));
     return EXIT_PROBLEM;
 }

@@ -11,8 +11,8 @@
 
 typedef enum TestStatus {
     TEST_PASSED,
-    TEST_FAILED,              // it ran, and a result differed from the expected one
-    TEST_BROKEN,              // it could not run: reading or compiling failed, or an engine broke down
+    TEST_FAILED,              // the test ran, and differed from what it expects
+    TEST_BROKEN,              // the test could not run: reading or compiling failed, or an engine broke down
     TEST_SKIPPED
 } TestStatus;
 
@@ -21,7 +21,7 @@ typedef struct TestResult {
     const char *suite;        // path of the script's machine, or folder of the case
     TestStatus status;
     const char *message;      // why it did not pass, one or more lines; "" if it passed
-    int code;                 // the exit code of the command that this result requires
+    int code;                 // the exit code of `smc test`, unless another result has a greater one
     double seconds;           // duration of the test
     const char *printed;      // the lines that the script has printed; "" or NULL: none
     const char *seed;         // the seed of its random numbers; "" or NULL: it draws none

@@ -33,7 +33,7 @@ static void open_emitted_c(Batch *b, EngineKind kind)
 }
 
 // Reports why a case did not pass. With --tap, which has the reason too, it is not printed.
-static void report_failed(TestRun *t, const TestResult *r)
+static void report_failed_case(TestRun *t, const TestResult *r)
 {
     Buf b;
 
@@ -64,7 +64,7 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
         TestResult r = test_case_close(b.at[i], b.engine[i]);
         vec_push(t->arena, &t->result, r);
         if (r.status == TEST_FAILED || r.status == TEST_BROKEN)
-            report_failed(t, &r);
+            report_failed_case(t, &r);
     }
     for (int kind = 0; kind < ENGINE_KINDS; kind++)
         if (b.c[kind])

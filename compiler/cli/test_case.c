@@ -27,7 +27,7 @@ static void set_result(TestCase *c, TestStatus status, const char *message, int 
 }
 
 // Records why the compiler left a stage by longjmp.
-static void set_left(TestCase *c)
+static void set_interrupted_result(TestCase *c)
 {
     const char *bug = c->s.bug ? format_in(c->t->arena, "%s", c->s.bug) : NULL;
 
@@ -87,7 +87,7 @@ TestCase *test_case_open(TestRun *t, const char *path)
         session_init(&c->s, os_alloc, NULL, &c->oom);
         parse_and_compile(c, path, n);
     } else {
-        set_left(c);
+        set_interrupted_result(c);
     }
     c->result.seconds = os_seconds() - begin;
     return c;
@@ -133,7 +133,7 @@ TestResult test_case_close(TestCase *c, Engine *const *emitted)
         else
             set_result(c, TEST_PASSED, "", EXIT_OK);
     } else if (!c->is_done) {
-        set_left(c);
+        set_interrupted_result(c);
     }
     engines_close(&c->engines);
     session_free(&c->s);

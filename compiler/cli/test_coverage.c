@@ -169,7 +169,7 @@ static void write_data(const TestCoverage *v, Buf *out)
         cover_write_data(v->machine[i], out);
 }
 
-// Writes the object of a machine; of an application, an object with those of its machines.
+// Writes the JSON object of a machine.  For an application, writes an object that contains the objects of its machines.
 static void write_json(const TestCoverage *v, Buf *out)
 {
     if (v->p->joint)

@@ -157,7 +157,7 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
     write_attribute(out, "classname", buf_text(&name), name.n);
 }
 
-static bool is_given(const char *text) { return text && *text; }
+static bool is_not_empty(const char *text) { return text && *text; }
 
 // An empty value is no property.
 static void write_property(Buf *out, const char *name, const char *value, size_t n)
@@ -172,10 +172,10 @@ static void write_property(Buf *out, const char *name, const char *value, size_t
 // Writes the seed of a script and the requirements that it has tested, as properties.
 static void write_properties(Buf *out, const char *seed, const char *list)
 {
-    if (!is_given(seed) && !is_given(list))
+    if (!is_not_empty(seed) && !is_not_empty(list))
         return;
     buf_str(out, "      <properties>\n");
-    if (is_given(seed))
+    if (is_not_empty(seed))
         write_property(out, "seed", seed, strlen(seed));
     while (list && *list) {
         const size_t n = strcspn(list, " ");
@@ -208,7 +208,7 @@ static void write_testcase(Buf *out, const TestResult *r)
     write_attribute(out, "name", name, strlen(name));
     write_classname(out, out->arena, r->suite);
     write_time(out, r->seconds);
-    if (!element && !is_given(r->printed) && !is_given(r->seed) && !is_given(r->requirements)) {
+    if (!element && !is_not_empty(r->printed) && !is_not_empty(r->seed) && !is_not_empty(r->requirements)) {
         buf_str(out, "/>\n");
         return;
     }
@@ -216,7 +216,7 @@ static void write_testcase(Buf *out, const TestResult *r)
     write_properties(out, r->seed, r->requirements);
     if (element)
         write_problem(out, r, element);
-    if (is_given(r->printed)) {
+    if (is_not_empty(r->printed)) {
         buf_str(out, "      <system-out>");
         write_xml(out, r->printed, strlen(r->printed), false);
         buf_str(out, "</system-out>\n");
@@ -418,11 +418,11 @@ void test_write_tap(const TestRun *t, Buf *out)
         buf_char(out, '\n');
         if (r->status == TEST_FAILED || r->status == TEST_BROKEN)
             write_tap_lines(out, r->message);
-        if (is_given(r->seed))
+        if (is_not_empty(r->seed))
             buf_printf(out, "# seed: %s\n", r->seed);
-        if (is_given(r->requirements))
+        if (is_not_empty(r->requirements))
             buf_printf(out, "# requirements: %s\n", r->requirements);
-        if (is_given(r->printed))
+        if (is_not_empty(r->printed))
             write_tap_lines(out, r->printed);
     }
     for (size_t i = 0; i < t->requirement.n; i++)

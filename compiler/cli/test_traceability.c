@@ -4,7 +4,7 @@
 #include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_text.h"
 
-static bool is_wanted(const Cli *c)
+static bool is_requested(const Cli *c)
 {
     double unused;
 
@@ -28,7 +28,7 @@ int test_traceability_check_options(Cli *c, const char *machine, size_t requirem
 
 Traceability *test_traceability_begin(TestRun *t, const Program *p, const Requirements *what)
 {
-    return is_wanted(t->c) ? traceability_new(t->arena, p, what) : NULL;
+    return is_requested(t->c) ? traceability_new(t->arena, p, what) : NULL;
 }
 
 static int write_file(TestRun *t, const Traceability *matrix)

@@ -47,7 +47,7 @@ typedef VEC(CoverPlace) CoverPlaces;
 
 typedef struct CoverTotal { uint32_t covered, possible, impossible; } CoverTotal;
 
-typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // n places from `to` on have the counts of those from `from` on
+typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // places to … to + n - 1 have the counts of from … from + n - 1
 
 typedef struct Cover {
     Arena *arena;

@@ -71,7 +71,7 @@ static Drift number_of(double x)
     return x >= 0 && x <= 1e6 && x == (double)(int64_t)x ? d : unknown;
 }
 
-static bool fits(Drift d, double cap) { return !d.any && (!d.is_number || d.number[1] <= cap); }
+static bool drift_is_within(Drift d, double cap) { return !d.any && (!d.is_number || d.number[1] <= cap); }
 
 static Drift drift_of(const IrFn *f, const IrIns *i, const DriftPaths *p, Drift now, uint32_t var)
 {
@@ -81,14 +81,15 @@ static Drift drift_of(const IrFn *f, const IrIns *i, const DriftPaths *p, Drift 
     switch (i->op) {
     case IR_const: return number_of(ir_number(i->type, i->bits));
     case IR_load: return i->var == var ? now : unknown;
-    case IR_cvt: return (i->type == SM_F64 || i->type == f->ins.at[i->a].type || drift_cap(i->type) > 0) && fits(a, i->type == SM_F64 ? 1e15 : drift_cap(i->type)) ? a : unknown;
+    case IR_cvt: return (i->type == SM_F64 || i->type == f->ins.at[i->a].type || drift_cap(i->type) > 0) && drift_is_within(a, i->type == SM_F64 ? 1e15 : drift_cap(i->type)) ? a : unknown;
     case IR_add: return is_number(b, &x) ? add_number(a, x) : is_number(a, &x) ? add_number(b, x) : unknown;
     case IR_min: case IR_max: return drift_join(a, b);
     default: return unknown;
     }
 }
 
-static void reach(DriftPaths *p, IrBlkRef to, Drift *begin, Drift d)
+// Joins d with the drifts of the other paths that reach the block `to`.
+static void join_drift_at(DriftPaths *p, IrBlkRef to, Drift *begin, Drift d)
 {
     begin[to] = p->reached[to] ? drift_join(begin[to], d) : d;
     p->reached[to] = true;
@@ -112,9 +113,9 @@ DriftPaths drift_of_function(Arena *arena, const IrFn *f, uint32_t var)
         }
         p.at_end[b] = now;
         if (p.reached[b] && (blk->jump.kind == IR_JMP || blk->jump.kind == IR_BR))
-            reach(&p, blk->jump.then, begin, now);
+            join_drift_at(&p, blk->jump.then, begin, now);
         if (p.reached[b] && blk->jump.kind == IR_BR)
-            reach(&p, blk->jump.otherwise, begin, now);
+            join_drift_at(&p, blk->jump.otherwise, begin, now);
     }
     return p;
 }

@@ -21,7 +21,7 @@
 // A node of a decision, a tree of conditions joined by `and`, `or` and `not`, in postfix order: operands come before their operator.
 typedef struct FlatNode {
     enum { NODE_CONDITION, NODE_AND, NODE_OR, NODE_NOT } kind;
-    uint32_t a, b;                    // indices of the operands among the nodes; of a CONDITION, a: its number
+    uint32_t a, b;                    // indices of the operands among the nodes; in a CONDITION, a is its number
 } FlatNode;
 
 // A window that a condition reads, or a statement.

@@ -4,6 +4,7 @@
 
 typedef struct InitialSearch { const Program *p; const Var *v; bool is_read; } InitialSearch;         // is_read: before it is assigned
 
+// Sets k->is_read if an expression reads the variable.
 static void note_read(Expr *e, void *context)
 {
     InitialSearch *k = context;
@@ -13,7 +14,7 @@ static void note_read(Expr *e, void *context)
 
 // Follows statements that begin with v not assigned.  Returns whether v is assigned after them on every path.  What follows a transition in a
 // block counts as executed after it, which can only find more reads.
-static bool follow(InitialSearch *k, const Stmts *list)
+static bool follow_statements(InitialSearch *k, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
@@ -24,8 +25,8 @@ static bool follow(InitialSearch *k, const Stmts *list)
             return true;
         if (s->kind != ST_IF)
             continue;
-        then = follow(k, &s->then);
-        otherwise = follow(k, &s->otherwise);
+        then = follow_statements(k, &s->then);
+        otherwise = follow_statements(k, &s->otherwise);
         if (then && otherwise)
             return true;
     }
@@ -51,9 +52,9 @@ bool mutant_initial_is_unread(const Program *p, const Var *v)
     if (v->kind != VAR_LOCAL || v->outside || v->parameter || v->sizes || v->is_constant || is_read_elsewhere(&k))
         return false;
     for (size_t s = 0; s < p->state.n && !k.is_read; s++)
-        if (!follow(&k, &p->state.at[s]->block[BLOCK_ENTRY])) {
-            follow(&k, &p->state.at[s]->block[BLOCK_STEP]);
-            follow(&k, &p->state.at[s]->block[BLOCK_EXIT]);
+        if (!follow_statements(&k, &p->state.at[s]->block[BLOCK_ENTRY])) {
+            follow_statements(&k, &p->state.at[s]->block[BLOCK_STEP]);
+            follow_statements(&k, &p->state.at[s]->block[BLOCK_EXIT]);
         }
     return !k.is_read;
 }

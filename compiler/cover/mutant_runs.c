@@ -9,8 +9,8 @@
 #include "stdlib/convert.h"
 
 enum {
-    POINTS_MOST = 128,        // points of a run
-    POINT_STEPS = 8,          // the least number of steps between two of them
+    POINTS_MOST = 128,        // the most points of a run
+    POINT_STEPS = 8,          // the least number of steps between two points
     VALUES_MOST = 1 << 23     // values that all records can have together; a run for which no room is left is not recorded
 };
 
@@ -20,17 +20,17 @@ typedef struct RecordPoint {
     RunPoint *script;
 } RecordPoint;
 
-// An unchanged run.
+// The record of a script's run with the unchanged machine, from which runs of mutants start.
 typedef struct Record {
     const Script *script;
     uint64_t steps;
-    ScriptOptions options;    // of the runs of mutants
+    ScriptOptions options;    // the options with which the mutants run
     bool is_complete;         // the run was recorded
     uint64_t every;           // steps between two points
     VEC(RecordPoint) point;
     VEC(EngineWrite) write;
     VEC(uint32_t) write_end;  // by step, from 0: the end of its writes
-    VEC(uint8_t *) executed;  // by point: by Stmt.number: it was executed between this point and the next one
+    VEC(uint8_t *) executed;  // by point, then by Stmt.number: the statement was executed between this point and the next one
     uint8_t *reached;         // by Stmt.number: it was executed at all
     const uint32_t *seen;     // the variables that the script reads (Var.index), `seens` of them, without constants
     uint32_t seens;
@@ -272,7 +272,7 @@ typedef struct MutantReplay {
     FlatMachine *mutant;
     bool same_layout;         // the states of both machines have the same parts at the same offsets
     bool same_start;          // no initial value was changed
-    const uint32_t *stmt;     // what was changed
+    const uint32_t *stmt;     // the changed statements
     uint32_t stmts;
 } MutantReplay;
 

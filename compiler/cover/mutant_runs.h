@@ -22,7 +22,7 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const 
                             uint64_t max_steps);
 // Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
 uint32_t mutant_runs_find_failing(const MutantRuns *r);
-// Values in place of a Stmt.number for a change outside statements: of something that each step executes; of an initial value.
+// Values in place of a Stmt.number if the change is in no statement: in a part that each step executes, or in an initial value.
 #define MUTANT_EACH_STEP UINT32_C(0)
 #define MUTANT_START UINT32_MAX
 

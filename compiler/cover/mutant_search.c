@@ -22,7 +22,7 @@ typedef struct Node {
     const ScenarioChange *change;     // the changes between the parent and this node
     uint32_t changes;
     const State *start;
-    uint64_t steps;           // that have run
+    uint64_t steps;           // steps that have run
     void *original, *mutant;  // the states of both machines
     Course *course;           // by input
     bool differs;             // the states of machine and mutant differ, although no output does yet
@@ -85,7 +85,7 @@ typedef struct Lockstep {
     VEC(Node *) node;
     VEC(Node *) apart;        // nodes with `differs`
     const State *state;       // the state that contains the change; or NULL
-    VEC(Node *) inside;       // those of `node` that are in this state
+    VEC(Node *) inside;       // the nodes of `node` that are in this state
     uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
     const Var *what;          // the variable that differs
 } Lockstep;
@@ -172,8 +172,8 @@ static uint64_t hash_of(const Lockstep *l, const Node *n)
     return h | 1;
 }
 
-// Whether no situation like this one was stored.
-static bool is_new_situation(Lockstep *l, const Node *n)
+// Stores the situation of n, and returns true, if no situation like this one was stored.
+static bool record_if_new(Lockstep *l, const Node *n)
 {
     const uint64_t h = hash_of(l, n);
     uint32_t at = (uint32_t)(h * UINT64_C(0x9e3779b97f4a7c15) >> 40) & (SEEN_SLOTS - 1);
@@ -285,7 +285,7 @@ static const Node *store_situation(Lockstep *l, const Node *n)
 {
     Node *copy;
 
-    if (l->node.n + l->apart.n >= NODES_MOST || !is_new_situation(l, n))
+    if (l->node.n + l->apart.n >= NODES_MOST || !record_if_new(l, n))
         return NULL;
     copy = copy_node(l, n);
     if (copy->differs)

@@ -175,16 +175,17 @@ enum {
 // The numbers that a change concerns.
 typedef struct Around { double at[32]; uint32_t n; } Around;
 
-static void add_around(Around *list, double x)
+static void add_number(Around *list, double x)
 {
     if (list->n < sizeof list->at / sizeof *list->at)
         list->at[list->n++] = x;
 }
 
-static void collect_around(Expr *e, void *context)
+// Adds a constant in an expression.
+static void add_constant_number(Expr *e, void *context)
 {
     if (e->kind == EX_NUMBER || (e->kind == EX_VAR && e->var->is_constant))
-        add_around(context, expr_constant_value(e));
+        add_number(context, expr_constant_value(e));
 }
 
 static bool contains_statement(const Stmts *list, const Stmt *s)
@@ -202,7 +203,7 @@ static void add_guards(Around *around, const Stmts *list, const Stmt *inside)
         const Stmt *s = list->at[i];
         if (s->kind != ST_IF || (!contains_statement(&s->then, inside) && !contains_statement(&s->otherwise, inside)))
             continue;
-        expr_walk(s->value, collect_around, around);
+        expr_walk(s->value, add_constant_number, around);
         add_guards(around, &s->then, inside);
         add_guards(around, &s->otherwise, inside);
     }
@@ -215,19 +216,20 @@ static void add_all_guards(const Program *p, Around *around, const Stmt *inside)
             add_guards(around, &p->state.at[i]->block[b], inside);
 }
 
-static Around find_around(const Program *p, const Mutant *m)
+// Returns the numbers that a mutant changes, and the constants in the changed expressions and in the guards around them.
+static Around list_numbers_around(const Program *p, const Mutant *m)
 {
     Around list = {.n = 0};
 
     for (const MutantEdit *d = m->edit; d; d = d->next) {
         if (d->kind == EDIT_NUMBER || d->kind == EDIT_INITIAL)
-            add_around(&list, d->number);
+            add_number(&list, d->number);
         if (d->kind == EDIT_INITIAL)
-            add_around(&list, d->var->init_value->number);
+            add_number(&list, d->var->init_value->number);
         if (d->stmt && d->stmt->value)
-            expr_walk(d->stmt->value, collect_around, &list);
+            expr_walk(d->stmt->value, add_constant_number, &list);
         else if (d->e)
-            expr_walk(d->e, collect_around, &list);
+            expr_walk(d->e, add_constant_number, &list);
         if (d->stmt)
             add_all_guards(p, &list, d->stmt);
     }
@@ -244,10 +246,11 @@ static bool reads_var(const Expr *e, const Var *v)
 }
 
 // Whether some statement of the list reads a variable.
-static bool reads(const Stmts *list, const Var *v)
+static bool any_statement_reads(const Stmts *list, const Var *v)
 {
     for (size_t i = 0; i < list->n; i++)
-        if ((list->at[i]->value && reads_var(list->at[i]->value, v)) || reads(&list->at[i]->then, v) || reads(&list->at[i]->otherwise, v))
+        if ((list->at[i]->value && reads_var(list->at[i]->value, v)) || any_statement_reads(&list->at[i]->then, v)
+            || any_statement_reads(&list->at[i]->otherwise, v))
             return true;
     return false;
 }
@@ -259,7 +262,7 @@ static const State *find_state(const Program *p, const Mutant *m)
 
     for (size_t i = 0; i < p->state.n && m->edit->kind == EDIT_INITIAL; i++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            if (reads(&p->state.at[i]->block[b], m->edit->var))
+            if (any_statement_reads(&p->state.at[i]->block[b], m->edit->var))
                 found = p->state.at[i];
     return found;
 }
@@ -309,7 +312,7 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
         u->search = new_search(u);
     arena_reset(&u->work);
     mutant = mutation_build(u, &u->work, m);
-    around = find_around(u->p, m);
+    around = list_numbers_around(u->p, m);
     m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, find_state(u->p, m), around.at, around.n, steps, &m->differs);
     if (m->scenario)
         m->verdict = MUTANT_GENERATED;

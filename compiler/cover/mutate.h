@@ -67,7 +67,7 @@ const Mutant **mutation_order(const Mutation *u, Arena *arena, MutantVerdict ver
 
 typedef struct MutationScore {
     unsigned long all, of[MUTANT_VERDICT_COUNT];      // how many mutants; by MutantVerdict
-    unsigned long noticeable; // those that a script can notice, as far as is known
+    unsigned long noticeable; // mutants that a script can notice, as far as is known
     double percent;           // how many of these are noticed; 100 if none of them is counted
 } MutationScore;
 

@@ -514,7 +514,7 @@ static void make_probes(Plan *k)
     c->probes.decisions = n;
 }
 
-static void add_shared(Plan *k, uint32_t from, uint32_t to, uint32_t n)
+static void add_shared_counts(Plan *k, uint32_t from, uint32_t to, uint32_t n)
 {
     const CoverShared s = {from, to, n};
 
@@ -530,9 +530,9 @@ static void find_shared(Plan *k)
         const uint32_t first = (uint32_t)(c->m->window.at[c->m->window_of[i]].first - c->p->window.at);
         for (uint32_t n = k->first_decision[i]; first != i && n < k->last_decision[i]; n++) {
             const Decision *to = &k->decision.at[n], *from = &k->decision.at[k->first_decision[first] + n - k->first_decision[i]];
-            add_shared(k, from->hit, to->hit, 2 + 2 * to->condition.n);
+            add_shared_counts(k, from->hit, to->hit, 2 + 2 * to->condition.n);
             for (uint32_t w = 0; w < to->full.n; w++)
-                add_shared(k, from->full.at[w].hit, to->full.at[w].hit, 1);
+                add_shared_counts(k, from->full.at[w].hit, to->full.at[w].hit, 1);
         }
     }
 }
@@ -596,7 +596,7 @@ static void plan_places(Plan *k, const Program *p)
     plan_parameters(k, p);
 }
 
-// Replaces windows of the program in the lists of statements by those of the IR.
+// The lists in k->full name windows by their index in Program.window.  Replaces each index by that of the same window in the IR machine.
 static void map_windows(Plan *k)
 {
     for (uint32_t s = 0; s <= k->c->p->stmts; s++)

@@ -17,7 +17,8 @@ struct RunFacts {
 
 // ---- the machine ----
 
-static void make_private(IrMachine *m, Arena *arena, const bool *is_input)
+// All variables except inputs and times become locals, so that facts about them last from step to step.
+static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input)
 {
     m->var.at = arena_copy(arena, m->var.at, m->var.n * sizeof *m->var.at);
     for (uint32_t v = 0; v < m->var.n; v++) {
@@ -98,7 +99,7 @@ DriftInState run_facts_drift(RunFacts *r, uint32_t state, uint32_t var)
 
 // ---- bounds after transitions ----
 
-static IrRef append(Arena *arena, IrFn *f, IrBlk *blk, IrIns i)
+static IrRef append_ins(Arena *arena, IrFn *f, IrBlk *blk, IrIns i)
 {
     vec_push(arena, &f->ins, i);
     vec_push(arena, &blk->ins, f->ins.n - 1);
@@ -113,13 +114,13 @@ static void append_maximum(RunFacts *r, IrFn *f, IrBlk *blk, uint32_t var, doubl
     IrIns wide = {.op = IR_cvt, .type = SM_F64, .b = IR_NONE}, bound = number, most = {.op = IR_max, .type = SM_F64}, store = {.op = IR_store, .type = type, .b = IR_NONE, .var = var};
     IrIns narrow = {.op = IR_cvt, .type = type, .b = IR_NONE};
 
-    wide.a = append(r->arena, f, blk, load);
+    wide.a = append_ins(r->arena, f, blk, load);
     bound.bits = sm_bits(sm_from_u64((uint64_t)least));
-    most.a = append(r->arena, f, blk, wide);
-    most.b = append(r->arena, f, blk, bound);
-    narrow.a = append(r->arena, f, blk, most);
-    store.a = append(r->arena, f, blk, narrow);
-    append(r->arena, f, blk, store);
+    most.a = append_ins(r->arena, f, blk, wide);
+    most.b = append_ins(r->arena, f, blk, bound);
+    narrow.a = append_ins(r->arena, f, blk, most);
+    store.a = append_ins(r->arena, f, blk, narrow);
+    append_ins(r->arena, f, blk, store);
 }
 
 // The lower bound of a variable at the end of a block that ends with a transition.
@@ -168,7 +169,8 @@ static bool is_first_store(const IrFn *f, uint32_t i)
     return true;
 }
 
-static bool bound_all(RunFacts *r)
+// Returns whether some transition has got a tighter bound.
+static bool bound_all_transitions(RunFacts *r)
 {
     bool more = false;
 
@@ -189,11 +191,11 @@ RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, 
     r->arena = arena;
     r->m = *m;
     r->delta_t = delta_t;
-    make_private(&r->m, arena, is_input);
+    turn_variables_into_locals(&r->m, arena, is_input);
     make_functions(&r->m, arena);
     for (int round = 0; round < MOST_ROUNDS; round++) {
         r->facts = facts_from_first_state(arena, &r->m);
-        if (round + 1 == MOST_ROUNDS || !bound_all(r))
+        if (round + 1 == MOST_ROUNDS || !bound_all_transitions(r))
             break;
         r->counts = true;
     }

@@ -97,7 +97,7 @@ void csv_close(Csv *c)
 
 // ---- a record ----
 
-static bool fail_long(Csv *c) { return fail(c, c->line, format_in(c->arena, "the record is longer than %d bytes", CSV_RECORD_MAX)); }
+static bool fail_long_record(Csv *c) { return fail(c, c->line, format_in(c->arena, "the record is longer than %d bytes", CSV_RECORD_MAX)); }
 
 static void add_bytes(Csv *c, const char *bytes, size_t n)
 {
@@ -191,7 +191,7 @@ static bool read_cell(Csv *c, bool *is_last)
             return fail(c, c->next_line, "text after the closing quote of a cell");
         copy_plain(c);
         if (c->size > CSV_RECORD_MAX)
-            return fail_long(c);
+            return fail_long_record(c);
     }
     end_cell(c);
     *is_last = true;
@@ -210,7 +210,7 @@ static bool read_record(Csv *c)
         if (!read_cell(c, &is_last))
             return false;
         if (c->size > CSV_RECORD_MAX)
-            return fail_long(c);
+            return fail_long_record(c);
     }
     return true;
 }

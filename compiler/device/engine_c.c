@@ -186,7 +186,7 @@ static bool build_and_start(Arena *arena, const Buf *code, OsPartner *partner, c
 // ---- the protocol (emit_c.h, emit_c_driver) ----
 
 // Stores the reason of a failure; returns ENGINE_BROKEN.
-static EngineStatus set_broken(EngineC *e, const char *why)
+static EngineStatus fail_engine(EngineC *e, const char *why)
 {
     e->engine.error = format_in(e->batch->arena, "emitted C: %s", why);
     return ENGINE_BROKEN;
@@ -202,7 +202,7 @@ static uint64_t read_little_endian(const uint8_t *at, int size)
     return v;
 }
 
-// Appends machine and command of a request to one variant.  The request to the first variant replaces the previous requests.
+// Begins a request to a variant (see VARIANTS): appends the variant's number and the command.  For the first variant, clears e->request.
 static void begin_request(EngineC *e, uint32_t variant, uint32_t command)
 {
     if (variant == 0)
@@ -226,11 +226,11 @@ static EngineStatus run_request(EngineC *e, EngineStep *out)
 
     if (!os_partner_write(&e->batch->partner, e->request.at, e->request.n, &why) ||
         !os_partner_read(&e->batch->partner, e->answer, VARIANTS * size, &why))
-        return set_broken(e, why);
+        return fail_engine(e, why);
     if (memcmp(e->answer, e->answer + size, size - vars) != 0)
-        return set_broken(e, "with and without --track-stores it does not do the same");
+        return fail_engine(e, "with and without --track-stores it does not do the same");
     if (read_little_endian(e->answer, 4) > 1)
-        return set_broken(e, "it does not start: the C compiler or its options change what arithmetic means");
+        return fail_engine(e, "it does not start: the C compiler or its options change what arithmetic means");
     out->status = read_little_endian(e->answer, 4) == 0 ? ENGINE_OK : ENGINE_REFUSED;
     out->next_state = (uint32_t)read_little_endian(e->answer + 4, 4);
     out->next_is_first = read_little_endian(e->answer + 8, 4) != 0;

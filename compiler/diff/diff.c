@@ -119,7 +119,7 @@ static bool items_match(const Item *a, const Item *b, int rule)
     }
 }
 
-static void add_changed(ProgramDiff *d, const Canon canon[2], const char *where, const Item *a, const Item *b)
+static void add_changed_item(ProgramDiff *d, const Canon canon[2], const char *where, const Item *a, const Item *b)
 {
     DiffChange c = item_change(d, where, a, b);
 
@@ -144,7 +144,7 @@ static void compare_items(ProgramDiff *d, const Canon canon[2], const char *wher
                     continue;
                 a.at[i].matched = b.at[k].matched = true;
                 if (rule != SAME_ALL)
-                    add_changed(d, canon, where, &a.at[i], &b.at[k]);
+                    add_changed_item(d, canon, where, &a.at[i], &b.at[k]);
             }
     for (size_t i = 0; i < a.n; i++)
         if (!a.at[i].matched)

@@ -46,7 +46,7 @@ static void cancel_common_parts(GuardParts *a, GuardParts *b)
                 a->at[i].cancelled = b->at[k].cancelled = true;
 }
 
-static size_t count_left(const GuardParts *g)
+static size_t count_remaining_parts(const GuardParts *g)
 {
     size_t n = 0;
 
@@ -71,7 +71,7 @@ static bool constant_of(const Expr *e, double *x)
     return *x == *x;
 }
 
-static void raise_low(GuardInterval *v, double x, bool open)
+static void raise_lower_bound(GuardInterval *v, double x, bool open)
 {
     if (x > v->lo || (x == v->lo && open)) {
         v->lo = x;
@@ -79,7 +79,7 @@ static void raise_low(GuardInterval *v, double x, bool open)
     }
 }
 
-static void lower_high(GuardInterval *v, double x, bool open)
+static void lower_upper_bound(GuardInterval *v, double x, bool open)
 {
     if (x < v->hi || (x == v->hi && open)) {
         v->hi = x;
@@ -104,11 +104,11 @@ static bool add_comparison(GuardInterval *v, Comparison c, bool holds)
     v->var = var->var;
     op = holds ? op : comparison_negated(op);
     switch ((int)op) {
-    case SM_OP_LT: lower_high(v, x, true); return true;
-    case SM_OP_LE: lower_high(v, x, false); return true;
-    case SM_OP_GT: raise_low(v, x, true); return true;
-    case SM_OP_GE: raise_low(v, x, false); return true;
-    case SM_OP_EQ: raise_low(v, x, false); lower_high(v, x, false); return true;
+    case SM_OP_LT: lower_upper_bound(v, x, true); return true;
+    case SM_OP_LE: lower_upper_bound(v, x, false); return true;
+    case SM_OP_GT: raise_lower_bound(v, x, true); return true;
+    case SM_OP_GE: raise_lower_bound(v, x, false); return true;
+    case SM_OP_EQ: raise_lower_bound(v, x, false); lower_upper_bound(v, x, false); return true;
     default: return false;
     }
 }
@@ -133,7 +133,11 @@ static bool find_interval(const GuardParts *g, GuardInterval *v)
 
 // Whether the lower end of b is below that of a; the same of upper ends.
 static bool begins_before(const GuardInterval *b, const GuardInterval *a) { return b->lo < a->lo || (b->lo == a->lo && a->lo_open && !b->lo_open); }
-static bool ends_after(const GuardInterval *b, const GuardInterval *a) { return b->hi > a->hi || (b->hi == a->hi && a->hi_open && !b->hi_open); }
+// Whether b contains numbers above those of a.
+static bool has_higher_upper_bound(const GuardInterval *b, const GuardInterval *a)
+{
+    return b->hi > a->hi || (b->hi == a->hi && a->hi_open && !b->hi_open);
+}
 
 static void write_interval(Buf *out, const char *name, double lo, bool lo_open, double hi, bool hi_open)
 {
@@ -162,7 +166,7 @@ static void write_difference(Buf *out, const char *name, const GuardInterval *la
 
     if (below)
         write_interval(out, name, large->lo, large->lo_open, small->lo, !small->lo_open);
-    if (ends_after(large, small)) {
+    if (has_higher_upper_bound(large, small)) {
         buf_str(out, below ? " or " : "");
         write_interval(out, name, small->hi, !small->hi_open, large->hi, large->hi_open);
     }
@@ -176,10 +180,10 @@ static const char *compare_intervals(const ProgramDiff *d, const GuardParts *old
     if (!find_interval(old, &a) || !find_interval(new, &b) || d->var_of[a.var->index] != b.var)
         return NULL;
     buf_init(&out, d->arena);
-    if (!begins_before(&a, &b) && !ends_after(&a, &b)) {
+    if (!begins_before(&a, &b) && !has_higher_upper_bound(&a, &b)) {
         buf_str(&out, "weaker: also true when ");
         write_difference(&out, b.var->name->text, &b, &a);
-    } else if (!begins_before(&b, &a) && !ends_after(&b, &a)) {
+    } else if (!begins_before(&b, &a) && !has_higher_upper_bound(&b, &a)) {
         buf_str(&out, "stronger: no longer true when ");
         write_difference(&out, b.var->name->text, &a, &b);
     } else
@@ -207,8 +211,8 @@ const char *diff_compare_guards(const ProgramDiff *d, const Canon canon[2], cons
     size_t left_a, left_b;
 
     cancel_common_parts(&a, &b);
-    left_a = count_left(&a);
-    left_b = count_left(&b);
+    left_a = count_remaining_parts(&a);
+    left_b = count_remaining_parts(&b);
     if (left_a == 0 && left_b == 0)
         return NULL;
     if (left_b == 0)

@@ -240,7 +240,7 @@ static unsigned similarity_of(const Texts *a, const Texts *b)
 
 enum { RENAMED_LEAST = 60 };      // percent: below it two states are not assumed to be the same one
 
-static void report_renamed(ProgramDiff *d, const State *from, const State *to, const char *meaning)
+static void report_renamed_state(ProgramDiff *d, const State *from, const State *to, const char *meaning)
 {
     diff_add(d, (DiffChange){.part = DIFF_STATE, .how = DIFF_RENAMED, .weight = DIFF_NOTE, .where = to->name->text, .what = from->name->text,
                              .old = from->name->text, .new = to->name->text, .meaning = meaning});
@@ -270,7 +270,7 @@ static bool match_state(ProgramDiff *d, Canon canon[2])
     if (!from)
         return false;
     pair_states(d, from, to);
-    report_renamed(d, from, to, best == 100 ? "certain: its statements and the transitions to it are equal"
+    report_renamed_state(d, from, to, best == 100 ? "certain: its statements and the transitions to it are equal"
                                             : format_in(d->arena, "likely: %u %% of its statements and of the transitions to it are equal", best));
     return true;
 }
@@ -341,7 +341,7 @@ static bool match_in_order(ProgramDiff *d, Canon canon[2])
         if (states_are_equal(d, canon)) {
             for (uint32_t s = 1; s <= a->state.n; s++)
                 if (!before.state_of[s])
-                    report_renamed(d, a->state.at[s - 1], b->state.at[d->state_of[s] - 1], "certain: only names have changed");
+                    report_renamed_state(d, a->state.at[s - 1], b->state.at[d->state_of[s] - 1], "certain: only names have changed");
             return true;
         }
     }

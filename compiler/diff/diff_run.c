@@ -95,7 +95,7 @@ static const char *result_text(Arena *arena, const ScriptResult *r)
     return format_in(arena, "%s after %" PRIu64 " step%s", outcome[r->outcome], r->steps, r->steps == 1 ? "" : "s");
 }
 
-static ScriptResult run_one(DiffRecording *r, const Program *p, const Script *s, uint64_t max_steps, void (*after)(void *, const ScriptStep *))
+static ScriptResult run_one_script(DiffRecording *r, const Program *p, const Script *s, uint64_t max_steps, void (*after)(void *, const ScriptStep *))
 {
     const ScriptOptions o = {.max_steps = max_steps, .after_step = after, .context = r, .is_silent = true, .is_compared = true};
     Arena *arena = r->d->arena;
@@ -120,8 +120,8 @@ void diff_run_script(ProgramDiff *d, const char *name, const Script *old, const 
         return;
     }
     r.now = ARENA_ARRAY(d->arena, uint64_t, d->old.p->var.n + 1u);
-    a = run_one(&r, old->program, old, max_steps, record_step);
-    b = run_one(&r, new->program, new, max_steps, compare_step);
+    a = run_one_script(&r, old->program, old, max_steps, record_step);
+    b = run_one_script(&r, new->program, new, max_steps, compare_step);
     run.old_result = result_text(d->arena, &a);
     run.new_result = result_text(d->arena, &b);
     run.same = run.same && a.outcome == b.outcome && a.steps == b.steps;

@@ -84,7 +84,7 @@ static const Fact *new_fact(const EnvShape *s, Fact fact, SmType type)
 }
 
 // Returns a copy of the node e, which is on level `level`, with the fact of the variable at this place replaced.
-static const Env *set_below(const EnvShape *s, const Env *e, uint32_t place, const Fact *fact, unsigned level)
+static const Env *copy_with_fact(const EnvShape *s, const Env *e, uint32_t place, const Fact *fact, unsigned level)
 {
     static const Env empty;
     Env n = e ? *e : empty;
@@ -93,7 +93,7 @@ static const Env *set_below(const EnvShape *s, const Env *e, uint32_t place, con
     if (level == 0)
         n.child[k].fact = fact;
     else
-        n.child[k].env = set_below(s, n.child[k].env, place, fact, level - 1);
+        n.child[k].env = copy_with_fact(s, n.child[k].env, place, fact, level - 1);
     return new_node(s, &n);
 }
 
@@ -109,9 +109,9 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
         return e;
     copy = new_fact(s, fact, s->type[var]);
     if (!s->is_private)
-        return set_below(s, e, place_of(s, var), copy, top);
+        return copy_with_fact(s, e, place_of(s, var), copy, top);
     root = e ? *e : empty;
-    root.child[side].env = set_below(s, root.child[side].env, place_of(s, var), copy, top);
+    root.child[side].env = copy_with_fact(s, root.child[side].env, place_of(s, var), copy, top);
     return new_node(s, &root);
 }
 

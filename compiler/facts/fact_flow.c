@@ -566,7 +566,7 @@ static FactUpdate *copy_updates(Arena *arena, const FactUpdate *from, size_t n, 
     return old;
 }
 
-// Stores the facts that the visit of the current block has recorded, in place of those of an earlier visit.
+// Stores the facts that the visit of the current block has recorded.  They replace the facts of an earlier visit.
 static void store_effect(FlowWalk *w, FactEffect *effect)
 {
     FactMachine *fm = w->fm;

@@ -175,7 +175,7 @@ static void narrow_facts(FactIteration *v, const Env *initial)
     v->fm->begin = v->to;
 }
 
-// Returns the fact about the initial value of a local; of a parameter, that about all values that it can be set to.
+// Returns the fact about the initial value of a local, or about all values to which a parameter can be set.
 static Fact fact_of_initial(const IrVar *v)
 {
     const Parameter *p = v->parameter;
@@ -261,7 +261,7 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
         narrow_facts(&v, initial);
 }
 
-static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed)
+static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
     const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
@@ -288,15 +288,15 @@ static FactMachine *find_facts(Arena *arena, const IrMachine *m, bool any_start,
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return find_facts(arena, m, true, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, NULL); }
 
 // Computes the facts of a machine that is only ever started in its first state, as analyses assume.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return find_facts(arena, m, false, NULL); }
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, false, NULL); }
 
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
-    return find_facts(arena, m, false, assumed);
+    return compute_machine_facts(arena, m, false, assumed);
 }
 
 // ---- results ----

@@ -107,8 +107,8 @@ typedef struct FactSlotOf {           // the slot of a variable, if `function` i
 } FactSlotOf;
 
 typedef union FactPoint {             // the facts at one point of a function
-    SlotEnv *slots;                   // of a function with slots; belongs to this point alone
-    const Env *all;                   // of a function with too many variables for slots: of all variables of the machine
+    SlotEnv *slots;                   // for a function with slots: the facts by slot; belongs to this point alone
+    const Env *all;                   // for a function with too many variables for slots: the facts about all variables of the machine
 } FactPoint;
 
 typedef struct FactRefined {          // what an edge adds about a slot; valid if `edge` is the number of the current edge

@@ -15,10 +15,10 @@ enum { SESSIONS_MOST = 64, MACHINES_MOST = 1024, SLOT_BITS = 10, USES_MOST = 0xF
 typedef struct Slot {
     uint32_t uses;
     bool is_open;
-    bool is_busy;             // of a session: a call has not returned yet
+    bool is_busy;             // for a session: a call has not returned yet
     SmcSession *session;
-    SmcMachine machine;       // of a machine
-    int32_t owner;            // of a machine: the handle of its session
+    SmcMachine machine;       // for a machine
+    int32_t owner;            // for a machine: the handle of its session
 } Slot;
 
 static Slot sessions[SESSIONS_MOST], machines[MACHINES_MOST];
@@ -548,7 +548,7 @@ static uint32_t size_of_type(int32_t type)
 }
 
 // Reads an integer of 1, 2, 4 or 8 bytes from memory in the byte order of the computer, and extends its sign if it has one.
-static uint64_t extend(const void *value, int32_t type)
+static uint64_t read_integer(const void *value, int32_t type)
 {
     switch (type) {
     case SMC_TYPE_I8: { int8_t v; memcpy(&v, value, sizeof v); return (uint64_t)(int64_t)v; }
@@ -584,7 +584,7 @@ static SmcResult get_cell(const Call *c, uint32_t variable, uint64_t *cell)
         return r;
     }
     if ((r = smc_machine_read(c->s, c->m, variable, value, size_of_type(type))) == SMC_OK)
-        *cell = extend(value, type);
+        *cell = read_integer(value, type);
     return r;
 }
 
@@ -599,7 +599,7 @@ static SmcResult set_cell(const Call *c, uint32_t variable, uint64_t cell)
         return smc_machine_set(c->s, c->m, variable, number);
     }
     store_low_bytes(cell, value, size_of_type(type));
-    if (type >= 0 && extend(value, type) != cell)         // the value does not fit the type: refused like a number that does not fit
+    if (type >= 0 && read_integer(value, type) != cell)         // the value does not fit the type: refused like a number that does not fit
         return SMC_E_SIZE;
     return smc_machine_write(c->s, c->m, variable, value, size_of_type(type));
 }

@@ -190,7 +190,7 @@ SmcResult library_guard(SmcSession *s, LibraryWork *work, void *argument);
 bool library_is_cancelled(void *session);
 
 // A layer is memory for what one call computes from the results of smc_compile.  From library_begin_layer on, s->compiler allocates in a new
-// arena and has an empty list of diagnostics.  Until the end of the layer, nothing outside of it may point into it.
+// arena and has an empty list of diagnostics.  Until the end of the layer, nothing outside of the layer may point into the arena.
 void library_begin_layer(SmcSession *s);
 // End the layer: s->compiler is as before.  The first moves its memory to *in, and frees what was there; the second frees it.
 void library_keep_layer(SmcSession *s, Arena *in);

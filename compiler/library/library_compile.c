@@ -75,7 +75,7 @@ void library_drop_results(SmcSession *s)
 // ---- the diagnostics that are shown ----
 
 // Adds copies of diagnostics to the list that is shown, selected by the warnings.  Reports and diagrams use the originals.
-static void add_shown(SmcSession *s, const Diags *from, Diags *shown)
+static void add_shown_diags(SmcSession *s, const Diags *from, Diags *shown)
 {
     Arena *arena = shown->arena;
     Diags one = *from;
@@ -105,13 +105,13 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
     arena_init(arena, library_compiler_alloc, s, &s->oom);
     diags_init(&shown, arena);
     shown.files = compiled->files;
-    add_shown(s, compiled, &shown);
-    add_shown(s, emitted, &shown);
+    add_shown_diags(s, compiled, &shown);
+    add_shown_diags(s, emitted, &shown);
     for (uint32_t i = 0; i < s->of.sources; i++)
         if (run && i == script)
-            add_shown(s, run, &shown);
+            add_shown_diags(s, run, &shown);
         else if (s->of.run[i].is_done)
-            add_shown(s, &s->of.run[i].run.diags, &shown);
+            add_shown_diags(s, &s->of.run[i].run.diags, &shown);
     arena_free(&s->of.shown_arena);
     s->of.shown_arena = *arena;
     memset(arena, 0, sizeof *arena);
@@ -384,8 +384,8 @@ static const IoMap *first_pins(const LibraryResults *of)
     return NULL;
 }
 
-// Returns why the sources do not have this output; NULL: they do.
-static const char *find_missing_input(const SmcSession *s, CompileEmit emit)
+// Returns the reason why this output cannot be generated from these sources; NULL: it can.
+static const char *reason_against_output(const SmcSession *s, CompileEmit emit)
 {
     const LibraryResults *of = &s->of;
     uint32_t machines = 0, units = 0;
@@ -474,7 +474,7 @@ static SmcResult emit_outputs(SmcSession *s, void *argument)
 
     if (!is_dump && of->errors)
         return library_fail(s, SMC_E_STATE, "the sources have errors");
-    if ((missing = find_missing_input(s, emit)) != NULL)
+    if ((missing = reason_against_output(s, emit)) != NULL)
         return library_fail(s, SMC_E_STATE, missing);
     if (in.n == 0)                                            // as for recorded data or messages alone
         return library_fail(s, SMC_E_STATE, "there is no source of which anything is emitted");

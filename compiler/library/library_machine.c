@@ -153,7 +153,7 @@ SmcResult library_start_machine(LibraryMachine *m, uint32_t state)
 }
 
 // Fills in a machine whose image has been copied.
-static SmcResult prepare(SmcSession *s, LibraryMachine *m, uint32_t number)
+static SmcResult prepare_machine(SmcSession *s, LibraryMachine *m, uint32_t number)
 {
     SmvmVerdict why;
 
@@ -188,7 +188,7 @@ static SmcResult open_machine(SmcSession *s, const void *image, uint64_t size, u
         return library_fail(s, SMC_E_MEMORY, NULL);
     }
     m->image_size = (uint32_t)size;
-    if ((r = prepare(s, m, number)) != SMC_OK) {
+    if ((r = prepare_machine(s, m, number)) != SMC_OK) {
         free_machine(s, m);
         return r;
     }
@@ -505,7 +505,8 @@ SmcResult smc_machine_set(SmcSession *s, SmcMachine m, uint32_t variable, double
     return r;
 }
 
-// Stores where the value of a variable is, if `value`, of `size` bytes, can be a copy of it: SMC_E_SIZE if its type has another size.
+// Stores where the value of a variable is, if `value`, of `size` bytes, can be a copy of the variable.
+// Returns SMC_E_SIZE if the variable's type has another size.
 static SmcResult find_value_to_copy(const SmcSession *s, SmcMachine m, uint32_t variable, const void *value, uint32_t size, uint8_t **at)
 {
     SmType type;

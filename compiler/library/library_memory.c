@@ -10,7 +10,7 @@
 enum { BLOCK_ALIGN = 16, IN_USE = 1 };
 
 typedef struct Block {
-    uint64_t size;            // of the content, a multiple of BLOCK_ALIGN; plus IN_USE
+    uint64_t size;            // bytes of content, a multiple of BLOCK_ALIGN; plus IN_USE
     uint64_t before;          // size of the content of the preceding block; only in an area, and 0 in its first block
 } Block;
 
@@ -50,7 +50,7 @@ static Block *next_block(const LibraryMemory *m, Block *b)
     return next < m->end ? (Block *)(void *)next : NULL;
 }
 
-// Makes b `size` bytes long.  The rest of it becomes a free block if it is large enough.
+// Makes b `size` bytes long.  The rest of b becomes a free block if the rest is large enough.
 static void split_block(const LibraryMemory *m, Block *b, uint64_t size)
 {
     const uint64_t rest = block_size(b) - size;

@@ -45,7 +45,8 @@ static IrRef unchanged_operand(const KnownPass *k, const IrIns *i)
     return IR_NONE;
 }
 
-static void rewrite_ins(KnownPass *k, IrRef ref)
+// Turns the instruction into a constant if its value is known, or else records the operand that it always equals.
+static void replace_known_ins(KnownPass *k, IrRef ref)
 {
     IrIns *i = &k->f->ins.at[ref];
     const uint8_t operands = ir_op_info[i->op].operands;
@@ -68,7 +69,7 @@ static void rewrite_ins(KnownPass *k, IrRef ref)
         k->same[ref] = same;
 }
 
-static void rewrite_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
+static void replace_known_values(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 {
     KnownPass k = {f, flow.of, ARENA_ARRAY(work, IrRef, f->ins.n)};
 
@@ -76,7 +77,7 @@ static void rewrite_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
     for (size_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
         for (size_t i = 0; flow.reached[b] && i < blk->ins.n; i++)
-            rewrite_ins(&k, blk->ins.at[i]);
+            replace_known_ins(&k, blk->ins.at[i]);
         if (flow.reached[b] && blk->jump.kind == IR_BR)
             blk->jump.cond = k.same[blk->jump.cond];
     }
@@ -85,5 +86,5 @@ static void rewrite_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 // The pass `known`: replaces what can only be one number by facts on every path, and removes what changes nothing.
 void pass_known(Arena *arena, IrMachine *m, FactMachine *values)
 {
-    pass_on_each_function(arena, m, values, rewrite_function);
+    pass_on_each_function(arena, m, values, replace_known_values);
 }

@@ -17,7 +17,7 @@ static void replace_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
 }
 
 // Replaces ref, a comparison of the bool `flag` with the constant c, with the bool itself, its negation, or a constant.
-static void compare_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
+static void narrow_comparison_of_bool(Narrow *n, IrRef ref, IrOp op, IrRef flag, double c)
 {
     const bool of_false = ir_compare(op, 0, c), of_true = ir_compare(op, 1, c);
     IrIns *i = narrow_ins(n, ref);
@@ -49,7 +49,7 @@ static void compare_with_lower_bound(Narrow *n, IrRef ref, IrOp op, IrRef x, dou
     replace_compare(n, ref, below == c ? op : op_for_lower_bound(op), x, constant);
 }
 
-static void compare_integer(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
+static void narrow_comparison_of_integer(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
 {
     const double below = sm_floor(c);
     const Fact type = fact_of_type(narrow_ins(n, x)->type);
@@ -58,7 +58,7 @@ static void compare_integer(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
         compare_with_lower_bound(n, ref, op, x, c, below);
 }
 
-static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
+static void narrow_comparison_of_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
 {
     const float near = sm_round_f32(c);
     double below = sm_from_f32(near);
@@ -71,21 +71,21 @@ static void compare_f32(Narrow *n, IrRef ref, IrOp op, IrRef x, double c)
 }
 
 // Replaces ref, which is `r op c` on F64, with a comparison in a narrower type, if r's number is available in one.
-static void compare_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
+static void narrow_comparison_with_constant(Narrow *n, IrRef ref, IrOp op, IrRef r, double c)
 {
     const IrRef x = n->narrow[r] != IR_NONE ? n->narrow[r] : n->wide[r];
     const SmType type = x == IR_NONE ? SM_F64 : narrow_ins(n, x)->type;
 
     if (type == SM_BOOL)
-        compare_bool(n, ref, op, x, c);
+        narrow_comparison_of_bool(n, ref, op, x, c);
     else if (type == SM_F32)
-        compare_f32(n, ref, op, x, c);
+        narrow_comparison_of_f32(n, ref, op, x, c);
     else if (type != SM_F64)
-        compare_integer(n, ref, op, x, c);
+        narrow_comparison_of_integer(n, ref, op, x, c);
 }
 
 // Replaces a comparison of two F64 temporaries with one in a narrower type, if both numbers are available in a narrower type.
-static void compare_temporaries(Narrow *n, IrRef ref)
+static void narrow_comparison_of_temporaries(Narrow *n, IrRef ref)
 {
     const IrIns i = *narrow_ins(n, ref);
     IrRef a = n->narrow[i.a], b = n->narrow[i.b];
@@ -110,9 +110,9 @@ void narrow_compare(Narrow *n, IrRef ref)
     if (narrow_ins(n, i.a)->type != SM_F64)
         return;
     if (narrow_is_const(n, i.b, &c))
-        compare_constant(n, ref, i.op, i.a, c);
+        narrow_comparison_with_constant(n, ref, i.op, i.a, c);
     else if (narrow_is_const(n, i.a, &c))
-        compare_constant(n, ref, ir_swapped_comparison(i.op), i.b, c);
+        narrow_comparison_with_constant(n, ref, ir_swapped_comparison(i.op), i.b, c);
     else
-        compare_temporaries(n, ref);
+        narrow_comparison_of_temporaries(n, ref);
 }

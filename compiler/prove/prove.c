@@ -9,8 +9,8 @@
 enum {
     DELTA_T = 10,             // the step, if neither the machine nor a given run has one
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
-    NEAR_SHARE = 32,          // 1 / NEAR_SHARE of them run close to the given runs
-    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of them run before the proofs that take long
+    NEAR_SHARE = 32,          // 1 / NEAR_SHARE of the steps are for runs close to the given runs
+    FIRST_SHARE = 16,         // 1 / FIRST_SHARE of the steps run before the proofs that need long
     FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
@@ -78,7 +78,7 @@ static unsigned weaken_assumptions(ProveRun *v, ProveModel *model, unsigned assu
     return assumed;
 }
 
-static bool is_known(Fact f, SmType type)
+static bool is_narrower_than_type(Fact f, SmType type)
 {
     const Fact t = fact_of_type(type);
 
@@ -97,7 +97,7 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
             const uint32_t at = v->m->var_of[k];
             const Fact f = at == IR_NONE ? fact_of_type(var->type) : x->after[(size_t)s * model->ir->var.n + at];
             const ProveBound bound = {var, f};
-            if (at != IR_NONE && (var->written || var == v->p->t) && is_known(f, var->type))
+            if (at != IR_NONE && (var->written || var == v->p->t) && is_narrower_than_type(f, var->type))
                 vec_push(v->arena, &out[s].bound, bound);
         }
     }
@@ -140,7 +140,7 @@ static ProveWide wide_of(const ProveRun *v, const ProveModel *model, uint32_t va
     return w;
 }
 
-static void add_wide(ProveOf *of, ProveWide w)
+static void add_wide_value(ProveOf *of, ProveWide w)
 {
     for (uint32_t n = 0; n < of->wides; n++)
         if (of->wide[n].var == w.var && of->wide[n].window == w.window)
@@ -154,7 +154,7 @@ static void note_obstacle(const ProveRun *v, const ProveModel *model, const Prov
     of->obstacle = x->closed ? PROVE_FACTS_TOO_WEAK : PROVE_TOO_LARGE;
     of->wides = 0;
     for (uint32_t n = 0; n < x->wides; n++)
-        add_wide(of, wide_of(v, model, x->wide[n]));
+        add_wide_value(of, wide_of(v, model, x->wide[n]));
     for (uint32_t s = 0; x->closed && s < v->p->state.n; s++)
         of->excluded[s] |= !x->entered[s];
 }
@@ -324,8 +324,8 @@ static void keep_violation(ProveRun *v, ProveOf *of, const Scenario *s)
     of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
 }
 
-// Whether a given run violates the requirement.  If so, the scenario of the result is a simpler one.
-static bool is_violated_by_given(ProveRun *v, ProveOf *of)
+// If a given run violates the requirement, records the violation with a simplified scenario, and returns true.
+static bool record_violation_by_given(ProveRun *v, ProveOf *of)
 {
     const size_t requirement = (size_t)(of->what - v->all->at.at);
     const Scenario *given;
@@ -374,7 +374,7 @@ static void try_to_decide(ProveRun *v, ProveOf *of)
     const uint64_t effort = effort_of(v);
     ProveProof proof;
 
-    if (is_violated_by_given(v, of))
+    if (record_violation_by_given(v, of))
         return;
     of->verdict = PROVE_UNDECIDED;
     begin_proof(v, &proof, of);

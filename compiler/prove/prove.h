@@ -7,34 +7,35 @@
 // The verdict is one of these:
 //
 //     proved      no run violates it.  The result has what is true after each step, and the assumptions that the proof rests on.
-//     vacuous     no run can violate it, because none comes to its premise: a of `always a implies b`, of `a leads to b` and of `never a
-//                 before b`, and a step with a after one with b of `never a after b without c`.
+//     vacuous     no run can violate it, because its premise never occurs in a run.  The premise of `always a implies b`, `a leads to b` and
+//                 `never a before b` is a step in which a is true; that of `never a after b without c` is such a step after one with b.
 //     violated    the result has a scenario that violates it, confirmed by the reference interpreter.
 //     undecided   neither a proof nor a violation was found.
 //     interrupted go_on has stopped the attempts before all were made.
 //
 // How a proof works.  A step of the machine, and the judgement of the requirement after it, become one function of variables (prove_model.h).
-// The exploration (prove_explore.h) computes facts about these variables: intervals of values, by state, by the past of the requirement and by the
-// values of variables with few of them.  It begins with all values with which the machine can start.  It ends when each step leads to
-// values that the facts already cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are
-// computed with the language's own arithmetic, with infinities, NaN and saturation.
+// The exploration (prove_explore.h) computes facts about these variables, mostly intervals.  Separate facts are computed for each state, for
+// each state of the requirement's monitor, and for each value of variables that have only a few values.
+// The exploration begins with all values with which the machine can start.  It ends when each step leads to values that the facts already
+// cover.  This is an induction over steps, and the facts are its invariant.  The facts (facts/facts.h) are computed with the language's own
+// arithmetic, with infinities, NaN and saturation.
 //
-// Facts about single variables are too weak where a requirement compares two of them.  The last attempt before long ones also follows the differences
-// of the variables that it compares (prove_relate.h).
+// Facts about single variables are too weak where a requirement compares two variables.  If the short attempts fail, one more computes facts
+// about the differences of the compared variables, too (prove_relate.h), before the long attempts.
 //
-// Only what can influence the requirement is part of the proof.  The first attempts also let windows have any value that the requirement does
-// not read: first all of them, then those of more than two samples.  Where that fails, later attempts know what is
-// true of all samples of a window (prove_threshold.c).
+// Only what can influence the requirement is part of the proof.  The first attempts also leave out windows that the requirement does not read;
+// their statistics then can have any value.  The first attempt leaves out all of these windows, the next only those of more than two samples.
+// Later attempts know what is true of all samples of a window (prove_threshold.c).
 //
 // What a proof covers:
 //
 //   - Elements that the machine does not assign have any value in each step, and parameters have any value in their ranges.
 //   - G grows by exactly delta_t from step to step.  With another delta_t, the verdict can differ.
 //   - The machine starts in init_state, with locals at their initial values.
-//   - No other code writes locals, or S.
+//   - Only the machine writes its locals and S.
 //
-// Where such a proof fails, assumptions are added (ProveAssumption).  The result names those that the proof needs.  Searches for violations
-// satisfy all assumptions.
+// Where such a proof fails, assumptions are added (ProveAssumption).  The result names the assumptions that the proof needs.  Searches for
+// violations only find runs in which all assumptions are true.
 //
 // Everything depends only on the arguments, not on the time that the computer needs: limits are numbers of steps and of visits.
 #ifndef SMC_PROVE_H
@@ -70,10 +71,11 @@ typedef enum ProveObstacle {
 
 // The run of a script: a starting point of searches for violations (prove_given.h).
 typedef struct ProveGiven {
-    const char *name;         // of the script
+    const char *name;         // name of the script
     Scenario run;             // as far as a search could have made it: it sets only elements that the machine does not assign
     uint64_t ran;             // steps of the script
-    const Var *ended_by;      // what it sets then, and no search does: G, S, a local or an element that the machine assigns; NULL: `run` is all of it
+    const Var *ended_by;      // the variable that the script sets next and no search can set: G, S, or one that the machine assigns;
+                              // NULL: `run` is the whole script
 } ProveGiven;
 
 // A violation that differs from a given run in few inputs (prove_near.h).
@@ -90,7 +92,7 @@ typedef struct ProveNear {
 // is open.
 typedef struct ProveWide { const Var *var; const Window *window; } ProveWide;
 
-enum { PROVE_WIDES = 4 };     // that are named
+enum { PROVE_WIDES = 4 };     // the most wide values that a result names
 
 typedef struct ProveOf {
     const Requirement *what;

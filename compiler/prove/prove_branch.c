@@ -5,7 +5,7 @@
 
 
 enum {
-    TERMS_MOST = 12,          // ways in which a condition gets its value; of more, only the condition itself is used
+    TERMS_MOST = 12,          // the most combinations of operands that give a condition its value; with more, only the condition itself is used
     BRANCHES_MOST = 2 * TERMS_MOST,
     LITERALS_MOST = 12,       // conditions of a way
     STORES_MOST = 3,          // booleans that a block stores and that are split

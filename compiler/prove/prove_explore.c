@@ -10,7 +10,7 @@
 #include "stdlib/convert.h"
 
 enum {
-    ENVS_MOST = 96,           // facts of different paths to a block that are not joined
+    ENVS_MOST = 96,           // the most facts of a block that are not joined, from different paths to the block
     CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
     CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
     CHANGES_MOST = 40,                // after these, only the types of variables remain
@@ -53,7 +53,7 @@ typedef struct Explorer {
     const ProveLimits *limits;
     uint64_t *visits;
     FactLimits widening;
-    double *limit;            // those of `widening`
+    double *limit;            // the limits of `widening`
     double *found;            // the bounds of the last nodes, `founds` of them: the limits of the next exploration
     size_t founds;
     uint32_t patience;
@@ -313,7 +313,8 @@ static void enter_block(Explorer *x, IrBlkRef block, const Env *env)
         at->at[at->n - 1] = env_join(&x->fm->shape, at->at[at->n - 1], env, NULL);
 }
 
-static void join_after(Explorer *x, const Env *env)
+// Extends what is true after each step of the state by `env`.
+static void join_facts_after_step(Explorer *x, const Env *env)
 {
     const uint32_t vars = x->p->ir->var.n, state = x->from->state;
     Fact *after = x->out->after + (size_t)state * vars;
@@ -332,7 +333,7 @@ static void end_step(Explorer *x, const Env *env)
     const double states = (double)x->p->machine->state.n;
     const double hi = next.hi > states ? states : next.hi;
 
-    join_after(x, env);
+    join_facts_after_step(x, env);
     for (double n = next.lo < 0 ? 0 : next.lo; n <= hi; n++) {
         const bool first = n > 0;
         const uint32_t state = first ? (uint32_t)n - 1 : x->from->state;
@@ -468,7 +469,7 @@ static bool is_noted(const ProveExplored *out, uint32_t var)
     return false;
 }
 
-static void note_wide(ProveExplored *out, uint32_t var)
+static void record_wide_variable(ProveExplored *out, uint32_t var)
 {
     if (out->wides < PROVE_WIDES && !is_noted(out, var))
         out->wide[out->wides++] = var;
@@ -507,7 +508,7 @@ typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISIT
 
 static bool goes_on(const Explorer *x) { return !x->limits->go_on || x->limits->go_on(x->limits->context); }
 
-static ExploreEnd explore_all(Explorer *x, const State *init)
+static ExploreEnd explore_until_closed(Explorer *x, const State *init)
 {
     ProveTable *t = x->table = new_table(x);
 
@@ -528,8 +529,8 @@ static ExploreEnd explore_all(Explorer *x, const State *init)
     return EXPLORE_CLOSED;
 }
 
-// Explores one step from each node again, without widening.  The nodes cover every run, so the start and the ends of these steps cover every
-// run, too, with tighter bounds.
+// Computes tighter facts.  The nodes of explore_all have too wide bounds, but they contain every value that a run can have when a step begins.
+// So the initial values, together with all results of one step from these nodes, contain every such value, too.  This step does not widen.
 static ExploreEnd narrow_facts(Explorer *x, const State *init)
 {
     ProveTable *from = x->table;
@@ -577,7 +578,7 @@ static ExploreEnd explore_once(Explorer *x, const State *init)
     ExploreEnd end;
 
     new_facts(x);
-    end = explore_all(x, init);
+    end = explore_until_closed(x, init);
     for (int k = 0; end == EXPLORE_CLOSED && k < NARROWINGS && (k == 0 || x->out->violated || x->out->premise); k++)
         end = narrow_facts(x, init);
     x->out->nodes = x->table->node.n;
@@ -651,12 +652,12 @@ static ProveExplored explore_within(Explorer *x, Arena *arena, Arena *work, cons
         if (end == EXPLORE_MANY_NODES && widest == x->keys)
             end = EXPLORE_MANY_VISITS;
         else if (end == EXPLORE_MANY_NODES) {
-            note_wide(&out, key[widest]);
+            record_wide_variable(&out, key[widest]);
             key[widest] = key[--x->keys];
         }
     } while (end == EXPLORE_MANY_NODES);
     for (uint32_t n = 0, widest; end == EXPLORE_MANY_VISITS && n < PROVE_WIDES && (widest = find_widest_key(x, MANY_VALUES)) != x->keys; n++)
-        note_wide(&out, key[widest]);
+        record_wide_variable(&out, key[widest]);
     out.closed = end == EXPLORE_CLOSED;
     return out;
 }

@@ -33,7 +33,8 @@ typedef struct ProveExplored {
     bool *entered;            // by state from 0: a step can run in it before one violates the requirement
 } ProveExplored;
 
-// `assumed`: a set of 1u << ProveAssumption.  `fine`: nodes differ in the values of all variables that change; else only of those with few values.
+// `assumed`: a set of 1u << ProveAssumption.  `fine`: nodes differ in the values of all variables that
+// change; otherwise only in the values of variables with few values.
 // `work`: memory of the exploration, which is reset first.
 ProveExplored prove_explore(Arena *arena, Arena *work, ProveModel *p, const State *init_state, unsigned assumed, bool fine,
                             const ProveLimits *limits);

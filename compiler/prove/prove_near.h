@@ -27,7 +27,7 @@ typedef struct NearFound {
     uint32_t turns;
     uint64_t from, to;                // the first and the last step with these values
     bool premise_seen;                // some run could have violated the requirement
-    uint64_t steps;                   // that have run
+    uint64_t steps;                   // steps that have run
 } NearFound;
 
 // g->given are the runs, and g->effort limits the steps.  `work` is reset first.

@@ -14,7 +14,7 @@
 // What a comparison compares, in the code of a state or in the requirement.
 typedef struct NearLeaf {
     const Expr *left, *right; // right: NULL if left is a variable that is true or false
-    uint32_t samples;         // of the longest window that samples it; 1: none
+    uint32_t samples;         // size of the longest window that samples the input; 1: no window samples it
     uint32_t state;           // number of the state; 0: the requirement
 } NearLeaf;
 
@@ -50,7 +50,7 @@ typedef struct NearSearch {
     char *block;              // the state of the current run, and the situation of the monitor
     size_t size;              // of both
     uint64_t *cell;           // by Var.index, of the current run
-    VEC(NearLeaf) leaf;       // those of the requirement first
+    VEC(NearLeaf) leaf;       // comparisons, those of the requirement first
     uint32_t required;        // how many these are
     VEC(NearStore) store;
     bool *is_named;           // by State.number: the requirement names the state
@@ -59,7 +59,7 @@ typedef struct NearSearch {
     VEC(NearStep) step;       // in the order in which they are tried
     NearTrace **trace;        // by given run, and by step from 1
     VEC(NearValue) value;     // of the current step
-    uint64_t steps, limit;    // that have run; that can run in the current phase
+    uint64_t steps, limit;    // steps that have run; the most steps until the current phase ends
     VEC(uint64_t) lasted;     // hashes of differences that have been run to their end
     bool premise_seen;
 } NearSearch;

@@ -20,7 +20,7 @@ static uint64_t find_violation(NearSearch *k, const Scenario *s)
 }
 
 // Removes `n` changes from number `from` on if the rest violates the requirement, too.
-static bool try_without(NearSearch *k, Scenario *s, ScenarioChange *change, ScenarioChange *less, size_t from, size_t n)
+static bool try_without_changes(NearSearch *k, Scenario *s, ScenarioChange *change, ScenarioChange *less, size_t from, size_t n)
 {
     Scenario attempt = *s;
     uint64_t step;
@@ -54,7 +54,7 @@ const Scenario *near_shorten(Arena *arena, Arena *work, const IrMachine *m, cons
     s.change = change;
     for (size_t n = s.changes / 2; n > 0; n /= 2)
         for (size_t end = s.changes; end >= n && k.steps < k.limit; end = end < s.changes ? end : s.changes) {
-            try_without(&k, &s, change, less, end - n, n);
+            try_without_changes(&k, &s, change, less, end - n, n);
             end -= n;
         }
     *steps = k.steps;

@@ -144,7 +144,7 @@ static void add_cell(NearSearch *k, const Var *v, uint64_t cell, uint32_t sample
 }
 
 // The next value of the type above x, or below it.
-static uint64_t neighbour(SmType type, uint64_t cell, bool above)
+static uint64_t neighbour_value(SmType type, uint64_t cell, bool above)
 {
     const uint64_t sign = UINT64_C(1) << (8 * sm_type_info[type].bytes - 1);
     const double x = sm_cell_to_f64(type, cell);
@@ -167,8 +167,8 @@ static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, b
         return;
     }
     add_cell(k, v, cell, samples, is_required);
-    add_cell(k, v, neighbour(v->type, cell, true), samples, is_required);
-    add_cell(k, v, neighbour(v->type, cell, false), samples, is_required);
+    add_cell(k, v, neighbour_value(v->type, cell, true), samples, is_required);
+    add_cell(k, v, neighbour_value(v->type, cell, false), samples, is_required);
 }
 
 // ---- solutions ----
@@ -176,7 +176,7 @@ static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, b
 // A comparison that is solved: for what its inputs are given values.
 typedef struct Solution { NearSearch *k; uint32_t state, samples; bool is_required; } Solution;
 
-static void solve(const Solution *s, const Expr *e, double target, int depth);
+static void solve_for_inputs(const Solution *s, const Expr *e, double target, int depth);
 
 static void solve_variable(const Solution *s, const Var *v, double target, int depth)
 {
@@ -186,7 +186,7 @@ static void solve_variable(const Solution *s, const Var *v, double target, int d
         add_input(k, v, target, s->samples, s->is_required);
     for (uint32_t i = 0; v->written && i < k->store.n; i++)
         if (k->store.at[i].var == v && k->store.at[i].state == s->state)
-            solve(s, k->store.at[i].value, target, depth + 1);
+            solve_for_inputs(s, k->store.at[i].value, target, depth + 1);
 }
 
 static void solve_binary(const Solution *s, const Expr *e, double target, int depth)
@@ -201,8 +201,8 @@ static void solve_binary(const Solution *s, const Expr *e, double target, int de
     case SM_OP_DIV: for_a = target * b; for_b = a / target; break;
     default: return;
     }
-    solve(s, e->arg[0], for_a, depth + 1);
-    solve(s, e->arg[1], for_b, depth + 1);
+    solve_for_inputs(s, e->arg[0], for_a, depth + 1);
+    solve_for_inputs(s, e->arg[1], for_b, depth + 1);
 }
 
 static void solve_average(const Solution *s, const Expr *e, double target, int depth)
@@ -211,7 +211,7 @@ static void solve_average(const Solution *s, const Expr *e, double target, int d
         double rest = target * e->n;
         for (uint32_t other = 0; other < e->n; other++)
             rest -= other == i ? 0 : near_value_of(s->k, e->arg[other]);
-        solve(s, e->arg[i], rest, depth + 1);
+        solve_for_inputs(s, e->arg[i], rest, depth + 1);
     }
 }
 
@@ -222,26 +222,26 @@ static void solve_call(const Solution *s, const Expr *e, double target, int dept
         return;
     }
     for (uint32_t i = 0; i < e->n; i++) {
-        solve(s, e->arg[i], target, depth + 1);
+        solve_for_inputs(s, e->arg[i], target, depth + 1);
         if (e->fn == SM_FN_abs)
-            solve(s, e->arg[i], -target, depth + 1);
+            solve_for_inputs(s, e->arg[i], -target, depth + 1);
     }
 }
 
 // Gives each input in e, one at a time, the value with which e has the value `target`.  A function that is not known is solved as if it returned its
 // argument: what it needs is often close.
-static void solve(const Solution *s, const Expr *e, double target, int depth)
+static void solve_for_inputs(const Solution *s, const Expr *e, double target, int depth)
 {
     if (target - target != 0 || depth > MOST_DEPTH)
         return;
     switch (e->kind) {
     case EX_VAR: solve_variable(s, e->var, target, depth); break;
-    case EX_UNARY: solve(s, e->arg[0], e->op == SM_OP_NEG ? -target : target, depth + 1); break;
+    case EX_UNARY: solve_for_inputs(s, e->arg[0], e->op == SM_OP_NEG ? -target : target, depth + 1); break;
     case EX_BINARY: solve_binary(s, e, target, depth); break;
     case EX_CALL: solve_call(s, e, target, depth); break;
     case EX_ROLL:
         if (e->stat <= SM_STAT_NEWEST && e->stat != SM_STAT_RANGE)
-            solve(s, e->arg[0], target, depth + 1);
+            solve_for_inputs(s, e->arg[0], target, depth + 1);
         break;
     default: break;
     }
@@ -264,11 +264,11 @@ void near_list_values(NearSearch *k, uint32_t state)
         if (l->state != 0 && l->state != state)
             continue;
         if (!l->right) {
-            solve(&s, l->left, 1, 0);
+            solve_for_inputs(&s, l->left, 1, 0);
             continue;
         }
-        solve(&s, l->left, near_value_of(k, l->right), 0);
-        solve(&s, l->right, near_value_of(k, l->left), 0);
+        solve_for_inputs(&s, l->left, near_value_of(k, l->right), 0);
+        solve_for_inputs(&s, l->right, near_value_of(k, l->left), 0);
     }
     for (uint32_t v = 0; v < k->p->var.n; v++)
         add_range(k, k->p->var.at[v]);

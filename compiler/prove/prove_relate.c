@@ -24,49 +24,49 @@ typedef struct Relation {
     unsigned budget;
 } Relation;
 
-static Fact between(double lo, double hi) { return (Fact){.lo = lo, .hi = hi, .minus_zero = true}; }
-static Fact anything(void) { return fact_of_type(SM_F64); }
+static Fact fact_between(double lo, double hi) { return (Fact){.lo = lo, .hi = hi, .minus_zero = true}; }
+static Fact fact_of_any_number(void) { return fact_of_type(SM_F64); }
 static bool is_whole(double x) { return x > -FACT_EXACT && x < FACT_EXACT && sm_trunc(x) == x; }
 
-// Returns what both say.  Contradicting bounds are those of no run, or of a NaN: then a.
-static Fact both(Fact a, Fact b)
+// Returns the numbers that agree with both facts.  If no number does, no run comes here, or the value is a NaN: then returns a.
+static Fact intersect_facts(Fact a, Fact b)
 {
-    const Fact r = between(a.lo > b.lo ? a.lo : b.lo, a.hi < b.hi ? a.hi : b.hi);
+    const Fact r = fact_between(a.lo > b.lo ? a.lo : b.lo, a.hi < b.hi ? a.hi : b.hi);
 
     return r.lo <= r.hi ? r : a;
 }
 
-static Fact negative(Fact a) { return between(-a.hi, -a.lo); }
+static Fact negate_fact(Fact a) { return fact_between(-a.hi, -a.lo); }
 
 // ---- bounds that round outward ----
 
-static double add_below(double x, double y, double error)
+static double add_rounding_down(double x, double y, double error)
 {
     const double sum = x + y;
 
     if (sum != sum)
-        return anything().lo;
-    return error == 0 && is_whole(x) && is_whole(y) && is_whole(sum) ? sum : fact_next_below(anything(), sum - error);
+        return fact_of_any_number().lo;
+    return error == 0 && is_whole(x) && is_whole(y) && is_whole(sum) ? sum : fact_next_below(fact_of_any_number(), sum - error);
 }
 
-static double add_above(double x, double y, double error) { return -add_below(-x, -y, error); }
+static double add_rounding_up(double x, double y, double error) { return -add_rounding_down(-x, -y, error); }
 
 Fact prove_difference(Fact a, Fact b)
 {
     if (a.lo > a.hi || b.lo > b.hi)
-        return anything();
-    return between(add_below(a.lo, -b.hi, 0), add_above(a.hi, -b.lo, 0));
+        return fact_of_any_number();
+    return fact_between(add_rounding_down(a.lo, -b.hi, 0), add_rounding_up(a.hi, -b.lo, 0));
 }
 
 // ---- differences of temporaries ----
 
-static const IrIns *ins(const Relation *w, IrRef r) { return r == w->f->ins.n ? &w->load : &w->f->ins.at[r]; }
-static const Fact *fact(const Relation *w, IrRef r) { return r == w->f->ins.n ? &w->loaded : &w->of[r]; }
+static const IrIns *ins_of(const Relation *w, IrRef r) { return r == w->f->ins.n ? &w->load : &w->f->ins.at[r]; }
+static const Fact *fact_of(const Relation *w, IrRef r) { return r == w->f->ins.n ? &w->loaded : &w->of[r]; }
 
 // Whether comparisons and conversions to F64 have the exact value.  64-bit integers round.
 static bool is_exact(const Relation *w, IrRef r)
 {
-    const SmType type = ins(w, r)->type;
+    const SmType type = ins_of(w, r)->type;
 
     return sm_type_info[type].bytes < 8 || type == SM_F64;
 }
@@ -88,9 +88,9 @@ static Fact *find_pair(Relation *w, uint32_t x, uint32_t y, bool *swapped)
 // Whether temporary r can be NaN where temporary b is a number.
 static bool may_be_nan(const Relation *w, IrRef r, IrRef b, unsigned depth)
 {
-    const IrIns *i = ins(w, r);
+    const IrIns *i = ins_of(w, r);
 
-    if (!fact(w, r)->nan || r == b || (w->holder[r] != IR_NONE && w->holder[r] == w->holder[b]))
+    if (!fact_of(w, r)->nan || r == b || (w->holder[r] != IR_NONE && w->holder[r] == w->holder[b]))
         return false;
     if (depth == 0 || (i->op != IR_min && i->op != IR_max && i->op != IR_abs && i->op != IR_neg))
         return true;
@@ -108,38 +108,39 @@ static double error_of_sum(Fact p, Fact q, double *reach)
 static Fact add_to_difference(Relation *w, IrRef p, Fact q, IrRef b, unsigned depth)
 {
     double reach;
-    const double error = error_of_sum(*fact(w, p), q, &reach);
+    const double error = error_of_sum(*fact_of(w, p), q, &reach);
     const Fact d = find_difference(w, p, b, depth);
 
     if (!(reach < 1e300))
-        return anything();
-    return between(add_below(d.lo, q.lo, error), add_above(d.hi, q.hi, error));
+        return fact_of_any_number();
+    return fact_between(add_rounding_down(d.lo, q.lo, error), add_rounding_up(d.hi, q.hi, error));
 }
 
 // Returns the bounds of a - b that follow from how a is computed.
 static Fact difference_by_operands(Relation *w, IrRef a, IrRef b, unsigned depth)
 {
-    const IrIns *i = ins(w, a);
+    const IrIns *i = ins_of(w, a);
     Fact of_a, of_b;
 
     if (i->op == IR_cvt && i->type == SM_F64)
-        return is_exact(w, i->a) && !may_be_nan(w, i->a, b, depth) ? find_difference(w, i->a, b, depth) : anything();
+        return is_exact(w, i->a) && !may_be_nan(w, i->a, b, depth) ? find_difference(w, i->a, b, depth) : fact_of_any_number();
     if ((i->op == IR_min || i->op == IR_max) && is_exact(w, i->a) && is_exact(w, i->b)) {
         of_a = find_difference(w, i->a, b, depth);
         of_b = find_difference(w, i->b, b, depth);
-        return i->op == IR_min ? between(sm_min(of_a.lo, of_b.lo), sm_min(of_a.hi, of_b.hi)) : between(sm_max(of_a.lo, of_b.lo), sm_max(of_a.hi, of_b.hi));
+        return i->op == IR_min ? fact_between(sm_min(of_a.lo, of_b.lo), sm_min(of_a.hi, of_b.hi))
+                               : fact_between(sm_max(of_a.lo, of_b.lo), sm_max(of_a.hi, of_b.hi));
     }
     if (i->type != SM_F64)
-        return anything();
+        return fact_of_any_number();
     if (i->op == IR_add)
-        return both(add_to_difference(w, i->a, *fact(w, i->b), b, depth), add_to_difference(w, i->b, *fact(w, i->a), b, depth));
+        return intersect_facts(add_to_difference(w, i->a, *fact_of(w, i->b), b, depth), add_to_difference(w, i->b, *fact_of(w, i->a), b, depth));
     if (i->op == IR_sub) {
-        of_b = *fact(w, i->b);
-        of_a = between(-of_b.hi, -of_b.lo);
+        of_b = *fact_of(w, i->b);
+        of_a = fact_between(-of_b.hi, -of_b.lo);
         of_a.whole = of_b.whole;
         return add_to_difference(w, i->a, of_a, b, depth);
     }
-    return anything();
+    return fact_of_any_number();
 }
 
 // Returns the bounds of a - b.
@@ -151,18 +152,18 @@ static Fact find_difference(Relation *w, IrRef a, IrRef b, unsigned depth)
     Fact d;
 
     if (a == b || (x != IR_NONE && x == y))
-        return between(0, 0);
+        return fact_between(0, 0);
     if (!is_exact(w, a) || !is_exact(w, b))
-        return anything();
-    d = prove_difference(*fact(w, a), *fact(w, b));
+        return fact_of_any_number();
+    d = prove_difference(*fact_of(w, a), *fact_of(w, b));
     known = x == IR_NONE || y == IR_NONE ? NULL : find_pair(w, x, y, &swapped);
     if (known)
-        d = both(d, swapped ? negative(*known) : *known);
+        d = intersect_facts(d, swapped ? negate_fact(*known) : *known);
     if (depth == 0 || w->budget == 0)
         return d;
     w->budget--;
-    d = both(d, difference_by_operands(w, a, b, depth - 1));
-    return both(d, negative(difference_by_operands(w, b, a, depth - 1)));
+    d = intersect_facts(d, difference_by_operands(w, a, b, depth - 1));
+    return intersect_facts(d, negate_fact(difference_by_operands(w, b, a, depth - 1)));
 }
 
 // ---- the block ----
@@ -178,7 +179,7 @@ static IrRef find_value(Relation *w, const IrBlk *b, uint32_t at, uint32_t var)
         const IrRef r = b->ins.at[k];
         if (w->holder[r] == var)
             return r;
-        is_stored |= ins(w, r)->op == IR_store && ins(w, r)->var == var;
+        is_stored |= ins_of(w, r)->op == IR_store && ins_of(w, r)->var == var;
     }
     if (is_stored)
         return IR_NONE;
@@ -194,20 +195,20 @@ static Fact difference_of_stored(Relation *w, const IrBlk *b, uint32_t at, uint3
     const IrRef r = find_value(w, b, at, other);
 
     w->budget = BUDGET;
-    return r == IR_NONE ? anything() : find_difference(w, ins(w, b->ins.at[at])->a, r, DEPTH_MOST);
+    return r == IR_NONE ? fact_of_any_number() : find_difference(w, ins_of(w, b->ins.at[at])->a, r, DEPTH_MOST);
 }
 
 // Stores a temporary in a variable: each difference of the variable is that of the temporary.
 static void store_value(Relation *w, const IrBlk *b, uint32_t at)
 {
-    const IrIns *i = ins(w, b->ins.at[at]);
+    const IrIns *i = ins_of(w, b->ins.at[at]);
 
     for (uint32_t n = 0; n < w->p->pairs; n++) {
         const ProvePair *pair = &w->p->pair[n];
         if (pair->x == i->var)
             w->next[n] = difference_of_stored(w, b, at, pair->y);
         else
-            w->next[n] = pair->y == i->var ? negative(difference_of_stored(w, b, at, pair->x)) : w->now[n];
+            w->next[n] = pair->y == i->var ? negate_fact(difference_of_stored(w, b, at, pair->x)) : w->now[n];
     }
     memcpy(w->now, w->next, sizeof w->now);
     for (uint32_t k = 0; k < at; k++)
@@ -238,31 +239,32 @@ static Fact compare_difference(IrOp op, Fact d, bool nan)
 // Returns what is known about temporary r with the differences.
 static Fact improve_fact(Relation *w, IrRef r, unsigned depth)
 {
-    const IrIns *i = ins(w, r);
+    const IrIns *i = ins_of(w, r);
     const unsigned operands = ir_op_info[i->op].operands;
     Fact a, b, now;
 
     if (depth == 0 || w->budget == 0 || operands == 0 || i->op == IR_store || i->op == IR_sample || i->op == IR_load || i->op == IR_stat)
-        return *fact(w, r);
+        return *fact_of(w, r);
     w->budget--;
     a = improve_fact(w, i->a, depth - 1);
     b = operands == 2 ? improve_fact(w, i->b, depth - 1) : a;
-    now = fact_meet(*fact(w, r), fact_of_result(i, &a, &b, ins(w, i->a)->type));
+    now = fact_meet(*fact_of(w, r), fact_of_result(i, &a, &b, ins_of(w, i->a)->type));
     if (i->op == IR_sub && i->type == SM_F64) {
         Fact d = find_difference(w, i->a, i->b, depth - 1);
         d.nan = true;
         now = fact_meet(now, d);
     }
     if (ir_is_comparison(i->op) && is_exact(w, i->a) && is_exact(w, i->b))
-        now = fact_meet(now, compare_difference(i->op, find_difference(w, i->a, i->b, depth - 1), fact(w, i->a)->nan || fact(w, i->b)->nan));
+        now = fact_meet(now, compare_difference(i->op, find_difference(w, i->a, i->b, depth - 1), fact_of(w, i->a)->nan || fact_of(w, i->b)->nan));
     return now;
 }
 
 // Returns the variable that has the value of r, or of what r is converted from.
 static uint32_t find_holder(const Relation *w, IrRef r)
 {
-    while (w->holder[r] == IR_NONE && ins(w, r)->op == IR_cvt && ins(w, r)->type == SM_F64 && is_exact(w, ins(w, r)->a) && !fact(w, ins(w, r)->a)->nan)
-        r = ins(w, r)->a;
+    while (w->holder[r] == IR_NONE && ins_of(w, r)->op == IR_cvt && ins_of(w, r)->type == SM_F64 && is_exact(w, ins_of(w, r)->a)
+           && !fact_of(w, ins_of(w, r)->a)->nan)
+        r = ins_of(w, r)->a;
     return w->holder[r];
 }
 
@@ -274,7 +276,7 @@ static void add_comparison(Relation *w, const IrIns *i, bool holds)
     const uint32_t x = find_holder(w, i->a), y = find_holder(w, i->b);
     bool swapped = false;
     Fact *known = x == IR_NONE || y == IR_NONE || !is_exact(w, i->a) || !is_exact(w, i->b) ? NULL : find_pair(w, x, y, &swapped);
-    Fact d = anything();
+    Fact d = fact_of_any_number();
 
     if (!known)
         return;
@@ -282,12 +284,12 @@ static void add_comparison(Relation *w, const IrIns *i, bool holds)
         d.hi = op == IR_lt ? -least : 0;
     if (op == IR_gt || op == IR_ge || op == IR_eq)
         d.lo = op == IR_gt ? least : 0;
-    *known = both(*known, swapped ? negative(d) : d);
+    *known = intersect_facts(*known, swapped ? negate_fact(d) : d);
 }
 
 static void add_condition(Relation *w, IrRef r, bool holds, unsigned depth)
 {
-    const IrIns *i = ins(w, r);
+    const IrIns *i = ins_of(w, r);
 
     if (depth == 0)
         return;
@@ -307,9 +309,9 @@ static void run_block(Relation *w, const IrBlk *b)
         w->holder[b->ins.at[n]] = IR_NONE;
     for (uint32_t n = 0; n < b->ins.n; n++) {
         const IrRef r = b->ins.at[n];
-        if (ins(w, r)->op == IR_load)
-            w->holder[r] = ins(w, r)->var;
-        else if (ins(w, r)->op == IR_store)
+        if (ins_of(w, r)->op == IR_load)
+            w->holder[r] = ins_of(w, r)->var;
+        else if (ins_of(w, r)->op == IR_store)
             store_value(w, b, n);
     }
 }

@@ -229,7 +229,7 @@ static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
                    (unsigned long long)of->visits);
 }
 
-static void write_near(const ProveNear *n, size_t indent, Buf *out)
+static void write_near_given(const ProveNear *n, size_t indent, Buf *out)
 {
     buf_printf(out, "%*sthe script %s violates it in its step %llu if ", (int)indent, "", n->given->name, (unsigned long long)n->step);
     for (uint32_t i = 0; i < n->vars; i++) {
@@ -264,7 +264,7 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
         if (of->given)
             buf_printf(out, "%*sthe script %s violates it in its step %llu\n", (int)indent, "", of->given->name, (unsigned long long)of->given_step);
         if (of->near)
-            write_near(of->near, indent, out);
+            write_near_given(of->near, indent, out);
         buf_printf(out, "%*safter %lu steps\n", (int)indent, "", (unsigned long)of->scenario->steps);
         script = prove_script(arena, p, of);
         if (script)

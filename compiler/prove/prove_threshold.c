@@ -21,7 +21,8 @@ static bool is_constant(const ProveMaker *k, const IrFn *f, IrRef r)
     return i->op != IR_stat && i->op != IR_sample && i->op != IR_store && is_constant(k, f, i->a) && is_constant(k, f, i->b);
 }
 
-// Whether two values are computed in the same way.  Variables can change between them: the comparison of a window is one of its own samples,
+// Whether two values are computed in the same way.  Variables can change between the two computations: the comparison of
+// a window is one of its own samples,
 // so this only decides which comparisons are worth it.
 static bool is_equal_value(const IrFn *f, IrRef r, const IrFn *g, IrRef s)
 {

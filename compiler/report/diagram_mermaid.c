@@ -6,7 +6,7 @@
 #include "compiler/base/utf8.h"
 #include "compiler/report/diagram_model.h"
 
-static bool is_plain(uint32_t c)
+static bool is_plain_character(uint32_t c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c < 128 && strchr(" _.,()+-*/=", (int)c));
 }
@@ -24,7 +24,7 @@ static void write_escaped(Buf *out, const char *text)
             code = 0xFFFD, bytes = 1;
         if (code < ' ')
             buf_char(out, ' ');
-        else if (is_plain(code))
+        else if (is_plain_character(code))
             buf_char(out, (char)code);
         else
             buf_printf(out, "#%lu;", (unsigned long)code);

@@ -291,8 +291,8 @@ const char *diagram_count_text(const Diagram *d, const char *done, uint64_t coun
                       : format_in(d->a->arena, "%s %llu times", done, (unsigned long long)count);
 }
 
-// If several transitions lead from one state to another, a run does not record which it took.
-// Returns the transitions of an edge that were never taken, of an edge that was: ", never by lines 24 and 30"; or "".
+// An edge stands for all transitions from one state to another.  If the edge was taken, but some of its transitions never were, returns the
+// lines of the latter as ", never by lines 24 and 30".  Otherwise, or if only pairs of states were counted (by_pair), returns "".
 const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e)
 {
     size_t unused = 0, n = 0;

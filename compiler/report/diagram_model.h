@@ -118,7 +118,7 @@ uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const St
 uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count
-const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e);         // of an edge that was taken: ", never by line 24"; or ""
+const char *diagram_unused_lines(const Diagram *d, const DiagramEdge *e);         // ", never by line 24", or ""
 
 // ---- diagram_actions.c: the lines in the boxes of states ----
 

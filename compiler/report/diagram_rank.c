@@ -63,8 +63,8 @@ static void push_node(BackEdgeSearch *s, uint32_t node)
     vec_push(s->l->arena, &s->stack, v);
 }
 
-// Depth-first search in file order, starting with the first state.  An edge back to a state on the current path closes a cycle.  The first
-// state stays at the top.
+// Marks the edges that close cycles, by a depth-first search from `start` along the edges in file order.  An edge back to a state on the
+// current path closes a cycle.  The first search begins at the first state, so every edge back to it closes a cycle, and it stays at the top.
 static void search_cycles_from(BackEdgeSearch *s, uint32_t start)
 {
     const Diagram *d = s->l->d;
@@ -99,7 +99,7 @@ static void break_cycles(Layout *l)
 static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 
-// By node, the edges of which it is the upper (or lower) end.  Only edges that are drawn as lines (EDGE_LINE) count.
+// By node, the edges whose upper (or lower) end the node is.  Only edges that are drawn as lines (EDGE_LINE) count.
 typedef struct EdgesByEnd { uint32_t *first, *edge; } EdgesByEnd;
 
 // Groups edges by the node that `end` returns, with a counting sort.
@@ -289,7 +289,7 @@ static void find_spine(Layout *l, const EdgesByEnd *out, const uint32_t *order)
 
 // ---- stubs ----
 
-// Returns the number of states from which the stubs to a state come.  `seen`: by state, 1 + the last node for which it was counted.
+// Returns the number of states from which the stubs to a state come.  `seen`: by state, 1 + the last node for which the state was counted.
 static size_t count_origins(const Diagram *d, uint32_t node, uint32_t *seen)
 {
     size_t count = 0;

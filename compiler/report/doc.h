@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The content of a report, independent of its output format: sections of paragraphs, tables, lists and figures.  The sections of a report
-// build it; doc_html.c, doc_text.c and doc_json.c each write all of it.
+// build it; doc_html.c, doc_text.c and doc_json.c each write the whole document.
 //
 // A text has markup: `code` in backticks, and ^Name^ for a state.  So only the compiler's own words may be passed as a text.  What the author of
 // a machine wrote has no markup; pass it where a function accepts plain text or code.

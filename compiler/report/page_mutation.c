@@ -11,7 +11,11 @@ static const DocColumn change_columns[] = {{"line", "Line"}, {"text", "As writte
 
 typedef struct StateScore { uint32_t noticed, changes; } StateScore;
 
-static bool counts(const Mutant *m) { return m->verdict == MUTANT_NOTICED || m->verdict == MUTANT_GENERATED || m->verdict == MUTANT_UNNOTICED; }
+static bool counts_for_score(const Mutant *m)
+{
+    return m->verdict == MUTANT_NOTICED || m->verdict == MUTANT_GENERATED || m->verdict == MUTANT_UNNOTICED;
+}
+
 
 static StateScore score_of(const Report *r, uint32_t state)
 {
@@ -20,7 +24,7 @@ static StateScore score_of(const Report *r, uint32_t state)
     const Mutant *m = mutation_list(r->mutation, &n);
 
     for (uint32_t i = 0; i < n; i++)
-        if (counts(&m[i]) && (m[i].state ? m[i].state->number : 0) == state) {
+        if (counts_for_score(&m[i]) && (m[i].state ? m[i].state->number : 0) == state) {
             s.changes++;
             s.noticed += m[i].verdict == MUTANT_NOTICED;
         }

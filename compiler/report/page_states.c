@@ -43,7 +43,8 @@ static const char *origin_name(const Report *r, const WrittenTransition *t)
     return t->all ? written_section_name(r->arena, r->analysis.p, t->all, "^") : format_in(r->arena, "^%s^", t->copy.at[0]->from->name->text);
 }
 
-static Predecessors *find_predecessors(const Report *r, const WrittenTransitions *all)
+// Returns the names of the predecessors of each state, by State.number.
+static Predecessors *list_predecessors(const Report *r, const WrittenTransitions *all)
 {
     Predecessors *of = ARENA_ARRAY(r->arena, Predecessors, r->analysis.p->state.n + 1u);
 
@@ -155,7 +156,7 @@ void report_add_states(Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
     const WrittenTransitions transitions = written_transitions(r->arena, p, &r->analysis.transition);
-    const Predecessors *from = find_predecessors(r, &transitions);
+    const Predecessors *from = list_predecessors(r, &transitions);
 
     doc_add_section(d, "states", "States");
     doc_add_paragraph(d, TEXT_STATES);

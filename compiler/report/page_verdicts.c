@@ -165,7 +165,7 @@ static void add_sweep(const Report *r, DocTable *t)
 }
 
 // Names what the page does not contain because it was not requested.
-static void add_missing(const Report *r, Doc *d)
+static void add_parts_left_out(const Report *r, Doc *d)
 {
     Buf out;
 
@@ -257,6 +257,6 @@ void report_add_verdicts(Report *r, Doc *d)
     add_sweep(r, t);
     add_verdict(t, "cost", "Longest step", VERDICT_FACT,
                 format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
-    add_missing(r, d);
+    add_parts_left_out(r, d);
     add_blockers(r, d);
 }

@@ -94,7 +94,7 @@ static void add_marks(Traceability *t)
 // ---- parts of the machine ----
 
 // Adds the requirements of the marks on a statement, or on a state or section if `stmt` is NULL.
-static void add_marked(Traceability *t, TracedPart *part, const Stmt *stmt, const State *state, const AllStates *all, TracedBy by)
+static void add_marked_requirements(Traceability *t, TracedPart *part, const Stmt *stmt, const State *state, const AllStates *all, TracedBy by)
 {
     for (size_t i = 0; i < t->program->mark.n; i++) {
         const RequirementMark *m = &t->program->mark.at[i];
@@ -126,7 +126,7 @@ static void add_header(Traceability *t, const State *state, const AllStates *all
     TracedPart part = {.kind = all ? TRACED_ALL_STATES : TRACED_STATE, .state = state, .text = "", .span = all ? all->span : state->span};
 
     part.where = part.name = all ? written_section_name(t->arena, t->program, all, "") : state->name->text;
-    add_marked(t, &part, NULL, state, all, TRACED_BY_ITSELF);
+    add_marked_requirements(t, &part, NULL, state, all, TRACED_BY_ITSELF);
     if (part.by == TRACED_BY_NONE)
         add_contents(t, &part, state, all);
     vec_push(t->arena, &t->part, part);
@@ -149,10 +149,10 @@ static void add_statement(const StmtLocation *at, void *context)
     part.name = s->kind == ST_TRANSITION ? format_in(t->arena, "%s -> %s", part.where, s->target->name->text)
                                          : format_in(t->arena, "%s: %s", part.where, s->var->name->text);
     part.text = s->kind == ST_TRANSITION ? condition_text(t->arena, at->when) : source_text(t->arena, s->span);
-    add_marked(t, &part, s, NULL, NULL, TRACED_BY_ITSELF);
+    add_marked_requirements(t, &part, s, NULL, NULL, TRACED_BY_ITSELF);
     for (const Condition *c = at->when; c; c = c->outer)
-        add_marked(t, &part, c->stmt, NULL, NULL, TRACED_BY_CONDITIONAL);
-    add_marked(t, &part, NULL, at->state, w->all, TRACED_BY_STATE);
+        add_marked_requirements(t, &part, c->stmt, NULL, NULL, TRACED_BY_CONDITIONAL);
+    add_marked_requirements(t, &part, NULL, at->state, w->all, TRACED_BY_STATE);
     vec_push(t->arena, &t->part, part);
 }
 
@@ -212,7 +212,7 @@ static void add_assert(Traceability *t, const ScriptAssert *a, const ScriptItem 
     vec_push(t->arena, &t->assert, out);
 }
 
-static void add_judged(Traceability *t, const ScriptResult *r)
+static void add_judged_requirements(Traceability *t, const ScriptResult *r)
 {
     for (uint32_t i = 0; t->what && r->requirement && i < t->what->at.n; i++) {
         TracedRequirement *q = &t->requirement.at[i];
@@ -233,7 +233,7 @@ void traceability_add_run(Traceability *t, const char *name, const Script *s, co
     const TracedScript script = {path_portable_name(name), r->outcome, {NULL, 0, 0}};
 
     vec_push(t->arena, &t->script, script);
-    add_judged(t, r);
+    add_judged_requirements(t, r);
     for (size_t i = 0; r->evaluated && i < s->section.n; i++)
         for (size_t k = 0; k < s->section.at[i].item.n; k++) {
             const ScriptItem *item = s->section.at[i].item.at[k];

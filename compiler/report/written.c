@@ -115,7 +115,7 @@ Span written_state_range(const State *s)
 
 // ---- transitions ----
 
-// Adds a transition of section i as one more copy of the one that has the same position in the section.
+// Adds a transition of section i as one more copy of the transition that has the same position in the section.
 static void add_copy(Arena *arena, const Program *p, WrittenTransitions *of, size_t i, size_t position, const Transition *t)
 {
     const WrittenTransition first = {p->all_states.at[i], {NULL, 0, 0}};

@@ -300,7 +300,7 @@ static void add_unevaluated(const ScriptRun *r, const ScriptItem *item, Unevalua
 }
 
 // Warns about the asserts in *u, and empties it.
-static Diag *report_unevaluated(const ScriptRun *r, Unevaluated *u)
+static Diag *report_unevaluated_asserts(const ScriptRun *r, Unevaluated *u)
 {
     Diag *d = diag_report(r->diags, DIAG_assert_never_evaluated, u->first->condition->span);
 
@@ -319,10 +319,10 @@ static void report_all_unevaluated(const ScriptRun *r)
             const ScriptItem *item = section->item.at[j];
             add_unevaluated(r, item, &u);
             if (u.n && run_last_of_section(r, section))
-                diag_label(r->diags, report_unevaluated(r, &u), r->true_in[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
+                diag_label(r->diags, report_unevaluated_asserts(r, &u), r->true_in[item->number] ? DIAG_label_stopped_before : DIAG_label_never_true);
         }
         if (u.n)
-            diag_label(r->diags, report_unevaluated(r, &u), DIAG_label_never_in_state, section->state->name->text);
+            diag_label(r->diags, report_unevaluated_asserts(r, &u), DIAG_label_never_in_state, section->state->name->text);
     }
 }
 

@@ -245,7 +245,7 @@ void history_add(ScriptRun *failed, Diag *d)
     h->failed = failed;
     if (failed->failed)
         add_columns(h, failed->failed);
-    // For @assert false: the operands of its guard, or of those around it.
+    // For @assert false: the operands of its guard and of the guards around it.
     for (const ScriptItem *item = failed->failed_item; failed->failed && h->columns == 0 && item; item = item->parent)
         add_columns(h, item->guard);
     if (stop)

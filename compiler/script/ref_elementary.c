@@ -511,7 +511,7 @@ static Sum square_root(Sum x)
     double y, rest;
     Sum root, square;
 
-    // The estimate is linear in x between powers of two: it is the number whose bits are 0x5FE6EB0000000000 less half of those of x.
+    // The estimate is linear in x between powers of two: the bits of the estimate are 0x5FE6EB0000000000 minus half of the bits of x.
     if (x.big == 0)
         return single_sum(0);
     {

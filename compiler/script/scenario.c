@@ -45,7 +45,7 @@ static size_t unroll(const Scenario *s, const ScenarioLoop *l, const ScenarioCha
     return out;
 }
 
-static size_t unroll_all(const Scenario *s, ScenarioChange *to)
+static size_t unroll_loops(const Scenario *s, ScenarioChange *to)
 {
     size_t out = 0;
 
@@ -70,9 +70,9 @@ Scenario scenario_unroll(Arena *arena, const Scenario *s)
     if (s->loops == 0)
         return out;
     out.loops = 0;
-    out.changes = unroll_all(s, NULL);
+    out.changes = unroll_loops(s, NULL);
     out.change = change = arena_array(arena, out.changes + 1, sizeof *change);
-    unroll_all(s, change);
+    unroll_loops(s, change);
     return out;
 }
 

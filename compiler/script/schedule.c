@@ -105,13 +105,13 @@ static double set_latest(Entry *at, size_t from, size_t end)
 }
 
 // Adds to `due` the items of the subtree at[from … end - 1] whose interval contains `now`.
-static void add_containing(Arena *arena, const Entry *at, size_t from, size_t end, double now, DueItems *due)
+static void add_items_containing(Arena *arena, const Entry *at, size_t from, size_t end, double now, DueItems *due)
 {
     while (from < end) {
         const size_t middle = from + (end - from) / 2;
         if (at[middle].latest < now)
             return;
-        add_containing(arena, at, from, middle, now, due);
+        add_items_containing(arena, at, from, middle, now, due);
         if (at[middle].when.from > now)
             return;
         if (at[middle].when.to >= now)
@@ -264,7 +264,7 @@ static void sort_group(Group *g)
 }
 
 // Returns the group of a section's state.  Each file of the script can have a section for it.
-static Group *find_group(Schedule *h, const ScriptSection *section)
+static Group *find_or_add_group(Schedule *h, const ScriptSection *section)
 {
     Group **g = &h->of_state[section->state->number - 1];
 
@@ -286,7 +286,7 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
     h->states = s->program->state.n;
     for (size_t i = 0; i < s->section.n; i++) {
         const ScriptSection *section = &s->section.at[i];
-        Group *g = section->state ? find_group(h, section) : &h->all_states;
+        Group *g = section->state ? find_or_add_group(h, section) : &h->all_states;
         reserve_items(h, g, section);
         for (size_t k = 0; k < section->item.n; k++)
             add_item(h, g, section->item.at[k], cell);
@@ -313,13 +313,13 @@ static bool is_sorted(const DueItems *due)
     return true;
 }
 
-static void add_due(const Schedule *h, Group *g, const uint64_t *cell, DueItems *due)
+static void add_due_items(const Schedule *h, Group *g, const uint64_t *cell, DueItems *due)
 {
     for (int k = 0; g && k < TIMES; k++) {
         const double now = ref_read(h->time[k]->type, cell[h->time[k]->index]);
         if (k == BY_G)
             add_moments(h->arena, &g->moments, now, due);
-        add_containing(h->arena, g->by[k].at, 0, g->by[k].n, now, due);
+        add_items_containing(h->arena, g->by[k].at, 0, g->by[k].n, now, due);
     }
     if (g)
         add_periodic(h->arena, &g->periodic, cell[h->time[BY_G]->index], due);
@@ -329,9 +329,9 @@ static void add_due(const Schedule *h, Group *g, const uint64_t *cell, DueItems 
 void schedule_find_due(Schedule *h, const State *const *state, size_t n, const uint64_t *cell, DueItems *due)
 {
     due->n = 0;
-    add_due(h, &h->all_states, cell, due);
+    add_due_items(h, &h->all_states, cell, due);
     for (size_t i = 0; i < n; i++)
-        add_due(h, h->of_state[state[i]->number - 1], cell, due);
+        add_due_items(h, h->of_state[state[i]->number - 1], cell, due);
     if (!is_sorted(due))
         qsort(due->at, due->n, sizeof *due->at, compare_items);
 }

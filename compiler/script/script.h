@@ -23,7 +23,7 @@ typedef enum ScriptOutcome {
 typedef struct ScriptStep {
     uint64_t number;          // number of the step, from 1
     uint64_t g;               // G in this step
-    const State *state;       // the state that the step ran; of an application, that of its first machine
+    const State *state;       // the state that the step ran; in an application, the state of its first machine
     const uint64_t *cell;     // the value of every variable after the step, by index
     const uint8_t *results;   // by requirement: what the step decided, a MonitorResult; NULL: the run has no requirements
     const double *recorded;   // by @compare: the recorded value; NaN: there is none.  NULL: the script has no data
@@ -142,7 +142,7 @@ void requirements_mark_reads(const Requirements *rq, bool *reads);
 // CSV: a header, then one row for each step: the script, the step, G, the name of the state, and the columns.  A bool is written as 1
 // or 0, which every reader accepts as a number.  A column with the name of one of these first columns is called MACHINE.NAME.  Of an
 // application, a column for each machine, with its name, takes the place of the state.
-// With the requirements `rq` of the run, a last column `violated` has the ids of those that the step has violated.  NULL: none.
+// With the requirements `rq` of the run, a last column `violated` has the ids of the requirements that the step has violated.  NULL: none.
 void script_trace_header(Buf *out, const Program *p, const Var *const *column, size_t n, const Requirements *rq);
 void script_trace_row(Buf *out, const char *script, const ScriptStep *step, const Var *const *column, size_t n, const Requirements *rq);
 // Appends a line `STEP NAME VALUE` for each variable of `order`.  Floats are printed as C99 %a, which is exact.

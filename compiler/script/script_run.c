@@ -372,7 +372,7 @@ const ScriptItem *script_first_stop(const Script *s)
     return NULL;
 }
 
-static void report_endless(ScriptRun *r)
+static void report_endless_script(ScriptRun *r)
 {
     const ScriptItem *stop = script_first_stop(r->s);
 
@@ -466,7 +466,7 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
             assert_report_failure(&r);
         break;
     case SCRIPT_NO_DATA: report_data_ended(&r); break;
-    case SCRIPT_ENDLESS: report_endless(&r); break;
+    case SCRIPT_ENDLESS: report_endless_script(&r); break;
     case SCRIPT_TIME_OVERFLOW: report_time_overflow(&r); break;
     case SCRIPT_PASSED: case SCRIPT_BROKEN: case SCRIPT_DIFFERENT: break;
     case SCRIPT_CANCELLED: return r.result;

@@ -84,13 +84,13 @@ typedef struct ScriptRun {
 // Returns G of the next step in which an assert of a section counts: `machine` as in ScriptItem. UINT64_MAX: there is none, because G would
 // overflow or reach 2^64-1, or because the recorded data ends.
 uint64_t run_next_g(const ScriptRun *r, uint32_t machine);
-// Returns the state in which the machine is in this step; of an application, those of all machines.
+// Returns text for messages: the state in which the machine is in this step, or the states of all machines of an application.
 const char *run_state_text(const ScriptRun *r);
 // Ends the run.
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s);
-// Returns the last step in which a section ran, 0: none; of [all_states], which runs in each step: 1.
+// Returns the last step in which a section ran; 0: none.  For [all_states], which runs in each step, returns 1.
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);

@@ -71,7 +71,7 @@ void watch_restrict(Watch *w, const Var *const *stored, size_t n, uint64_t from)
 // Watches an engine of engine_ref_open for one machine.
 void watch_attach(Watch *w, Engine *ref);
 
-// Returns transition number i of those that are remembered, the last one first; NULL: there is none.
+// Returns remembered transition number i, where 0 is the last one; NULL: fewer are remembered.
 const WatchPassage *watch_passage(const Watch *w, uint32_t i);
 // Returns the value of node i of a statement as a number, and whether it is true. value: of WatchStmt or WatchPassage.
 double watch_number(const WatchStmt *s, const uint64_t *value, uint32_t i);

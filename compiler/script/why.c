@@ -455,7 +455,7 @@ static void explain_nearest(Answer *a, const WatchStmt *t)
 }
 
 // Adds which step was nearest to a transition to `to` that the run never took.  Returns false if no step could take one.
-static bool add_nearest_to(Answer *a, const State *to)
+static bool add_nearest_step_to(Answer *a, const State *to)
 {
     const WatchStmt *last, *t = find_nearest(a, to, &last);
     const char *path;
@@ -485,15 +485,15 @@ static bool add_nearest_to(Answer *a, const State *to)
 }
 
 // Adds the step that was nearest to taking the machine to `to`, or, if none could, along the path there.
-static void add_nearest(Answer *a, const State *to)
+static void add_nearest_step(Answer *a, const State *to)
 {
     if (!a->r.near || (a->w->state == to && !transition_taken(a)) || (transition_taken(a) && transition_taken(a)->target == to))
         return;
-    if (add_nearest_to(a, to))
+    if (add_nearest_step_to(a, to))
         return;
     add_remark(a, 0, format_in(a->r.arena, "the machine was never in a state from which a transition leads to %s", to->name->text));
     if (a->r.q.to != to)
-        add_nearest_to(a, a->r.q.to);
+        add_nearest_step_to(a, a->r.q.to);
 }
 
 // ---- the answers ----
@@ -573,7 +573,7 @@ static void explain_question(Answer *a)
     else
         explain_step(a);
     add_changes(a, 0);
-    add_nearest(a, to);
+    add_nearest_step(a, to);
     add_origins(a);
     add_passages(a);
 }

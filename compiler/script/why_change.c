@@ -214,7 +214,8 @@ static bool try_change(Before *b, WhyChange *c)
     return is_asked(b, c);
 }
 
-static bool is_tried(const WhyChanges *out, const Var *v)
+// Whether a change of v is among those that change the outcome.
+static bool has_change_of(const WhyChanges *out, const Var *v)
 {
     for (uint32_t i = 0; i < out->n; i++)
         if (out->at[i].var == v)
@@ -227,7 +228,7 @@ static void try_value(Before *b, const Var *v, uint64_t cell, double limit, int 
 {
     WhyChange c = {.var = v, .cell = cell, .was = engine_ref_view(outcome_of(b)).cell[v->index], .limit = limit, .side = side};
 
-    if (out->n < CHANGES_MOST && !is_tried(out, v) && cell != c.was && try_change(b, &c))
+    if (out->n < CHANGES_MOST && !has_change_of(out, v) && cell != c.was && try_change(b, &c))
         vec_push(b->result->arena, out, c);
 }
 
@@ -247,12 +248,12 @@ static double next_value(SmType type, double x, int side)
         return side > 0 ? sm_floor(x) + 1 : -(sm_floor(-x) + 1);
     if (x == 0)
         return ref_read(type, side > 0 ? 1 : type == SM_F32 ? UINT64_C(0x80000001) : UINT64_C(0x8000000000000001));
-    if (ref_read(type, cell) != x)                    // an F32 next to a limit that is none
+    if (ref_read(type, cell) != x)                    // x is no F32: the nearest F32 is above or below
         return (side > 0) == (ref_read(type, cell) > x) ? ref_read(type, cell) : next_value(type, ref_read(type, cell), side);
     return ref_read(type, away ? cell + 1 : cell - 1);
 }
 
-// Tries values of a variable at a limit and next to it.
+// Tries to change v to `limit`, the number with which a condition compares v, and to the next values of its type above and below.
 static void try_around(Before *b, const Var *v, double limit, WhyChanges *out)
 {
     static const int sides[] = {0, 1, -1};

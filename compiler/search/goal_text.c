@@ -135,7 +135,7 @@ const char *goal_name_part(Arena *arena, const char *text)
     return buf_text(&out);
 }
 
-// Returns the number of a place among those of its kind, from 1; of guards, among the decisions.
+// Returns the number of a place, from 1, among the places of its kind; guards are numbered among the decisions.
 static uint32_t number_of(const GoalTexts *t, uint32_t place)
 {
     uint32_t n = 0;

@@ -40,8 +40,8 @@ typedef struct Writer {
     const Program *p;
     const Scenario *s;
     VEC(TimelineItem) item;
-    VEC(const Var *) output;  // those of the time line
-    VEC(const Var *) busy;    // those that are asserted only at the end
+    VEC(const Var *) output;  // the outputs of the time line
+    VEC(const Var *) busy;    // outputs that are asserted only at the end
     const char **phase;       // by loop: the name of the time since the current round began
 } Writer;
 
@@ -157,7 +157,7 @@ static uint64_t step_of_next_change(const Writer *w, const ScenarioChange *c)
     return 0;
 }
 
-static bool is_changed(const Writer *w, uint32_t var)
+static bool is_input_changed(const Writer *w, uint32_t var)
 {
     for (size_t i = 0; i < w->s->changes; i++)
         if (w->s->change[i].var == var)
@@ -234,7 +234,7 @@ static void add_change(Writer *w, const ScenarioChange *c)
     const bool is_single = to == c->step + 1 || (to == 0 && c->step == w->s->steps);
 
     if (c->kind == SCENARIO_COPY)
-        add_line(w, c->step, is_changed(w, c->source) ? RANK_EARLY : RANK_INPUT, guard_of(w, c->step, to),
+        add_line(w, c->step, is_input_changed(w, c->source) ? RANK_EARLY : RANK_INPUT, guard_of(w, c->step, to),
                  format_in(w->arena, "%s = %s", v->name->text, w->p->var.at[c->source]->name->text));
     else if (c->kind == SCENARIO_HOLD || is_single)
         add_line(w, c->step, RANK_INPUT, guard_of(w, c->step, v->written ? to : c->step + 1), first_assignment(w, c));
@@ -350,7 +350,7 @@ static bool add_early_copies(Writer *w)
         for (size_t i = w->s->changes; i-- > 0; ) {           // an item runs before those that change what it reads
             const ScenarioChange *c = &w->s->change[i];
             bool waits = false;
-            if (is_done[i] || c->kind != SCENARIO_COPY || !is_changed(w, c->source))
+            if (is_done[i] || c->kind != SCENARIO_COPY || !is_input_changed(w, c->source))
                 continue;
             for (size_t k = 0; k < w->s->changes; k++) {
                 const ScenarioChange *o = &w->s->change[k];
@@ -383,7 +383,7 @@ static bool add_inputs(Writer *w)
         const ScenarioChange *c = &w->s->change[i];
         if (scenario_loop_at(w->s, c->step))
             continue;
-        if ((c->kind != SCENARIO_COPY || !is_changed(w, c->source)) && !w->p->var.at[c->var]->parameter)
+        if ((c->kind != SCENARIO_COPY || !is_input_changed(w, c->source)) && !w->p->var.at[c->var]->parameter)
             add_change(w, c);
     }
     return true;
@@ -393,7 +393,7 @@ static bool add_inputs(Writer *w)
 
 // A part of the run without a change of the state, or of an output of the time line.
 typedef struct Part {
-    uint64_t step;            // its first
+    uint64_t step;            // its first step
     uint32_t state;
     uint64_t *cell;           // by output of the time line
 } Part;

@@ -12,7 +12,7 @@ enum {
     GIVEN_PART = 2,           // running given scenarios; the last one that begins in time is run to its end
     MANY_CHANGES = 4,
     SHORTER_PART = 8,         // at most: searching runs with fewer changes
-    SHORTER_TIMES = 4,        // also limits that search: to this multiple of the steps that ran before it
+    SHORTER_TIMES = 4,        // the search for shorter scenarios runs at most this multiple of the steps before it
     WALK_PERCENT = 20,        // without a goal: random walks
     WALK_LENGTH = 6,          // number of transitions of a walk
     SPECIAL_PART = 16,        // special values at the start, before everything else
@@ -22,7 +22,7 @@ enum {
     ENTRY_PERCENT = 33,       // for a goal: from an entry of its state instead of its pool
     EASY_STEPS = 4000,        // a goal on which more steps were spent is hard: attempts for it repeat the same changes, as follows
     AROUND_PERCENT = 30,      // if another state must store a variable: go through that state and back
-    FOREIGN_PERCENT = 60,     // of the rest of these: walk to where the variable is nearest to its wanted value
+    FOREIGN_PERCENT = 60,     // percentage of the remaining ones that walk to where the variable is nearest to its wanted value
     COUNT_PERCENT = 50,       // if the state itself must count a variable: make pulses of inputs
     PULSE_PERCENT = 4         // in all other cases: make pulses
 };

@@ -22,7 +22,7 @@ typedef struct Candidate {
     bool used;
 } Candidate;
 
-static bool contains(const uint8_t *set, uint32_t i) { return set[i / 8] >> i % 8 & 1; }
+static bool is_in_set(const uint8_t *set, uint32_t i) { return set[i / 8] >> i % 8 & 1; }
 
 Scenario chooser_scenario_of(SearchRun *k, Arena *arena, uint32_t node)
 {
@@ -72,7 +72,7 @@ static void store_chosen(Chooser *c, Scenario *s, uint32_t end, const uint8_t *r
 
     for (uint32_t i = 0; i < k->goals; i++) {
         SearchFind *f = &k->r->find[k->goal[i].place];
-        if (c->covered[i] || !contains(reached, i))
+        if (c->covered[i] || !is_in_set(reached, i))
             continue;
         c->covered[i] = true;
         goal[out.goals++] = k->goal[i].place;
@@ -281,7 +281,7 @@ static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, Goal
         if (all[i].used)
             continue;
         for (uint32_t g = 0; g < c->k->goals; g++)
-            new += contains(all[i].reached, g) && !c->covered[g];
+            new += is_in_set(all[i].reached, g) && !c->covered[g];
         if (new > 0 && (!best || new * (4 + best->s.changes) > most * (4 + all[i].s.changes))) {
             best = &all[i];
             most = new;
@@ -289,7 +289,7 @@ static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, Goal
     }
     want->n = 0;
     for (uint32_t g = 0; best && g < c->k->goals; g++)
-        if (contains(best->reached, g) && !c->covered[g])
+        if (is_in_set(best->reached, g) && !c->covered[g])
             vec_push(&c->k->work, want, g);
     return best;
 }

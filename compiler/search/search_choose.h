@@ -41,7 +41,7 @@ typedef struct Chooser {
 bool chooser_has_reached(const Chooser *c, uint32_t goal);
 uint32_t chooser_end_state(const Chooser *c);         // of the last replay: number of the state that its next step would run
 bool chooser_has_effort(const Chooser *c);
-// Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which it has reached all of
+// Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which the scenario has reached all of
 // `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves each change to `wait` steps after its
 // transition.
 uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *want, const SearchAnchor *anchor);

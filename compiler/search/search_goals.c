@@ -301,7 +301,7 @@ static const uint32_t *open_counters(SearchRun *k, Arena *arena, const uint32_t 
     return out;
 }
 
-// Whether some place of the decision is an open goal.  Then all of them are counted.
+// Whether some place of the decision is an open goal.  Then all places of the decision are counted.
 static bool is_open(const SearchRun *k, const FlatDecision *d)
 {
     for (uint32_t i = 0; i < 2 + 2 * d->conditions; i++)
@@ -314,7 +314,7 @@ static bool is_open(const SearchRun *k, const FlatDecision *d)
 }
 
 // Removes the edges of goals that are done.  Returns whether some are left.
-static bool has_open_edge(const SearchRun *k, SearchDecision *x)
+static bool remove_done_edges(const SearchRun *k, SearchDecision *x)
 {
     uint32_t n = 0;
 
@@ -373,7 +373,7 @@ void search_build_flat(SearchRun *k)
     watched = arena_alloc(&k->flats, k->decisions + 1);
     k->kept = ARENA_ARRAY(&k->flats, uint32_t, k->decisions + 1);
     for (uint32_t d = 0; d < k->decisions; d++) {
-        const bool edge = has_open_edge(k, &k->decision[d]);
+        const bool edge = remove_done_edges(k, &k->decision[d]);
         if (!edge && !is_open(k, k->decision[d].d))
             continue;
         k->kept[p->decisions] = d;

@@ -9,7 +9,7 @@
 
 // ---- windows ----
 
-// The window of a group, if it is one statistic.
+// Whether the value of a group is one statistic of a window.
 static bool is_statistic(const Prover *p, const RegionGroup *g) { return g->y == SEARCH_NONE && p->value.at[g->x].op == IR_stat; }
 
 static bool is_read_as(const Prover *p, uint32_t group, SmStat stat) { return p->value.at[p->group[group].x].stat == stat; }

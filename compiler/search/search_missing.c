@@ -57,7 +57,7 @@ static bool had_ever_value(const SearchRun *k, uint32_t place)
     return g == SEARCH_NONE ? k->r->find[place].outcome != SEARCH_IMPOSSIBLE : k->goal[g].done;
 }
 
-static void set_blocked(const SearchRun *k, SearchFind *f, uint32_t place, double missed_by)
+static void set_blocking_place(const SearchRun *k, SearchFind *f, uint32_t place, double missed_by)
 {
     f->blocked_by = place;
     f->is_never = !had_ever_value(k, place);
@@ -86,7 +86,7 @@ static void describe_culprit(SearchRun *k, SearchFind *f, const SearchDecision *
     bool wanted = value;
     const uint32_t c = find_culprit(k, x, n, value, &wanted);
 
-    set_blocked(k, f, x->d->nodes == 1 ? x->d->hit + !wanted : x->d->hit + 2 + 2 * c + !wanted, find_miss(k, x->fn, x->d->condition[c]));
+    set_blocking_place(k, f, x->d->nodes == 1 ? x->d->hit + !wanted : x->d->hit + 2 + 2 * c + !wanted, find_miss(k, x->fn, x->d->condition[c]));
 }
 
 // Describes a goal whose condition has to decide with a value.
@@ -110,7 +110,7 @@ static void describe_decision(SearchRun *k, const SearchGoal *g, SearchFind *f)
     const SearchDecision *x = &k->decision[g->best_elem.decision];
     const uint32_t root = x->d->nodes - 1;
 
-    set_blocked(k, f, g->best_condition == SEARCH_NONE ? x->d->hit + !g->best_elem.value : g->place, SEARCH_UNKNOWN);
+    set_blocking_place(k, f, g->best_condition == SEARCH_NONE ? x->d->hit + !g->best_elem.value : g->place, SEARCH_UNKNOWN);
     if (!run_nearest(k, g))
         return;
     if (g->best_condition != SEARCH_NONE)
@@ -162,7 +162,7 @@ static void describe_goal(SearchRun *k, uint32_t goal)
     if (from->best < SEARCH_UNKNOWN)
         describe_decision(k, from, f);
     else
-        set_blocked(k, f, from->place, SEARCH_UNKNOWN);
+        set_blocking_place(k, f, from->place, SEARCH_UNKNOWN);
 }
 
 void search_describe_missing(SearchRun *k)

@@ -322,7 +322,8 @@ static bool is_wanted(const SearchGoal *g, double distance)
     return g->pooled < SEARCH_POOL || distance < worst;
 }
 
-static void add_near(SearchRun *k, uint32_t goal, uint32_t n, double distance)
+// Adds node n, whose run came within `distance` of the goal, to the goal's pool.  A full pool drops its farthest node.
+static void add_to_pool(SearchRun *k, uint32_t goal, uint32_t n, double distance)
 {
     SearchGoal *g = &k->goal[goal];
     uint32_t at = 0;
@@ -554,7 +555,7 @@ static void store_near(SearchRun *k, const Segment *seg)
             k->node.at[n].users += n == seg->from;
         }
         if (n != SEARCH_NONE && k->node.at[n].copy)
-            add_near(k, k->touched.at[i], n, g->run_best);
+            add_to_pool(k, k->touched.at[i], n, g->run_best);
         g->run_best = SEARCH_UNKNOWN;
     }
     if (n != SEARCH_NONE)

@@ -24,7 +24,7 @@ static bool node_truth(Prover *p, const FlatDecision *d, uint32_t n)
 }
 
 // Whether a condition has the value and decides, in the current combination.
-static bool decides(Prover *p, const FlatDecision *d, uint32_t condition, bool value)
+static bool condition_decides(Prover *p, const FlatDecision *d, uint32_t condition, bool value)
 {
     uint32_t n = 0;
 
@@ -50,7 +50,7 @@ static bool takes_path(Prover *p, const SearchSite *site)
         const FlatDecision *d = p->k->decision[site->path.elem[e].decision].d;
         if (!site->path.elem[e].is_certain)
             continue;
-        if (e == 0 && site->condition != SEARCH_NONE ? !decides(p, d, site->condition, site->value)
+        if (e == 0 && site->condition != SEARCH_NONE ? !condition_decides(p, d, site->condition, site->value)
                                                      : node_truth(p, d, d->nodes - 1) != site->path.elem[e].value)
             return false;
     }
@@ -118,7 +118,7 @@ static void find_reachable(const SearchRun *k, bool *reachable)
 
 // ---- goals ----
 
-static void exclude(SearchRun *k, SearchGoal *g, const char *reason)
+static void mark_impossible(SearchRun *k, SearchGoal *g, const char *reason)
 {
     SearchFind *f = &k->r->find[g->place];
 
@@ -145,7 +145,7 @@ static void prove_by_facts(SearchRun *k, RunFacts *facts)
     for (uint32_t i = 0; i < k->goals; i++) {
         SearchGoal *g = &k->goal[i];
         if (g->place < k->r->places && !g->done && reason[g->place])
-            exclude(k, g, reason[g->place]);
+            mark_impossible(k, g, reason[g->place]);
     }
 }
 
@@ -163,7 +163,7 @@ static void prove_paths(SearchRun *k, RunFacts *facts)
         for (uint32_t s = 0; s < g->site.n && excluded; s++)
             excluded = is_excluded(p, &g->site.at[s]);
         if (excluded && k->c->place.at[g->place].kind != COVER_STATE)
-            exclude(k, g, p->counted ? counted : "the conditions before it and beside it exclude it");
+            mark_impossible(k, g, p->counted ? counted : "the conditions before it and beside it exclude it");
     }
 }
 
@@ -181,7 +181,7 @@ static void prove_states(SearchRun *k)
         for (uint32_t s = 0; s < g->site.n && excluded; s++)
             excluded = g->site.at[s].state != 0 && !reachable[g->site.at[s].state - 1];
         if (excluded || (place->kind == COVER_STATE && !reachable[place->from->number - 1]))
-            exclude(k, g, "no run enters its state");
+            mark_impossible(k, g, "no run enters its state");
     }
 }
 

@@ -123,7 +123,8 @@ static void set_limits(const Prover *p, RegionGroup *g)
     }
 }
 
-static RegionGroup *find_group(Prover *p, uint32_t x, uint32_t y)
+// NULL: there is no room for a new group; then p->fits is false.
+static RegionGroup *find_or_add_group(Prover *p, uint32_t x, uint32_t y)
 {
     for (uint32_t i = 0; i < p->groups; i++)
         if (p->group[i].x == x && p->group[i].y == y)
@@ -137,11 +138,11 @@ static RegionGroup *find_group(Prover *p, uint32_t x, uint32_t y)
     return &p->group[p->groups++];
 }
 
-RegionGroup *region_group_of(Prover *p, uint32_t value) { return find_group(p, value, SEARCH_NONE); }
+RegionGroup *region_group_of(Prover *p, uint32_t value) { return find_or_add_group(p, value, SEARCH_NONE); }
 
 static void add_constant(Prover *p, uint32_t x, double c)
 {
-    RegionGroup *g = find_group(p, x, SEARCH_NONE);
+    RegionGroup *g = find_or_add_group(p, x, SEARCH_NONE);
     uint32_t at = 0;
 
     if (!g || !(c - c == 0))
@@ -207,7 +208,7 @@ void region_add_condition(Prover *p, const RegionView *v, IrRef ref)
         if (l.y == SEARCH_NONE)
             add_constant(p, l.x, l.c);
         else
-            find_group(p, l.x, l.y);
+            find_or_add_group(p, l.x, l.y);
     }
 }
 
@@ -273,7 +274,7 @@ bool region_truth(Prover *p, const RegionView *v, IrRef ref)
     default: break;
     }
     l = leaf_of(p, v, ref);
-    g = find_group(p, l.x, l.y);
+    g = find_or_add_group(p, l.x, l.y);
     if (l.y == SEARCH_NONE)
         order = compare_region(g, l.c);
     else

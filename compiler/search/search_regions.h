@@ -18,7 +18,7 @@ typedef struct Value {
     IrOp op;
     SmType type;
     SmStat stat;
-    uint32_t a, b, var;       // operands as values; of a load, a is 0 if an earlier function of the step can have stored the variable
+    uint32_t a, b, var;       // operands as values; for a load, a is 0 if an earlier function of the step can have stored the variable
     uint64_t bits;
 } Value;
 

@@ -50,7 +50,8 @@ static void set_change(Chooser *c, const ScenarioChange *x, uint64_t step)
     cell[k->m->var_of[x->var]] = sm_cell_from_f64(k->p->var.at[x->var]->type, value);
 }
 
-static bool has_all(const Chooser *c, const GoalSet *want)
+// Whether the last replay has reached all wanted goals.
+static bool has_reached_all(const Chooser *c, const GoalSet *want)
 {
     for (uint32_t i = 0; i < want->n; i++)
         if (!chooser_has_reached(c, want->at[i]))
@@ -125,7 +126,7 @@ uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *looped, const Goal
             judge_watch(c);
         if (want->n && f->fresh != fresh) {
             fresh = f->fresh;
-            if (has_all(c, want))
+            if (has_reached_all(c, want))
                 return step;
         }
         if (k->r->steps >= k->next_report)

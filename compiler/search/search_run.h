@@ -53,10 +53,10 @@ typedef struct SearchPath { const SearchElem *elem; uint32_t n; } SearchPath;
 typedef struct SearchDecision {
     const FlatDecision *d;
     uint32_t fn;              // index into FlatMachine.fn
-    uint32_t state;           // number of the state that contains it; 0: it is in what a window samples
-    SearchPath path;          // of the statement that contains it
+    uint32_t state;           // number of the state that contains the decision; 0: a sampled expression contains it
+    SearchPath path;          // the path to the statement that contains the decision
     uint32_t *operand;        // indices into the frame: the values on which its distance depends
-    double *last;             // their values when the distance was last computed
+    double *last;             // the values of `operand` when the distance was last computed
     uint32_t operands;
     bool is_known;            // `last` has been set
     VEC(struct SearchEdge) edge;      // the goals whose paths contain it
@@ -140,9 +140,9 @@ typedef struct SearchNode {
 } SearchNode;
 
 typedef struct SearchRun {
-    Arena *arena, work;       // of the result; of the search
-    Arena flats;              // of the current `flat`
-    Arena legs;               // of the parts of the current way around (search_go_around)
+    Arena *arena, work;       // `arena` has the result, `work` what only the search needs
+    Arena flats;              // memory of the current `flat`
+    Arena legs;               // memory of the parts of the current detour (search_go_around)
     const Cover *c;
     const Program *p;
     const IrMachine *m;

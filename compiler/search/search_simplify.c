@@ -163,7 +163,7 @@ typedef struct Reducer {
 } Reducer;
 
 // Stores the transitions of the last replay, which was one of *s.
-static void keep_enters(Reducer *r)
+static void store_enters(Reducer *r)
 {
     r->enter = arena_copy(&r->c->k->work, r->c->enters.at, r->c->enters.n * sizeof *r->enter);
     r->enters = r->c->enters.n;
@@ -175,7 +175,7 @@ static bool record_enters(Reducer *r)
 
     if (chooser_replay(r->c, r->c->wanted, &s, r->want, NULL) == 0)
         return false;
-    keep_enters(r);
+    store_enters(r);
     return true;
 }
 
@@ -250,7 +250,7 @@ static bool try_edit(Reducer *r, Edit *edit, size_t i, size_t n)
             return false;
         t.s.steps += is_anchored ? t.s.steps / 2 + 16 : 0;
         if (chooser_accept(r->c, r->s, &t, r->want, is_anchored ? t.anchor : NULL)) {
-            keep_enters(r);
+            store_enters(r);
             return true;
         }
         if (is_anchored && is_on_time(&t, r->enter))
@@ -336,7 +336,7 @@ static bool has_clash(const Attempt *t)
 }
 
 // Tries change i `less` steps sooner, and what follows `less - more` steps sooner.
-static bool try_sooner(Chooser *c, Scenario *s, const GoalSet *want, size_t i, uint64_t less, uint64_t more)
+static bool try_change_sooner(Chooser *c, Scenario *s, const GoalSet *want, size_t i, uint64_t less, uint64_t more)
 {
     Attempt t = move_changes(c, s, i, less, more);
 
@@ -349,7 +349,7 @@ static bool skip_wait(Chooser *c, Scenario *s, const GoalSet *want, size_t i, ui
 {
     for (uint64_t short_gap = 1; gap >= LONG_WAIT && short_gap <= SHORTEST_WAITS; short_gap++)
         for (uint64_t more = 0; more <= MOST_DELAY && chooser_has_effort(c); more++)
-            if (try_sooner(c, s, want, i, gap - short_gap, more))
+            if (try_change_sooner(c, s, want, i, gap - short_gap, more))
                 return true;
     return false;
 }
@@ -375,7 +375,7 @@ static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
             gap = i < s->changes ? s->change[i].step - before : 0;
         while (least < gap && chooser_has_effort(c) && i < s->changes) {
             const uint64_t middle = least + (gap - least) / 2;
-            if (try_sooner(c, s, want, i, s->change[i].step - before - middle, 0))
+            if (try_change_sooner(c, s, want, i, s->change[i].step - before - middle, 0))
                 gap = middle;
             else
                 least = middle + 1;
@@ -487,7 +487,7 @@ static bool find_scenario_to(Chooser *c, uint32_t state, size_t most, Scenario *
     return true;
 }
 
-// Returns the first steps of a scenario, in which it makes so many of its changes.
+// Returns the first `step` steps of a scenario, which make its first `changes` changes.
 static Scenario cut_scenario(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
 {
     Scenario out = {.init_state = s->init_state, .delta_t = s->delta_t, .steps = step, .change = s->change, .changes = changes};
@@ -581,7 +581,7 @@ static bool simplify_beginning(Reducer *r)
         tries++;
         t = join_at(c, &way, &from, r->enter[i].step);
         if (chooser_accept(c, r->s, &t, r->want, NULL)) {
-            keep_enters(r);
+            store_enters(r);
             return true;
         }
     }
@@ -611,7 +611,7 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
     start = begin_attempt(c, s);
     remove_idle(c, &start.s, start.change);
     chooser_store_attempt(c, s, &start);
-    keep_enters(&r);
+    store_enters(&r);
     if (s->changes > MANY_CHANGES)
         shorten_long(&r);
     for (int round = 0; round < MOST_ROUNDS && s->changes > 1; round++) {

@@ -12,6 +12,7 @@ enum { TREMBLE_PERCENT = 75 };
 
 // ---- changes ----
 
+// Adds a change of the input to the solution, unless the solution changes this input already.
 static void add_turn(SearchRun *k, uint32_t input, SearchSetting s)
 {
     const SearchTurn t = {input, s};
@@ -32,7 +33,7 @@ void search_add_change(SearchRun *k, const ScenarioChange *c)
         add_turn(k, input, (SearchSetting){.kind = c->kind, .a = c->a, .b = c->b, .source = c->source});
 }
 
-static void add_wished(SearchRun *k, uint32_t input)
+static void add_wished_setting(SearchRun *k, uint32_t input)
 {
     const SearchWish *w = &k->wish[input];
     const double now = sm_cell_to_f64(k->input[input].type, flat_cells(k->plain, k->scratch)[k->input[input].at]);
@@ -130,7 +131,7 @@ static void add_all_wished(SearchRun *k)
         const SearchWish *w = &k->wish[i];
         const bool bounded = w->lo > -SEARCH_BIG || w->hi < SEARCH_BIG || w->differs;
         if (w->needed || w->copies != SEARCH_NONE || (bounded && search_chance(k, 10)))
-            add_wished(k, i);
+            add_wished_setting(k, i);
     }
 }
 

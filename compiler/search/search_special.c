@@ -20,7 +20,8 @@ static double value_beyond(const SearchInput *in, bool above)
     return !in->range ? above ? size : -size : above ? in->range->hi + size : in->range->lo - size;
 }
 
-static double choose_special(SearchRun *k, const SearchInput *in)
+// Chooses an infinity, an end of the input's range or a value beyond it, a number with which the machine compares the input, or one next to it.
+static double choose_special_value(SearchRun *k, const SearchInput *in)
 {
     const bool above = search_chance(k, 50);
     const double base = in->constant.at[search_pick(k, in->constant.n)];
@@ -47,7 +48,7 @@ static void change_inputs(SearchRun *k, uint32_t most)
     k->turn.n = 0;
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t input = search_pick(k, k->inputs);
-        const ScenarioChange c = {.var = k->input[input].var, .kind = SCENARIO_HOLD, .a = choose_special(k, &k->input[input])};
+        const ScenarioChange c = {.var = k->input[input].var, .kind = SCENARIO_HOLD, .a = choose_special_value(k, &k->input[input])};
         search_add_change(k, &c);
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solves a condition that has to become true for the inputs that it reads: through arithmetic with the values of the other operands, through
+// A *wish* (SearchWish) bounds the value that an input should get so that a condition becomes true or false.  The wishes are found by solving
+// the condition for the inputs that it reads: through arithmetic with the values of the other operands, through
 // windows as if their samples were all equal, and through variables by one of the statements that store them.  One step has run on a copy of the
 // snapshot, so that the frame has the value of every temporary.
 #include "compiler/search/search_wish.h"
@@ -12,8 +13,8 @@ enum {
 
 typedef enum Rel { REL_GE, REL_GT, REL_LE, REL_LT, REL_EQ, REL_NE } Rel;
 
-static void wish_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth);
-static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth);
+static void add_wishes_for_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth);
+static void add_wishes_for_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth);
 
 
 static bool satisfies(double a, Rel rel, double b)
@@ -29,7 +30,8 @@ static bool satisfies(double a, Rel rel, double b)
     return false;
 }
 
-static Rel flip(Rel rel)
+// Returns the relation of b to a if `rel` is that of a to b.
+static Rel swap_sides(Rel rel)
 {
     static const Rel flipped[] = {REL_LE, REL_LT, REL_GE, REL_GT, REL_EQ, REL_NE};
 
@@ -46,7 +48,7 @@ void search_wait_for(SearchRun *k, double steps)
 
 // ---- inputs ----
 
-static void wish_input(SearchRun *k, uint32_t input, Rel rel, double x)
+static void add_wish_for_input(SearchRun *k, uint32_t input, Rel rel, double x)
 {
     SearchWish *w = &k->wish[input];
     const double now = sm_cell_to_f64(k->input[input].type, flat_cells(k->plain, k->scratch)[k->input[input].at]);
@@ -69,7 +71,7 @@ static void wish_input(SearchRun *k, uint32_t input, Rel rel, double x)
     }
 }
 
-static void wish_time(SearchRun *k, uint32_t var, Rel rel, double x)
+static void add_wishes_for_time(SearchRun *k, uint32_t var, Rel rel, double x)
 {
     const double now = (double)flat_cells(k->plain, k->scratch)[var], step = (double)k->delta_t;
 
@@ -81,11 +83,11 @@ static void wish_time(SearchRun *k, uint32_t var, Rel rel, double x)
 
 // ---- variables ----
 
-static void wish_path(SearchRun *k, SearchPath path, int depth)
+static void add_wishes_for_path(SearchRun *k, SearchPath path, int depth)
 {
     for (uint32_t e = path.n; e-- > 0; ) {
         const SearchDecision *d = &k->decision[path.elem[e].decision];
-        wish_truth(k, d->fn, d->d->value, path.elem[e].value, depth);
+        add_wishes_for_truth(k, d->fn, d->d->value, path.elem[e].value, depth);
     }
 }
 
@@ -123,7 +125,7 @@ static double increment_of(const SearchRun *k, const SearchStore *s, uint32_t va
     return 0;
 }
 
-static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
+static void add_wishes_for_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
 {
     const SearchStore *s = choose_store(k, var);
     const double now = sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->scratch)[var]);
@@ -136,7 +138,7 @@ static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
         k->foreign_value = x;
         return;
     }
-    wish_path(k, k->path[s->stmt], depth + 1);
+    add_wishes_for_path(k, k->path[s->stmt], depth + 1);
     step = increment_of(k, s, var);
     if (step != 0) {
         const double rounds = (x - now) / step;
@@ -145,24 +147,24 @@ static void wish_var(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
         search_wait_for(k, rounds + 1);
         return;
     }
-    wish_number(k, s->fn, s->value, rel, x, depth + 1);
+    add_wishes_for_number(k, s->fn, s->value, rel, x, depth + 1);
     if (k->fn[s->fn].handle[s->value] & HANDLE_VAR && search_chance(k, 50))
         search_wait_for(k, 1u << search_pick(k, 10));
 }
 
 // ---- windows ----
 
-static void wish_event(SearchRun *k, uint32_t fn, IrRef sample, SmStat stat, Rel rel, double x, int depth)
+static void add_wishes_for_event(SearchRun *k, uint32_t fn, IrRef sample, SmStat stat, Rel rel, double x, int depth)
 {
     const bool more = rel == REL_GE || rel == REL_GT || (rel == REL_EQ && x > 0) || (rel == REL_NE && x <= 0);
 
-    wish_truth(k, fn, sample, more, depth + 1);
+    add_wishes_for_truth(k, fn, sample, more, depth + 1);
     if (more)
         search_wait_for(k, stat == SM_STAT_RUN_TIME ? x / (double)k->delta_t + 2 : x + 2);
 }
 
 // Adds noise, or a slope, to the inputs of what a window samples.
-static void wish_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplitude, double slope, bool is_needed)
+static void add_wishes_for_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplitude, double slope, bool is_needed)
 {
     const IrFn *f = k->fn[fn].fn;
     const IrIns *i = &f->ins.at[sample];
@@ -177,9 +179,9 @@ static void wish_movement(SearchRun *k, uint32_t fn, IrRef sample, double amplit
     if (i->op == IR_const || i->op == IR_load || i->op == IR_stat)
         return;
     if (i->b != IR_NONE && (k->fn[fn].handle[i->b] & HANDLE_INPUT) && (!(k->fn[fn].handle[i->a] & HANDLE_INPUT) || search_chance(k, 50)))
-        wish_movement(k, fn, i->b, amplitude, slope, is_needed);
+        add_wishes_for_movement(k, fn, i->b, amplitude, slope, is_needed);
     else if (i->a != IR_NONE)
-        wish_movement(k, fn, i->a, amplitude, slope, is_needed);
+        add_wishes_for_movement(k, fn, i->a, amplitude, slope, is_needed);
 }
 
 // Returns by how much a sample has to change in each step, so that a window changes by more, or by less, than x.
@@ -206,7 +208,7 @@ static IrRef find_sampled(const SearchRun *k, uint32_t window)
 }
 
 // Adds wishes for what a window samples, so that its statistic is in the relation `rel` to x.
-static void wish_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
+static void add_wishes_for_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const uint32_t window = k->fn[fn].fn->ins.at[ref].var;
     const SmStat stat = k->fn[fn].fn->ins.at[ref].stat;
@@ -217,30 +219,30 @@ static void wish_window(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x,
 
     switch (stat) {
     case SM_STAT_RUN_STEPS: case SM_STAT_RUN_TIME:
-        wish_event(k, 0, sample, stat, rel, x, depth);
+        add_wishes_for_event(k, 0, sample, stat, rel, x, depth);
         return;
     case SM_STAT_ELAPSED: return;
     case SM_STAT_RANGE:
         if (more || rel == REL_NE)
-            wish_movement(k, 0, sample, (x > 0 ? 2 * x : 1), 0, true);
+            add_wishes_for_movement(k, 0, sample, (x > 0 ? 2 * x : 1), 0, true);
         else
             search_wait_for(k, size + 1);
         return;
     case SM_STAT_CHANGE:
         if (rel == REL_EQ || rel == REL_NE)
-            wish_movement(k, 0, sample, 0, rel == REL_EQ ? 0 : 1, true);
+            add_wishes_for_movement(k, 0, sample, 0, rel == REL_EQ ? 0 : 1, true);
         else
-            wish_movement(k, 0, sample, 0, choose_slope(k, size, x, more), !is_satisfied);
+            add_wishes_for_movement(k, 0, sample, 0, choose_slope(k, size, x, more), !is_satisfied);
         search_wait_for(k, size + 1);
         return;
     default: break;
     }
     if (stat == SM_STAT_AVG && search_chance(k, SPIKE_PERCENT)) {
         const double average = search_value_of(k, fn, ref), newest = search_value_of(k, 0, sample);
-        wish_number(k, 0, sample, rel, newest + (x - average) * size, depth + 1);
+        add_wishes_for_number(k, 0, sample, rel, newest + (x - average) * size, depth + 1);
         return;
     }
-    wish_number(k, 0, sample, rel, x, depth + 1);
+    add_wishes_for_number(k, 0, sample, rel, x, depth + 1);
     if (stat != SM_STAT_NEWEST)
         search_wait_for(k, size + 1);
 }
@@ -256,109 +258,109 @@ static bool choose_second(SearchRun *k, uint32_t fn, const IrIns *i)
     return a + b > 0 && search_pick(k, a + b) >= a;
 }
 
-static void wish_sum(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
+static void add_wishes_for_sum(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     if (!choose_second(k, fn, i))
-        wish_number(k, fn, i->a, rel, i->op == IR_add ? x - search_value_of(k, fn, i->b) : x + search_value_of(k, fn, i->b), depth);
+        add_wishes_for_number(k, fn, i->a, rel, i->op == IR_add ? x - search_value_of(k, fn, i->b) : x + search_value_of(k, fn, i->b), depth);
     else if (i->op == IR_add)
-        wish_number(k, fn, i->b, rel, x - search_value_of(k, fn, i->a), depth);
+        add_wishes_for_number(k, fn, i->b, rel, x - search_value_of(k, fn, i->a), depth);
     else
-        wish_number(k, fn, i->b, flip(rel), search_value_of(k, fn, i->a) - x, depth);
+        add_wishes_for_number(k, fn, i->b, swap_sides(rel), search_value_of(k, fn, i->a) - x, depth);
 }
 
-static void wish_product(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
+static void add_wishes_for_product(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     const bool second = choose_second(k, fn, i);
     const double other = search_value_of(k, fn, second ? i->a : i->b);
 
     if (other != 0)
-        wish_number(k, fn, second ? i->b : i->a, other < 0 ? flip(rel) : rel, x / other, depth);
+        add_wishes_for_number(k, fn, second ? i->b : i->a, other < 0 ? swap_sides(rel) : rel, x / other, depth);
     else if (k->fn[fn].handle[second ? i->a : i->b])
-        wish_number(k, fn, second ? i->a : i->b, REL_NE, 0, depth);
+        add_wishes_for_number(k, fn, second ? i->a : i->b, REL_NE, 0, depth);
 }
 
-static void wish_quotient(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
+static void add_wishes_for_quotient(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     const double a = search_value_of(k, fn, i->a), b = search_value_of(k, fn, i->b);
 
     if (!choose_second(k, fn, i))
-        wish_number(k, fn, i->a, b < 0 ? flip(rel) : rel, x * b, depth);
+        add_wishes_for_number(k, fn, i->a, b < 0 ? swap_sides(rel) : rel, x * b, depth);
     else if (x != 0)
-        wish_number(k, fn, i->b, (a < 0) == (x < 0) ? flip(rel) : rel, a / x, depth);
+        add_wishes_for_number(k, fn, i->b, (a < 0) == (x < 0) ? swap_sides(rel) : rel, a / x, depth);
 }
 
-static void wish_magnitude(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
+static void add_wishes_for_magnitude(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     const bool negative = search_value_of(k, fn, i->a) < 0 ? search_chance(k, 70) : search_chance(k, 30);
 
     if (rel == REL_LE || rel == REL_LT) {
-        wish_number(k, fn, i->a, rel, x, depth);
-        wish_number(k, fn, i->a, flip(rel), -x, depth);
+        add_wishes_for_number(k, fn, i->a, rel, x, depth);
+        add_wishes_for_number(k, fn, i->a, swap_sides(rel), -x, depth);
     } else if (negative) {
-        wish_number(k, fn, i->a, flip(rel), -x, depth);
+        add_wishes_for_number(k, fn, i->a, swap_sides(rel), -x, depth);
     } else {
-        wish_number(k, fn, i->a, rel, x, depth);
+        add_wishes_for_number(k, fn, i->a, rel, x, depth);
     }
 }
 
 // min and max.
-static void wish_extreme(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
+static void add_wishes_for_extreme(SearchRun *k, uint32_t fn, const IrIns *i, Rel rel, double x, int depth)
 {
     const bool is_min = i->op == IR_min, both = is_min == (rel == REL_GE || rel == REL_GT);
 
     if (rel == REL_EQ || rel == REL_NE) {
         const bool second = choose_second(k, fn, i);
-        wish_number(k, fn, second ? i->b : i->a, rel, x, depth);
+        add_wishes_for_number(k, fn, second ? i->b : i->a, rel, x, depth);
         if (rel == REL_EQ)
-            wish_number(k, fn, second ? i->a : i->b, is_min ? REL_GE : REL_LE, x, depth);
+            add_wishes_for_number(k, fn, second ? i->a : i->b, is_min ? REL_GE : REL_LE, x, depth);
         return;
     }
     if (both || satisfies(search_value_of(k, fn, i->a), rel, x) < satisfies(search_value_of(k, fn, i->b), rel, x)) {
-        wish_number(k, fn, i->b, rel, x, depth);
+        add_wishes_for_number(k, fn, i->b, rel, x, depth);
         if (both)
-            wish_number(k, fn, i->a, rel, x, depth);
+            add_wishes_for_number(k, fn, i->a, rel, x, depth);
     } else if (satisfies(search_value_of(k, fn, i->a), rel, x) && search_chance(k, 70)) {
-        wish_number(k, fn, i->a, rel, x, depth);
+        add_wishes_for_number(k, fn, i->a, rel, x, depth);
     } else {
-        wish_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth);
+        add_wishes_for_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth);
     }
 }
 
-static void wish_load(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
+static void add_wishes_for_load(SearchRun *k, uint32_t var, Rel rel, double x, int depth)
 {
     if (k->var[var].input != SEARCH_NONE)
-        wish_input(k, k->var[var].input, rel, x);
+        add_wish_for_input(k, k->var[var].input, rel, x);
     else if (var == k->m->t || var == k->m->g)
-        wish_time(k, var, rel, x);
+        add_wishes_for_time(k, var, rel, x);
     else if (var != k->m->s)
-        wish_var(k, var, rel, x, depth);
+        add_wishes_for_var(k, var, rel, x, depth);
 }
 
 // Adds wishes so that a temporary is in the relation `rel` to x.
-static void wish_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
+static void add_wishes_for_number(SearchRun *k, uint32_t fn, IrRef ref, Rel rel, double x, int depth)
 {
     const IrIns *i = &k->fn[fn].fn->ins.at[ref];
 
     if (depth > MOST_DEPTH || k->fn[fn].handle[ref] == 0)
         return;
     switch (i->op) {
-    case IR_load: wish_load(k, i->var, rel, x, depth); break;
-    case IR_stat: wish_window(k, fn, ref, rel, x, depth); break;
-    case IR_add: case IR_sub: wish_sum(k, fn, i, rel, x, depth); break;
-    case IR_mul: wish_product(k, fn, i, rel, x, depth); break;
-    case IR_div: wish_quotient(k, fn, i, rel, x, depth); break;
-    case IR_neg: wish_number(k, fn, i->a, flip(rel), -x, depth); break;
-    case IR_abs: wish_magnitude(k, fn, i, rel, x, depth); break;
-    case IR_min: case IR_max: wish_extreme(k, fn, i, rel, x, depth); break;
-    case IR_sqrt: wish_number(k, fn, i->a, rel, x * x, depth); break;
-    case IR_hypot: wish_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth); break;
-    case IR_sign: wish_number(k, fn, i->a, rel, 0, depth); break;
+    case IR_load: add_wishes_for_load(k, i->var, rel, x, depth); break;
+    case IR_stat: add_wishes_for_window(k, fn, ref, rel, x, depth); break;
+    case IR_add: case IR_sub: add_wishes_for_sum(k, fn, i, rel, x, depth); break;
+    case IR_mul: add_wishes_for_product(k, fn, i, rel, x, depth); break;
+    case IR_div: add_wishes_for_quotient(k, fn, i, rel, x, depth); break;
+    case IR_neg: add_wishes_for_number(k, fn, i->a, swap_sides(rel), -x, depth); break;
+    case IR_abs: add_wishes_for_magnitude(k, fn, i, rel, x, depth); break;
+    case IR_min: case IR_max: add_wishes_for_extreme(k, fn, i, rel, x, depth); break;
+    case IR_sqrt: add_wishes_for_number(k, fn, i->a, rel, x * x, depth); break;
+    case IR_hypot: add_wishes_for_number(k, fn, choose_second(k, fn, i) ? i->b : i->a, rel, x, depth); break;
+    case IR_sign: add_wishes_for_number(k, fn, i->a, rel, 0, depth); break;
     case IR_eq: case IR_ne: case IR_lt: case IR_le: case IR_gt: case IR_ge: case IR_and: case IR_or: case IR_not:
-        wish_truth(k, fn, ref, satisfies(1, rel, x), depth);
+        add_wishes_for_truth(k, fn, ref, satisfies(1, rel, x), depth);
         break;
     default:
         if (i->a != IR_NONE)
-            wish_number(k, fn, i->a, rel, x, depth);
+            add_wishes_for_number(k, fn, i->a, rel, x, depth);
         break;
     }
 }
@@ -376,7 +378,7 @@ static Rel relation_of(IrOp op, bool truth)
 }
 
 // If a comparison compares an input with an output, adds the wish that the input follows the output, as a feedback does.
-static void wish_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
+static void add_wishes_for_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
 {
     const IrFn *f = k->fn[fn].fn;
 
@@ -392,51 +394,52 @@ static void wish_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
             k->wish[k->var[f->ins.at[a].var].input].copies = k->output.at[i];
 }
 
-static void wish_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool truth, int depth)
+static void add_wishes_for_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool truth, int depth)
 {
     const Rel rel = relation_of(i->op, truth);
     const bool second = choose_second(k, fn, i);
 
     if (rel == REL_EQ && search_chance(k, 40)) {
-        wish_copy(k, fn, i->a, i->b);
-        wish_copy(k, fn, i->b, i->a);
+        add_wishes_for_copy(k, fn, i->a, i->b);
+        add_wishes_for_copy(k, fn, i->b, i->a);
     }
     if (second)
-        wish_number(k, fn, i->b, flip(rel), search_value_of(k, fn, i->a), depth);
+        add_wishes_for_number(k, fn, i->b, swap_sides(rel), search_value_of(k, fn, i->a), depth);
     else
-        wish_number(k, fn, i->a, rel, search_value_of(k, fn, i->b), depth);
+        add_wishes_for_number(k, fn, i->a, rel, search_value_of(k, fn, i->b), depth);
 }
 
-// Adds wishes so that one of two nodes has the value; mostly the one that already has it.
-static void wish_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
+// Adds wishes so that temporary a or b gets the value `truth`.  Prefers the one that has this value already.
+static void add_wishes_for_either(SearchRun *k, uint32_t fn, IrRef a, IrRef b, bool truth, int depth)
 {
     const bool has_a = (search_value_of(k, fn, a) != 0) == truth, has_b = (search_value_of(k, fn, b) != 0) == truth;
     const bool second = has_a == has_b || search_chance(k, 30) ? search_chance(k, 50) : has_b;
 
-    wish_truth(k, fn, second ? b : a, truth, depth);
+    add_wishes_for_truth(k, fn, second ? b : a, truth, depth);
 }
 
-static void wish_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth)
+// Adds wishes so that temporary `ref` of the function gets the value `truth`.
+static void add_wishes_for_truth(SearchRun *k, uint32_t fn, IrRef ref, bool truth, int depth)
 {
     const IrIns *i = &k->fn[fn].fn->ins.at[ref];
 
     if (depth > MOST_DEPTH || k->fn[fn].handle[ref] == 0)
         return;
     if (i->op == IR_not) {
-        wish_truth(k, fn, i->a, !truth, depth);
+        add_wishes_for_truth(k, fn, i->a, !truth, depth);
     } else if (i->op == IR_cvt) {
-        wish_truth(k, fn, i->a, truth, depth);
+        add_wishes_for_truth(k, fn, i->a, truth, depth);
     } else if (i->op == IR_and || i->op == IR_or) {
         if (truth == (i->op == IR_and)) {
-            wish_truth(k, fn, i->a, truth, depth);
-            wish_truth(k, fn, i->b, truth, depth);
+            add_wishes_for_truth(k, fn, i->a, truth, depth);
+            add_wishes_for_truth(k, fn, i->b, truth, depth);
         } else {
-            wish_either(k, fn, i->a, i->b, truth, depth);
+            add_wishes_for_either(k, fn, i->a, i->b, truth, depth);
         }
     } else if (ir_op_info[i->op].types == IR_T_COMPARE) {
-        wish_comparison(k, fn, i, truth, depth);
+        add_wishes_for_comparison(k, fn, i, truth, depth);
     } else {
-        wish_number(k, fn, ref, truth ? REL_NE : REL_EQ, 0, depth);
+        add_wishes_for_number(k, fn, ref, truth ? REL_NE : REL_EQ, 0, depth);
     }
 }
 
@@ -459,7 +462,7 @@ void search_wish_node(SearchRun *k, const SearchDecision *x, uint32_t n, bool va
     const FlatNode *node = &x->d->node[n];
 
     if (node->kind == NODE_CONDITION) {
-        wish_truth(k, x->fn, x->d->condition[node->a], value, 0);
+        add_wishes_for_truth(k, x->fn, x->d->condition[node->a], value, 0);
     } else if (node->kind == NODE_NOT) {
         search_wish_node(k, x, node->a, !value);
     } else if (value == (node->kind == NODE_AND)) {

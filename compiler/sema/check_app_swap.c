@@ -76,7 +76,7 @@ void check_app_swap_at(AppCheck *k, const AstAppOption *o)
 }
 
 // Reports an option that has no effect, if it exists.
-static void report_unused(AppCheck *k, AstAppOptionKind kind, DiagCode why)
+static void report_unused_option(AppCheck *k, AstAppOptionKind kind, DiagCode why)
 {
     const AstAppOption *o = app_find_option(k->ast, kind);
 
@@ -91,9 +91,9 @@ void check_app_swap_place(AppCheck *k)
     if (at->place == APP_AT_ADDRESS && at->ip[0] != 127 && at->port != 0 && !at->key)
         diag_report(k->c->diags, DIAG_app_swap_key, app_find_option(k->ast, AST_APP_swap_at)->file.span, at->name->text);
     if (at->place == APP_NOWHERE && !k->ast->lost)
-        report_unused(k, AST_APP_swap_key, DIAG_part_no_swap_at);
+        report_unused_option(k, AST_APP_swap_key, DIAG_part_no_swap_at);
     if (at->place != APP_AT_LINE && !k->ast->lost)
-        report_unused(k, AST_APP_swap_speed, at->place == APP_NOWHERE ? DIAG_part_no_swap_at : DIAG_part_no_line);
+        report_unused_option(k, AST_APP_swap_speed, at->place == APP_NOWHERE ? DIAG_part_no_swap_at : DIAG_part_no_line);
     if (at->speed == 0)
         at->speed = 115200;
 }

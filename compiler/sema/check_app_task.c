@@ -78,7 +78,7 @@ static void check_machine_time(AppCheck *k, const AstAppTask *in, const Program 
     diag_note(k->c->diags, d, k->app->time_span, DIAG_note_named_here);
 }
 
-// Whether the machine can be in a state in which it may be replaced (swapping.md 12.4).
+// Whether the machine has a state in which a swap can replace it (swapping.md 12.4).
 static bool has_swap_state(const Program *p)
 {
     for (size_t i = 0; i < p->state.n; i++)

@@ -71,7 +71,7 @@ static void bind_local(Sema *s, Program *p, const Var *v, const AstBinding *b)
 }
 
 // Reports `fireDrogue = fire`, whose sides are exchanged. Returns false if they are not.
-static bool report_exchanged(Sema *s, const Program *p, const AstBinding *b)
+static bool report_exchanged_sides(Sema *s, const Program *p, const AstBinding *b)
 {
     const Var *v = b->element.text ? map_find(&p->by_name, b->element.text) : NULL;
     const char *text;
@@ -86,7 +86,7 @@ static bool report_exchanged(Sema *s, const Program *p, const AstBinding *b)
     return true;
 }
 
-static void report_unknown(Sema *s, const Program *p, const AstBinding *b)
+static void report_unknown_name(Sema *s, const Program *p, const AstBinding *b)
 {
     Diag *d = diag_report(s->diags, DIAG_binding_unknown, b->name.span, p->name->text, b->name.text->text);
     Guess g = guess_init(b->name.text);
@@ -140,8 +140,8 @@ void check_bindings(Sema *s, Program *p, const MachineInstance *instance)
         while (first < i && (!v || bound_by[first] != v))
             first++;
         bound_by[i] = v;
-        if (!v && !s->lost->names && !map_find(&s->lost->word, b->name.text) && !report_exchanged(s, p, b))
-            report_unknown(s, p, b);
+        if (!v && !s->lost->names && !map_find(&s->lost->word, b->name.text) && !report_exchanged_sides(s, p, b))
+            report_unknown_name(s, p, b);
         else if (v && first < i)
             diag_note(s->diags, diag_report(s->diags, DIAG_binding_twice, b->span, b->name.text->text), instance->binding[first].span,
                       DIAG_note_first_here);

@@ -72,7 +72,8 @@ static void check_complete(Sema *s, const AstSection *in)
         diag_report(s->diags, DIAG_data_incomplete, in->header, missing);
 }
 
-static bool report_second(Sema *s, const Script *script, const AstSection *in)
+// Returns true, and reports the section, if the script already has a [data] section.
+static bool report_second_data_section(Sema *s, const Script *script, const AstSection *in)
 {
     if (!script->data)
         return false;
@@ -89,7 +90,7 @@ void check_data(Sema *s, Script *script, const AstSection *in)
         diag_report(s->diags, DIAG_data_is_state, in->header);
         return;
     }
-    if (report_second(s, script, in))
+    if (report_second_data_section(s, script, in))
         return;
     if (s->p->joint && s->p->time_unit == TIME_NONE) {
         diag_report(s->diags, DIAG_app_time_literal, in->header, "[data]", app_time_text(s->arena, s->p->joint->unit));

@@ -51,7 +51,7 @@ void number_random_definitions(Sema *s, const AstFile *ss)
 
 // ---- calls ----
 
-static Expr *report_misplaced(Sema *s, const AstExpr *e)
+static Expr *report_misplaced_call(Sema *s, const AstExpr *e)
 {
     diag_report(s->diags, DIAG_random_place, e->span, e->name->text, s->at == EXPR_IN_INITIAL ? "an initial value" : "the size of a window");
     return NULL;
@@ -93,7 +93,7 @@ Expr *check_random_call(Sema *s, const AstExpr *e)
     Expr *out;
 
     if (s->at != EXPR_IN_STEP)
-        return report_misplaced(s, e);
+        return report_misplaced_call(s, e);
     number = number_call(s, ast_op_span(e));
     if (e->args->n != arguments)
         return report_argument_count(s, e);

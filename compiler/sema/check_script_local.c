@@ -21,7 +21,7 @@ static const char *find_meaning(const Sema *s, Str name)
 }
 
 // Adds a note that points at the first declaration of a name.
-static void note_first(Sema *s, Diag *d, Str name)
+static void note_first_declaration(Sema *s, Diag *d, Str name)
 {
     const State *state = map_find(&s->p->state_by_name, name);
 
@@ -45,7 +45,7 @@ static void declare_local(Sema *s, Script *script, size_t n, const AstDecl *decl
     else if (strcmp(v->name->text, "T") == 0)
         diag_report(s->diags, DIAG_time_declared, v->span);
     else if (meaning)
-        note_first(s, diag_report(s->diags, DIAG_name_taken, v->span, v->name->text, meaning), v->name);
+        note_first_declaration(s, diag_report(s->diags, DIAG_name_taken, v->span, v->name->text, meaning), v->name);
     else
         map_put(&s->script_local, v->name, v);
 }

@@ -171,7 +171,8 @@ static const char *const statistic_name[SM_STAT_COUNT] = {
 #include "stdlib/builtins.def"
 };
 
-// Appends names to `out`.  Stops soon after `most` characters, so that nested calls do not take quadratic time.
+// Appends the name of an expression to `out`: text with which the expression could be written.  Stops soon after `most`
+// characters, so that nested calls do not take quadratic time.
 typedef struct Namer {
     Arena *arena;
     const Windows *window;
@@ -179,20 +180,20 @@ typedef struct Namer {
     Buf *out;
 } Namer;
 
-static void name_expr(const Namer *n, const Expr *e);
+static void append_expr_name(const Namer *n, const Expr *e);
 
 // An operand with an operator is in parentheses, whatever the precedence: different trees have different texts.
-static void name_operand(const Namer *n, const Expr *e)
+static void append_operand_name(const Namer *n, const Expr *e)
 {
     const bool enclosed = (e->kind == EX_UNARY || e->kind == EX_BINARY || e->kind == EX_CHAIN) && !expr_is_constant(e);
 
     buf_str(n->out, enclosed ? "(" : "");
-    name_expr(n, e);
+    append_expr_name(n, e);
     buf_str(n->out, enclosed ? ")" : "");
 }
 
 // An infinity and NaN are written as divisions, because `inf` and `NaN` can be names.
-static void name_constant(const Namer *n, SmF64 x)
+static void append_constant_name(const Namer *n, SmF64 x)
 {
     if (sm_is_nan(x))
         buf_str(n->out, "0/0");
@@ -202,7 +203,7 @@ static void name_constant(const Namer *n, SmF64 x)
         buf_str(n->out, const_text(n->arena, x));
 }
 
-static void name_variable(const Namer *n, const Var *v)
+static void append_variable_name(const Namer *n, const Var *v)
 {
     if (v->kind == VAR_LOCAL)
         buf_printf(n->out, "%s %s", sm_type_info[v->type].spelling, v->name->text);
@@ -210,51 +211,51 @@ static void name_variable(const Namer *n, const Var *v)
         buf_str(n->out, v->name->text);
 }
 
-static void name_window(const Namer *n, const char *function, const Window *w)
+static void append_window_name(const Namer *n, const char *function, const Window *w)
 {
     buf_printf(n->out, "%s(", function);
-    name_expr(n, w->sample);
+    append_expr_name(n, w->sample);
     buf_printf(n->out, ", %lu)", (unsigned long)w->size);
 }
 
-static void name_operation(const Namer *n, const Expr *e)
+static void append_operation_name(const Namer *n, const Expr *e)
 {
     for (uint32_t i = 0; i < e->n; i++) {
         if (e->kind == EX_UNARY)
             buf_printf(n->out, "%s%s", operator_spelling[e->op], e->op == SM_OP_NOT ? " " : "");
         else if (i > 0)
             buf_printf(n->out, " %s ", operator_spelling[e->kind == EX_CHAIN ? expr_ops(e)[i - 1] : e->op]);
-        name_operand(n, e->arg[i]);
+        append_operand_name(n, e->arg[i]);
     }
 }
 
-static void name_call(const Namer *n, const Expr *e)
+static void append_call_name(const Namer *n, const Expr *e)
 {
     buf_printf(n->out, "%s(", builtin_name[e->fn]);
     for (uint32_t i = 0; i < e->n; i++) {
         buf_str(n->out, i > 0 ? ", " : "");
-        name_expr(n, e->arg[i]);
+        append_expr_name(n, e->arg[i]);
     }
     buf_str(n->out, ")");
 }
 
-static void name_expr(const Namer *n, const Expr *e)
+static void append_expr_name(const Namer *n, const Expr *e)
 {
     if (n->out->n > n->most)
         return;
     if (expr_is_constant(e)) {
-        name_constant(n, expr_constant_value(e));
+        append_constant_name(n, expr_constant_value(e));
         return;
     }
     switch (e->kind) {
     case EX_NUMBER: break;                                  // a constant
-    case EX_VAR: name_variable(n, e->var); break;
+    case EX_VAR: append_variable_name(n, e->var); break;
     case EX_UNARY:
     case EX_BINARY:
-    case EX_CHAIN: name_operation(n, e); break;
-    case EX_CALL: name_call(n, e); break;
+    case EX_CHAIN: append_operation_name(n, e); break;
+    case EX_CALL: append_call_name(n, e); break;
     case EX_EVERY: case EX_AT: case EX_RANDOM: break;             // no window of a machine samples them
-    case EX_ROLL: name_window(n, statistic_name[e->stat], &n->window->at[e->window]); break;
+    case EX_ROLL: append_window_name(n, statistic_name[e->stat], &n->window->at[e->window]); break;
     }
 }
 
@@ -263,7 +264,7 @@ void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t 
 {
     const Namer n = {arena, all, most, out};
 
-    name_window(&n, 1u << w->stat & SM_STATS_OF_RUNS ? "run" : 1u << w->stat & SM_STATS_OF_TIMES ? "times" : "roll", w);
+    append_window_name(&n, 1u << w->stat & SM_STATS_OF_RUNS ? "run" : 1u << w->stat & SM_STATS_OF_TIMES ? "times" : "roll", w);
 }
 
 // Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.

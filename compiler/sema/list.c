@@ -30,7 +30,7 @@ static uint8_t add_number(Steps *s, SmF64 number)
     return value;
 }
 
-static uint8_t add_whole(Steps *s, int32_t number) { return add_number(s, sm_from_i32(number)); }
+static uint8_t add_whole_number(Steps *s, int32_t number) { return add_number(s, sm_from_i32(number)); }
 
 // ---- smallest, largest ----
 
@@ -55,7 +55,7 @@ static void add_average(Steps *s)
     for (; n > 1; n = (n + 1) / 2)
         for (uint32_t i = 0; i < n; i += 2)
             sum[i / 2] = i + 1 < n ? add_step(s, LIST_ADD, sum[i], sum[i + 1]) : sum[i];
-    add_step(s, LIST_DIV, sum[0], add_whole(s, (int32_t)s->values));
+    add_step(s, LIST_DIV, sum[0], add_whole_number(s, (int32_t)s->values));
 }
 
 // ---- median ----
@@ -134,9 +134,9 @@ static void add_middle_of_two(Steps *s, uint8_t lo, uint8_t hi)
 {
     const uint8_t infinity = add_number(s, sm_from_bits(0x7FF0000000000000u));
     const uint8_t finite = add_step(s, LIST_LT, add_step(s, LIST_SUB, hi, lo), infinity);
-    const uint8_t bound = add_step(s, LIST_DIV, finite, add_step(s, LIST_SUB, add_whole(s, 1), finite));       // infinity or 0
+    const uint8_t bound = add_step(s, LIST_DIV, finite, add_step(s, LIST_SUB, add_whole_number(s, 1), finite));       // infinity or 0
     const uint8_t near = add_step(s, LIST_MIN, add_step(s, LIST_MAX, lo, add_step(s, LIST_NEG, bound, 0)), bound);
-    const uint8_t zero = add_whole(s, 0), two = add_whole(s, 2);
+    const uint8_t zero = add_whole_number(s, 0), two = add_whole_number(s, 2);
     const uint8_t share = add_step(s, LIST_DIV, lo, add_step(s, LIST_SUB, two, finite));                       // lo, or lo / 2
     const uint8_t gap = add_step(s, LIST_ADD, add_step(s, LIST_SUB, near, hi), zero);
     const uint8_t middle = add_step(s, LIST_SUB, share, add_step(s, LIST_DIV, gap, two));

@@ -174,7 +174,7 @@ static bool report_flaw(MeasureReader *r, MeasureFlaw flaw, uint32_t at, uint32_
     return false;
 }
 
-static bool report_expected(MeasureReader *r, const char *what) { return report_flaw(r, MEASURE_MALFORMED, r->at, r->text[r->at] != 0, what); }
+static bool report_expected_text(MeasureReader *r, const char *what) { return report_flaw(r, MEASURE_MALFORMED, r->at, r->text[r->at] != 0, what); }
 
 static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -187,14 +187,14 @@ static bool read_power(MeasureReader *r, double *power)
 
     r->at += minus;
     if (!is_digit(r->text[r->at]))
-        return report_expected(r, "a number");
+        return report_expected_text(r, "a number");
     for (; is_digit(r->text[r->at]) && x <= power_max; r->at++)
         x = x * 10 + (r->text[r->at] - '0');
     if (r->text[r->at] == '.' && is_digit(r->text[r->at + 1]))
         for (r->at++; is_digit(r->text[r->at]); r->at++)
             x += (r->text[r->at] - '0') * (digit /= 10);
     if (x > power_max)
-        return report_expected(r, "a number of at most 99");
+        return report_expected_text(r, "a number of at most 99");
     *power = minus ? -x : x;
     return true;
 }
@@ -209,11 +209,11 @@ static bool read_term(MeasureReader *r, Measure *into)
     if (r->text[r->at] == '(') {
         r->at++;
         if (++r->depth > DEPTH_MAX)
-            return report_expected(r, "fewer parentheses");
+            return report_expected_text(r, "fewer parentheses");
         if (!read_unit(r, into))
             return false;
         if (r->text[r->at] != ')')
-            return report_expected(r, "')'");
+            return report_expected_text(r, "')'");
         r->at++;
         r->depth--;
     } else if (r->text[r->at] == '1' && !is_digit(r->text[r->at + 1])) {
@@ -228,7 +228,7 @@ static bool read_term(MeasureReader *r, Measure *into)
             *into = measure_of_number();
         }
     } else
-        return report_expected(r, (unsigned char)r->text[r->at] < 0x80 ? "the name of a unit" : "letters a to z and A to Z, as in degC");
+        return report_expected_text(r, (unsigned char)r->text[r->at] < 0x80 ? "the name of a unit" : "letters a to z and A to Z, as in degC");
     if (r->text[r->at] != '^')
         return true;
     r->at++;
@@ -260,7 +260,7 @@ MeasureFlaw measure_parse(const char *text, Measure *into, MeasureError *error)
     if (strlen(text) > MEASURE_LENGTH_MAX)
         report_flaw(&r, MEASURE_MALFORMED, 0, (uint32_t)strlen(text), "at most 80 characters");
     else if (read_unit(&r, into) && text[r.at])
-        report_expected(&r, "'*', '/' or '^'");
+        report_expected_text(&r, "'*', '/' or '^'");
     if (r.flaw == MEASURE_GOOD && !measure_is_usable(into))
         report_flaw(&r, MEASURE_MALFORMED, 0, (uint32_t)strlen(text), "a smaller unit");
     into->text = text;

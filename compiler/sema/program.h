@@ -66,7 +66,7 @@ typedef struct StateVec {
     VEC(Allow) allow;         // the @allow annotations of the elements in a .sv
     Map by_name;              // name to Element
     uint32_t size;            // bytes in memory, a multiple of 8
-    uint32_t hash;            // of names, types and order: machines run only with a vector that has this hash
+    uint32_t hash;            // hash of names, types and order: machines run only with a vector that has this hash
 } StateVec;
 
 // ---- variables ----
@@ -94,7 +94,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Str alias;                // or NULL
     Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
     SmType type;
-    uint32_t index;           // its index in Program.var; of a script's variable: Program.var.n plus its index in Script.local
+    uint32_t index;           // index in Program.var; for a variable of a script, Program.var.n plus the index in Script.local
     Element *element;         // ELEMENT: its element
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
@@ -147,8 +147,8 @@ typedef VEC(Define *) Defines;
 typedef enum ExprKind {
     EX_NUMBER,                // the number `number`
     EX_VAR,                   // the value of `var`, read as F64
-    EX_UNARY,                 // op arg[0]          (NOT NEG; PLUS was dropped)
-    EX_BINARY,                // arg[0] op arg[1]   (never part of a chain; each operand is evaluated once)
+    EX_UNARY,                 // op arg[0]          (op is NOT or NEG: a unary plus has no node)
+    EX_BINARY,                // arg[0] op arg[1]   (also a single relation, a < b; a < b < c is a CHAIN)
     EX_CHAIN,                 // arg[0] ops[0] arg[1] ops[1] arg[2] …: relations only; true if all of them are
     EX_CALL,                  // fn(arg …), a function without side effects
     EX_ROLL,                  // statistic `stat` of window `window`; arg[0] is the sampled expression
@@ -178,12 +178,12 @@ static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *
 
 // The window of one roll call in the source.  Every call has its own Window; the IR builder merges equal windows.
 typedef struct Window {
-    Expr *sample;             // the sampled expression; of a window of times: an event that is 0 or not
+    Expr *sample;             // the sampled expression; in a window of times, an event: 0 or not 0
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
-    const Var *time;          // of a window of times (SM_STATS_OF_TIMES): G
-    uint64_t gap;             // of a run: it restarts if G has advanced by more than this since the last step; 0: never
-    uint32_t clock;           // of a run with a gap: the window, with SM_STAT_ELAPSED, of the times of the last two steps
+    const Var *time;          // only in a window of times (SM_STATS_OF_TIMES): G
+    uint64_t gap;             // only for a run: the run restarts if G has advanced by more than this since the last step; 0: never
+    uint32_t clock;           // only for a run with a gap: the window (SM_STAT_ELAPSED) with the times of the last two steps
     Span span;
     bool in_time;             // the call has a time instead of n: (size - 1) * Program.step
 } Window;
@@ -243,7 +243,7 @@ typedef struct Member {
     const Var **var;          // by Var.index of `program`: the variable in the joined Program
     Var *s, *t;               // the elements that are S and T of this machine
     uint32_t first;           // its states are Program.state[first] and the following
-    const State *initial;     // of `program`
+    const State *initial;     // a state of `program`
     const Var *mode;          // the element of its @mode in the joined Program; or NULL
     uint64_t every;           // the machine steps once in this many ticks
 } Member;
@@ -269,7 +269,7 @@ typedef struct RequirementMark {
 
 typedef struct Program {
     Str stem;                 // the file's: "tank" of dir/tank.sm
-    Str name;                 // the stem; of a machine with bindings, its name in the application
+    Str name;                 // the stem; for a machine with bindings, its name in the application
     const Source *src;
     StateVec *sv;
     VEC(Var *) var;           // listed elements in order, then locals in order, then T

@@ -26,9 +26,9 @@ typedef struct Requirement {
 
 typedef struct Requirements {
     const Program *program;
-    VEC(Requirement) at;      // of all files, in their order
+    VEC(Requirement) at;      // the requirements of all files, in the order of the files
     Map by_id;                // id to Requirement
-    Windows window;           // of the calls in all conditions that sample
+    Windows window;           // the windows that the conditions sample
 } Requirements;
 
 #endif

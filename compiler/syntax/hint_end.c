@@ -39,8 +39,8 @@ HintResult hint_report_decimal_comma(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reads `-- …` as a comment, at a position where no expression can begin or continue.
-HintResult hint_skip_remark(HintCase *c)
+// Reports `-- …`, a comment in other languages, at a position where no expression can begin or continue, and skips it.
+HintResult hint_report_foreign_comment(HintCase *c)
 {
     Parser *p = c->p;
     const Source *src = p->lex.src;

@@ -225,7 +225,7 @@ static void label_membership(Diags *diags, Diag *d, const Membership *m)
 // ---- S in (A, B) ----
 
 // Returns the end of `in`, `not in`, `is in` or `is not in` at `at`; 0 if the text is anything else.
-static uint32_t skip_in(const char *text, uint32_t at, bool *is_negated)
+static uint32_t skip_in_operator(const char *text, uint32_t at, bool *is_negated)
 {
     uint32_t end;
 
@@ -265,7 +265,7 @@ HintResult hint_report_membership(HintCase *c)
     const bool outer_not = c->e->kind == AST_UNARY && c->e->op == SM_OP_NOT;
     const AstExpr *left = outer_not ? c->e->a : c->e;
     Membership m = {.written = left->span};
-    const uint32_t in = skip_in(text, p->tok.at, &m.is_negated);
+    const uint32_t in = skip_in_operator(text, p->tok.at, &m.is_negated);
     Diag *d;
 
     if (!in)

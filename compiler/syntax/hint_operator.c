@@ -207,7 +207,7 @@ void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *
 // ---- bars ----
 
 // Reports |a - |b||, where it is ambiguous which bars form a pair, and skips up to the last bar of the line.
-static void skip_nested_bars(Lexer *l, Token *t)
+static void report_nested_bars(Lexer *l, Token *t)
 {
     uint32_t at = l->at, end = at + 1;
     Diag *d;
@@ -259,7 +259,7 @@ HintResult hint_read_bars(Lexer *l, Token *t)
     if (lexer_byte(l, end) != '|')
         return HINT_NONE;
     if (lexer_byte(l, at + 1) == '|' || lexer_byte(l, end + 1) == '|' || !is_single_value(l, at + 1, end)) {
-        skip_nested_bars(l, t);
+        report_nested_bars(l, t);
         return HINT_READ;
     }
     fixed = format_in(l->diags->arena, "abs(%s)", lexer_text(l, at + 1, end));

@@ -321,7 +321,8 @@ static bool lex_unit(Lexer *l, Token *t)
 
 // ---- punctuators ----
 
-// Returns the punctuator at the current position; NULL if none begins there. Among the rows with one first character, the longest comes first.
+// Returns the longest punctuator that begins at the current position, or NULL.  The rows whose spellings begin with the same character are
+// linked from the longest to the shortest, so the first match is the longest.
 static const Punctuator *find_punctuator(const Lexer *l)
 {
     const char *s = l->src->text + l->at;                          // terminated by a NUL, which no punctuator contains

@@ -356,7 +356,7 @@ static void parse_annotation_arguments(Parser *p, AstAnnotation *a)
 }
 
 // Skips (name, "reason") of an @allow that is not allowed: parse_finding stops at the first error.
-static void skip_finding(Parser *p)
+static void skip_allow_arguments(Parser *p)
 {
     while (!p->tok.first && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE && p->tok.kind != TOK_HEADER)
         parser_advance(p);
@@ -381,7 +381,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
     first = first && !p->tok.first;
     p->failed = !allowed;                     // silences errors in the arguments of an annotation that is not allowed
     if (!allowed && rows[row].takes == TAKES_FINDING)
-        skip_finding(p);
+        skip_allow_arguments(p);
     else
         parse_annotation_arguments(p, &a);
     p->failed = p->failed && allowed;

@@ -118,7 +118,7 @@ static uint32_t add_readings(FaultEngine *e, uint32_t n)
 }
 
 // Sets the cells that the script sees.  What the machine itself stored in an input is its true value.
-static void see_outside(FaultEngine *e, EngineStep *out)
+static void set_outside_cells(FaultEngine *e, EngineStep *out)
 {
     memcpy(e->outside, out->cell, e->engine.program->var.n * sizeof *e->outside);
     for (uint32_t i = 0; i < e->inputs; i++) {
@@ -145,7 +145,7 @@ static EngineStatus faulty_step(Engine *engine, const EngineWrite *write, uint32
     store_past(e);
     status = e->inner->step(e->inner, e->write, n, out);
     e->engine.error = e->inner->error;
-    see_outside(e, out);
+    set_outside_cells(e, out);
     return status;
 }
 

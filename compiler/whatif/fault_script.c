@@ -174,12 +174,12 @@ static void rename_at(Edits *e, Span span, const Var *v)
     }
 }
 
-static void rename_in(Edits *e, const Expr *x)
+static void rename_in_expr(Edits *e, const Expr *x)
 {
     if (x->kind == EX_VAR)
         rename_at(e, x->span, x->var);
     for (uint32_t i = 0; i < x->n; i++)
-        rename_in(e, x->arg[i]);
+        rename_in_expr(e, x->arg[i]);
 }
 
 // Renames the faulty inputs in the roll calls of an assert: these sample true values, before the step.  Outside roll calls an assert reads the
@@ -187,7 +187,7 @@ static void rename_in(Edits *e, const Expr *x)
 static void rename_samples(Edits *e, const Expr *x)
 {
     if (x->kind == EX_ROLL)
-        rename_in(e, x);
+        rename_in_expr(e, x);
     for (uint32_t i = 0; x->kind != EX_ROLL && i < x->n; i++)
         rename_samples(e, x->arg[i]);
 }
@@ -204,10 +204,10 @@ static void edit_assert(Edits *e, const ScriptAssert *a)
 
 static void edit_item(Edits *e, const ScriptItem *item)
 {
-    rename_in(e, item->guard);
+    rename_in_expr(e, item->guard);
     for (uint32_t i = 0; i < item->inputs.n; i++) {
         rename_at(e, script_input_span(item, &item->inputs.at[i]), item->inputs.at[i].var);
-        rename_in(e, item->inputs.at[i].value);
+        rename_in_expr(e, item->inputs.at[i].value);
     }
     for (uint32_t i = 0; i < item->asserts.n; i++)
         edit_assert(e, &item->asserts.at[i]);

@@ -83,7 +83,7 @@ static bool has_transition(const FaultWatch *w, const State *from, const State *
     return false;
 }
 
-static uint32_t script_of(const FaultWatch *w) { return (uint32_t)(w->healthy - w->x->healthy); }
+static uint32_t script_index(const FaultWatch *w) { return (uint32_t)(w->healthy - w->x->healthy); }
 
 // Adds the triggers by time that this step is the first one to reach.
 static void add_timed_triggers(FaultWatch *w, const ScriptStep *step)
@@ -94,7 +94,7 @@ static void add_timed_triggers(FaultWatch *w, const ScriptStep *step)
     for (uint32_t i = 0; i < o->times; i++)
         is_reached |= step->g >= o->at[i] && (step->number == 1 || w->result.end_g < o->at[i]);
     if (is_reached)
-        add_trigger(w->x, (FaultTrigger){script_of(w), step->number, step->g, NULL, step->state, true});
+        add_trigger(w->x, (FaultTrigger){script_index(w), step->number, step->g, NULL, step->state, true});
 }
 
 // Adds a trigger at each first transition of its kind, and at the start; extends the visit of the state.
@@ -104,7 +104,7 @@ static void add_state_triggers(FaultWatch *w, const ScriptStep *step)
     Visit *v = &w->x->visit[step->state->number - 1];
 
     if (is_first && !has_transition(w, w->last, step->state))
-        add_trigger(w->x, (FaultTrigger){script_of(w), step->number, step->g, w->last, step->state, false});
+        add_trigger(w->x, (FaultTrigger){script_index(w), step->number, step->g, w->last, step->state, false});
     if (step->number - w->r->machine[0].start_step >= v->last - v->first)
         *v = (Visit){w->r->machine[0].start_step, step->number};
 }

@@ -356,7 +356,7 @@ static FaultResult result_unread(const FaultRunner *x, const Fault *fault)
     return (FaultResult){.trigger = x->at, .fault = {*fault}, .faults = 1, .end = h->end, .healthy_end = h->end, .steps = h->steps};
 }
 
-static void run_single(FaultRunner *x)
+static void run_single_fault(FaultRunner *x)
 {
     const Fault *fault = &x->single.at[x->i];
     uint8_t *visited = visited_by(x, x->i);
@@ -437,7 +437,7 @@ bool faults_run_next(Faults *f)
     if (x->in_pairs)
         run_pair(x);
     else
-        run_single(x);
+        run_single_fault(x);
     return true;
 }
 

@@ -25,7 +25,7 @@ typedef struct PalAioInfo {
     uint32_t step;            // resolution in millionths, rounded down; 0: less than one millionth, or unknown
 } PalAioInfo;
 
-// Opens a channel.  The value of an output is undefined until its first write.
+// Opens an analog channel for input or output.  The value of an output is undefined until its first write.
 //     SM_E_MISSING       no such channel
 //     SM_E_BUSY          it is already open
 //     SM_E_DENIED        no permission

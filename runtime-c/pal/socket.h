@@ -81,9 +81,9 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
 // SM_E_UNREACHABLE: no socket listens there, or there is no route.  SM_E_FULL: the table has no free entry.
 SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to);
 
-// Returns what has become of pal_socket_connect_start, and does not wait.  After any result but SM_OK and SM_E_TIMEOUT, the caller closes
-// the socket.
-//     SM_OK              connected: it is a stream.  So is every stream from pal_socket_connect and pal_socket_accept
+// Returns whether a socket from pal_socket_connect_start is connected by now, and does not wait.  After any result but SM_OK and
+// SM_E_TIMEOUT, the caller closes the socket.
+//     SM_OK              the socket is connected: a stream.  So is every stream from pal_socket_connect and pal_socket_accept
 //     SM_E_TIMEOUT       not yet; the platform ends the attempt after minutes, so a caller that cannot wait so long closes the socket
 //     SM_E_UNREACHABLE   no socket listens there, or there is no route
 //     SM_E_ARGUMENT      not a stream

@@ -62,7 +62,7 @@ typedef struct CFlow {
     bool *reached;            // by block: it is reachable
     uint32_t *preds;          // by block: number of incoming edges
     uint32_t *kid, *sibling;  // by block: first and next of the join blocks that it immediately dominates, in block order
-    bool *falls;              // by block: an edge leads from a block that it dominates to one that it does not dominate
+    bool *falls;              // by block: an edge leads from a block that this block dominates to a block that it does not dominate
     CDominators dominators;
 } CFlow;
 

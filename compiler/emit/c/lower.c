@@ -53,7 +53,7 @@ static CVarUse *get_var_use(CFn *fn, uint32_t v)
     return w;
 }
 
-// Counts the uses of temporaries and variables in block b, backwards, so that the uses of a result are known before those of its operands.
+// Counts the uses of temporaries and variables in block b, backwards, so that the uses of a result are known before the uses of its operands.
 static void count_uses(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -170,9 +170,9 @@ static void mask_comparisons(CFn *fn, IrRef r, IrRef load)
     }
 }
 
-// Fills decided_by and decided_value of `and` or `or`: if a load that reads NaN or 0 makes one operand true (of `or`) or false (of `and`),
+// Sets decided_by and decided_value of `and` or `or`: if a load that reads NaN or 0 makes one operand true (of `or`) or false (of `and`),
 // the load alone decides the result.
-static void find_deciding_operand(CFn *fn, IrRef r)
+static void record_deciding_operand(CFn *fn, IrRef r)
 {
     const IrIns *i = c_ins(fn, r);
     CIns *c = &fn->ins[r];
@@ -203,7 +203,7 @@ static void analyze_condition(CFn *fn, IrRef r)
     } else if (ir_is_comparison(i->op)) {
         analyze_comparison(fn, r);
     } else if (i->op == IR_and || i->op == IR_or) {
-        find_deciding_operand(fn, r);
+        record_deciding_operand(fn, r);
     } else if (i->op == IR_not && !c_is_const(fn, i->a)) {
         c->decided_by = fn->ins[i->a].decided_by;
         c->decided_value = !fn->ins[i->a].decided_value;

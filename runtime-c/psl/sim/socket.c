@@ -136,8 +136,8 @@ static uint8_t find_listening(const PalAddress *to)
     return 0;
 }
 
-// Gives the socket e a stream to the socket that listens at e->to.
-static SmResult establish(SimSocket *e)
+// Connects the socket e by a stream to the socket that listens at e->to.
+static SmResult connect_to_listener(SimSocket *e)
 {
     const uint8_t listening = find_listening(&e->to);
     SimStream *s;
@@ -177,7 +177,7 @@ SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t ti
         r = open_connecting(&s, to);
     if (r != SM_OK)
         return r;
-    r = establish(&entries[s.id - 1]);
+    r = connect_to_listener(&entries[s.id - 1]);
     if (r != SM_OK)
         used[s.id - 1] = false;
     else
@@ -222,7 +222,7 @@ SmResult pal_socket_connected(PalSocket stream)
         r = sim_begin_call(SIM_socket_connected);
     if (r != SM_OK)
         return r;
-    return pal_clock_now() < e->answer ? SM_E_TIMEOUT : establish(e);
+    return pal_clock_now() < e->answer ? SM_E_TIMEOUT : connect_to_listener(e);
 }
 
 // The simulation does not notice that bytes are not acknowledged: a peer is open or closed.
