@@ -98,9 +98,16 @@ done
 
 # The page of smc report after a signal, and after the time that it was given.
 "$smc" report tests/whatif/sequencer.sm tests/whatif/sequencer.ss --faults --pairs --mutate --format=text -o "$dir/page.txt" 2>"$dir/errors" &
-sleep 5
-kill -TERM $!
-wait $!
+pid=$! waited=0
+catches() { grep -q '^SigCgt:.*[4-7c-f]...$' "/proc/$pid/status" 2>/dev/null; }       # SIGTERM is signal 15
+until catches || [ $waited -eq 120 ]; do          # the parts have begun; without /proc, for as long as they take
+    sleep 1
+    waited=$((waited + 1))
+    [ -e "/proc/$pid/status" ] || [ $waited -lt 5 ] || break
+done
+sleep 1
+kill -TERM $pid
+wait $pid
 check "a signal ends smc report" [ $? -eq 143 ]
 check "the page is there, and says it" grep -q '^Stopped before it was complete: .*faults of sensors' "$dir/page.txt"
 check "the page is complete" grep -q '^Costs$' "$dir/page.txt"
