@@ -8,6 +8,7 @@ enum { BITS = ENV_BITS, CHILDREN = ENV_CHILDREN };
 // Whether v is a local that only the machine itself writes.
 bool env_is_private(const IrVar *v) { return v->space == IR_LOCAL && !v->outside; }
 
+// Returns how many levels a tree needs for n variables, BITS bits of the index on each level.
 static unsigned levels_for(uint32_t n)
 {
     unsigned levels = 1;
@@ -117,6 +118,7 @@ const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact)
 
 // ---- joins ----
 
+// Joins two facts about one variable, and widens the result if `widen` is given.
 static const Fact *join_facts(const EnvShape *s, const Fact *a, const Fact *b, SmType type, const FactLimits *widen)
 {
     const Fact r = fact_join(*a, *b);
@@ -153,6 +155,7 @@ static const Env *join_leaves(const EnvShape *s, const EnvJoin *j)
 
 static const Env *join_nodes(const EnvShape *s, EnvJoin j);
 
+// Joins the subtrees of j->a and j->b, child by child.
 static const Env *join_inner_nodes(const EnvShape *s, const EnvJoin *j)
 {
     Env both;
@@ -238,6 +241,7 @@ const Env *env_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n)
     return node_of_facts(s, fact, n, 0, s->side[1].levels - 1);
 }
 
+// Calls `visit` for each variable below this node whose fact differs between the two trees.  `first`: the first variable of the node.
 static void each_difference_below(const Env *from, const Env *to, uint32_t first, unsigned level, EnvVisitFn *visit, void *context)
 {
     static const Env empty;

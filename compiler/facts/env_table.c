@@ -62,6 +62,7 @@ static uint32_t hash_node(const Env *e)
 
 // ---- slots ----
 
+// Adds an item at the first free slot from its hash on.
 static void add_to_slot(HashSlots *s, const void *item, uint32_t hash)
 {
     size_t i = hash & (s->room - 1);
@@ -120,6 +121,7 @@ const Env *env_table_intern_node(EnvTable *t, const Env *e)
 
 // ---- joins ----
 
+// Returns the slot of the cache of joins that belongs to j.  Joins with the same hash overwrite each other.
 static EnvJoin *join_slot(const EnvTable *t, const EnvJoin *j)
 {
     const uint32_t hash = hash_word(hash_word(j->first + j->level + j->side, (uint64_t)(uintptr_t)j->a), (uint64_t)(uintptr_t)j->b);

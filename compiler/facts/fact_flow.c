@@ -143,6 +143,7 @@ static FactPoint begin_function(FlowWalk *w, bool at_entry)
 
 // ---- facts at a point ----
 
+// Returns what is known now about the variable of a slot.
 static Fact get_fact(FlowWalk *w, uint32_t slot)
 {
     return w->has_slots ? *slot_env_find(&w->space, w->env.slots, slot) : env_get(&w->fm->shape, w->env.all, slot);

@@ -33,6 +33,7 @@ typedef struct FactIteration {
 // From the first state, most facts flow in the order in which states are written.  Sweeps in that order visit a state after most of the states
 // that lead to it: half as often as in the order in which facts change.  If the machine may start in any state, all are visited first anyway.
 
+// Adds a state to those whose functions must be visited again.
 static void queue_state(FactIteration *v, uint32_t state)
 {
     if (v->any_start)

@@ -129,6 +129,7 @@ static bool is_expensive(const IrIns *i) { return i->op == IR_stat || i->op == I
 
 // ---- the walk ----
 
+// Replaces a load by the value that the block has stored to or loaded from the variable before, if there is one.
 static void visit_load(Cse *c, IrRef ref)
 {
     VarNote *note = find_variable_note(c->facts->notes, ins_at(c, ref)->var);
@@ -163,6 +164,7 @@ static bool visit_store(Cse *c, const IrIns *i)
     return true;
 }
 
+// Gives an operation the value number of an earlier equal one, and the temporary that its users read instead.
 static void visit_operation(Cse *c, IrRef ref)
 {
     const IrIns *i = ins_at(c, ref);

@@ -69,6 +69,7 @@ static void replace_known_ins(KnownPass *k, IrRef ref)
         k->same[ref] = same;
 }
 
+// Runs the pass on one function: `flow` has the facts about its temporaries.
 static void replace_known_values(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 {
     KnownPass k = {f, flow.of, ARENA_ARRAY(work, IrRef, f->ins.n)};

@@ -48,6 +48,7 @@ static void note_accesses(LocalsPass *l, const IrFn *f)
     }
 }
 
+// Whether the variable always has its initial value: a local that no function stores to and no other code can set.
 static bool is_constant(const LocalsPass *l, uint32_t var)
 {
     const IrVar *v = &l->m->var.at[var];
@@ -55,6 +56,7 @@ static bool is_constant(const LocalsPass *l, uint32_t var)
     return v->space == IR_LOCAL && !v->outside && !v->parameter && !l->at[var].stored;
 }
 
+// Whether every load of the variable follows a store in the same block, so that temporaries can replace it.
 static bool needs_no_memory(const LocalsPass *l, uint32_t var)
 {
     return l->m->var.at[var].hidden && !l->at[var].exposed;

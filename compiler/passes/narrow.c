@@ -205,6 +205,7 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
 
 // ---- conversions ----
 
+// Removes a conversion whose operand already exists in its type, or makes it convert from the narrower form of its operand.
 static void narrow_conversion(Narrow *n, IrRef ref)
 {
     IrIns *i = narrow_ins(n, ref);
@@ -301,6 +302,7 @@ static void narrow_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 
 // ---- windows ----
 
+// Returns the smallest type that holds every sample with this fact.
 static SmType narrowest_window_type(Fact sample)
 {
     static const SmType whole[] = {SM_U8, SM_I8, SM_U16, SM_I16, SM_I32, SM_U32};

@@ -7,6 +7,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
+// Turns instruction ref into `a op b`.
 static void replace_compare(Narrow *n, IrRef ref, IrOp op, IrRef a, IrRef b)
 {
     IrIns *i = narrow_ins(n, ref);

@@ -96,6 +96,7 @@ void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, Pass
 
 // ---- running ----
 
+// Runs one pass on a function, after counting uses if the pass needs them; marks as invalid what the pass changes.
 static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts *facts)
 {
     if (pass->needs & ~facts->valid & FACT_USES) {
@@ -142,7 +143,7 @@ static const char *verify_machine(PassRunner *r, const char *when)
 }
 
 // Runs n passes on one function.  Their tables, and with them the use counts, are then free.
-static void run_in_turn(PassRunner *r, const PassInfo *const *pass, size_t n, IrFn *f, Facts *facts)
+static void run_list_on_function(PassRunner *r, const PassInfo *const *pass, size_t n, IrFn *f, Facts *facts)
 {
     if (!f)
         return;
@@ -159,10 +160,10 @@ static void run_on_functions(PassRunner *r, const PassInfo *const *pass, size_t 
 {
     Facts *facts = r->facts;
 
-    run_in_turn(r, pass, n, r->m->sample, facts++);
+    run_list_on_function(r, pass, n, r->m->sample, facts++);
     for (size_t s = 0; s < r->m->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
-            run_in_turn(r, pass, n, r->m->state.at[s].block[b], facts++);
+            run_list_on_function(r, pass, n, r->m->state.at[s].block[b], facts++);
 }
 
 static void run_on_machine(PassRunner *r, const PassInfo *pass)

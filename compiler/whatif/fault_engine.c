@@ -90,7 +90,8 @@ static void take_true_values(FaultEngine *e, const EngineWrite *write, uint32_t 
     }
 }
 
-static void store_past(FaultEngine *e)
+// Stores the true values of this step in the ring buffers that late sensors read.
+static void store_for_late_sensors(FaultEngine *e)
 {
     for (uint32_t i = 0; i < e->inputs; i++)
         e->sensor[i].past[(e->step - 1) % e->sizes.late] = e->sensor[i].now;
@@ -130,6 +131,7 @@ static void set_outside_cells(FaultEngine *e, EngineStep *out)
     out->outside = e->outside;
 }
 
+// Runs a step with the readings of the faulty sensors in place of the true values.
 static EngineStatus faulty_step(Engine *engine, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     FaultEngine *e = engine->self;
@@ -142,7 +144,7 @@ static EngineStatus faulty_step(Engine *engine, const EngineWrite *write, uint32
     if (n)
         memcpy(e->write, write, n * sizeof *write);
     n = add_readings(e, n);
-    store_past(e);
+    store_for_late_sensors(e);
     status = e->inner->step(e->inner, e->write, n, out);
     e->engine.error = e->inner->error;
     set_outside_cells(e, out);

@@ -42,6 +42,7 @@ static void add_input(FaultRunner *x, const Var *v)
     vec_push(x->arena, &x->f->input, in);
 }
 
+// Lists the inputs to which faults apply: those given with --input, or else all that the scripts or other code write and the machine reads.
 static void list_inputs(FaultRunner *x)
 {
     const Faults *f = x->f;
@@ -53,7 +54,7 @@ static void list_inputs(FaultRunner *x)
             add_input(x, f->p->var.at[i]);
 }
 
-static bool is_input(const Faults *f, const Var *v)
+static bool is_faulty_input(const Faults *f, const Var *v)
 {
     for (uint32_t i = 0; i < f->input.n; i++)
         if (f->input.at[i].var == v)
@@ -61,6 +62,7 @@ static bool is_input(const Faults *f, const Var *v)
     return false;
 }
 
+// Lists the elements that the machine writes: a change of one of them shows the effect of a fault.
 static void list_outputs(FaultRunner *x)
 {
     const Program *p = x->f->p;
@@ -68,7 +70,7 @@ static void list_outputs(FaultRunner *x)
     x->output = ARENA_ARRAY(x->arena, const Var *, p->var.n);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (v->kind == VAR_ELEMENT && v->written && v != p->s && v != p->g && !is_input(x->f, v))
+        if (v->kind == VAR_ELEMENT && v->written && v != p->s && v != p->g && !is_faulty_input(x->f, v))
             x->output[x->outputs++] = v;
     }
     x->output[x->outputs++] = p->s;
@@ -116,6 +118,7 @@ static void mark_inputs(Expr *e, void *context)
         m->at[i] |= m->f->input.at[i].var == e->var;
 }
 
+// Marks the inputs that a list of statements reads, in branches too.
 static void mark_statements(const Stmts *list, Marks *m)
 {
     for (uint32_t i = 0; i < list->n; i++) {
@@ -127,7 +130,7 @@ static void mark_statements(const Stmts *list, Marks *m)
 }
 
 // Finds which inputs each state reads, windows included, whatever the guards.
-static void find_reads(FaultRunner *x)
+static void find_reads_of_states(FaultRunner *x)
 {
     const Program *p = x->f->p;
 
@@ -140,7 +143,7 @@ static void find_reads(FaultRunner *x)
 }
 
 // Marks the inputs that asserts read.
-static void find_judged(FaultRunner *x, Marks *m)
+static void mark_inputs_of_asserts(FaultRunner *x, Marks *m)
 {
     for (uint32_t i = 0; i < x->f->scripts; i++) {
         const Script *s = x->f->script[i];
@@ -156,7 +159,7 @@ static void find_judged(FaultRunner *x, Marks *m)
 }
 
 // Marks the inputs that requirements read.
-static void find_required(FaultRunner *x)
+static void find_inputs_of_requirements(FaultRunner *x)
 {
     const Requirements *rq = x->f->options.requirements;
 
@@ -164,7 +167,7 @@ static void find_required(FaultRunner *x)
 
     x->is_required = required.at;
     x->is_judged = judged.at;
-    find_judged(x, &judged);
+    mark_inputs_of_asserts(x, &judged);
     for (uint32_t i = 0; rq && i < rq->at.n; i++) {
         Expr *const condition[] = {rq->at.at[i].a, rq->at.at[i].b, rq->at.at[i].c};
         for (int k = 0; k < 3; k++)
@@ -179,8 +182,8 @@ void fault_find_inputs(FaultRunner *x)
 {
     list_inputs(x);
     list_outputs(x);
-    find_required(x);
-    find_reads(x);
+    find_inputs_of_requirements(x);
+    find_reads_of_states(x);
 }
 
 bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited)

@@ -31,6 +31,7 @@ static uint32_t find_input(const Faults *f, const Var *v)
     return i;
 }
 
+// Finds, for each script, the variables that the script, the requirements or the comparison of outputs read after a step.
 void fault_find_seen(FaultRunner *x)
 {
     const Faults *f = x->f;
@@ -61,6 +62,7 @@ void fault_find_seen(FaultRunner *x)
 // A step is recorded as slots: the next state and whether its step is the first, then the values of FaultSeen.cell, then those of .outside.
 static uint32_t count_slots(const FaultSeen *s) { return 2 + s->cell.n + s->outside.n; }
 
+// Returns one value of a step's record; `slot` is below count_slots.
 static uint64_t read_slot(const FaultSeen *s, const EngineStep *out, uint32_t slot)
 {
     if (slot < 2)
@@ -71,12 +73,13 @@ static uint64_t read_slot(const FaultSeen *s, const EngineStep *out, uint32_t sl
 
 // ---- recording ----
 
-static const FaultSeen *seen_of(const FaultWatch *w) { return &w->x->seen[w->healthy - w->x->healthy]; }
+static const FaultSeen *observed_in_script(const FaultWatch *w) { return &w->x->seen[w->healthy - w->x->healthy]; }
 
+// Adds a step to the record of the current fault: its writes, and the slots whose values have changed.
 static void record_step(FaultTape *k, const EngineWrite *write, uint32_t n, const EngineStep *out)
 {
     FaultRunner *x = k->x;
-    const FaultSeen *seen = seen_of(x->w);
+    const FaultSeen *seen = observed_in_script(x->w);
     const bool is_first = k->to->end.n == 0;
 
     for (uint32_t i = 0; i < n; i++)
@@ -97,6 +100,7 @@ static EngineStatus tape_init(Engine *e, uint32_t state, EngineStep *out)
     return k->inner->init(k->inner, state, out);
 }
 
+// Runs a step, and records it if a fault's record is open and not too large.
 static EngineStatus tape_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     FaultTape *k = e->self;
@@ -138,7 +142,7 @@ void fault_tape_begin(FaultRunner *x, uint32_t single) { x->w->tape->to = &x->re
 bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both)
 {
     const FaultRecord *k = &x->record[single];
-    const FaultSeen *seen = seen_of(x->w);
+    const FaultSeen *seen = observed_in_script(x->w);
     Engine *e = x->w->tape->inner;
     EngineStep *out = &x->w->r->answer[0];
     uint64_t *expected = x->w->tape->last;

@@ -97,6 +97,7 @@ static void start_run(FaultRunner *x, uint32_t script)
 
 static const State *next_state(const ScriptRun *r) { return r->p->state.at[engine_next(&r->answer[0], 0).state - 1]; }
 
+// Whether the run without a fault passes: only then do later failures show the effect of a fault.
 static bool is_healthy_run_good(const ScriptRun *r)
 {
     bool violated = false;
@@ -222,6 +223,7 @@ static void return_to_trigger(FaultRunner *x, const FaultTrigger *t)
     run_continue(x->w->r, t->step - 1);
 }
 
+// Returns the worst of what happened in a run with faults, compared with the run without a fault.
 static FaultOutcome judge_result(const FaultResult *r, const FaultWatch *w)
 {
     const bool failed = w->r->result.outcome == SCRIPT_FAILED || w->r->result.failures > 0;
@@ -356,6 +358,7 @@ static FaultResult result_unread(const FaultRunner *x, const Fault *fault)
     return (FaultResult){.trigger = x->at, .fault = {*fault}, .faults = 1, .end = h->end, .healthy_end = h->end, .steps = h->steps};
 }
 
+// Runs the next single fault from the current trigger; without a run if no visited state reads its input.
 static void run_single_fault(FaultRunner *x)
 {
     const Fault *fault = &x->single.at[x->i];
@@ -401,6 +404,7 @@ static bool repeats_single(FaultRunner *x, const Fault *both)
     return false;
 }
 
+// Runs the next pair of faults from the current trigger, unless it cannot be worse than a fault alone, or does the same as one.
 static void run_pair(FaultRunner *x)
 {
     const Fault both[FAULTS_MOST] = {x->single.at[x->i], x->single.at[x->k]};

@@ -36,6 +36,7 @@ static void add_asserts(SweepRunner *x, uint32_t script, const ScriptItem *item)
             add_check(x, (SweepCheck){script, &item->asserts.at[k], item->first_assert + k, NULL});
 }
 
+// Lists what each point of the sweep is checked for: all requirements, then the asserts of all scripts.
 static void list_checks(SweepRunner *x)
 {
     const Requirements *rq = x->s->options.requirements;
@@ -67,6 +68,7 @@ void sweep_write_check(const Sweep *s, uint32_t check, Buf *out)
 
 // ---- one point ----
 
+// Marks the requirements that this step violates.
 static void note_violations(void *context, const ScriptStep *step)
 {
     SweepRunner *x = context;
@@ -107,6 +109,7 @@ static void run_script(SweepRunner *x, uint32_t script, const double *value, uin
     }
 }
 
+// Runs all scripts with the parameters at one point; returns which checks fail there.
 static SweepPoint run_point(SweepRunner *x, const double *value, Arena *arena)
 {
     const Sweep *s = x->s;
