@@ -64,6 +64,7 @@ static Drift add_number(Drift d, double x)
     return d;
 }
 
+// Returns the drift of a known number; unknown if it is not a whole number from 0 to a million.
 static Drift number_of(double x)
 {
     const Drift d = {.is_number = true, .number = {x, x}};
@@ -73,6 +74,7 @@ static Drift number_of(double x)
 
 static bool drift_is_within(Drift d, double cap) { return !d.any && (!d.is_number || d.number[1] <= cap); }
 
+// Returns the drift of an instruction's result: a number, or `variable plus a number`.  `now`: the drift of the variable at this place.
 static Drift drift_of(const IrFn *f, const IrIns *i, const DriftPaths *p, Drift now, uint32_t var)
 {
     Drift a = i->a == IR_NONE || i->op == IR_load || i->op == IR_stat ? unknown : p->of[i->a], b = i->b == IR_NONE ? unknown : p->of[i->b];

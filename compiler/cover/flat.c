@@ -55,6 +55,7 @@ static void add_op(Maker *k, uint32_t op, uint32_t to, uint32_t a, uint32_t b)
     vec_push(k->arena, &k->op, o);
 }
 
+// Adds an operation that counts an execution, unless `hit` is 0: nothing is counted there.
 static void add_count(Maker *k, uint32_t hit)
 {
     if (hit)
@@ -77,6 +78,7 @@ static bool is_no_conversion(const IrFn *f, const IrIns *i)
     return (i->type == SM_F64 && from != SM_F64) || (i->type == from && from == SM_BOOL);
 }
 
+// Adds the operation of one IR instruction, with its operands as slots of the frame.
 static void add_instruction(Maker *k, const IrFn *f, const IrBlk *b, uint32_t at)
 {
     const IrRef ref = b->ins.at[at];
@@ -300,6 +302,7 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
 
 static void count_hit(FlatMachine *f, uint32_t counter) { f->fresh += f->hits[counter]++ == 0; }
 
+// Whether a window has all its samples.
 static bool is_full(const FlatMachine *f, const void *run, uint32_t window)
 {
     const uint64_t *ring = (const uint64_t *)(const void *)((const char *)run + f->window_at[window]);
@@ -438,6 +441,7 @@ static void store_cell(FlatMachine *f, void *run, uint32_t var, uint64_t cell)
     f->stored[var] = 1;
 }
 
+// Counts an entry or exit of a state.
 static void count_state(FlatMachine *f, const uint32_t *counter, uint32_t state)
 {
     if (f->probes && counter[state - 1])

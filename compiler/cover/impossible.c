@@ -22,6 +22,7 @@ static void mark_possible(Finder *k, uint32_t place) { k->possible[place] = true
 
 static bool is_infinite(double x) { return x - x != 0; }
 
+// Appends what a fact says of a value, in words: `always 3`, `at most 5`.
 static void append_bounds(Buf *out, Arena *arena, Fact f)
 {
     if (is_infinite(f.lo) && is_infinite(f.hi))
@@ -64,6 +65,7 @@ static const char *reason_for(const Finder *k, IrRef ref, bool value)
 
 // ---- decisions ----
 
+// Whether the facts allow a bool to have this value.
 static bool can_be(const Finder *k, IrRef ref, bool value)
 {
     const Fact f = k->flow.of[ref];
@@ -74,6 +76,7 @@ static bool can_be(const Finder *k, IrRef ref, bool value)
 // The possible values of a node, and whether some run lets it decide.
 typedef struct NodeFact { bool value[2], decides; } NodeFact;
 
+// Finds for each part of a decision which values the facts allow, operands first.
 static void judge_values(const Finder *k, const FlatDecision *d, NodeFact *fact)
 {
     for (uint32_t n = 0; n < d->nodes; n++) {
@@ -115,6 +118,7 @@ static void judge_place(Finder *k, uint32_t place, bool possible, const char *re
         k->reason[place] = reason;
 }
 
+// Finds which outcomes of a decision, and which values of its conditions, are impossible; stores the reasons.
 static void judge_decision(Finder *k, const FlatDecision *d)
 {
     NodeFact *fact = arena_array(k->arena, d->nodes, sizeof *fact);
@@ -135,6 +139,7 @@ static void judge_decision(Finder *k, const FlatDecision *d)
 
 // ---- functions ----
 
+// Marks as possible the statements and decisions of a block that the facts allow to run.
 static void judge_block(Finder *k, const IrBlk *b)
 {
     const FlatProbes *p = &k->c->probes;
@@ -151,6 +156,7 @@ static void judge_block(Finder *k, const IrBlk *b)
     }
 }
 
+// Moves past the decisions of a block that no run reaches: what they count stays impossible.
 static void skip_block(Finder *k, const IrBlk *b)
 {
     const FlatProbes *p = &k->c->probes;

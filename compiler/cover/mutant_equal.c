@@ -69,6 +69,7 @@ static Expr *make_variable(Arena *a, Var *v)
     return e;
 }
 
+// Applies to the copy of an expression the edits that the mutant makes to the original.
 static void apply_edit(const Probe *k, const Expr *original, Expr *e)
 {
     for (const MutantEdit *d = k->edit; d; d = d->next) {
@@ -98,6 +99,7 @@ static Expr *copy_with_edits(const Probe *k, const Expr *e)
     return copy;
 }
 
+// Whether `part` is the expression e or inside it.
 static bool contains(const Expr *e, const Expr *part)
 {
     if (e == part)
@@ -110,6 +112,7 @@ static bool contains(const Expr *e, const Expr *part)
 
 // ---- where the change decides ----
 
+// Adds a condition that is known to hold where the edited expression is computed.
 static void add_condition(Probe *k, const Expr *e)
 {
     if (k->n < CONDITIONS_MOST)
@@ -162,6 +165,7 @@ static const Expr *find_condition(Probe *k, const Expr *e, const MutantEdit *d, 
     return e->kind == EX_CHAIN ? split_chain(k, e, d, new) : e;
 }
 
+// Whether an expression is true or false by its kind: a comparison or a logic operator.
 static bool is_truth(const Expr *e)
 {
     return e->kind == EX_CHAIN || (e->kind == EX_UNARY && e->op == SM_OP_NOT) ||
@@ -179,6 +183,7 @@ static Stmt *make_if(Arena *a, const Expr *guard)
     return s;
 }
 
+// Returns a variable that a probe program can assign to; NULL if the program has no such variable.
 static Var *find_assigned(const Program *p)
 {
     for (size_t i = 0; i < p->var.n; i++)
@@ -199,6 +204,7 @@ static bool may_execute(FactMachine *facts, const IrFn *f, const Env *begin, uin
     return false;
 }
 
+// Whether the facts allow the statement to be executed in any state.
 static bool may_execute_anywhere(Arena *work, const Program *p, uint32_t stmt)
 {
     const IrMachine *m = ir_build(work, p);
@@ -325,6 +331,7 @@ static bool may_be_rounded(Probe *k, const MutantEdit *d)
     return may_differ(k, d->stmt, &above, 1) || may_differ(k, d->stmt, &below, 1);
 }
 
+// Whether the edited expression always has the value of the original one.
 static bool has_same_expression(Probe *k, const MutantEdit *d, bool is_only, uint64_t step)
 {
     const Expr *new = NULL, *old = d->stmt->value;

@@ -96,6 +96,7 @@ static EngineStatus recorder_init(Engine *e, uint32_t state, EngineStep *out)
     return c->machine->init(c->machine, state, out);
 }
 
+// Runs a step and records the writes of the script and what the step has stored.
 static EngineStatus recorder_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Recorder *c = e->self;
@@ -182,6 +183,7 @@ static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
     return result.outcome == SCRIPT_PASSED;
 }
 
+// Runs one script on the original machine and records the run, to be replayed on each mutant.
 static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
 {
     Record *r = &u->record[script];
@@ -293,6 +295,7 @@ static uint32_t find_executed(const MutantReplay *c, uint32_t point)
     return point;
 }
 
+// Writes the script's values to the variables of a machine's snapshot.
 static void write_cells(const FlatMachine *f, void *state, const EngineWrite *write, uint32_t n)
 {
     uint64_t *cell = flat_cells(f, state);

@@ -98,6 +98,7 @@ static void write_cell(const FlatMachine *f, void *state, uint32_t var, uint64_t
         flat_cells(f, state)[f->m->var_of[var]] = cell;
 }
 
+// Sets the inputs and the time of both machines for a step.
 static void write_inputs(const Lockstep *l, Node *n, uint64_t step)
 {
     const MutantSearch *k = l->k;
@@ -133,6 +134,7 @@ static bool is_visible(Lockstep *l, Node *n)
     return false;
 }
 
+// Runs one step of the original and of the mutant with the same inputs; returns whether they still do the same.
 static bool run_step(Lockstep *l, Node *n)
 {
     n->steps++;

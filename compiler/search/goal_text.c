@@ -33,6 +33,7 @@ GoalTexts *goal_texts_new(Arena *arena, const Cover *c)
 
 // ---- where a place is ----
 
+// Whether the outer span contains the inner one.
 static bool contains(Span outer, Span inner)
 {
     return outer.at <= inner.at && inner.at + inner.len <= outer.at + outer.len;
@@ -54,6 +55,7 @@ static const State *state_of(const GoalTexts *t, const CoverPlace *p)
     return found;
 }
 
+// Returns the transition that a goal names; NULL if the goal is no transition.
 static const Transition *transition_of(const GoalTexts *t, const CoverPlace *p)
 {
     for (uint32_t i = 0; i < t->transition.n; i++)
@@ -66,6 +68,7 @@ static const Transition *transition_of(const GoalTexts *t, const CoverPlace *p)
 
 typedef struct Constants { Arena *arena; Buf out; } Constants;
 
+// Adds `name = value` to the list of constants for each constant that the expression names.
 static void add_constant(Expr *e, void *context)
 {
     Constants *k = context;

@@ -5,6 +5,7 @@
 
 // ---- how far a condition is from a value ----
 
+// Returns how far `a op b` is from the wanted result: 0 if it has it, else the gap between the numbers.
 static double compare_distance(SmOperator op, double a, double b, bool wanted)
 {
     const double gap = a > b ? a - b : b - a;
@@ -66,6 +67,7 @@ static bool is_usable(const Program *p, const Transition *t)
     return r.reads && !r.has_window;
 }
 
+// Whether the machine has a transition from one state to the other.
 static bool leads_to(const Transitions *all, const State *from, const State *to)
 {
     for (uint32_t i = 0; i < all->n; i++)
@@ -100,6 +102,7 @@ static void start_situation(void *self, void *situation)
         was[i] = false;
 }
 
+// Returns how far the conditions of a transition are from all being true; 0: they are true.
 static double distance_of(const Transition *t, const uint64_t *cell)
 {
     double sum = 0;
@@ -109,6 +112,7 @@ static double distance_of(const Transition *t, const uint64_t *cell)
     return sum;
 }
 
+// Called after each step: sets the distance of each forbidden pair of states from being provoked.
 static void judge_step(void *self, void *situation, const uint64_t *cell, double *distance)
 {
     const MustNots *m = self;

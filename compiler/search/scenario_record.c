@@ -19,12 +19,14 @@ typedef struct ScenarioRecorder {
     const Var *ended_by;      // the variable of the write that ended it
 } ScenarioRecorder;
 
+// Ends the recording at a step that a scenario cannot express; `by`: the variable whose write is the reason.
 static void end_scenario(ScenarioRecorder *k, const Var *by)
 {
     k->has_ended = true;
     k->ended_by = by;
 }
 
+// Records a write of the script as a change of an input; writes of G must follow the period of the steps.
 static void record_write(ScenarioRecorder *k, const EngineWrite *w)
 {
     const Program *p = k->engine.program;

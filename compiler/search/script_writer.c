@@ -125,6 +125,7 @@ static const char *guard_of(const Writer *w, uint64_t from, uint64_t to)
     return format_in(w->arena, "from %s to %s", time_text(w, from), time_text(w, to));
 }
 
+// Adds a line of the script for this step; items are later sorted by step and rank.
 static TimelineItem *add_item(Writer *w, uint64_t step, Rank rank, const char *guard)
 {
     const TimelineItem item = {.step = step, .rank = rank, .guard = guard, .number = w->item.n};
@@ -157,6 +158,7 @@ static uint64_t step_of_next_change(const Writer *w, const ScenarioChange *c)
     return 0;
 }
 
+// Whether the scenario changes this variable.
 static bool is_input_changed(const Writer *w, uint32_t var)
 {
     for (size_t i = 0; i < w->s->changes; i++)
@@ -210,6 +212,7 @@ static bool can_add(const Writer *w, const ScenarioChange *c, uint64_t end)
     return true;
 }
 
+// Adds the lines that change an input by the same amount in each step, up to step `to`.
 static void add_ramp(Writer *w, const ScenarioChange *c, uint64_t to)
 {
     const Var *v = w->p->var.at[c->var];
@@ -227,6 +230,7 @@ static void add_ramp(Writer *w, const ScenarioChange *c, uint64_t to)
         add_line(w, c->step + 1, RANK_INPUT, guard_of(w, c->step + 1, to), format_in(w->arena, "%s = %s %s %s", name, name, sign, by));
 }
 
+// Adds the lines for one change of an input, which lasts until the next change of that input.
 static void add_change(Writer *w, const ScenarioChange *c)
 {
     const Var *v = w->p->var.at[c->var];
@@ -408,6 +412,7 @@ typedef struct RunRecord {
 
 static Part *part_at(const RunRecord *r, uint64_t i) { return &r->part[i % (SPANS_MOST + 1)]; }
 
+// Called after each step of the scenario's run: begins a new part of the record where the state or a quiet output changes.
 static void record_step(void *context, uint64_t step, const EngineStep *result)
 {
     RunRecord *r = context;
@@ -523,6 +528,7 @@ static void add_asserts(Writer *w, uint64_t step, const char *guard, const char 
         add_line(w, step, RANK_ASSERT, guard, format_in(w->arena, "@assert %s", buf_text(&out)));
 }
 
+// Adds an assert of the state and outputs for one part of the run, in which they do not change.
 static void add_part(Writer *w, const RunRecord *r, uint64_t i, uint64_t first)
 {
     const Part *part = part_at(r, i), *before = i > first ? part_at(r, i - 1) : NULL;
@@ -542,6 +548,7 @@ static void add_part(Writer *w, const RunRecord *r, uint64_t i, uint64_t first)
     add_asserts(w, part->step, guard, term.at, term.n);
 }
 
+// Adds an assert at the last step, of the outputs that change too often to be asserted in each part.
 static void add_end(Writer *w, const RunRecord *r)
 {
     const char *guard = guard_of(w, w->s->steps, w->s->steps + 1);
@@ -556,6 +563,7 @@ static void add_end(Writer *w, const RunRecord *r)
     add_line(w, w->s->steps, RANK_STOP, guard, "@stop");
 }
 
+// Runs the scenario and adds the asserts of what the machine does.
 static bool add_run(Writer *w)
 {
     RunRecord r;

@@ -62,6 +62,7 @@ static uint32_t find_entry(SearchRun *k, const SearchGoal *g)
     return out;
 }
 
+// Returns a snapshot that was taken when a state was entered, of a random state.
 static uint32_t find_any_entry(SearchRun *k)
 {
     const uint32_t states = k->p->state.n, first = search_pick(k, states);
@@ -74,6 +75,7 @@ static uint32_t find_any_entry(SearchRun *k)
     return SEARCH_NONE;
 }
 
+// Whether a run can come nearer to the goal now: a snapshot near it exists, or a state where it can be reached has been visited.
 static bool is_approachable(const SearchRun *k, const SearchGoal *g)
 {
     if (g->pooled || g->site.n == 0)
@@ -107,6 +109,7 @@ static uint32_t pick_near(SearchRun *k, const SearchGoal *g)
     return k->node.at[b].depth < k->node.at[a].depth ? b : a;
 }
 
+// Returns the snapshot from which the next attempt for this goal begins.
 static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
 {
     uint32_t n = SEARCH_NONE;
@@ -120,6 +123,7 @@ static uint32_t choose_node(SearchRun *k, const SearchGoal *g)
 
 // ---- walks ----
 
+// Returns a random transition out of a state.
 static const SearchExit *choose_exit(SearchRun *k, uint32_t state)
 {
     const SearchExit *out = NULL;
@@ -152,6 +156,7 @@ static void walk_from(SearchRun *k, uint32_t node)
     search_drop(k, node);
 }
 
+// Makes one attempt to reach a goal: chooses a snapshot, solves for changes of inputs there, and runs them.
 static void attempt_goal(SearchRun *k, uint32_t goal)
 {
     SearchGoal *g = &k->goal[goal];
@@ -171,6 +176,7 @@ static void attempt_goal(SearchRun *k, uint32_t goal)
     g->cost += k->r->steps - before + 100;
 }
 
+// Makes a few short runs with special values from a node.
 static void attempt_specials(SearchRun *k, uint32_t node)
 {
     for (uint32_t i = 0; i < SPECIAL_RUNS && k->open && search_goes_on(k) && node != SEARCH_NONE && k->node.at[node].copy; i++)
@@ -209,6 +215,7 @@ static void search_shorter(SearchRun *k)
     }
 }
 
+// Runs the search: special values first, then the attempts for each goal, then shorter scenarios for what was found.
 static void run_search(SearchRun *k)
 {
     const bool specials = k->o->specials != SEARCH_NO_SPECIALS && k->inputs > 0;
@@ -287,7 +294,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     k->start = o->init_state ? o->init_state : c->p->state.at[0];
     k->plain = flat_new(&k->work, k->m, NULL);
     begin_result(k);
-    search_study_machine(k);
+    search_analyse_machine(k);
     search_make_goals(k);
     search_prove(k);
     search_begin_nodes(k);

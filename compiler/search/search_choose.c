@@ -54,6 +54,7 @@ static int compare_goals(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
+// Copies a chosen scenario to the memory of the result.
 static void store_scenario(Chooser *c, SearchScenario *out, Scenario *s)
 {
     chooser_join_equal(c, s);
@@ -85,6 +86,7 @@ static void store_chosen(Chooser *c, Scenario *s, uint32_t end, const uint8_t *r
         vec_push(k->arena, &c->chosen, out);
 }
 
+// Returns the set of goals that the last replay has reached, one bit for each.
 static uint8_t *reached_set(const Chooser *c)
 {
     uint8_t *set = arena_alloc(&c->k->work, c->k->goals / 8 + 1);
@@ -120,6 +122,7 @@ static void build_wanted(Chooser *c, const GoalSet *want)
     c->wanted = search_new_flat(k, &c->flats);
 }
 
+// Returns a list of goals as a set, one bit for each.
 static uint8_t *set_of(const Chooser *c, const GoalSet *goals)
 {
     uint8_t *set = arena_alloc(&c->k->work, c->k->goals / 8 + 1);

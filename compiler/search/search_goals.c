@@ -27,6 +27,7 @@ static void find_counters(SearchRun *k)
             k->counter[c->shared.at[i].to + n] = k->counter[c->shared.at[i].from + n];
 }
 
+// Gives a goal also the states and paths of another goal that is counted together with it.
 static void share_sites(SearchRun *k)
 {
     for (uint32_t i = 0; i < k->c->shared.n; i++)
@@ -50,6 +51,7 @@ static SearchPath path_to_outcome(SearchRun *k, uint32_t decision, bool value)
     return (SearchPath){elem, outer.n + 1};
 }
 
+// Adds the path to a decision to the goals of its outcomes and of its conditions.
 static void add_decision_sites(SearchRun *k, uint32_t n)
 {
     const FlatDecision *d = k->decision[n].d;
@@ -72,6 +74,7 @@ static void add_decision_sites(SearchRun *k, uint32_t n)
         }
 }
 
+// Adds the path to each statement of the list, and to each of its transitions, to their goals.
 static void add_statement_sites(SearchRun *k, const Stmts *list, uint32_t state)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -90,6 +93,7 @@ static void add_statement_sites(SearchRun *k, const Stmts *list, uint32_t state)
     }
 }
 
+// Adds the transitions into and out of each state to the goals of entering and leaving it.
 static void add_state_sites(SearchRun *k)
 {
     for (uint32_t i = 0; i < k->exit.n; i++) {
@@ -102,6 +106,7 @@ static void add_state_sites(SearchRun *k)
     }
 }
 
+// Links each decision on the goal's paths to the goal, so that a change of the decision's distance is noted for it.
 static void add_edges(SearchRun *k, uint32_t goal)
 {
     for (uint32_t s = 0; s < k->goal[goal].site.n; s++) {
@@ -158,6 +163,7 @@ double search_near(double difference)
     return ((double)(bits >> 52) - 1023 + (double)(bits & 0xfffffffffffffu) / 4503599627370496.0) / 1100;
 }
 
+// Sets out[0] and out[1] to the distance of a bool from being false and from being true, by the values of the last step.
 static void find_costs_of_truth(const double *frame, const IrFn *f, const uint32_t *slot, IrRef ref, double out[2])
 {
     const IrIns *i = &f->ins.at[ref];
@@ -235,6 +241,7 @@ static double find_cost_of_condition(const SearchRun *k, const FlatDecision *d, 
     return sum;
 }
 
+// Whether a number on which the decision's distance depends has changed since the distance was last computed; remembers the numbers.
 static bool operands_changed(const SearchRun *k, SearchDecision *x)
 {
     bool changed = !x->is_known;
@@ -248,6 +255,7 @@ static bool operands_changed(const SearchRun *k, SearchDecision *x)
     return changed;
 }
 
+// Notes that the current run came this near to a goal, if it is the smallest distance of the run.
 static void note_distance(SearchRun *k, uint32_t g, double distance)
 {
     SearchGoal *goal = &k->goal[g];
@@ -262,6 +270,7 @@ static void note_distance(SearchRun *k, uint32_t g, double distance)
     }
 }
 
+// Called for each watched decision that a step makes: computes its distances, and notes them for the goals whose paths contain it.
 static void measure_goals(void *watcher, uint32_t kept)
 {
     SearchRun *k = watcher;

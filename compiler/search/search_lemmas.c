@@ -69,6 +69,7 @@ static void relate_condition(Prover *p, uint32_t group, IrRef condition)
     region_add_condition(p, &p->sample, condition);
 }
 
+// Returns the index of the group that compares this value with constants; SEARCH_NONE if no condition does.
 static uint32_t find_value(const Prover *p, uint32_t value)
 {
     for (uint32_t i = 0; i < p->groups; i++)
@@ -112,6 +113,7 @@ static void relate_argument(Prover *p, uint32_t group, IrRef sample)
         relate_order(p, argument, group, false);
 }
 
+// Adds the lemmas that relate statistics of a window with the condition on its samples.
 static void relate_windows(Prover *p)
 {
     const uint32_t groups = p->groups;
@@ -176,6 +178,7 @@ void region_find_lemmas(Prover *p)
     relate_counts(p);
 }
 
+// Whether `low <= high`, which always holds of the two values, is possible in their current regions.
 static bool is_order_possible(const RegionLemma *l, const RegionGroup *low, const RegionGroup *high)
 {
     double a[2], b[2];
@@ -190,6 +193,7 @@ static bool is_order_possible(const RegionLemma *l, const RegionGroup *low, cons
     return a[0] - room < b[1] || (a[0] - room == b[1] && ((in_a[0] && in_b[1]) || room > 0));
 }
 
+// Whether a lemma can be true in the current combination of regions.
 static bool is_lemma_true(Prover *p, const RegionLemma *l)
 {
     double a[2], b[2];

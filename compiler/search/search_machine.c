@@ -40,6 +40,7 @@ static void find_inputs(SearchRun *k)
 
 // ---- functions and stores ----
 
+// Returns by what a search can change the value of an instruction: a set of HANDLE_ bits, from its operands.
 static uint8_t handle_of(const SearchRun *k, const SearchFn *s, const IrIns *i)
 {
     uint8_t h = 0;
@@ -58,7 +59,8 @@ static uint8_t handle_of(const SearchRun *k, const SearchFn *s, const IrIns *i)
     return h;
 }
 
-static void study_function(SearchRun *k, uint32_t n)
+// Finds of one function its stores, its constants, and by what the search can change the value of each instruction.
+static void analyse_function(SearchRun *k, uint32_t n)
 {
     SearchFn *s = &k->fn[n];
 
@@ -77,7 +79,7 @@ static void study_function(SearchRun *k, uint32_t n)
         }
 }
 
-static void study_functions(SearchRun *k)
+static void analyse_functions(SearchRun *k)
 {
     k->fn = arena_array(&k->work, k->plain->fns + 1, sizeof *k->fn);
     for (uint32_t n = 0; n < k->plain->fns; n++) {
@@ -88,7 +90,7 @@ static void study_functions(SearchRun *k)
                     k->fn[n].state = s + 1;
                     k->fn[n].is_step = b == BLOCK_STEP;
                 }
-        study_function(k, n);
+        analyse_function(k, n);
     }
     for (size_t w = 0; w < k->m->window.n; w++)
         k->longest = k->m->window.at[w].size > k->longest ? k->m->window.at[w].size : k->longest;
@@ -118,6 +120,7 @@ static void find_guards(SearchRun *k)
 
 typedef VEC(SearchElem) Elems;        // in the order of their decisions
 
+// Whether a statement of the list, or one inside it, is a transition.
 static bool has_transition(const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -126,6 +129,7 @@ static bool has_transition(const Stmts *list)
     return false;
 }
 
+// Returns a copy of the decisions on the way to a statement, the innermost first.
 static SearchPath store_path(SearchRun *k, const Elems *e)
 {
     SearchElem *out = arena_array(&k->work, e->n + 1, sizeof *out);
@@ -135,6 +139,7 @@ static SearchPath store_path(SearchRun *k, const Elems *e)
     return (SearchPath){out, e->n};
 }
 
+// Whether every way through the list of statements ends in a transition.
 static bool leaves_always(const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -151,6 +156,7 @@ static void add_elem(SearchRun *k, Elems *e, uint32_t stmt, bool value, bool is_
         vec_push(&k->work, e, one);
 }
 
+// Stores for each statement of the list, and for those inside it, which outcomes of decisions lead to it.
 static void find_paths(SearchRun *k, const Stmts *list, const State *state, Elems *e)
 {
     const uint32_t outer = e->n;
@@ -183,6 +189,7 @@ static void find_paths(SearchRun *k, const Stmts *list, const State *state, Elem
 
 static void add_inputs(const SearchRun *k, const IrFn *f, IrRef ref, uint64_t *to);
 
+// Adds the inputs that a window samples to the set `to`.
 static void add_window_inputs(const SearchRun *k, uint32_t window, uint64_t *to)
 {
     const IrFn *f = k->m->sample;
@@ -192,6 +199,7 @@ static void add_window_inputs(const SearchRun *k, uint32_t window, uint64_t *to)
             add_inputs(k, f, f->ins.at[i].a, to);
 }
 
+// Adds the inputs on which the value of an instruction depends to the set `to`, one bit for each.
 static void add_inputs(const SearchRun *k, const IrFn *f, IrRef ref, uint64_t *to)
 {
     const IrIns *i = &f->ins.at[ref];
@@ -221,6 +229,7 @@ static uint64_t count_bits(uint64_t set)
     return n;
 }
 
+// Finds for each variable the inputs on which it depends, through all stores, until nothing changes.
 static void find_dependences(SearchRun *k)
 {
     for (bool again = true; again; ) {
@@ -262,6 +271,7 @@ static void add_constant(SearchRun *k, SearchInput *in, double x)
     vec_push(&k->work, &in->constant, x);
 }
 
+// Adds each constant of an expression to those that are tried for these inputs.
 static void collect_constants(SearchRun *k, const IrFn *f, IrRef ref, const uint64_t *inputs)
 {
     const IrIns *i = &f->ins.at[ref];
@@ -280,6 +290,7 @@ static void collect_constants(SearchRun *k, const IrFn *f, IrRef ref, const uint
         collect_constants(k, f, i->b, inputs);
 }
 
+// Finds for each input the constants with which a comparison relates it.
 static void find_constants(SearchRun *k)
 {
     uint64_t *set = ARENA_ARRAY(&k->work, uint64_t, k->words);
@@ -335,7 +346,8 @@ static void add_operands(SearchRun *k, const IrFn *f, const uint32_t *slot, IrRe
     }
 }
 
-static void study_decision(SearchRun *k, uint32_t n)
+// Finds where a decision is, and the slots of the values on which its distance depends.
+static void analyse_decision(SearchRun *k, uint32_t n)
 {
     SearchDecision *d = &k->decision[n];
     Slots slots = {NULL, 0, 0};
@@ -351,7 +363,7 @@ static void study_decision(SearchRun *k, uint32_t n)
     d->last = ARENA_ARRAY(&k->work, double, slots.n + 1);
 }
 
-void search_study_machine(SearchRun *k)
+void search_analyse_machine(SearchRun *k)
 {
     Elems path = {NULL, 0, 0};
 
@@ -361,11 +373,11 @@ void search_study_machine(SearchRun *k)
     find_inputs(k);
     for (size_t v = 0; v < k->m->var.n; v++)
         k->var[v].inputs = ARENA_ARRAY(&k->work, uint64_t, k->words);
-    study_functions(k);
+    analyse_functions(k);
     k->decisions = k->c->probes.decisions;
     k->decision = arena_array(&k->work, k->decisions + 1, sizeof *k->decision);
     for (uint32_t d = 0; d < k->decisions; d++)
-        study_decision(k, d);
+        analyse_decision(k, d);
     find_guards(k);
     k->path = arena_array(&k->work, k->p->stmts + 1, sizeof *k->path);
     for (size_t s = 0; s < k->p->state.n; s++)

@@ -50,6 +50,7 @@ static bool run_nearest(SearchRun *k, const SearchGoal *g)
     return true;
 }
 
+// Whether some run has reached this place: a condition, say, that was true.
 static bool had_ever_value(const SearchRun *k, uint32_t place)
 {
     const uint32_t g = k->goal_of[place];
@@ -57,6 +58,7 @@ static bool had_ever_value(const SearchRun *k, uint32_t place)
     return g == SEARCH_NONE ? k->r->find[place].outcome != SEARCH_IMPOSSIBLE : k->goal[g].done;
 }
 
+// Stores which condition kept the search from a goal, whether it never had the needed value, and by how much it missed.
 static void set_blocking_place(const SearchRun *k, SearchFind *f, uint32_t place, double missed_by)
 {
     f->blocked_by = place;
@@ -144,6 +146,7 @@ static uint32_t find_frontier(SearchRun *k, uint32_t state)
     return best;
 }
 
+// Describes how near the search came to a goal that it did not find, and what was missing.
 static void describe_goal(SearchRun *k, uint32_t goal)
 {
     const SearchGoal *g = &k->goal[goal];

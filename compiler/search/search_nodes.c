@@ -27,6 +27,7 @@ static size_t round_up(size_t n) { return (n + 7) / 8 * 8; }
 // Freed memory is reused, and never returned to the arena: `used` counts the most that was in use at one time.
 static bool has_room(const SearchRun *k) { return k->free.n > 0 || k->used + k->nominal <= k->memory; }
 
+// Whether a node with this many changes fits in the memory limit.
 static bool has_room_for_node(const SearchRun *k, uint32_t turns)
 {
     const size_t node = k->free_node == SEARCH_NONE ? NODE_BYTES : 0, turn = turns && !k->free_turn[turns] ? turns * TURN_BYTES : 0;
@@ -34,6 +35,7 @@ static bool has_room_for_node(const SearchRun *k, uint32_t turns)
     return k->used + node + turn <= k->memory;
 }
 
+// Returns memory for a snapshot, from the free list if possible.
 static char *allocate_block(SearchRun *k)
 {
     if (k->free.n)
@@ -57,6 +59,7 @@ static SearchTurn *allocate_turns(SearchRun *k, uint32_t n)
     return arena_array(&k->work, n, sizeof *t);
 }
 
+// Puts an array of n changes on the free list of arrays of that length.
 static void free_turns(SearchRun *k, SearchTurn *t, uint32_t n)
 {
     if (n == 0)
@@ -95,6 +98,7 @@ static void free_unneeded(SearchRun *k, uint32_t n)
 
 static void use_node(SearchRun *k, uint32_t n) { k->node.at[n].users++; }
 
+// Takes away one user of a node; without users it loses its snapshot, and without followers too it is freed.
 static void drop_node(SearchRun *k, uint32_t n)
 {
     SearchNode *x = &k->node.at[n];
@@ -129,6 +133,7 @@ static bool evict_entry(SearchRun *k)
     return true;
 }
 
+// Returns the index of the snapshot in the goal's pool that is farthest from the goal.
 static uint32_t find_farthest(const SearchGoal *g)
 {
     uint32_t at = 0;
@@ -226,6 +231,7 @@ typedef struct Segment {
     bool is_exact;            // all steps run, even if a goal is reached: the segment is part of a given run
 } Segment;
 
+// Returns how many changes of inputs lie between the start and the end of a segment.
 static uint32_t depth_after(const SearchRun *k, const Segment *g)
 {
     return g->from == SEARCH_NONE ? 0 : k->node.at[g->from].depth + (k->is_round ? 0 : g->turns);
@@ -296,6 +302,7 @@ static void add_entry(SearchRun *k, uint32_t n, uint32_t at)
     pool[at] = (SearchNear){n, 0};
 }
 
+// Stores a snapshot of the state that the run has just entered, if the state's table has room or the snapshot is better than one there.
 static void store_entry(SearchRun *k, const Segment *seg)
 {
     const FlatState *s = (const FlatState *)(const void *)k->now;
@@ -354,6 +361,7 @@ static void close_goal(SearchRun *k, SearchGoal *g)
     g->pooled = 0;
 }
 
+// Stores the node at which a goal was reached, in place of an earlier one, and closes the goal.
 static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
 {
     SearchGoal *g = &k->goal[goal];
@@ -394,6 +402,7 @@ void search_close_again(SearchRun *k)
     search_build_flat(k);
 }
 
+// Whether the run has reached the goal: its counter is above 0, or the caller's distance for it is 0.
 static bool is_reached(const SearchRun *k, const SearchGoal *g)
 {
     return g->place < k->r->places ? k->running->hits[k->counter[g->place]] > 0 : k->o->watch && k->distance[g->place - k->r->places] == 0;
@@ -438,6 +447,7 @@ static void finish_reached(SearchRun *k, const Segment *seg)
     drop_node(k, node);
 }
 
+// Lets the caller judge its own goals after this step (SearchOptions.watch).
 static void judge_watch(SearchRun *k, bool is_rerun)
 {
     const SearchWatch *w = k->o->watch;
@@ -478,6 +488,7 @@ static void find_active(SearchRun *k)
             vec_push(&k->work, &k->active, i);
 }
 
+// Runs one step: sets the inputs that must be set in each step, and the time.
 static void run_step(SearchRun *k, FlatMachine *f)
 {
     for (uint32_t i = 0; i < k->active.n; i++)
@@ -490,6 +501,7 @@ static void run_step(SearchRun *k, FlatMachine *f)
         judge_watch(k, f == k->plain);
 }
 
+// Loads the snapshot where a segment begins, and sets its changed inputs.
 static void begin_run(SearchRun *k, const Segment *seg)
 {
     search_load(k, seg->from, k->now);
@@ -506,6 +518,7 @@ static int compare_touched(const SearchRun *k, uint32_t a, uint32_t b)
     return x < y ? -1 : x > y;
 }
 
+// Sorts the goals that came nearer in this run: the one that came nearest in the earliest step comes first.
 static void sort_touched(SearchRun *k)
 {
     for (uint32_t i = 1; i < k->touched.n; i++)
@@ -604,6 +617,7 @@ static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t 
     }
 }
 
+// Runs a segment, stores the snapshots that are worth it, and returns the node at its end (search_run_segment).
 static uint32_t run_segment(SearchRun *k, const Segment *seg, uint64_t steps, uint32_t goal)
 {
     uint32_t node;

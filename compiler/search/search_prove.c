@@ -11,6 +11,7 @@
 
 // ---- sites ----
 
+// Returns the truth of a part of a decision in the current combination of regions.
 static bool node_truth(Prover *p, const FlatDecision *d, uint32_t n)
 {
     const FlatNode *node = &d->node[n];
@@ -44,6 +45,7 @@ static bool condition_decides(Prover *p, const FlatDecision *d, uint32_t conditi
     return true;
 }
 
+// Whether the current combination of regions takes the path to a goal: every decision that is certain has the outcome that it needs.
 static bool takes_path(Prover *p, const SearchSite *site)
 {
     for (uint32_t e = site->path.n; e-- > 0; ) {
@@ -72,6 +74,7 @@ static bool add_path(Prover *p, const SearchSite *site)
     return p->fits;
 }
 
+// Whether any consistent combination of regions takes the path to a goal.  If no combination does, the goal cannot be reached there.
 static bool has_combination(Prover *p, const SearchSite *site)
 {
     do
@@ -118,6 +121,7 @@ static void find_reachable(const SearchRun *k, bool *reachable)
 
 // ---- goals ----
 
+// Closes a goal as impossible, with the reason as a sentence.
 static void mark_impossible(SearchRun *k, SearchGoal *g, const char *reason)
 {
     SearchFind *f = &k->r->find[g->place];
@@ -137,6 +141,7 @@ static RunFacts *facts_of_runs(SearchRun *k)
     return k->start->number == 1 ? run_facts_new(&k->work, k->m, is_input, k->delta_t) : NULL;
 }
 
+// Marks the goals that facts about all runs exclude.
 static void prove_by_facts(SearchRun *k, RunFacts *facts)
 {
     const char **reason = arena_array(&k->work, k->r->places, sizeof *reason);
@@ -149,6 +154,7 @@ static void prove_by_facts(SearchRun *k, RunFacts *facts)
     }
 }
 
+// Marks the goals none of whose paths any combination of regions takes.
 static void prove_paths(SearchRun *k, RunFacts *facts)
 {
     const char *const counted = format_in(k->arena, "what is counted before it takes longer, if only inputs change, and delta_t is %lu", (unsigned long)k->delta_t);
@@ -167,6 +173,7 @@ static void prove_paths(SearchRun *k, RunFacts *facts)
     }
 }
 
+// Marks the goals in states that no transition leads to.
 static void prove_states(SearchRun *k)
 {
     bool *reachable = arena_alloc(&k->work, k->p->state.n);

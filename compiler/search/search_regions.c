@@ -10,6 +10,7 @@
 
 // ---- values ----
 
+// Returns the number of this value: that of an equal value, or a new number if no equal value has one, or `is_unique`.
 static uint32_t add_value(Prover *p, Value v, bool is_unique)
 {
     for (uint32_t i = 0; i < p->value.n && !is_unique; i++) {
@@ -90,6 +91,7 @@ void region_number_values(Prover *p, uint32_t fn)
     number_function(p, &p->own, before, false);
 }
 
+// Whether the value is a constant; sets *x.
 static bool constant_of(const Prover *p, uint32_t value, double *x)
 {
     const Value *v = &p->value.at[value];
@@ -104,6 +106,7 @@ static bool constant_of(const Prover *p, uint32_t value, double *x)
 
 // ---- groups ----
 
+// Sets the smallest and largest number that the group's value can be, and whether it can be NaN.
 static void set_limits(const Prover *p, RegionGroup *g)
 {
     const Value *v = &p->value.at[g->x];
@@ -140,6 +143,7 @@ static RegionGroup *find_or_add_group(Prover *p, uint32_t x, uint32_t y)
 
 RegionGroup *region_group_of(Prover *p, uint32_t value) { return find_or_add_group(p, value, SEARCH_NONE); }
 
+// Adds a constant with which value x is compared: it splits the numbers into one more region.
 static void add_constant(Prover *p, uint32_t x, double c)
 {
     RegionGroup *g = find_or_add_group(p, x, SEARCH_NONE);
@@ -163,6 +167,7 @@ static void add_constant(Prover *p, uint32_t x, double c)
 // What a comparison, or any other truth, compares: a value with a constant, or two values.
 typedef struct Leaf { IrOp op; uint32_t x, y; double c; bool swapped; } Leaf;
 
+// Returns a condition as a comparison of two values, or of a value with a constant.
 static Leaf leaf_of(const Prover *p, const RegionView *v, IrRef ref)
 {
     const IrIns *i = &v->fn->ins.at[ref];
@@ -219,6 +224,7 @@ static uint32_t count_regions(const RegionGroup *g) { return g->y == SEARCH_NONE
 
 static bool is_whole(double x) { return x < -4e15 || x > 4e15 || x == (double)(int64_t)x; }
 
+// Whether the group's current region contains no number that its value can have.
 static bool is_empty(const RegionGroup *g)
 {
     const uint32_t r = g->region, i = r / 2;
@@ -247,6 +253,7 @@ static int compare_region(const RegionGroup *g, double c)
     return g->region < 2 * i + 1 ? -1 : g->region > 2 * i + 1;
 }
 
+// Returns the result of a comparison, given the order of its operands: -1, 0 or 1; any other order is that of a NaN.
 static bool judge_order(IrOp op, int order)
 {
     switch (op) {
@@ -306,6 +313,7 @@ bool region_bounds(const RegionGroup *g, double bound[2], bool inside[2])
 
 // ---- combinations ----
 
+// Sets the group to its first region that is not empty.
 static void begin_regions(RegionGroup *g)
 {
     for (g->region = 0; g->region < g->regions && is_empty(g); )

@@ -22,6 +22,7 @@ typedef struct SearchLeg { SearchTurn *turn; uint32_t turns; uint64_t steps; } S
 
 typedef struct SearchRound { SearchLeg leg[MOST_LEGS]; uint32_t legs; uint64_t steps; } SearchRound;
 
+// Adds the current changes and a number of steps as one leg of the detour.
 static void add_leg(SearchRun *k, Arena *arena, SearchRound *r, uint64_t steps)
 {
     SearchLeg *l = &r->leg[r->legs++];
@@ -61,6 +62,7 @@ static void run_rounds(SearchRun *k, uint32_t node, const SearchRound *r, bool i
 
 // ---- pulses ----
 
+// Returns how many steps a pulse lasts: as long as a solution must last, or a random number.
 static uint64_t choose_width(SearchRun *k)
 {
     if (k->wait > 1 && k->wait < 4096 && search_chance(k, 30))
@@ -201,6 +203,7 @@ static uint32_t choose_storing_state(SearchRun *k, uint32_t var, uint32_t prefer
     return out;
 }
 
+// Returns the value of a variable in the snapshot of a node.
 static double value_at(const SearchRun *k, uint32_t node, uint32_t var)
 {
     return sm_cell_to_f64(k->m->var.at[var].type, flat_cells(k->plain, k->node.at[node].copy)[var]);

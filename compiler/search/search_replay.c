@@ -19,6 +19,7 @@ uint32_t chooser_end_state(const Chooser *c) { return ((const FlatState *)(const
 
 bool chooser_has_effort(const Chooser *c) { return c->k->r->steps < c->limit && !c->k->r->stopped; }
 
+// Lets the caller judge its own goals after this step of the replay, and marks those that are reached.
 static void judge_watch(Chooser *c)
 {
     SearchRun *k = c->k;
@@ -35,6 +36,7 @@ static void judge_watch(Chooser *c)
         }
 }
 
+// Sets an input as a change of the scenario says, for this step.
 static void set_change(Chooser *c, const ScenarioChange *x, uint64_t step)
 {
     SearchRun *k = c->k;
@@ -59,6 +61,7 @@ static bool has_reached_all(const Chooser *c, const GoalSet *want)
     return true;
 }
 
+// Starts the replay of a scenario at its first state, with all counters at 0.
 static void begin_replay(Chooser *c, const Scenario *s)
 {
     SearchRun *k = c->k;

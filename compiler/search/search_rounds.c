@@ -17,6 +17,7 @@ enum {
     MOST_UNROLLED = 1 << 16   // changes, in all rounds
 };
 
+// Whether n changes can be the body of a loop: they only hold values, and no loop contains them yet.
 static bool can_repeat(const Chooser *c, const Scenario *s, size_t from, size_t n)
 {
     if (n < 2 || n > MOST_BODY)
@@ -111,6 +112,7 @@ typedef struct RoundTries {
     VEC(RoundTry) round;
 } RoundTries;
 
+// Whether no loop of the scenario overlaps the steps from `from` to `to`.
 static bool is_free(const Scenario *s, uint64_t from, uint64_t to)
 {
     for (size_t i = 0; i < s->loops; i++)
@@ -119,6 +121,7 @@ static bool is_free(const Scenario *s, uint64_t from, uint64_t to)
     return true;
 }
 
+// Adds a way to shorten the scenario: to repeat the changes between two steps as a loop, instead of those that follow.
 static void add_round(RoundTries *r, const uint32_t *at, uint32_t first, uint32_t next, uint32_t last)
 {
     const size_t begin = r->before[at[first]], end = r->before[at[next]], after = last ? r->before[at[last]] : r->s->changes;

@@ -215,7 +215,7 @@ uint64_t search_random(SearchRun *k);
 static inline uint32_t search_pick(SearchRun *k, uint32_t n) { return (uint32_t)(search_random(k) % n); }
 static inline bool search_chance(SearchRun *k, uint32_t percent) { return search_pick(k, 100) < percent; }
 
-void search_study_machine(SearchRun *k);
+void search_analyse_machine(SearchRun *k);
 
 void search_make_goals(SearchRun *k);
 void search_prove(SearchRun *k);              // finds goals that are impossible
