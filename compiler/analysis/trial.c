@@ -8,6 +8,7 @@
 
 #include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial_inputs.h"
+#include "compiler/analysis/trial_near.h"
 #include "compiler/ir/eval.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
@@ -219,8 +220,12 @@ static void add_unreached_states(TrialSearch *k)
     Trials *t = k->t;
 
     for (uint32_t s = 0; s < t->a->p->state.n; s++)
-        if (t->state[s].entry.n == 0 && facts_may_reach(t->a->facts, s, BLOCK_ENTRY)) {
+        t->state[s].reached = t->state[s].entry.n > 0;
+    for (uint32_t s = 0; s < t->a->p->state.n; s++)
+        if (!t->state[s].reached && facts_may_reach(t->a->facts, s, BLOCK_ENTRY)) {
             trial_add_gap(t->gaps, (TrialGap){GAP_STATE, t->a->p->state.at[s], NULL, NULL});
+            if (t->gaps && !t->gaps->near)
+                t->gaps->near = t->near;
             ir_run_start(t->run, k->at, s + 1);
             memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
             k->steps = TRIAL_MANY;
@@ -256,8 +261,10 @@ static void search_situations(Trials *t)
     k.after = arena_alloc(t->a->arena, t->run->size);
     ir_run_start(t->run, k.at, 1);
     add_entry(&k, NULL);
+    t->near = t->gaps ? trial_near_new(t) : NULL;
     search_rounds(&k, 0, ROUNDS + ROUNDS_MORE);
     add_unreached_states(&k);
+    t->near = NULL;
     search_rounds(&k, ROUNDS, ROUNDS + ROUNDS_MORE);
 }
 
