@@ -293,6 +293,38 @@ static void set_parameters(Trials *t)
     }
 }
 
+typedef struct NestedWindows { const uint32_t *samples; uint32_t most; } NestedWindows;
+
+static void find_nested_window(Expr *e, void *context)
+{
+    NestedWindows *nested = context;
+
+    if (e->kind == EX_ROLL && nested->samples[e->window] > nested->most)
+        nested->most = nested->samples[e->window];
+}
+
+// Returns how many samples fill every window and last as long as every `held`.  A window that samples another one, as in
+// held(roll_range(p, 10) < 1, 200 ms), needs the samples of both.
+static uint32_t count_samples(const Trials *t)
+{
+    const Windows *all = &t->a->p->window;
+    uint32_t *samples = ARENA_ARRAY(t->a->arena, uint32_t, all->n + 1), most = 0;
+
+    for (size_t w = 0; w < all->n; w++) {
+        const Window *window = &all->at[w];
+        NestedWindows nested = {samples, 1};
+        double n = window->size;
+        if (t->a->m->window_of[w] == IR_NONE)
+            continue;
+        if (window->stat == SM_STAT_RUN_TIME)
+            n = sm_ceil(t->run_time / t->dt) + 1;
+        expr_walk(window->sample, find_nested_window, &nested);
+        samples[w] = (uint32_t)sm_min(n + nested.most - 1, SM_WINDOW_MAX);
+        most = samples[w] > most ? samples[w] : most;
+    }
+    return most;
+}
+
 Trials *trials_of(Analysis *a) { return trials_at(a, TRIAL_DEFAULTS, 1, NULL); }
 
 Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *gaps)
@@ -332,15 +364,11 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *
             t->var[a->m->var_of[v]] = a->p->var.at[v];
     for (size_t i = 0; i < a->transition.n; i++)
         t->transition[a->transition.at[i].stmt->number] = &a->transition.at[i];
-    for (size_t w = 0; w < a->m->window.n; w++)
-        if (a->m->window.at[w].size > t->window)
-            t->window = a->m->window.at[w].size;
     t->samples_written = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
     trial_find_inputs(t);
     // If the step is unknown, assumes milliseconds and steps of 10.  If all times are below 100, assumes another unit and steps of 1.
     t->dt = a->step > 0 ? (double)a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
-    if (t->run_time > 0)
-        t->window = (uint32_t)sm_min(sm_max(t->window, sm_ceil(t->run_time / t->dt) + 1), SM_WINDOW_MAX);
+    t->window = count_samples(t);
     search_situations(t);
     return t;
 }
