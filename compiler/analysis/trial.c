@@ -8,6 +8,7 @@
 
 #include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial_inputs.h"
+#include "compiler/analysis/trial_near.h"
 #include "compiler/ir/eval.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
@@ -219,8 +220,12 @@ static void add_unreached_states(TrialSearch *k)
     Trials *t = k->t;
 
     for (uint32_t s = 0; s < t->a->p->state.n; s++)
-        if (t->state[s].entry.n == 0 && facts_may_reach(t->a->facts, s, BLOCK_ENTRY)) {
+        t->state[s].reached = t->state[s].entry.n > 0;
+    for (uint32_t s = 0; s < t->a->p->state.n; s++)
+        if (!t->state[s].reached && facts_may_reach(t->a->facts, s, BLOCK_ENTRY)) {
             trial_add_gap(t->gaps, (TrialGap){GAP_STATE, t->a->p->state.at[s], NULL, NULL});
+            if (t->gaps && !t->gaps->near)
+                t->gaps->near = t->near;
             ir_run_start(t->run, k->at, s + 1);
             memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
             k->steps = TRIAL_MANY;
@@ -256,8 +261,10 @@ static void search_situations(Trials *t)
     k.after = arena_alloc(t->a->arena, t->run->size);
     ir_run_start(t->run, k.at, 1);
     add_entry(&k, NULL);
+    t->near = t->gaps ? trial_near_new(t) : NULL;
     search_rounds(&k, 0, ROUNDS + ROUNDS_MORE);
     add_unreached_states(&k);
+    t->near = NULL;
     search_rounds(&k, ROUNDS, ROUNDS + ROUNDS_MORE);
 }
 
@@ -284,6 +291,38 @@ static void set_parameters(Trials *t)
         if (var->parameter && t->a->m->var_of[v] != IR_NONE)
             t->run->initial[t->a->m->var_of[v]] = ir_convert(var->type, trial_value_of_parameter(t->setting, var));
     }
+}
+
+typedef struct NestedWindows { const uint32_t *samples; uint32_t most; } NestedWindows;
+
+static void find_nested_window(Expr *e, void *context)
+{
+    NestedWindows *nested = context;
+
+    if (e->kind == EX_ROLL && nested->samples[e->window] > nested->most)
+        nested->most = nested->samples[e->window];
+}
+
+// Returns how many samples fill every window and last as long as every `held`.  A window that samples another one, as in
+// held(roll_range(p, 10) < 1, 200 ms), needs the samples of both.
+static uint32_t count_samples(const Trials *t)
+{
+    const Windows *all = &t->a->p->window;
+    uint32_t *samples = ARENA_ARRAY(t->a->arena, uint32_t, all->n + 1), most = 0;
+
+    for (size_t w = 0; w < all->n; w++) {
+        const Window *window = &all->at[w];
+        NestedWindows nested = {samples, 1};
+        double n = window->size;
+        if (t->a->m->window_of[w] == IR_NONE)
+            continue;
+        if (window->stat == SM_STAT_RUN_TIME)
+            n = sm_ceil(t->run_time / t->dt) + 1;
+        expr_walk(window->sample, find_nested_window, &nested);
+        samples[w] = (uint32_t)sm_min(n + nested.most - 1, SM_WINDOW_MAX);
+        most = samples[w] > most ? samples[w] : most;
+    }
+    return most;
 }
 
 Trials *trials_of(Analysis *a) { return trials_at(a, TRIAL_DEFAULTS, 1, NULL); }
@@ -325,15 +364,11 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *
             t->var[a->m->var_of[v]] = a->p->var.at[v];
     for (size_t i = 0; i < a->transition.n; i++)
         t->transition[a->transition.at[i].stmt->number] = &a->transition.at[i];
-    for (size_t w = 0; w < a->m->window.n; w++)
-        if (a->m->window.at[w].size > t->window)
-            t->window = a->m->window.at[w].size;
     t->samples_written = ARENA_ARRAY(a->arena, bool, a->m->window.n + 1u);
     trial_find_inputs(t);
     // If the step is unknown, assumes milliseconds and steps of 10.  If all times are below 100, assumes another unit and steps of 1.
     t->dt = a->step > 0 ? (double)a->step : t->waits > 0 && t->wait[t->waits - 1] < 100 ? 1 : 10;
-    if (t->run_time > 0)
-        t->window = (uint32_t)sm_min(sm_max(t->window, sm_ceil(t->run_time / t->dt) + 1), SM_WINDOW_MAX);
+    t->window = count_samples(t);
     search_situations(t);
     return t;
 }

@@ -52,6 +52,7 @@ typedef struct TrialNext {
 } TrialNext;
 
 typedef struct TrialState {
+    bool reached;                     // the search has reached it from the machine's start
     VEC(TrialEntry) entry;
     bool *relevant;                   // by input: the state's behaviour can depend on this input
 } TrialState;
@@ -64,6 +65,7 @@ typedef struct Trials {
     TrialSetting setting;
     uint32_t share;                   // the bounds of effort are divided by this: 1, or the number of settings of the parameters
     TrialGaps *gaps;                  // what was not tried; may be NULL
+    struct TrialNear *near;           // records the guards of the search's steps (trial_near.h); NULL: not searching
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
     uint64_t check_at;                // value of run->work at which trial_step lets the host end the trials

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/analysis/trial_gaps.h"
 
+#include "compiler/analysis/trial_near.h"
+
 enum { NAMES_SHOWN = 4 };         // the most names in a list; the others are counted
 
 void trial_add_gap(TrialGaps *gaps, TrialGap gap)
@@ -91,6 +93,8 @@ void trial_report_gaps(const Analysis *a, const TrialGaps *gaps)
     if (gaps->list.n == 0)
         return;
     d = diag_report(a->diags, DIAG_not_tried, (at ? at : a->p->state.at[0])->span, buf_text(&text));
+    if (gaps->near)
+        trial_near_note(gaps->near, d);
     for (int kind = 0; kind < GAP_KINDS; kind++)
         if (has[kind])
             diag_note(a->diags, d, (Span){0}, advice[kind]);

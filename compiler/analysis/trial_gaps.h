@@ -21,7 +21,13 @@ typedef struct TrialGap {
     const char *name;
 } TrialGap;
 
-typedef struct TrialGaps { Arena *arena; VEC(TrialGap) list; } TrialGaps;
+struct TrialNear;
+
+typedef struct TrialGaps {
+    Arena *arena;
+    VEC(TrialGap) list;
+    const struct TrialNear *near;     // of the first setting in which a state was not reached (trial_near.h); NULL: none
+} TrialGaps;
 
 // Adds a gap, unless it is in the list.  `gaps` may be NULL.
 void trial_add_gap(TrialGaps *gaps, TrialGap gap);

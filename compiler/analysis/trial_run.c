@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compiler/analysis/trial.h"
+#include "compiler/analysis/trial_near.h"
 #include "compiler/ir/eval.h"
 #include "stdlib/math.h"
 
@@ -38,6 +39,8 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
     var[t->run->m->g] = s->ran ? s->last_g + dt : 0;
     trial_store_inputs(t, var, in);
     ir_run_step(t->run, situation, trace);
+    if (t->near && trace)
+        trial_near_record(t->near, situation, trace);
     if (t->run->work >= t->check_at) {
         arena_check_host(t->a->arena);
         t->check_at = t->run->work + WORK_PER_CHECK;

@@ -50,6 +50,7 @@ Doc *report_build(Report *r)
     report_add_overview(r, d);
     doc_begin_chapter(d, TEXT_WHAT_IT_DOES);
     report_add_diagram_section(r, d);
+    report_add_outputs(r, d);
     report_add_all_states(r, d);
     report_add_states(r, d);
     report_add_transitions(r, d);

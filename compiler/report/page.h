@@ -54,6 +54,7 @@ Doc *report_build(Report *r);
 void report_add_overview(Report *r, Doc *d);
 void report_add_verdicts(Report *r, Doc *d);           // part of the overview
 void report_add_diagram_section(Report *r, Doc *d);
+void report_add_outputs(Report *r, Doc *d);            // nothing if the machine writes no element
 void report_add_all_states(Report *r, Doc *d);
 void report_add_states(Report *r, Doc *d);
 void report_add_transitions(Report *r, Doc *d);

@@ -13,6 +13,13 @@
 #define TEXT_WHAT_IT_COSTS        "What it costs"
 #define TEXT_APPENDIX             "Appendix"
 
+// ---- outputs ----
+
+#define TEXT_OUTPUTS \
+    "What each output is after a step in which the machine stays in the state. Several values: which one depends on conditions or on the path " \
+    "to the state. \"Unchanged\": the state does not assign it, so it is what earlier states have left. \"Initial\": no state has assigned it " \
+    "yet. Other machines, or a `[start]`, can set other values."
+
 // ---- states ----
 
 #define TEXT_STATES \

@@ -72,6 +72,17 @@ The machine has 1 state and starts in `Idle`. It reads `x`. It writes `valve`. I
 What it does
 ============
 
+Outputs in each state
+---------------------
+
+What each output is after a step in which the machine stays in the state. Several values: which one
+depends on conditions or on the path to the state. "Unchanged": the state does not assign it, so it
+is what earlier states have left. "Initial": no state has assigned it yet. Other machines, or a
+`[start]`, can set other values.
+
+  State  valve
+  Idle   computed
+
 States
 ------
 

@@ -36,6 +36,14 @@ bool valve    # lets "fuel" in
       "Source identity": "fdba2cfd5231c29c",
       "State vector": "declared in the machine"
     }}},
+ "outputs": {"title": "Outputs in each state",
+   "text": [
+    "What each output is after a step in which the machine stays in the state. Several values: which one depends on conditions or on the path to the state. \"Unchanged\": the state does not assign it, so it is what earlier states have left. \"Initial\": no state has assigned it yet. Other machines, or a `[start]`, can set other values."],
+   "tables": {
+    "outputs": [
+      {"state": "Idle", "mark": "", "valve": "computed"},
+      {"state": "Done", "mark": "", "valve": "unchanged: computed"}
+    ]}},
  "states": {"title": "States",
    "text": [
     "The machine runs in steps. In each step it executes the statements of its state from top to bottom, also in the step in which it enters the state. The first transition whose condition is true is taken, and the statements after it are skipped. The next step runs the state to which the transition leads. `T` is the time since the machine entered the state, `G` is the time.",

@@ -91,6 +91,20 @@ its final states `Done` and `Abort`.
 What it does
 ============
 
+Outputs in each state
+---------------------
+
+What each output is after a step in which the machine stays in the state. Several values: which one
+depends on conditions or on the path to the state. "Unchanged": the state does not assign it, so it
+is what earlier states have left. "Initial": no state has assigned it yet. Other machines, or a
+`[start]`, can set other values.
+
+  State  Mark         valve
+  Idle                unchanged: initial
+  Fill                computed
+  Done   safe         unchanged: `false`
+  Abort  abort, safe  `false`
+
 States
 ------
 

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each output is while the machine stays in a state: a constant, the value that an earlier state has left, or a computed one.
+//
+// A data flow over the states: the values with which a state begins are joined over the transitions into it.  Guards whose result the facts
+// decide are followed in that direction only; others in both.  So a cell can contain a value that no run has, and lacks none.
+#include <string.h>
+
+#include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
+#include "stdlib/convert.h"
+
+enum {
+    CONSTANTS_MAX = 3,                // the most constants that are distinguished
+    COLUMNS_MAX = 7                   // the most outputs in one table, so that it fits on paper
+};
+
+// The values that an output can have at one point.
+typedef struct OutputValues {
+    uint64_t cell[CONSTANTS_MAX];     // constants that were stored, ascending
+    uint8_t n;
+    bool assigned;                    // the current state has assigned the output
+    bool computed;                    // also values that are computed, or more constants
+    bool initial;                     // also the one that it has when the machine starts
+} OutputValues;
+
+typedef struct OutputFlow {
+    const Report *r;
+    const Program *p;
+    const Var **output;
+    uint32_t outputs;
+    uint32_t *column;                 // by Var.index: its index in `output`; or UINT32_MAX
+    bool *reached;                    // by State.number: a transition leads to it, or it is the first state
+    OutputValues **begin;             // by State.number, then output: when the state is entered
+    OutputValues **end;               // the same, after a step that stays in the state
+    const State *state;               // the current state
+    bool grew;                        // some set has grown in this round
+} OutputFlow;
+
+// ---- values ----
+
+static bool add_constant(OutputValues *to, uint64_t cell)
+{
+    uint8_t at;
+
+    for (uint8_t i = 0; i < to->n; i++)
+        if (to->cell[i] == cell)
+            return false;
+    if (to->n == CONSTANTS_MAX) {
+        const bool grew = !to->computed;
+        to->computed = true;
+        return grew;
+    }
+    for (at = to->n++; at > 0 && to->cell[at - 1] > cell; at--)
+        to->cell[at] = to->cell[at - 1];
+    to->cell[at] = cell;
+    return true;
+}
+
+// Adds the values of *from to *to.  Returns whether there are new ones.
+static bool join_values(OutputValues *to, const OutputValues *from)
+{
+    bool grew = (from->computed && !to->computed) || (from->initial && !to->initial);
+
+    to->computed |= from->computed;
+    to->initial |= from->initial;
+    to->assigned |= from->assigned;
+    for (uint8_t i = 0; i < from->n; i++)
+        grew |= add_constant(to, from->cell[i]);
+    return grew;
+}
+
+static bool join_all(const OutputFlow *f, OutputValues *to, const OutputValues *from)
+{
+    bool grew = false;
+
+    for (uint32_t i = 0; i < f->outputs; i++)
+        grew |= join_values(&to[i], &from[i]);
+    return grew;
+}
+
+static OutputValues *copy_all(const OutputFlow *f, const OutputValues *from)
+{
+    return memcpy(ARENA_ARRAY(f->r->arena, OutputValues, f->outputs + 1u), from, f->outputs * sizeof *from);
+}
+
+// ---- the flow ----
+
+static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now);
+
+static void assign(OutputFlow *f, const Stmt *s, OutputValues *now)
+{
+    const uint32_t column = f->column[s->var->index];
+    const Fact value = f->r->analysis.stmt[s->number].value;
+
+    if (column == UINT32_MAX)
+        return;
+    now[column] = (OutputValues){.assigned = true, .computed = true};
+    if (value.lo == value.hi && !value.nan) {
+        now[column].computed = false;
+        add_constant(&now[column], sm_cell_from_f64(s->var->type, value.lo));
+    }
+}
+
+// Leaves the state: executes its .exit, and adds the values to those with which the target begins.
+static void leave(OutputFlow *f, const Stmt *s, const OutputValues *now)
+{
+    OutputValues *left = copy_all(f, now);
+
+    run_statements(f, &f->state->block[BLOCK_EXIT], left);
+    for (uint32_t i = 0; i < f->outputs; i++)
+        left[i].assigned = false;
+    f->grew |= !f->reached[s->target->number];
+    f->reached[s->target->number] = true;
+    f->grew |= join_all(f, f->begin[s->target->number], left);
+}
+
+// Executes both branches that the facts allow.  Returns whether control can reach the end of the conditional.
+static bool run_branches(OutputFlow *f, const Stmt *s, OutputValues *now)
+{
+    const StmtFact *fact = &f->r->analysis.stmt[s->number];
+    OutputValues *other = copy_all(f, now);
+    const bool then = fact->then && run_statements(f, &s->then, now);
+    const bool otherwise = fact->otherwise && run_statements(f, &s->otherwise, other);
+
+    if (then && otherwise)
+        join_all(f, now, other);
+    else if (otherwise)
+        memcpy(now, other, f->outputs * sizeof *now);
+    return then || otherwise;
+}
+
+// Executes statements on the values *now.  Returns whether control can reach their end.  Recursion is bounded by the nesting of conditionals,
+// AST_DEPTH_MAX.
+static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now)
+{
+    for (size_t i = 0; i < stmts->n; i++) {
+        const Stmt *s = stmts->at[i];
+        if (!f->r->analysis.stmt[s->number].reached)
+            return false;
+        if (s->kind == ST_ASSIGN)
+            assign(f, s, now);
+        else if (s->kind == ST_TRANSITION)
+            return leave(f, s, now), false;
+        else if (!run_branches(f, s, now))
+            return false;
+    }
+    return true;
+}
+
+// Runs the first step in a state, and then steps until no new values occur.
+static void run_state(OutputFlow *f, const State *s)
+{
+    OutputValues *now = copy_all(f, f->begin[s->number]), *end = f->end[s->number];
+
+    f->state = s;
+    if (!run_statements(f, &s->block[BLOCK_ENTRY], now))
+        return;
+    do {
+        if (!run_statements(f, &s->block[BLOCK_STEP], now))
+            return;
+    } while (join_all(f, end, now));
+}
+
+static void find_outputs(OutputFlow *f)
+{
+    f->output = ARENA_ARRAY(f->r->arena, const Var *, f->p->var.n + 1u);
+    f->column = ARENA_ARRAY(f->r->arena, uint32_t, f->p->var.n + 1u);
+    for (size_t v = 0; v < f->p->var.n; v++) {
+        const Var *var = f->p->var.at[v];
+        f->column[v] = UINT32_MAX;
+        if (var->kind != VAR_ELEMENT || !var->written || var == f->p->g || var == f->p->s)
+            continue;
+        f->column[v] = f->outputs;
+        f->output[f->outputs++] = var;
+    }
+}
+
+static void compute_flow(OutputFlow *f)
+{
+    const size_t states = f->p->state.n + 1u;
+    const State *first = f->p->state.at[0];
+
+    f->reached = ARENA_ARRAY(f->r->arena, bool, states);
+    f->begin = ARENA_ARRAY(f->r->arena, OutputValues *, states);
+    f->end = ARENA_ARRAY(f->r->arena, OutputValues *, states);
+    for (size_t s = 0; s < states; s++) {
+        f->begin[s] = ARENA_ARRAY(f->r->arena, OutputValues, f->outputs + 1u);
+        f->end[s] = ARENA_ARRAY(f->r->arena, OutputValues, f->outputs + 1u);
+    }
+    f->reached[first->number] = true;
+    for (uint32_t i = 0; i < f->outputs; i++)
+        f->begin[first->number][i].initial = true;
+    do {
+        f->grew = false;
+        for (size_t s = 0; s < f->p->state.n; s++)
+            if (f->reached[f->p->state.at[s]->number])
+                run_state(f, f->p->state.at[s]);
+    } while (f->grew);
+}
+
+// ---- the table ----
+
+// Returns the values as words: "`true`, `false` or the initial value".
+static const char *values_text(const OutputFlow *f, const Var *v, const OutputValues *values)
+{
+    const size_t n = values->n + (values->initial ? 1u : 0u);
+    Buf out;
+
+    if (values->computed)
+        return "computed";
+    buf_init(&out, f->r->arena);
+    for (size_t i = 0; i < n; i++) {
+        buf_str(&out, i == 0 ? "" : i + 1 < n ? ", " : " or ");
+        if (i < values->n)
+            buf_printf(&out, "`%s`", report_format_cell(f->r->arena, v->type, values->cell[i]));
+        else
+            buf_str(&out, "initial");
+    }
+    return buf_text(&out);
+}
+
+static const char *cell_text(const OutputFlow *f, const State *s, uint32_t output)
+{
+    const OutputValues *values = &f->end[s->number][output];
+    const char *text = values_text(f, f->output[output], values);
+
+    if (!f->reached[s->number])
+        return "never reached";
+    if (*text == '\0')
+        return "leaves at once";
+    return values->assigned ? text : format_in(f->r->arena, "unchanged: %s", text);
+}
+
+static const char *mark_of(const State *s)
+{
+    return s->is_abort ? s->is_safe ? "abort, safe" : "abort" : s->is_safe ? "safe" : "";
+}
+
+// Adds a table of the outputs `from` to `to` - 1.
+static void add_table(const OutputFlow *f, Doc *d, uint32_t from, uint32_t to)
+{
+    DocColumn *column = ARENA_ARRAY(f->r->arena, DocColumn, to - from + 2u);
+    DocTable *t;
+
+    column[0] = (DocColumn){"state", "State"};
+    column[1] = (DocColumn){"mark", "Mark"};
+    for (uint32_t i = from; i < to; i++)
+        column[i - from + 2] = (DocColumn){f->output[i]->name->text, f->output[i]->name->text};
+    t = doc_add_table(d, from == 0 ? "outputs" : format_in(f->r->arena, "outputs-%u", (unsigned)from), column, to - from + 2u);
+    t->dense = true;
+    for (size_t s = 0; s < f->p->state.n; s++) {
+        const State *state = f->p->state.at[s];
+        doc_add_state_cell(t, state->name->text);
+        doc_add_plain_cell(t, mark_of(state));
+        for (uint32_t i = from; i < to; i++)
+            doc_add_text_cell(t, cell_text(f, state, i));
+    }
+}
+
+void report_add_outputs(Report *r, Doc *d)
+{
+    OutputFlow f = {.r = r, .p = r->analysis.p};
+
+    find_outputs(&f);
+    if (f.outputs == 0)
+        return;
+    compute_flow(&f);
+    doc_add_section(d, "outputs", "Outputs in each state");
+    doc_add_paragraph(d, TEXT_OUTPUTS);
+    for (uint32_t i = 0; i < f.outputs; i += COLUMNS_MAX)
+        add_table(&f, d, i, i + COLUMNS_MAX < f.outputs ? i + COLUMNS_MAX : f.outputs);
+}
