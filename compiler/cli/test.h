@@ -35,6 +35,7 @@ typedef struct TestRequirement {
     RequirementTotal total;
     const char *implemented;  // where the machine is marked with @req of this requirement: "tank.sm:7, tank.sm:12"; ""
     const char *judged;       // where it was judged and how often: "a.ss: 101, b.ss: 7"; ""
+    const char *unvisited;    // the states that it names and no script came to: "Hold, Burn"; ""
     const char *asserts;      // the asserts of scripts that test it and were evaluated: "a.ss:12"; ""
 } TestRequirement;
 

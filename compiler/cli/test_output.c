@@ -298,6 +298,7 @@ static void write_requirement(Buf *out, const TestRequirement *r)
     buf_str(out, ">\n      <properties>\n");
     write_property(out, "requirement", r->what->id->text, strlen(r->what->id->text));
     write_property(out, "judged", r->judged, strlen(r->judged));
+    write_property(out, "not visited", r->unvisited, strlen(r->unvisited));
     write_property(out, "tested by", r->asserts, strlen(r->asserts));
     write_property(out, "implemented", r->implemented, strlen(r->implemented));
     buf_str(out, "      </properties>\n");
@@ -401,6 +402,7 @@ static void write_tap_requirement(const TestRequirement *r, size_t number, Buf *
         buf_printf(out, " # SKIP %s", requirement_verdict(&r->total));
     buf_char(out, '\n');
     write_tap_detail(out, "judged in", r->judged);
+    write_tap_detail(out, "no script came to", r->unvisited);
     write_tap_detail(out, "tested by", r->asserts);
     write_tap_detail(out, "implemented in", r->implemented);
 }

@@ -10,6 +10,7 @@ struct RequirementTable {
     const Requirements *what;
     RequirementTotal *total;  // by requirement
     Buf *judged, *asserts;    // by requirement
+    bool *visited;            // by State.number - 1: a script came to the state
     Map number;               // id to 1 + its index, as a pointer into `ids`
     size_t *ids;
 };
@@ -27,6 +28,7 @@ RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what)
     table->judged = ARENA_ARRAY(t->arena, Buf, what->at.n);
     table->asserts = ARENA_ARRAY(t->arena, Buf, what->at.n);
     table->ids = ARENA_ARRAY(t->arena, size_t, what->at.n);
+    table->visited = ARENA_ARRAY(t->arena, bool, what->program->state.n);
     for (size_t i = 0; i < what->at.n; i++) {
         buf_init(&table->judged[i], t->arena);
         buf_init(&table->asserts[i], t->arena);
@@ -69,6 +71,7 @@ void test_requirements_add(RequirementTable *table, const char *path, const Scri
     if (!table->what)
         return;
     requirement_add_run(table->total, table->what, r);
+    requirement_add_visits(table->visited, table->what->program, r);
     for (size_t i = 0; i < table->what->at.n; i++)
         if (r->requirement[i].judged)
             buf_printf(&table->judged[i], "%s%s: %llu", table->judged[i].n ? ", " : "", path_portable_name(path),
@@ -96,7 +99,7 @@ void test_requirements_end(RequirementTable *table, bool complete)
     for (size_t i = 0; i < table->what->at.n; i++) {
         const Requirement *r = &table->what->at.at[i];
         const TestRequirement row = {r, table->total[i], list_marks(t->arena, table->what->program, r->id), buf_text(&table->judged[i]),
-                                     buf_text(&table->asserts[i])};
+                                     requirement_unvisited(t->arena, r, table->what->program, table->visited), buf_text(&table->asserts[i])};
         vec_push(t->arena, &t->requirement, row);
     }
 }
@@ -137,6 +140,7 @@ void test_requirements_write(const TestRun *t, Buf *out)
         const TestRequirement *r = &t->requirement.at[i];
         buf_printf(out, "  %-*s  %-*s  %s\n", (int)id, r->what->id->text, (int)verdict, requirement_verdict(&r->total), r->what->text->text);
         write_detail(out, id + 4, "judged in", r->judged);
+        write_detail(out, id + 4, "no script came to", r->unvisited);
         write_detail(out, id + 4, "tested by", r->asserts);
         if (marks)
             write_detail(out, id + 4, "implemented", *r->implemented ? format_in(t->arena, "in %s", r->implemented) : "nowhere");

@@ -416,20 +416,36 @@ static bool is_compared_exactly(const FlowWalk *w, IrRef r)
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
+// Adds the fact that r is NaN or within bounds on the current edge.  Only a load: a store turns NaN into 0, and so does a conversion.
+static void refine_unless_nan(FlowWalk *w, IrRef r, Fact bounds)
+{
+    Fact *known;
+
+    if (ins(w, r)->op != IR_load || !has_home(w, r))
+        return;
+    known = refined_fact(w, slot_of(w, w->home[r].var));
+    bounds.nan = true;
+    *known = fact_meet(*known, bounds);
+}
+
 // Adds what follows from comparison i being true (`holds`) or false.
 static void refine_comparison(FlowWalk *w, const IrIns *i, bool holds)
 {
     Fact a = w->out.of[i->a], b = w->out.of[i->b];
-    const bool nan = a.nan || b.nan;
+    const bool a_nan = a.nan, b_nan = b.nan, may_be_nan = (a_nan || b_nan) && holds != (i->op != IR_ne);
     const bool a_exact = is_compared_exactly(w, i->a), b_exact = is_compared_exactly(w, i->b);
 
-    if (a.lo > a.hi || b.lo > b.hi || (nan && holds != (i->op != IR_ne)))
+    if (a.lo > a.hi || b.lo > b.hi || (may_be_nan && a_nan && b_nan))
         return;
     if (!a_exact && !(b_exact && b.lo == b.hi))
         return;
     if (!b_exact && !(a_exact && a.lo == a.hi))
         return;
     bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
+    if (may_be_nan) {                             // the comparison says nothing about the other operand if this one is NaN
+        refine_unless_nan(w, a_nan ? i->a : i->b, a_nan ? a : b);
+        return;
+    }
     a.nan = b.nan = false;
     refine_value(w, i->a, a);
     refine_value(w, i->b, b);

@@ -267,6 +267,18 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
     return true;
 }
 
+// Searches with the rest of the effort: short searches with other random numbers, then long ones.  Where a state has to last almost as long as it can,
+// one search commits to early exits from it, and another one to late exits.
+static void search_long(ProveRun *v, ProveOf *of)
+{
+    static const uint64_t most[] = {1000000, 1000000, 1000000, 1000000, 4000000, 4000000, UINT64_MAX};
+    const uint64_t effort = effort_of(v);
+
+    for (uint32_t n = 0; n < sizeof most / sizeof *most && of->steps < effort && goes_on(v); n++)
+        if (search_violation(v, of, n + 2, most[n] < effort - of->steps ? most[n] : effort - of->steps))
+            return;
+}
+
 // ---- given runs ----
 
 static void judge_givens(ProveRun *v)
@@ -382,7 +394,7 @@ static void try_to_decide(ProveRun *v, ProveOf *of)
         if (is_violated_near_given(v, of) || search_violation(v, of, 1, effort / FIRST_SHARE))
             return;
         if (!try_proofs(v, &proof, of, ATTEMPTS)) {
-            search_violation(v, of, 2, effort > of->steps ? effort - of->steps : 1);
+            search_long(v, of);
             return;
         }
     }

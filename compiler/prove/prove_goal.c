@@ -145,8 +145,19 @@ static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
 
 static bool is_true(Distance d) { return d.to_true == 0; }
 
-// Returns how far the step is from the goal, if it does not reach it.
-static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, const GoalMemory *after, const Conditions *x)
+// Returns the share of the time of an undecided `leads to` that has not passed yet.
+static double share_of_time_left(const GoalWatch *w, const void *situation, const uint64_t *cell)
+{
+    const double within = (double)w->what->within + (double)w->g->delta_t;
+    uint64_t since;
+
+    if (!monitor_is_open(w->monitor, situation, w->g->requirement, &since))
+        return 1;
+    return 1 - (double)(cell[w->g->all->program->g->index] - since) / within;
+}
+
+// Returns how far the step is from the goal, if it does not reach it.  `left`: the share of the time of a `leads to` that is left.
+static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, const GoalMemory *after, const Conditions *x, double left)
 {
     const Requirement *r = w->what;
     const double a = r->a ? below_one(x->a.to_true) : 0;
@@ -162,7 +173,7 @@ static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, con
     case REQUIREMENT_LEADS_TO:
         if (w->g->kind == GOAL_PREMISE || !after->open)
             return 1 + a;
-        return below_one(x->b.to_false + 1);
+        return (below_one(x->b.to_false + 1) + left) / 2;
     }
     return 1;
 }
@@ -212,7 +223,7 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     w->premise_seen = w->premise_seen || (premise && !m->outside);
     m->outside = m->outside || (w->g->assume_ranges && !is_in_ranges(w, m, cell));
     reached = m->outside ? false : w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
-    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, &x);
+    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, &x, w->what->kind == REQUIREMENT_LEADS_TO ? share_of_time_left(w, (char *)situation + MEMORY_SIZE, cell) : 1);
     if (reached)
         *distance = 0;
     else if (!(*distance > 0))

@@ -10,7 +10,8 @@
 static const DocColumn verdict_columns[] = {{"id", "Requirement"}, {"text", "Text"},   {"rule", "Rule"}, {"result", "In scripts"},
                                             {"proof", "Proof"},    {"faults", "Faults that violate it first"}};
 static const DocColumn place_columns[] = {{"id", "Requirement"}, {"text", "Text"},        {"place", "Place"},  {"implemented", "Implemented in"},
-                                          {"asserts", "Tested by"}, {"scripts", "Judged in"}, {"judged", "Times"}, {"result", "Result"}};
+                                          {"asserts", "Tested by"}, {"scripts", "Judged in"}, {"judged", "Times"},
+                                          {"unvisited", "No script came to"}, {"result", "Result"}};
 
 static const char *place_text(const Report *r, Span s)
 {
@@ -143,8 +144,12 @@ static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
 static void add_places(const Report *r, Doc *d, const RequirementTotal *total)
 {
     const Requirements *all = r->requirements;
+    bool *visited = ARENA_ARRAY(r->arena, bool, all->program->state.n);
     DocTable *t;
 
+    for (size_t i = 0; i < r->runs; i++)
+        if (r->run[i].script)
+            requirement_add_visits(visited, all->program, &r->run[i].result);
     doc_add_heading(d, NULL, "Where each requirement is implemented and judged");
     t = DOC_ADD_TABLE(d, "requirements", place_columns);
     for (size_t i = 0; i < all->at.n; i++) {
@@ -156,6 +161,7 @@ static void add_places(const Report *r, Doc *d, const RequirementTotal *total)
         doc_add_plain_cell(t, asserts_text(r, q->id));
         doc_add_plain_cell(t, scripts_text(r, i));
         doc_add_number_cell(t, total[i].judged);
+        doc_add_plain_cell(t, requirement_unvisited(r->arena, q, all->program, visited));
         doc_add_plain_cell(t, requirement_verdict(&total[i]));
     }
 }

@@ -172,6 +172,7 @@ Traceability *traceability_new(Arena *arena, const Program *p, const Requirement
 
     t->arena = t->by_id.arena = arena;
     t->program = p;
+    t->visited = ARENA_ARRAY(arena, bool, p->state.n);
     t->what = what;
     for (size_t i = 0; what && i < what->at.n; i++) {
         const uint32_t r = index_of(t, what->at.at[i].id);
@@ -234,6 +235,7 @@ void traceability_add_run(Traceability *t, const char *name, const Script *s, co
 
     vec_push(t->arena, &t->script, script);
     add_judged_requirements(t, r);
+    requirement_add_visits(t->visited, t->program, r);
     for (size_t i = 0; r->evaluated && i < s->section.n; i++)
         for (size_t k = 0; k < s->section.at[i].item.n; k++) {
             const ScriptItem *item = s->section.at[i].item.at[k];
@@ -269,6 +271,7 @@ void traceability_finish(Traceability *t)
         const bool is_tested = q->total.judged || has_assert(t, q, "passed");
         uint32_t *count = is_violated ? &t->counts.violated : is_undecided
             ? &t->counts.undecided : is_tested ? &t->counts.tested : &t->counts.untested;
+        q->unvisited = q->what ? requirement_unvisited(t->arena, q->what, t->program, t->visited) : "";
         q->result = is_violated ? "violated" : is_undecided ? "undecided" : is_tested ? "tested" : "untested";
         ++*count;
     }

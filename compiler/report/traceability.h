@@ -66,6 +66,7 @@ typedef struct TracedRequirement {
     VEC(TracedRun) run;           // the scripts that have judged the requirement
     TraceIndices assert;          // indices in Traceability.assert
     RequirementTotal total;
+    const char *unvisited;        // the states that it names and no script came to; ""
     const char *result;           // "tested", "violated", "undecided" or "untested"
     const char *proof;            // what a proof has found; "not tried" until traceability_set_proof
 } TracedRequirement;
@@ -82,6 +83,7 @@ typedef struct Traceability {
     VEC(TracedRequirement) requirement;       // those of the files in their order, then those that only marks or asserts name
     VEC(TracedPart) part;         // states and sections with their transitions and outputs, in file order
     VEC(TracedScript) script;
+    bool *visited;                // by State.number - 1: a script came to the state
     VEC(TracedAssert) assert;     // in the order of the scripts
     TraceCounts counts;           // set by traceability_finish
     Map by_id;                    // id to 1 + its index, as a pointer into `number`

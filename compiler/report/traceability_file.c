@@ -195,6 +195,7 @@ static void write_requirement(const Traceability *t, const TracedRequirement *q,
         buf_printf(out, ",\"steps\":%" PRIu64 "}", q->run.at[i].judged);
     }
     buf_printf(out, "],\"steps\":%" PRIu64, q->total.judged);
+    write_member(out, "unvisited", q->unvisited);
     write_member(out, "result", q->result);
     write_member(out, "proof", q->proof);
     buf_char(out, '}');

@@ -15,6 +15,7 @@ void requirement_begin_run(ScriptRun *r)
     monitor_start(r->monitor, r->situation);
     r->requirement = ARENA_ARRAY(r->arena, RequirementRun, r->o->requirements->at.n);
     r->result.requirement = r->requirement;
+    r->result.ran = r->ran;
 }
 
 bool requirement_check_step(ScriptRun *r)
@@ -131,6 +132,58 @@ void requirement_add_run(RequirementTotal *total, const Requirements *what, cons
         total[i].violated += run->violated;
         total[i].undecided += run->undecided;
     }
+}
+
+void requirement_add_visits(bool *visited, const Program *p, const ScriptResult *r)
+{
+    for (size_t s = 0; r->ran && s < p->state.n; s++)
+        visited[s] |= r->ran[s] > 0;
+}
+
+// Collects the states that conditions name.
+typedef struct NamedStates {
+    const Program *p;
+    bool *is_named;           // by State.number - 1
+} NamedStates;
+
+// Returns how many states of the program come before those of the machine whose S is this variable; UINT32_MAX: it is the S of no machine.
+static uint32_t first_state_of(const Program *p, const Var *v)
+{
+    if (!p->joint)
+        return v == p->s ? 0 : UINT32_MAX;
+    for (size_t m = 0; m < p->joint->member.n; m++)
+        if (p->joint->member.at[m].s == v)
+            return p->joint->member.at[m].first;
+    return UINT32_MAX;
+}
+
+static void note_named_state(Expr *e, void *context)
+{
+    const NamedStates *named = context;
+    const bool is_equality = e->kind == EX_BINARY && (e->op == SM_OP_EQ || e->op == SM_OP_NE);
+
+    for (uint32_t s = 0; is_equality && s < 2; s++) {
+        const Expr *state = e->arg[s], *number = e->arg[!s];
+        const uint32_t first = state->kind == EX_VAR && number->kind == EX_NUMBER ? first_state_of(named->p, state->var) : UINT32_MAX;
+        if (first != UINT32_MAX && number->number >= 1 && first + number->number <= (double)named->p->state.n)
+            named->is_named[first + (uint32_t)number->number - 1] = true;
+    }
+}
+
+const char *requirement_unvisited(Arena *arena, const Requirement *what, const Program *p, const bool *visited)
+{
+    const NamedStates named = {p, ARENA_ARRAY(arena, bool, p->state.n)};
+    Expr *const condition[] = {what->a, what->b, what->c};
+    Buf out;
+
+    for (size_t i = 0; i < sizeof condition / sizeof *condition; i++)
+        if (condition[i])
+            expr_walk(condition[i], note_named_state, (void *)&named);
+    buf_init(&out, arena);
+    for (size_t s = 0; s < p->state.n; s++)
+        if (named.is_named[s] && !visited[s])
+            buf_printf(&out, "%s%s", out.n ? ", " : "", p->state.at[s]->name->text);
+    return buf_text(&out);
 }
 
 const char *requirement_verdict(const RequirementTotal *t)

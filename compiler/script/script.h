@@ -91,6 +91,7 @@ typedef struct ScriptResult {
     uint64_t failed_step, failed_g;   // of `failed`: after which step
     bool is_violated;         // SCRIPT_FAILED: a requirement was violated
     const RequirementRun *requirement;        // by requirement; NULL: the run had none
+    const uint64_t *ran;      // by State.number - 1: the last step that ran the state, 0: none
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
     const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
     uint64_t data_first_bad_line;     // the line of the first row that was skipped
@@ -108,6 +109,10 @@ typedef struct RequirementTotal {
 
 // Adds the results of a run to those of the runs before it, by requirement.
 void requirement_add_run(RequirementTotal *total, const Requirements *what, const ScriptResult *r);
+// Sets visited[State.number - 1] for each state that the run came to.
+void requirement_add_visits(bool *visited, const Program *p, const ScriptResult *r);
+// Returns the states that the conditions of a requirement name and that were not visited: "Hold, Burn"; "": it names no such state.
+const char *requirement_unvisited(Arena *arena, const Requirement *what, const Program *p, const bool *visited);
 // Returns the result as a word: "violated", "undecided", "never judged" or "met".
 const char *requirement_verdict(const RequirementTotal *t);
 // Warns of requirements that no run has judged.

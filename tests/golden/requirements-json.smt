@@ -38,5 +38,5 @@ R4 "drogue stays"            always S == Main implies drogue and main
 R5 "through drogue"          never Main after Pad without Drogue
 -- stdout --
       {"id": "R1", "text": "no pyro on the pad", "rule": "never S == Pad and (drogue or main)", "result": "met", "proof": "", "faults": ""},
-      {"id": "R1", "text": "no pyro on the pad", "place": "a.rq:2", "implemented": "a.sm:9", "asserts": "", "scripts": "a.ss", "judged": 31, "result": "met"},
+      {"id": "R1", "text": "no pyro on the pad", "place": "a.rq:2", "implemented": "a.sm:9", "asserts": "", "scripts": "a.ss", "judged": 31, "unvisited": "", "result": "met"},
 o.json: a.sm a.ss a.rq

@@ -81,6 +81,7 @@ a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main
       <properties>
         <property name="requirement" value="R2"/>
         <property name="judged" value="a.ss: 1"/>
+        <property name="not visited" value="Main"/>
       </properties>
       <failure message="violated"/>
     </testcase>
@@ -95,6 +96,7 @@ a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main
       <properties>
         <property name="requirement" value="R4"/>
         <property name="judged" value="a.ss: 1"/>
+        <property name="not visited" value="Main"/>
         <property name="implemented" value="a.sm:14"/>
       </properties>
       <failure message="violated"/>

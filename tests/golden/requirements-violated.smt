@@ -42,11 +42,13 @@ requirements:
       implemented in a.sm:9
   R2  violated      main first
       judged in a.ss: 1
+      no script came to Main
       implemented nowhere
   R3  undecided     main in time
       implemented in a.sm:11, a.sm:16
   R4  violated      through main
       judged in a.ss: 1
+      no script came to Main
       implemented in a.sm:14
   R5  never judged  main goes off
       implemented nowhere

@@ -67,6 +67,7 @@ requirements:
       judged in a.ss: 4, bad.ss: 3
       implemented in a.sm:18
   R3  never judged  @never judged
+      no script came to Hold, Abort
       implemented nowhere
 5 requirements: 2 tested, 1 violated, 2 untested; 1 transition, 1 output, 2 states without a requirement
 kind,name,text,place,requirements,by,implemented,asserts,scripts,times,result,proof
@@ -95,11 +96,11 @@ assert,bad.ss:2,never,bad.ss:2,R1,,,,bad.ss,1,failed,
 5 requirements: 3 tested, 2 untested; 1 transition, 1 output, 2 states without a requirement
 {"smc-traceability":1,"machine":"a","tested":3,"violated":0,"undecided":0,"untested":2,"without":{"state":2,"all_states":0,"transition":1,"output":1},
 "requirements":[
-{"id":"R1","text":"opens, soon","file":"a.rq","line":1,"implemented":[{"file":"a.sm","line":16,"name":"Fill: open = true"},{"file":"a.sm","line":20,"name":"Fill -> Abort"}],"asserts":[3],"judged":[{"script":"a.ss","steps":3}],"steps":3,"result":"tested","proof":"not tried"},
-{"id":"R2","text":"=1+1","file":"a.rq","line":2,"implemented":[{"file":"a.sm","line":18,"name":"Fill: if p > 700"}],"asserts":[],"judged":[{"script":"a.ss","steps":4}],"steps":4,"result":"tested","proof":"not tried"},
-{"id":"R3","text":"@never judged","file":"a.rq","line":3,"implemented":[],"asserts":[],"judged":[],"steps":0,"result":"untested","proof":"not tried"},
-{"id":"R6","text":null,"implemented":[{"file":"a.sm","line":9,"name":"all states except Abort"}],"asserts":[],"judged":[],"steps":0,"result":"untested","proof":"not tried"},
-{"id":"R4","text":null,"implemented":[{"file":"a.sm","line":20,"name":"Fill -> Abort"}],"asserts":[1],"judged":[],"steps":0,"result":"tested","proof":"not tried"}],
+{"id":"R1","text":"opens, soon","file":"a.rq","line":1,"implemented":[{"file":"a.sm","line":16,"name":"Fill: open = true"},{"file":"a.sm","line":20,"name":"Fill -> Abort"}],"asserts":[3],"judged":[{"script":"a.ss","steps":3}],"steps":3,"unvisited":"","result":"tested","proof":"not tried"},
+{"id":"R2","text":"=1+1","file":"a.rq","line":2,"implemented":[{"file":"a.sm","line":18,"name":"Fill: if p > 700"}],"asserts":[],"judged":[{"script":"a.ss","steps":4}],"steps":4,"unvisited":"","result":"tested","proof":"not tried"},
+{"id":"R3","text":"@never judged","file":"a.rq","line":3,"implemented":[],"asserts":[],"judged":[],"steps":0,"unvisited":"Hold, Abort","result":"untested","proof":"not tried"},
+{"id":"R6","text":null,"implemented":[{"file":"a.sm","line":9,"name":"all states except Abort"}],"asserts":[],"judged":[],"steps":0,"unvisited":"","result":"untested","proof":"not tried"},
+{"id":"R4","text":null,"implemented":[{"file":"a.sm","line":20,"name":"Fill -> Abort"}],"asserts":[1],"judged":[],"steps":0,"unvisited":"","result":"tested","proof":"not tried"}],
 "parts":[
 {"kind":"all_states","where":"all states except Abort","name":"all states except Abort","text":"","file":"a.sm","line":9,"requirements":["R6"],"by":"itself"},
 {"kind":"transition","where":"all states except Abort","name":"all states except Abort -> Abort","text":"p < -1","file":"a.sm","line":12,"requirements":["R6"],"by":"state"},
