@@ -99,7 +99,7 @@ static inline bool is_related(unsigned m, SmF64 x, SmF64 y)
     return (m & (is != 0 ? is : (unsigned)SMVM_UNORDERED)) != 0;
 }
 
-// A function that is not inlined, because sm_sqrt is long.
+// A function that is not inlined, because sm_sqrt is long where the processor has no square root.
 static SmF64 compute_sqrt(SmF64 x) { return sm_sqrt(x); }
 
 // ---- execution: each instruction jumps directly to the next, or through a switch if C has no computed goto ----

@@ -117,6 +117,23 @@ static inline int64_t sm_truncate_i64(SmF64 x) { return (int64_t)x; }    // towa
 static inline uint64_t sm_truncate_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must be in range
 // snippet: sm_round_f32 (only where SmF64 is a double)
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, overflow to infinity
+// snippet: SM_SQRT_INSTRUCTION (only where SmF64 is a double)
+// Replaces x by its square root, with one instruction.  Not defined where no such instruction is known.  sqrt() of C would need libm.
+#if !defined(SM_SQRT_INSTRUCTION) && defined(__GNUC__) && !defined(__TINYC__)
+#if defined(__SSE2_MATH__) && defined(__AVX__)
+#define SM_SQRT_INSTRUCTION(x) __asm__("vsqrtsd %0, %0, %0" : "+x"(x))
+#elif defined(__SSE2_MATH__)
+#define SM_SQRT_INSTRUCTION(x) __asm__("sqrtsd %0, %0" : "+x"(x))
+#elif defined(__aarch64__)
+#define SM_SQRT_INSTRUCTION(x) __asm__("fsqrt %d0, %d0" : "+w"(x))
+#elif defined(__arm__) && (__ARM_FP & 8)
+#define SM_SQRT_INSTRUCTION(x) __asm__("vsqrt.f64 %P0, %P0" : "+w"(x))
+#elif defined(__riscv_flen) && __riscv_flen >= 64
+#define SM_SQRT_INSTRUCTION(x) __asm__("fsqrt.d %0, %0" : "+f"(x))
+#elif defined(__s390x__)
+#define SM_SQRT_INSTRUCTION(x) __asm__("sqdbr %0, %0" : "+f"(x))
+#endif
+#endif
 // snippet: end
 #endif
 

@@ -27,55 +27,94 @@ static inline SmF64 sm_trunc(SmF64 x)
 static inline SmF64 sm_floor(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
-    return sm_lt(x, t) ? sm_sub(t, sm_from_i32(1)) : t;
+    return sm_bits(x) > (sm_bits(t) | 0x8000000000000000u) ? sm_sub(t, sm_from_i32(1)) : t;    // negative, with a fraction
 }
 // snippet: sm_ceil
 static inline SmF64 sm_ceil(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
-    return sm_lt(t, x) ? sm_add(t, sm_from_i32(1)) : t;
+    return (sm_bits(x) & 0x7FFFFFFFFFFFFFFFu) > sm_bits(t) ? sm_add(t, sm_from_i32(1)) : t;    // positive, with a fraction
 }
 // snippet: sm_round
 // The nearest whole number, halves away from zero; preserves the sign of zero.
 static inline SmF64 sm_round(SmF64 x)
 {
-    const SmF64 t = sm_trunc(x);
-    const SmF64 twice = sm_sub(sm_sub(x, t), sm_sub(t, x));   // twice the fraction, exactly
-    if (sm_le(sm_from_i32(1), twice))
-        return sm_add(t, sm_from_i32(1));
-    return sm_le(twice, sm_from_i32(-1)) ? sm_sub(t, sm_from_i32(1)) : t;
+    const uint64_t u = sm_bits(x);
+    const unsigned exponent = (unsigned)(u >> 52) & 0x7FFu;
+    if (exponent - 1022u >= 53u)   // below 1/2, or no fraction, infinity or NaN
+        return sm_trunc(x);
+    // Adds a half to the magnitude.  A carry out of the significand adds one to the exponent, as it has to.
+    return sm_trunc(sm_from_bits(u + (0x0010000000000000u >> (exponent - 1022u))));
 }
-// snippet: sm_sqrt
-// The square root, correctly rounded, computed one bit at a time; NaN below zero, -0 for -0.
-static inline SmF64 sm_sqrt(SmF64 x)
+// snippet: sm_upper_half
+#ifndef SM_SQRT_INSTRUCTION
+static inline uint32_t sm_upper_half(uint32_t a, uint32_t b) { return (uint32_t)(((uint64_t)a * b) >> 32); }
+#endif
+// snippet: sm_sqrt_digits
+#ifndef SM_SQRT_INSTRUCTION
+// The integer nearest to the square root of f * 2^104, where f is from 1 to below 4 and n is f * 2^60.  No root is halfway between two integers.
+static inline uint64_t sm_sqrt_digits(uint64_t n)
 {
-    uint64_t rest = sm_bits(x) & 0x000FFFFFFFFFFFFFu, root = 0, done = 0, bit;
-    int exponent = (int)(sm_bits(x) >> 52) & 0x7FF;
-    if (exponent == 0x7FF || sm_eq(x, sm_from_i32(0)) || sm_lt(x, sm_from_i32(0)))
-        return sm_lt(x, sm_from_i32(0)) ? sm_from_bits(0x7FF8000000000000u) : x;
-    if (exponent != 0)
-        rest |= 0x0010000000000000u;
-    else
-        for (exponent = 1; rest < 0x0010000000000000u; exponent--)
-            rest <<= 1;
-    exponent += 1023;        // twice the bias: half of it is the result's exponent
-    rest <<= exponent % 2 != 0 ? 2 : 1;
+#if defined(__AVR__) || (defined(__OPTIMIZE_SIZE__) && defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1)
+    // Multiplication is a long function here: one bit at a time is slower, and less code.
+    uint64_t rest = n >> 7, root = 0, bit;
     for (bit = 0x0020000000000000u; bit != 0; bit >>= 1) {
-        if (done + bit <= rest) {
-            rest -= done + bit;
-            done += 2 * bit;
+        if (2 * root + bit <= rest) {
+            rest -= 2 * root + bit;
             root += bit;
         }
         rest <<= 1;
     }
-    // root has one extra bit, so adding 1 and shifting rounds to nearest: no root is halfway between two F64 values.
-    return sm_from_bits((((root + 1) >> 1) & 0x000FFFFFFFFFFFFFu) | (uint64_t)(exponent / 2) << 52);
+    return (root + 1) >> 1;
+#else
+    const uint32_t high = (uint32_t)(n >> 30), g = high >> 31 != 0 ? high : high << 1;     // f * 2^30; f or f / 2, times 2^31
+    // r is 2^31 / sqrt(g), and then 2^31 / sqrt(f), by a polynomial with an error below 2^-8.  Two steps of Newton's method make that 2^-27.
+    uint32_t r = 3379453669u - sm_upper_half(g, 3101982430u - sm_upper_half(g, 1245237712u)), root;
+    uint64_t digits;
+    int i;
+    if (high >> 31 != 0)
+        r = sm_upper_half(r, 3037000500u);
+    for (i = 0; i < 2; i++)
+        r = sm_upper_half((0x2FFFFFFEu - sm_upper_half(high, sm_upper_half(r, r))) << 2, r) << 1;
+    // 30 bits of the root, never too large.  What is left of n yields the other 22.  The error is from -1.25 to 0.25.
+    root = sm_upper_half(high, r << 1);
+    digits = ((uint64_t)root << 22) + ((sm_upper_half((uint32_t)((n - (uint64_t)root * root) >> 5), r << 1) + 4) >> 4);
+    return digits + ((int64_t)((n << 44) - digits * digits) > (int64_t)digits);   // the difference is below 2^55: its lower half is enough
+#endif
+}
+#endif
+// snippet: sm_sqrt
+// The square root, correctly rounded; NaN below zero, -0 for -0.
+static inline SmF64 sm_sqrt(SmF64 x)
+{
+#ifdef SM_SQRT_INSTRUCTION
+    if (x < 0)
+        return sm_from_bits(0x7FF8000000000000u);
+    SM_SQRT_INSTRUCTION(x);
+    return x;
+#else
+    const uint64_t u = sm_bits(x);
+    uint64_t digits = u & 0x000FFFFFFFFFFFFFu;
+    int exponent = (int)(u >> 52);
+    if (u - 1 >= 0x7FEFFFFFFFFFFFFFu)      // zero, infinity, NaN or negative
+        return u > 0x8000000000000000u && u <= 0xFFF0000000000000u ? sm_from_bits(0x7FF8000000000000u) : x;
+    if (exponent != 0)
+        digits |= 0x0010000000000000u;
+    else
+        for (exponent = 1; digits < 0x0010000000000000u; exponent--)
+            digits <<= 1;
+    exponent += 1023;        // twice the bias: half of it is the result's exponent
+    digits = sm_sqrt_digits(digits << (exponent % 2 != 0 ? 9 : 8));
+    return sm_from_bits(digits + ((uint64_t)(exponent / 2 - 1) << 52));
+#endif
 }
 // snippet: sm_sign
 // -1, 1, or x itself if it is a zero or NaN.
 static inline SmF64 sm_sign(SmF64 x)
 {
-    return sm_lt(x, sm_from_i32(0)) ? sm_from_i32(-1) : sm_lt(sm_from_i32(0), x) ? sm_from_i32(1) : x;
+    if (sm_is_nan(x) || sm_bits(x) << 1 == 0)
+        return x;
+    return sm_from_bits((sm_bits(x) & 0x8000000000000000u) | 0x3FF0000000000000u);
 }
 // snippet: sm_min
 // The smaller; -0 is below +0; NaN if either is.
