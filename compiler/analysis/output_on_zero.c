@@ -237,8 +237,9 @@ static void try_failures(FailureSearch *k, FailureCase *c)
     }
 }
 
-// Chooses the inputs of the n-th try from an entry: those that led there, or other readings of the other sensors.
-static void choose_inputs(FailureTrial *z, const FailureCase *c, uint32_t n)
+// Chooses the inputs of the n-th run from an entry of a state: first those with which the state was entered, then random readings of the sensors
+// other than the failed one.  If the run must leave the state by itself, the inputs that are commands of an operator stay 0.
+static void choose_failure_inputs(FailureTrial *z, const FailureCase *c, uint32_t n)
 {
     Trials *t = z->t;
 
@@ -259,7 +260,7 @@ static bool try_reading(FailureSearch *k, FailureCase *c, uint32_t n, uint64_t u
     FailureTrial *z = &k->run;
     Trials *t = z->t;
 
-    choose_inputs(z, c, n);
+    choose_failure_inputs(z, c, n);
     z->clock = 0;
     trial_copy_situation(t, z->healthy, c->entry->situation);
     if (!failure_run_to_steady_state(z, c))

@@ -30,7 +30,7 @@ typedef struct CycleSearch {
 } CycleSearch;
 
 // Chooses the inputs of the n-th try: without commands, with one command, or with any commands.
-static void choose_inputs(CycleSearch *f, const TrialEntry *e, int n)
+static void choose_cycle_inputs(CycleSearch *f, const TrialEntry *e, int n)
 {
     Trials *t = f->t;
 
@@ -131,7 +131,7 @@ void check_ping_pong(Trials *t)
         for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED; n++)
             for (int k = 0; k < INPUTS_TRIED; k++) {
                 size_t cycle;
-                choose_inputs(&f, &t->state[s].entry.at[n], k);
+                choose_cycle_inputs(&f, &t->state[s].entry.at[n], k);
                 cycle = find_cycle(&f, &t->state[s].entry.at[n]);
                 if (cycle > 0)
                     report_cycle(&f, cycle);

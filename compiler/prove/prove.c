@@ -78,6 +78,7 @@ static unsigned weaken_assumptions(ProveRun *v, ProveModel *model, unsigned assu
     return assumed;
 }
 
+// Whether the fact says more than the type of the variable.
 static bool is_narrower_than_type(Fact f, SmType type)
 {
     const Fact t = fact_of_type(type);
@@ -117,6 +118,7 @@ typedef struct ProveProof {
     uint32_t sets, tried;     // how many there are; how many attempts have been made with each
 } ProveProof;
 
+// Builds the models of a requirement, one for each way to make it less exact, and the assumptions under which they are explored.
 static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
 {
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
@@ -130,6 +132,7 @@ static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
 
+// Returns the variable or window of the program that a variable of the model stands for, to name it in the verdict.
 static ProveWide wide_of(const ProveRun *v, const ProveModel *model, uint32_t var)
 {
     ProveWide w = {.window = model->var[var].window};
@@ -140,6 +143,7 @@ static ProveWide wide_of(const ProveRun *v, const ProveModel *model, uint32_t va
     return w;
 }
 
+// Adds a variable or window to those with too many values, unless it is in the list.
 static void add_wide_value(ProveOf *of, ProveWide w)
 {
     for (uint32_t n = 0; n < of->wides; n++)
@@ -215,6 +219,7 @@ static GoalSearch new_search(ProveRun *v, const ProveOf *of, GoalKind kind, uint
                         .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = goes_on, .context = v};
 }
 
+// Runs a search, and adds its steps and the states that it has visited to those of the requirement.
 static GoalFound run_goal_search(ProveRun *v, ProveOf *of, const GoalSearch *g)
 {
     GoalFound found = goal_search(v->arena, &v->work, v->cover, g);
@@ -228,6 +233,7 @@ static GoalFound run_goal_search(ProveRun *v, ProveOf *of, const GoalSearch *g)
     return found;
 }
 
+// Searches for a run that reaches the goal: a violation, or the premise.
 static GoalFound search_goal(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     const GoalSearch g = new_search(v, of, kind, seed, effort);
@@ -281,6 +287,7 @@ static void search_long(ProveRun *v, ProveOf *of)
 
 // ---- given runs ----
 
+// Runs the scripts that are given and judges all requirements in each.
 static void judge_givens(ProveRun *v)
 {
     const ProveOptions *o = v->o;
@@ -446,6 +453,7 @@ static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *al
 
 static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
 
+// Whether two requirements can each be met where their premise is true, but never both.
 static bool contradict_each_other(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
 {
     const Expr *of_a = premise_of(a), *of_b = premise_of(b);

@@ -60,6 +60,7 @@ static bool split_condition(const IrFn *f, ProveTerms *in, IrRef r, bool value, 
         && split_condition(f, &other, i->b, value, depth - 1) && append_terms(in, &other);
 }
 
+// Whether the block stores again to the variable that instruction `at` stores to.
 static bool is_stored_later(const IrFn *f, const IrBlk *b, uint32_t at)
 {
     for (uint32_t n = at + 1; n < b->ins.n; n++)
@@ -98,6 +99,7 @@ static IrRef emit_in(ProveMaker *k, IrFn *f, IrOp op, IrRef a, IrRef b, uint32_t
     return ir_emit(k->arena, f, 0, i);
 }
 
+// Adds `r`, or `not r`, to the conjunction *all.
 static void emit_literal(ProveMaker *k, IrFn *f, IrRef *all, IrRef r, bool value)
 {
     const IrRef literal = value ? r : emit_in(k, f, IR_not, r, IR_NONE, 0);

@@ -103,6 +103,7 @@ static bool round_time(Fact *f, uint64_t delta)
     return lo <= hi;
 }
 
+// Returns the fact of an input at the start of a step: its @range if that is assumed, else its type.
 static Fact fact_of_input(const Explorer *x, uint32_t v)
 {
     const IrVar *var = &x->p->ir->var.at[v];
@@ -170,6 +171,7 @@ static const Env *begin_differences(const Explorer *x, const Env *before, bool i
     return env;
 }
 
+// Returns the facts at the start of a step that follows a step which ended with the facts `before`.
 static const Env *begin_step(const Explorer *x, const Env *before, bool is_start, uint32_t state, bool first)
 {
     const EnvShape *shape = &x->fm->shape;
@@ -196,6 +198,7 @@ static uint64_t mix_hash(uint64_t h, uint64_t x)
     return h ^ h >> 31;
 }
 
+// Returns the slot of the hash table for a node: that of an equal node, or else a free one.
 static uint32_t *find_slot(const Explorer *x, const ProveTable *t, const ProveNode *n)
 {
     uint64_t at = n->hash & (t->slots - 1);
@@ -225,6 +228,7 @@ static ProveTable *new_table(Explorer *x)
     return t;
 }
 
+// Queues a node, so that the steps from it are explored again.
 static void queue_node(Explorer *x, ProveTable *t, uint32_t n)
 {
     if (t->node.at[n].queued)
@@ -251,6 +255,7 @@ static void join_at_node(Explorer *x, uint32_t number, const Env *env)
     queue_node(x, x->table, number);
 }
 
+// Adds a state of the machine with these facts: joins them with those of an equal node, and queues it if they have changed.
 static void add_node(Explorer *x, const Env *env, uint32_t state, bool first)
 {
     ProveTable *t = x->table;
@@ -352,8 +357,8 @@ static void visit_edge(void *context, const IrJump *end, const Env *env)
     x->taken = env;
 }
 
-// Whether the differences allow the branch.  If so, adds them to the facts at its end.
-static bool relate_variables(Explorer *x, const Fact *of, const Env *begin)
+// Whether the known differences of variables (x->p->pair) allow the branch.  If so, adds the differences after it to the facts at its end.
+static bool update_differences(Explorer *x, const Fact *of, const Env *begin)
 {
     const IrFn *f = x->branch->fn;
 
@@ -366,6 +371,7 @@ static bool relate_variables(Explorer *x, const Fact *of, const Env *begin)
     return prove_relate(&(ProveFlow){x->p, &x->fm->shape, f, of, x->holder, begin}, &x->taken);
 }
 
+// Follows one branch of a block from the facts `env`; the facts decide which of its edges are taken.
 static void follow_branch(Explorer *x, const ProveBranch *branch, const Env *env)
 {
     const FactEnds ends = {.visit = visit_edge, .context = x, .all = true};
@@ -375,7 +381,7 @@ static void follow_branch(Explorer *x, const ProveBranch *branch, const Env *env
     x->is_taken = false;
     ++*x->visits;
     of = facts_flow(x->fm, branch->fn, env, &ends).of;
-    if (!x->is_taken || !relate_variables(x, of, env))
+    if (!x->is_taken || !update_differences(x, of, env))
         return;
     if (branch->then == IR_NONE)
         end_step(x, x->taken);
@@ -383,6 +389,7 @@ static void follow_branch(Explorer *x, const ProveBranch *branch, const Env *env
         enter_block(x, branch->then, x->taken);
 }
 
+// Follows the branches of a block from each of the facts with which runs come to it.
 static void visit_block(Explorer *x, IrBlkRef b)
 {
     const ProveBlock *block = &x->step->block[b];
@@ -461,6 +468,7 @@ static FactLimits find_limits(double *limit, const ProveModel *p)
     return (FactLimits){limit, n};
 }
 
+// Whether the variable is already in the list of those with too many values.
 static bool is_noted(const ProveExplored *out, uint32_t var)
 {
     for (uint32_t n = 0; n < out->wides; n++)
@@ -508,6 +516,7 @@ typedef enum ExploreEnd { EXPLORE_CLOSED, EXPLORE_MANY_NODES, EXPLORE_MANY_VISIT
 
 static bool goes_on(const Explorer *x) { return !x->limits->go_on || x->limits->go_on(x->limits->context); }
 
+// Explores steps from the first state on until no fact changes, or a limit of nodes, visits or memory is met.
 static ExploreEnd explore_until_closed(Explorer *x, const State *init)
 {
     ProveTable *t = x->table = new_table(x);
@@ -549,6 +558,7 @@ static ExploreEnd narrow_facts(Explorer *x, const State *init)
     return EXPLORE_CLOSED;
 }
 
+// Starts with fresh tables of facts.
 static void new_facts(Explorer *x)
 {
     x->fm = facts_of_machine(x->arena, x->p->ir);
@@ -573,6 +583,7 @@ static void find_bounds(Explorer *x)
         }
 }
 
+// Explores until nothing changes, then narrows the facts as long as that can still prove the requirement.
 static ExploreEnd explore_once(Explorer *x, const State *init)
 {
     ExploreEnd end;
@@ -613,6 +624,7 @@ static bool has_few_values(const ProveModel *p, uint32_t v)
     return true;
 }
 
+// Chooses the variables by whose values nodes are distinguished; `fine`: those with many values, too.
 static uint32_t choose_keys(const Explorer *x, bool fine, uint32_t *key)
 {
     uint32_t n = 0;

@@ -32,6 +32,7 @@ bool prove_uses_given(const ProveGiven *g, const State *init_state, uint64_t del
 
 typedef struct GivenJudge { Monitor *monitor; void *situation; GivenResult *result; } GivenJudge;
 
+// Called after each step of a given run: judges the requirements, and stores the first violation of each.
 static void judge_step(void *context, uint64_t step, const EngineStep *result)
 {
     const GivenJudge *k = context;

@@ -33,6 +33,7 @@ static double smaller_of(double a, double b) { return a < b ? a : b; }
 
 static Distance distance_of_value(bool value) { return (Distance){value ? 0 : 1, value ? 1 : 0}; }
 
+// Returns how far `a op b` is from being true and from being false.
 static Distance distance_of_comparison(SmOperator op, double a, double b)
 {
     const double apart = absolute(a - b) < 1e300 ? absolute(a - b) : 1e300;
@@ -133,6 +134,7 @@ static void set_inputs_in_ranges(Arena *arena, const Program *p, Scenario *s)
 // The distances of the conditions of a requirement in a step.  A condition that the requirement lacks counts as false.
 typedef struct Conditions { Distance a, b, c; } Conditions;
 
+// Returns how far the three conditions of the requirement are from being true and false in this step.
 static Conditions evaluate(const GoalWatch *w, const uint64_t *cell)
 {
     const Requirement *r = w->what;
@@ -178,6 +180,7 @@ static double distance_to_goal(const GoalWatch *w, const GoalMemory *before, con
     return 1;
 }
 
+// Remembers what the requirement needs of this step later: whether its second condition was true, and whether a deadline is running.
 static void note_step(const GoalWatch *w, GoalMemory *m, const Conditions *x)
 {
     const bool b = is_true(x->b);
@@ -207,6 +210,7 @@ static void start_goal(void *self, void *situation)
     monitor_start(w->monitor, (char *)situation + MEMORY_SIZE);
 }
 
+// Called after each step of the search: sets *distance to how far the run is from the goal.
 static void step_goal(void *self, void *situation, const uint64_t *cell, double *distance)
 {
     GoalWatch *w = self;
@@ -246,6 +250,7 @@ static GoalWatch *new_watch(Arena *arena, const GoalSearch *g)
 
 typedef struct GoalReplay { GoalWatch *w; void *situation; uint64_t reached; } GoalReplay;
 
+// Called after each step of a replay: stores the first step that reaches the goal.
 static void judge_replayed(void *context, uint64_t step, const EngineStep *result)
 {
     GoalReplay *r = context;
@@ -339,6 +344,7 @@ static void simplify_scenario(Arena *arena, const GoalSearch *g, Scenario *s)
 
 typedef struct GoalStop { const GoalSearch *g; } GoalStop;
 
+// Whether the caller wants the search to go on.
 static bool may_go_on(void *context, const SearchProgress *progress)
 {
     const GoalStop *s = context;

@@ -6,6 +6,7 @@
 
 // ---- variables ----
 
+// Returns the fact of a local at the start: its initial value, or all values to which the parameter can be set.
 static Fact fact_of_initial_value(const IrVar *v)
 {
     const Parameter *p = v->parameter;
@@ -20,6 +21,7 @@ static Fact fact_of_initial_value(const IrVar *v)
     return f;
 }
 
+// Adds the machine's variables to the model, by what sets them: time, the machine itself, or its inputs.
 static void add_machine_vars(ProveMaker *k)
 {
     for (uint32_t v = 0; v < k->m->var.n; v++) {
@@ -77,6 +79,7 @@ static void order_blocks(const IrFn *f, IrBlkRef b, bool *visited, ProveStep *s)
     s->order[s->blocks++] = b;
 }
 
+// Adds the variables that a block loads to the set `live`.
 static void add_loads(const IrFn *f, const IrBlk *b, uint64_t *live)
 {
     for (uint32_t n = 0; n < b->ins.n; n++)
@@ -128,6 +131,7 @@ static void run_machine(ProveMaker *k, const IrState *s, bool first)
     k->b = judge;
 }
 
+// Makes the function of one step in this state, with the code that then judges the requirement.
 static ProveStep *make_step(ProveMaker *k, size_t state, bool first)
 {
     k->f = ARENA_NEW(k->arena, IrFn);
@@ -153,6 +157,7 @@ const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first)
 
 // ---- the model ----
 
+// Builds the IR of the requirement's conditions.
 static void build_conditions(ProveMaker *k)
 {
     const Requirement *r = k->model->what;
@@ -179,6 +184,7 @@ static void slice_machine(ProveMaker *k)
     }
 }
 
+// Adds the variables that only the model has, such as the state of the requirement.
 static void add_own_vars(ProveMaker *k)
 {
     ProveModel *p = k->model;

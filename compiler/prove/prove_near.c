@@ -78,6 +78,7 @@ typedef struct Variant {
     uint64_t violated;        // the step that violates the requirement; 0: none
 } Variant;
 
+// Returns how many steps a variant of the run goes on after its change: as long as the requirement waits, within a limit.
 static uint64_t tail_of(const NearSearch *k)
 {
     const uint64_t within = k->what->kind == REQUIREMENT_LEADS_TO ? k->what->within / k->g->delta_t : 0;
@@ -85,6 +86,7 @@ static uint64_t tail_of(const NearSearch *k)
     return TAIL + (within < MOST_TAIL ? within : MOST_TAIL);
 }
 
+// Sets the inputs that the variant changes.
 static void set_values(NearSearch *k, const Variant *x)
 {
     uint64_t *cell = flat_cells(k->f, k->block);
@@ -102,6 +104,7 @@ static void set_given(NearSearch *k, const Variant *x)
         cell[k->m->var_of[x->value[i].var]] = x->given[i];
 }
 
+// Stores what the given run would have set these inputs to.
 static void get_given(const NearSearch *k, Variant *x)
 {
     const uint64_t *cell = flat_cells(k->f, k->block);
@@ -184,6 +187,7 @@ static bool run_variant(NearSearch *k, Variant *x)
 
 // ---- scenarios ----
 
+// Returns the index of a variable in the variant's list of changed inputs; x->values if the variant leaves it as it is.
 static uint32_t index_in(const Variant *x, uint32_t var)
 {
     uint32_t i = 0;
@@ -231,6 +235,7 @@ static Scenario scenario_of(const NearSearch *k, Arena *arena, const Variant *x)
     return out;
 }
 
+// Runs a variant of a given run; if it violates the requirement, confirms that on the reference interpreter.
 static bool try_variant(NearSearch *k, Arena *arena, Variant *x, NearFound *found)
 {
     Scenario s;
@@ -291,6 +296,7 @@ static bool try_lasting(NearSearch *k, Arena *arena, NearPhase phase, Variant *x
     return false;
 }
 
+// Takes the run back to a step of the given run, and lists the values of inputs that are worth a try there.
 static void prepare_values(NearSearch *k, const NearStep *at)
 {
     memcpy(k->block, at->snapshot, k->size);
@@ -303,6 +309,7 @@ static void prepare_values(NearSearch *k, const NearStep *at)
 // One of two inputs is one that the requirement compares.
 static bool is_pair(const NearValue *a, const NearValue *b) { return a->var != b->var && (a->is_required || b->is_required); }
 
+// Tries all changes of one phase at a step of a given run.
 static bool try_step(NearSearch *k, Arena *arena, NearPhase phase, const NearStep *at, NearFound *found)
 {
     Variant x = {.at = at, .values = phase_info[phase].two ? 2 : 1, .lasting = phase_info[phase].lasting};
@@ -325,6 +332,7 @@ static bool try_step(NearSearch *k, Arena *arena, NearPhase phase, const NearSte
 
 static bool goes_on(const NearSearch *k) { return k->steps < k->limit && (!k->g->go_on || k->g->go_on(k->g->context)); }
 
+// Tries the changes of one phase at all steps that were chosen, the most promising steps first.
 static bool try_phase(NearSearch *k, Arena *arena, NearPhase phase, NearFound *found)
 {
     for (uint32_t i = 0; i < k->step.n && goes_on(k); i++)

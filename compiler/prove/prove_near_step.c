@@ -25,12 +25,14 @@ typedef struct Look {
     int8_t *was;              // by comparison of the requirement: -1, 0 or 1, as its sides were in the last step; 2: unknown
 } Look;
 
+// Marks a step as one where changes are tried; a smaller rank is tried earlier.
 static void want(Look *l, uint64_t step, uint32_t rank)
 {
     if (step >= 1 && step <= l->steps && rank < l->rank[step])
         l->rank[step] = (uint8_t)rank;
 }
 
+// Marks the step of a transition, unless enough transitions of the same kind are marked; one that the requirement names comes first.
 static void want_transition(Look *l, uint64_t step, uint32_t from, uint32_t to)
 {
     NearSearch *k = l->k;
@@ -69,6 +71,7 @@ static void want_changes(Look *l, uint64_t step)
     }
 }
 
+// Runs a given run and marks the steps at which a change could violate the requirement.
 static void look_at(Look *l, uint32_t given)
 {
     NearSearch *k = l->k;
@@ -102,6 +105,7 @@ static void look_at(Look *l, uint32_t given)
     }
 }
 
+// Stores a snapshot of the machine at each step that is marked.
 static void store_steps(NearSearch *k, const Look *l, uint32_t given)
 {
     const Scenario *s = &k->g->given[given];

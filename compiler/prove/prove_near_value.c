@@ -15,6 +15,7 @@ static bool is_relation(SmOperator op)
     return op == SM_OP_EQ || op == SM_OP_NE || op == SM_OP_LT || op == SM_OP_LE || op == SM_OP_GT || op == SM_OP_GE;
 }
 
+// Adds the number of samples of a window to the lengths of changes that are tried.
 static void add_window(NearSearch *k, uint32_t samples)
 {
     for (uint32_t i = 0; i < k->window.n; i++)
@@ -36,6 +37,7 @@ static void note_names(NearSearch *k, const Expr *e)
         note_names(k, e->arg[i]);
 }
 
+// Adds a comparison that a change of inputs should turn to its other outcome.
 static void add_leaf(NearSearch *k, const Expr *left, const Expr *right, uint32_t samples, uint32_t state)
 {
     const NearLeaf l = {left, right, samples, state};
@@ -54,6 +56,7 @@ static uint32_t samples_of_run(const NearSearch *k, const Expr *e)
     return n >= 1 && n < SM_WINDOW_MAX ? (uint32_t)n : 1;
 }
 
+// Adds the comparisons in an expression; `samples`: for how many steps a change must last until a window shows it.
 static void add_leaves(NearSearch *k, const Expr *e, const Windows *windows, uint32_t samples, uint32_t state)
 {
     if (!e)
@@ -78,6 +81,7 @@ static void add_leaves(NearSearch *k, const Expr *e, const Windows *windows, uin
         add_leaves(k, e->arg[i], windows, samples, state);
 }
 
+// Adds the comparisons and the stores in the code of a state.
 static void add_code(NearSearch *k, const Stmts *list, uint32_t state)
 {
     for (uint32_t i = 0; i < list->n; i++) {
@@ -111,6 +115,7 @@ void near_find_leaves(NearSearch *k)
 
 // ---- values ----
 
+// Whether an expression has no window and no random number, so that its value follows from the variables.
 static bool is_evaluable(const Expr *e)
 {
     if (e->kind == EX_ROLL || e->kind == EX_RANDOM)
@@ -126,6 +131,7 @@ double near_value_of(const NearSearch *k, const Expr *e)
     return is_evaluable(e) ? ref_eval(e, k->cell, NULL) : sm_from_bits(UINT64_C(0x7ff8000000000000));
 }
 
+// Adds a value of an input to those that are tried, unless the input has it already or its @range excludes it.
 static void add_cell(NearSearch *k, const Var *v, uint64_t cell, uint32_t samples, bool is_required)
 {
     const NearValue value = {v->index, cell, samples, is_required};
@@ -156,6 +162,7 @@ static uint64_t neighbour_value(SmType type, uint64_t cell, bool above)
     return (x > 0) == above ? cell + 1 : cell - 1;
 }
 
+// Adds a number that an input should have; a bool is inverted instead.
 static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, bool is_required)
 {
     const uint64_t cell = sm_cell_from_f64(v->type, x);
@@ -178,6 +185,7 @@ typedef struct Solution { NearSearch *k; uint32_t state, samples; bool is_requir
 
 static void solve_for_inputs(const Solution *s, const Expr *e, double target, int depth);
 
+// Adds values of inputs that make the variable have the target value: it is an input itself, or the state stores an expression to it.
 static void solve_variable(const Solution *s, const Var *v, double target, int depth)
 {
     NearSearch *k = s->k;
@@ -189,6 +197,7 @@ static void solve_variable(const Solution *s, const Var *v, double target, int d
             solve_for_inputs(s, k->store.at[i].value, target, depth + 1);
 }
 
+// Solves `a op b = target` for a and for b, with the other operand as it is now.
 static void solve_binary(const Solution *s, const Expr *e, double target, int depth)
 {
     const double a = near_value_of(s->k, e->arg[0]), b = near_value_of(s->k, e->arg[1]);
@@ -247,6 +256,7 @@ static void solve_for_inputs(const Solution *s, const Expr *e, double target, in
     }
 }
 
+// Adds both ends of the input's @range.
 static void add_range(NearSearch *k, const Var *v)
 {
     if (k->input[v->index] && v->range && v->read) {

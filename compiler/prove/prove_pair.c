@@ -16,6 +16,7 @@ static bool is_number(const ProveModel *p, uint32_t v)
     return type != SM_BOOL && (sm_type_info[type].bytes < 8 || type == SM_F64) && p->var[v].kind != PROVE_TIME && p->var[v].kind != PROVE_IRRELEVANT;
 }
 
+// Adds a number that a comparison reads, unless it is in the list.
 static void add_leaf(const ProveMaker *k, Leaves *l, uint32_t v)
 {
     if (v == IR_NONE || !is_number(k->model, v))
@@ -61,6 +62,7 @@ static void add_stored(const ProveMaker *k, Leaves *l, uint32_t v)
             add_leaf(k, l, k->window[n].last);
 }
 
+// Adds two variables whose difference the proof keeps track of.
 static void add_pair(ProveMaker *k, uint32_t x, uint32_t y)
 {
     ProveModel *p = k->model;

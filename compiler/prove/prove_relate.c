@@ -287,6 +287,7 @@ static void add_comparison(Relation *w, const IrIns *i, bool holds)
     *known = intersect_facts(*known, swapped ? negate_fact(d) : d);
 }
 
+// Adds what a condition that is true (`holds`) or false says about the differences of variables.
 static void add_condition(Relation *w, IrRef r, bool holds, unsigned depth)
 {
     const IrIns *i = ins_of(w, r);

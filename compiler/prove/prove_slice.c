@@ -20,6 +20,7 @@ typedef struct Slicer {
 
 static void need_window(Slicer *s, uint32_t window);
 
+// Marks what a value is computed from; a variable that it loads becomes relevant.
 static void need_value(Slicer *s, const IrFn *f, IrRef r, bool *needed, uint32_t first)
 {
     const IrIns *i = r == IR_NONE ? NULL : &f->ins.at[r];
@@ -96,6 +97,7 @@ static void need_block(Slicer *s, SliceFn *f, IrBlkRef b)
     f->target[b] = stores || f->decides[b] ? b : f->target[j->then];
 }
 
+// Returns the function without what the requirement does not depend on; NULL if nothing is left.
 static IrFn *sliced_function(const Slicer *s, const SliceFn *f)
 {
     IrFn *to;
@@ -143,6 +145,7 @@ static void new_functions(Slicer *s)
     }
 }
 
+// Marks what the requirement's own conditions read.
 static void need_requirement(Slicer *s)
 {
     ProveMaker *k = s->k;

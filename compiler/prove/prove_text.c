@@ -121,6 +121,7 @@ static void write_lines_indented(const char *text, size_t indent, Buf *out)
 
 // ---- no proof, and no violation ----
 
+// Returns what has too many values, in words.
 static const char *wide_text(Arena *arena, const ProveWide *w)
 {
     if (w->var)
@@ -132,6 +133,7 @@ static const char *wide_text(Arena *arena, const ProveWide *w)
 
 static bool is_untried(const ProveOf *of, uint32_t state) { return !of->tried[state] && !of->excluded[state]; }
 
+// Writes the states that no run came to.
 static void write_untried(const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     uint32_t n = 0;
@@ -229,6 +231,7 @@ static void write_interrupted(const ProveOf *of, size_t indent, Buf *out)
                    (unsigned long long)of->visits);
 }
 
+// Writes which given script violates the requirement, in which step, if some inputs are different there.
 static void write_near_given(const ProveNear *n, size_t indent, Buf *out)
 {
     buf_printf(out, "%*sthe script %s violates it in its step %llu if ", (int)indent, "", n->given->name, (unsigned long long)n->step);

@@ -10,6 +10,7 @@
 
 // ---- values ----
 
+// Whether a value is the same in every step: it depends only on constants and on locals that nothing stores to.
 static bool is_constant(const ProveMaker *k, const IrFn *f, IrRef r)
 {
     const IrIns *i = r == IR_NONE ? NULL : &f->ins.at[r];
@@ -44,6 +45,7 @@ static IrRef append_instruction(ProveMaker *k, IrFn *f, IrIns i)
     return f->ins.n - 1;
 }
 
+// Copies the computation of a value to the end of another function.
 static IrRef append_value(ProveMaker *k, IrFn *to, const IrFn *from, IrRef r)
 {
     IrIns i;
@@ -103,6 +105,7 @@ static void add_comparison(ProveMaker *k, uint32_t base, const Threshold *t)
     k->window[k->windows++] = made;
 }
 
+// Whether the smallest or largest sample of the window is read, so that a comparison with a threshold can replace it.
 static bool has_bounds(const MadeWindow *w)
 {
     return !w->is_boolean && w->operand != IR_NONE && !w->samples.nan && (w->stats & (1u << SM_STAT_MIN | 1u << SM_STAT_MAX));
@@ -141,9 +144,9 @@ static void compare_same_samples(ProveMaker *k, uint32_t n, const Threshold *t)
     }
 }
 
-// Adds the windows of comparisons for value r of f, and for the samples of the windows that it reads.  `first`: that of f; read: by window, whether
-// it has been visited.
-static void compare_in_value(ProveMaker *k, const IrFn *f, IrRef r, uint32_t first, bool *read)
+// For each comparison of a window's statistic with a threshold in value r of function f, adds a window of `sample > threshold` to the model; also
+// for the samples of the windows that r reads.  `first`: index of f's first window.  read: by window, whether its samples have been visited.
+static void add_threshold_windows(ProveMaker *k, const IrFn *f, IrRef r, uint32_t first, bool *read)
 {
     const IrIns *i = r == IR_NONE ? NULL : &f->ins.at[r];
     Threshold t;
@@ -162,11 +165,11 @@ static void compare_in_value(ProveMaker *k, const IrFn *f, IrRef r, uint32_t fir
         read[k->same[first + i->var]] = true;
         if (w.is_boolean)
             compare_equal_samples(k, w.sample, w.operand);
-        compare_in_value(k, w.sample, w.operand, w.first, read);
+        add_threshold_windows(k, w.sample, w.operand, w.first, read);
         return;
     }
-    compare_in_value(k, f, i->a, first, read);
-    compare_in_value(k, f, i->b, first, read);
+    add_threshold_windows(k, f, i->a, first, read);
+    add_threshold_windows(k, f, i->b, first, read);
 }
 
 void prove_compare_samples(ProveMaker *k)
@@ -176,7 +179,7 @@ void prove_compare_samples(ProveMaker *k)
     k->of_both = k->windows;
     for (int c = 0; c < 3; c++)
         if (k->condition[c])
-            compare_in_value(k, k->condition[c], k->condition[c]->blk.at[0].jump.cond, 0, read);
+            add_threshold_windows(k, k->condition[c], k->condition[c]->blk.at[0].jump.cond, 0, read);
     k->model->compared = k->windows - k->of_both;
 }
 

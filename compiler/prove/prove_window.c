@@ -51,6 +51,7 @@ static bool is_exact(const MadeWindow *w, SmStat stat)
     }
 }
 
+// Returns the fact of a statistic that the model leaves open: any value that the samples allow.
 static Fact fact_of_choice(const ProveMaker *k, const MadeWindow *w, SmStat stat)
 {
     if (stat == SM_STAT_ELAPSED) {
@@ -78,6 +79,7 @@ static void add_counts(ProveMaker *k, MadeWindow *w)
         k->model->var[w->falses].few = true;
 }
 
+// Adds a variable of the model for each statistic of a window that is read.
 static void add_window_vars(ProveMaker *k, MadeWindow *w)
 {
     const uint32_t first = k->model->ir->var.n;
@@ -369,6 +371,7 @@ static void branch_on_sample(ProveMaker *k, const MadeWindow *w, IrBlkRef yes, I
         prove_branch_from(k, k->b, prove_copy_value(k, w->sample, w->operand, prove_new_copies(k, w->sample), w->first), yes, no);
 }
 
+// Adds the code that takes a sample in this step, if the model follows the window's samples.
 static void sample_window(ProveMaker *k, MadeWindow *w)
 {
     IrBlkRef next, side[2];

@@ -65,7 +65,8 @@ static EngineStatus before_step(Engine *e, const EngineWrite *write, uint32_t n,
 
 static void before_close(Engine *e) { ((Before *)e->self)->ref->close(((Before *)e->self)->ref); }
 
-static Engine *wrap_before(void *context, WhyRun *r, Engine *ref)
+// Wraps the reference engine so that the situation before the step in question is saved, from which variants of the step are then run.
+static Engine *wrap_to_save_step(void *context, WhyRun *r, Engine *ref)
 {
     Before *b = context;
     const Program *p = ref->program;
@@ -298,7 +299,7 @@ bool why_find_changes(const WhyRun *r, const WatchStmt *const *guard, size_t gua
 
     q.at_step = b.step;
     q.has_g = false;
-    why_run(&again, r->arena, r->s, r->given, &q, wrap_before, &b);
+    why_run(&again, r->arena, r->s, r->given, &q, wrap_to_save_step, &b);
     for (size_t i = 0; b.writes && i < guards; i++)
         for (uint32_t k = 0; k < guard[i]->nodes; k++)
             if (guard[i]->node[k].kind == WATCH_LEAF)

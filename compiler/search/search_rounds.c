@@ -250,7 +250,8 @@ static Attempt change_period(Chooser *c, const Scenario *s, size_t n, uint64_t p
     return t;
 }
 
-static bool try_period(Chooser *c, Scenario *s, size_t n, uint64_t period, const GoalSet *want)
+// Gives loop n of the scenario another period, in steps, if the scenario still reaches the goals in `want`.
+static bool try_loop_period(Chooser *c, Scenario *s, size_t n, uint64_t period, const GoalSet *want)
 {
     Attempt t = change_period(c, s, n, period);
 
@@ -262,10 +263,10 @@ void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want)
     static const uint64_t unit[] = {10000, 5000, 1000, 500, 100, 50, 20, 10, 5};
 
     for (size_t n = 0; n < s->loops && chooser_has_effort(c); n++) {
-        while (n < s->loops && s->loop[n].period >= 4 && chooser_has_effort(c) && try_period(c, s, n, s->loop[n].period / 2, want)) { }
+        while (n < s->loops && s->loop[n].period >= 4 && chooser_has_effort(c) && try_loop_period(c, s, n, s->loop[n].period / 2, want)) { }
         for (size_t i = 0; i < sizeof unit / sizeof *unit && chooser_has_effort(c) && n < s->loops; i++) {
             const uint64_t was = s->loop[n].period, period = (was + unit[i] - 1) / unit[i] * unit[i];
-            if (period == was || (period <= was + was / 2 && try_period(c, s, n, period, want)))
+            if (period == was || (period <= was + was / 2 && try_loop_period(c, s, n, period, want)))
                 break;
         }
     }
