@@ -100,6 +100,7 @@ static const char *remark_text(const ScriptRun *r, const ScriptAssert *a)
 
 static const char *number_text(const ScriptRun *r, uint64_t n) { return format_in(r->arena, "%" PRIu64, n); }
 
+// Reports an assert that failed, with the step, the time, the state and the remark of the script.
 static Diag *report_failed(const ScriptRun *r, const ScriptAssert *a)
 {
     const char *step = number_text(r, r->result.steps), *g = number_text(r, r->g), *state = run_state_text(r), *remark = remark_text(r, a);
@@ -162,6 +163,7 @@ const char *assert_finish_printing(ScriptRun *r)
 
 // ---- evaluating ----
 
+// Counts a failed assert; stores the first one, which the result of the run names.
 static void fail_assert(ScriptRun *r, const ScriptItem *item, const ScriptAssert *a)
 {
     r->failed_asserts[item->first_assert + (size_t)(a - item->asserts.at)] = 1;
@@ -178,6 +180,7 @@ static void fail_assert(ScriptRun *r, const ScriptItem *item, const ScriptAssert
 
 static bool is_true(const ScriptRun *r, const ScriptAssert *a) { return ref_true(ref_eval(a->condition, r->cell, &r->windows)); }
 
+// Counts an @expect whose time has passed.
 static void fail_pending(ScriptRun *r, const PendingExpect *e)
 {
     r->failed_since = r->result.failures ? r->failed_since : e->since;
@@ -237,6 +240,7 @@ static void begin_expect(ScriptRun *r, const NotedAssert *note)
     vec_push(r->arena, &r->pending, e);
 }
 
+// Evaluates an assert that is due after this step.
 static void evaluate_assert(ScriptRun *r, const NotedAssert *note)
 {
     const ScriptAssert *a = &note->item->asserts.at[note->assert];
@@ -326,6 +330,7 @@ static void report_all_unevaluated(const ScriptRun *r)
     }
 }
 
+// Whether an item of the script checks something, rather than only printing.
 static bool item_tests(const ScriptItem *item)
 {
     for (size_t i = 0; i < item->asserts.n; i++)

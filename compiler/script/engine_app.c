@@ -64,6 +64,7 @@ static void pass_elements(const AppEngine *a, MachineOfApp *m)
             m->write[m->elements++] = (EngineWrite){(uint32_t)v, a->cell[m->member->var[v]->index]};
 }
 
+// Ends the run of the application because one machine's engine reported an error.
 static EngineStatus fail_with(AppEngine *a, const MachineOfApp *m, const char *why)
 {
     a->engine.error = format_in(a->arena, "machine '%s': %s", m->member->name->text, why ? why : "no reason given");
@@ -141,6 +142,7 @@ static EngineStatus fill_result(const AppEngine *a, EngineStatus status, EngineS
     return status;
 }
 
+// Runs one step of the application: every machine that is due, in order, on one shared state vector.
 static EngineStatus app_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     AppEngine *a = e->self;

@@ -76,6 +76,7 @@ static void write_cell(const VmEngine *v, const EngineWrite *w)
         sm_cell_store(type, (uint8_t *)smvm_locals(v->in_place) + (at - locals), w->cell);
 }
 
+// Runs a step on the VM, decoded and in place, and compares both.
 static EngineStatus vm_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     VmEngine *v = e->self;

@@ -76,6 +76,7 @@ void monitor_start(const Monitor *m, void *situation) { memset(situation, 0, m->
 
 // ---- the windows of a situation ----
 
+// Takes the windows of the requirements from a saved situation.
 static void load_windows(Monitor *m, void *situation)
 {
     for (size_t i = 0; i < m->windows.n; i++) {
@@ -150,6 +151,7 @@ static bool is_true(const Monitor *m, const Requirement *r, int i, const Expr *e
     return e && (r->machine[i] == 0 || m->ran[r->machine[i] - 1]) && ref_true(ref_eval(e, cell, &m->windows));
 }
 
+// Judges one requirement after a step; `mem` has what it remembers of earlier steps.
 static MonitorResult judge_requirement(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
 {
     const bool a = is_true(m, r, 0, r->a, cell), b = is_true(m, r, 1, r->b, cell);

@@ -79,6 +79,7 @@ static Sum sum_of(double a, double b)
     return s;
 }
 
+// Returns x * x as a sum of two doubles, without rounding.
 static Sum squared(double x)
 {
     const double first = first_bits(x);
@@ -87,6 +88,7 @@ static Sum squared(double x)
     return s;
 }
 
+// Returns a / b with about twice the precision of a double.
 static Sum quotient(Sum a, Sum b)
 {
     const double inverse = 1 / b.big, first = first_bits(b.big), q = first_bits(a.big * inverse);
@@ -126,6 +128,7 @@ static const double exp_c[12] = {
     0x1.27e4d41cdb611p-22, 0x1.ae641b6b5eee4p-26, 0x1.1f7f20fc91dc7p-29, 0x1.61d9881430183p-33
 };
 
+// Returns exp(big + small): reduces the argument by multiples of ln 2 and evaluates a polynomial.
 static double exp_of_sum(double big, double small)
 {
     const double turns = big * 0x1.71547652b82fep+0;
@@ -191,6 +194,7 @@ static bool is_simple_log(double x, double *y)
     return !(x > 0 && x <= DBL_MAX);
 }
 
+// Returns ln x as a sum of two doubles; x is positive and finite.
 static Sum log_sum(double x)
 {
     double e;
@@ -225,6 +229,7 @@ double ref_log10(double x)
     return s.big + (s.small + (m.small + e * 0x1.fef311f12b358p-46));
 }
 
+// Returns x^y = exp(y ln x) for positive x.
 static double pow_of_positive(double x, double y)
 {
     const Sum rough = log_sum(x), log = sum_of(rough.big, rough.small);
@@ -362,6 +367,7 @@ static Sum sin_series(Sum r)
     return series(s, z, z_rest, 1, -0x1.5555555555555p-3, -0x1.5555555555555p-57, v * polynomial(tan_c, 6, v));
 }
 
+// Returns sin r for |r| up to pi/4, as a sum of two doubles.
 static Sum sin_sum(Sum r)
 {
     const double z = r.big * r.big;
@@ -370,6 +376,7 @@ static Sum sin_sum(Sum r)
     return s;
 }
 
+// Returns cos r for |r| up to pi/4, as a sum of two doubles.
 static Sum cos_sum(Sum r)
 {
     const Sum square = squared(r.big);
@@ -380,6 +387,7 @@ static Sum cos_sum(Sum r)
     return s;
 }
 
+// Returns sin(r + k pi/2).
 static double sin_of(Sum r, int k)
 {
     const Sum s = k % 2 ? cos_sum(r) : sin_sum(r);
@@ -505,6 +513,7 @@ double ref_atan2(double y, double x)
     return copy_sign(angle_of_point(single_sum(a * scale), single_sum(b * scale), ref_negative(x)), y);
 }
 
+// Returns the square root as a sum of two doubles, by Newton's method.
 static Sum square_root(Sum x)
 {
     const int e = x.big == 0 ? 0 : exponent_of(x.big);

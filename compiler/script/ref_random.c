@@ -7,6 +7,7 @@ static const uint64_t multiplier = UINT64_C(6364136223846793005);
 // The increment of a stream, which is what distinguishes it from the others.
 static uint64_t increment_of(uint32_t call) { return 2 * ((uint64_t)call + 1) + 1; }
 
+// Returns the next number of a PCG generator (XSH-RR, 32 bits).
 static uint32_t next_random(uint64_t *state, uint64_t increment)
 {
     const uint64_t old = *state;

@@ -52,6 +52,7 @@ static size_t add_column(Cursor *c, const ScriptColumn *in)
     return i;
 }
 
+// Adds a reading position in the recorded file: columns with another delay are read at another time, each from its own position.
 static Cursor *add_cursor(Replay *r, uint64_t delay)
 {
     Cursor *c = ARENA_NEW(r->arena, Cursor);
@@ -75,6 +76,7 @@ static Cursor *find_cursor(Replay *r, uint64_t delay)
     return add_cursor(r, delay);
 }
 
+// Adds the reading positions that the columns of the script need.
 static void add_cursors(Replay *r)
 {
     Cursor *first = add_cursor(r, 0);
@@ -236,6 +238,7 @@ bool replay_find_next_time(const Replay *r, uint64_t *g)
 
 // ---- comparing ----
 
+// Adds G to the list of times at which an element differs from the recording, or extends the last entry.
 static void add_span(CompareResult *c, uint64_t g, bool continues)
 {
     if (!continues && c->spans++ < COMPARE_SPANS_MAX)
@@ -244,6 +247,7 @@ static void add_span(CompareResult *c, uint64_t g, bool continues)
         c->span[c->spans - 1].to = g;
 }
 
+// Compares an element with the recorded value, and counts where they differ by more than the tolerance.
 static void compare_values(ReplayCompare *k, uint64_t g, double element, double recorded)
 {
     const RecordingRow *row = &k->cursor->now;

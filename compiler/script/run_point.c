@@ -21,6 +21,7 @@ typedef struct Piece { void *at; size_t size; } Piece;
 
 typedef VEC(Piece) Pieces;
 
+// Adds a piece of memory to those that a saved point of the run has to contain.
 static void add_piece(Arena *arena, Pieces *list, void *at, size_t size)
 {
     const Piece p = {at, size};

@@ -254,6 +254,7 @@ static void sort_list(void *list, size_t n, size_t size, int (*compare)(const vo
         }
 }
 
+// Sorts the items of a state by when they are due.
 static void sort_group(Group *g)
 {
     sort_list(g->moments.item.at, g->moments.item.n, sizeof *g->moments.item.at, compare_moments);
@@ -313,6 +314,7 @@ static bool is_sorted(const DueItems *due)
     return true;
 }
 
+// Adds the items of a state that are due at this step.
 static void add_due_items(const Schedule *h, Group *g, const uint64_t *cell, DueItems *due)
 {
     for (int k = 0; g && k < TIMES; k++) {
@@ -336,6 +338,7 @@ void schedule_find_due(Schedule *h, const State *const *state, size_t n, const u
         qsort(due->at, due->n, sizeof *due->at, compare_items);
 }
 
+// Lets periodic items of the group start again.
 static void rewind_group(Group *g)
 {
     for (size_t i = 0; g && i < g->periodic.n; i++)

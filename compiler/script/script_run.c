@@ -155,6 +155,7 @@ static void check_answers(ScriptRun *r)
             report_broken_engine(r, r->engine[0], "is in a state that the machine does not have");
 }
 
+// Starts all engines in the script's first state.
 static void init_engines(ScriptRun *r)
 {
     for (size_t i = 0; r->p->joint && i < r->engines; i++)
@@ -177,6 +178,7 @@ static void update_starts(ScriptRun *r)
             r->machine[i].start = r->g - r->cell[r->machine[i].t->index];
 }
 
+// Runs one step on all engines and compares their results.
 static void step_engines(ScriptRun *r)
 {
     for (size_t i = 0; i < r->engines; i++)
@@ -201,6 +203,7 @@ static void call_after_step(ScriptRun *r)
         r->o->after_step(r->o->context, &step);
 }
 
+// Compares the elements with the recording after a step.
 static void compare_with_data(ScriptRun *r)
 {
     if (r->replay && !replay_compare(r->replay, r->g, r->cell))
@@ -245,6 +248,7 @@ static void advance_waits(ScriptRun *r, uint64_t next)
     }
 }
 
+// Moves to the time of the next step; ends the run if no step follows.
 static void advance_time(ScriptRun *r)
 {
     const uint64_t next = run_next_g(r, 0);
@@ -260,6 +264,7 @@ static void advance_time(ScriptRun *r)
         r->g = next;
 }
 
+// Runs one step of the script: inputs, the machine, asserts, requirements.
 static void run_step(ScriptRun *r)
 {
     bool violated;

@@ -28,6 +28,7 @@ static bool is_composed(const Expr *e) { return e->n > 0 && watch_same_span(e->a
 
 static bool is_join(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR) && !is_composed(e); }
 
+// Whether an expression is a comparison, `not`, or a combination of conditions by `and` or `or`.
 static bool is_decision(const Expr *e)
 {
     return is_join(e) || watch_is_relation(e) || (e->kind == EX_UNARY && e->op == SM_OP_NOT);
@@ -54,6 +55,7 @@ static bool is_listed(const Nodes *n, const Expr *e)
     return n->node.n - n->leaf > OPERANDS_MOST;
 }
 
+// Adds an expression to those whose values are recorded when the statement runs.
 static void add_node(Nodes *n, const Expr *e, WatchKind kind, unsigned depth)
 {
     const WatchNode node = {e, kind, (uint8_t)(depth < 255 ? depth : 255), (uint32_t)n->node.n + 1};
@@ -193,6 +195,7 @@ static void record_nodes(Watch *w, WatchStmt *s, const RefView *r)
     }
 }
 
+// Records a transition that is taken, in a ring buffer of the last ones.
 static void record_passage(Watch *w, const WatchStmt *s)
 {
     WatchPassage *to = &w->passage[w->passages % w->passages_most];
@@ -204,6 +207,7 @@ static void record_passage(Watch *w, const WatchStmt *s)
     w->passages++;
 }
 
+// Called before each statement: records the values of its expressions, and since when each has been as it is.
 static void watch_stmt(RefObserver *o, const RefView *r, const Stmt *stmt)
 {
     Watch *w = (Watch *)o;

@@ -13,6 +13,7 @@ enum { ORIGINS_MOST = 8 };
 
 // ---- the run ----
 
+// Called after each step: notes how near each transition came to being taken.
 static void note_step(void *context, const ScriptStep *step)
 {
     WhyRun *r = context;
@@ -108,6 +109,7 @@ static void list_origin(Answer *a, const Var *v)
     a->origin[a->origins++] = v;
 }
 
+// Lists the variables of an expression, whose sources the answer then names.
 static void list_origins(Answer *a, const Expr *e)
 {
     if (e->kind == EX_VAR)
@@ -140,6 +142,7 @@ static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
 
 // ---- what the step did ----
 
+// Adds a line about the assignment that stored the value.
 static void add_store(Answer *a, unsigned depth, const WatchStmt *s)
 {
     WhyLine *line = add_line(a, WHY_STORE, depth, s->stmt->span, why_store(&a->words, s));
@@ -148,6 +151,7 @@ static void add_store(Answer *a, unsigned depth, const WatchStmt *s)
     line->g = s->g;
 }
 
+// Adds lines about what the statements of the list did in this step.
 static void add_statements(Answer *a, unsigned depth, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -222,6 +226,7 @@ static void explain_transition(Answer *a, unsigned depth, const WatchStmt *s)
                  transition_taken(a)->target->name->text, why_place(a->r.arena, transition_taken(a)->span)));
 }
 
+// Explains each transition to state `to` of the current state.
 static void explain_transitions(Answer *a, unsigned depth, const State *to)
 {
     for (uint32_t i = 1; i <= a->p->stmts; i++)
@@ -343,6 +348,7 @@ static void add_origin(Answer *a, const Var *local)
     }
 }
 
+// Adds a line about where the value of each listed variable comes from.
 static void add_origins(Answer *a)
 {
     if (a->origins)
@@ -353,6 +359,7 @@ static void add_origins(Answer *a)
 
 // ---- how the machine got there ----
 
+// Adds lines about the transitions that led to this state, the last one first.
 static void add_passages(Answer *a)
 {
     uint32_t shown = 0, i = 0;
@@ -399,6 +406,7 @@ static const char *outcome_text(const Answer *a, const WhyChange *c)
     return buf_text(&out);
 }
 
+// Adds lines about the smallest changes of inputs that would have changed what the step did.
 static void add_changes(Answer *a, unsigned depth)
 {
     WhyChanges changes = {0};
@@ -514,6 +522,7 @@ static const char *ending_text(const Answer *a)
     }
 }
 
+// Adds the first line: the step, the state, since when, and how the step ended.
 static void add_head(Answer *a)
 {
     const Stmt *t = transition_taken(a);
@@ -533,6 +542,7 @@ static void add_head(Answer *a)
         add_remark(a, 0, ending);
 }
 
+// Explains why the machine did or did not go to the state that was asked for.
 static void answer_to(Answer *a)
 {
     const State *to = a->r.q.to;
@@ -549,6 +559,7 @@ static void answer_to(Answer *a)
     }
 }
 
+// Explains where the value of the variable that was asked for comes from.
 static void answer_of(Answer *a)
 {
     const WatchStmt *s = a->w->stored_by[a->r.q.of->index];

@@ -50,6 +50,7 @@ static EngineStatus before_init(Engine *e, uint32_t state, EngineStep *out)
     return ((Before *)e->self)->ref->init(((Before *)e->self)->ref, state, out);
 }
 
+// Saves the situation and the writes of the step in question before it runs.
 static EngineStatus before_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Before *b = e->self;
@@ -121,6 +122,7 @@ static EngineStatus noting_init(Engine *e, uint32_t state, EngineStep *out)
     return k->ref->init(k->ref, state, out);
 }
 
+// Notes in which state the machine was in the step in question.
 static EngineStatus noting_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     Noting *k = e->self;
@@ -134,6 +136,7 @@ static EngineStatus noting_step(Engine *e, const EngineWrite *write, uint32_t n,
 
 static void noting_close(Engine *e) { ((Noting *)e->self)->ref->close(((Noting *)e->self)->ref); }
 
+// Wraps the reference engine so that the state of one step is noted.
 static Engine *wrap_noting(void *context, WhyRun *r, Engine *ref)
 {
     Noting *k = context;

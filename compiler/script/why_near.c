@@ -47,6 +47,7 @@ bool why_gap(const WatchStmt *s, uint32_t leaf, double *gap)
 
 // ---- conditions of a guard ----
 
+// Returns how far a condition was from the wanted truth: how many of its parts were different, and by how much.
 static WhyDistance node_distance(const WatchStmt *s, uint32_t i, bool wanted)
 {
     const WatchNode *n = &s->node[i];

@@ -68,6 +68,7 @@ Watch **why_short_watch(const ScriptRun *failed, Engine *ref, const uint64_t *st
 
 // ---- the notes ----
 
+// Adds a note to the message about the failed assert, if it does not have the most already.
 static void add_note(WhyShort *n, Span at, const char *text)
 {
     if (n->notes++ < WHY_SHORT_MOST)

@@ -123,6 +123,7 @@ typedef struct LimitComparison { const Expr *left; SmOperator op; double x, limi
 
 static bool is_fixed(const Expr *e) { return e->kind == EX_NUMBER || expr_is_constant(e) || (e->kind == EX_VAR && e->var->parameter); }
 
+// Reads a comparison with a limit: the value, the limit, and which of them is which operand.
 static bool read_comparison(const WatchStmt *s, uint32_t leaf, LimitComparison *c)
 {
     const Expr *e = s->node[leaf].e;
@@ -146,6 +147,7 @@ static const char *distance_text(Arena *arena, double from, double to)
     return d - d == 0 && strtod(text, NULL) == d && from + (to > from ? d : -d) == to && !strchr(text, 'e') ? text : NULL;
 }
 
+// Appends by how much the value was too small or too large.
 static void append_distance(const WhyWords *words, const LimitComparison *c, Buf *out)
 {
     const bool strict = c->op == SM_OP_LT || c->op == SM_OP_GT;
