@@ -54,6 +54,7 @@ static void clear_may_wait_if_left_at_once(Analysis *a, const ReachableFn *r, vo
         b->may_wait[state_index(r->state)] = false;
 }
 
+// Marks a state as sure to abort, after at most so many steps.
 static void add_bound_state(BoundSearch *b, const State *s, uint32_t steps)
 {
     b->out.bound[state_index(s)] = true;
@@ -111,6 +112,7 @@ AbortBound abort_find_bound(Analysis *a)
 
 bool abort_is_bounded(const AbortPath *p) { return p->possible && p->steps != ABORT_NOT_BOUNDED; }
 
+// Sums up a row of the abort table: whether the state can abort, by itself or by a command, or why not.
 static AbortVerdict abort_verdict_of(const Analysis *a, const AbortRow *r)
 {
     bool possible = false;

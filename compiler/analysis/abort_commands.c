@@ -86,6 +86,7 @@ static bool lacks_abort(const Trials *t, const AbortMatrix *x, const AbortRow *r
     return can_need_abort(r) && has_output_on(t, r) && !abort_path_that_reads(r, input) && is_followed_by_abort_on(t->a, x, r, input);
 }
 
+// Reports the states that do not abort on this input although other states do.
 static void report_states_without(Trials *t, const AbortMatrix *x, const Var *input)
 {
     Analysis *a = t->a;

@@ -69,6 +69,7 @@ static void report_row(Analysis *a, const AbortMatrix *x, const AbortRow *r)
     }
 }
 
+// Finds states that cannot abort, or not if one sensor fails, or not without a person.
 void check_abort(Trials *t)
 {
     const AbortMatrix x = abort_build_matrix(t);

@@ -77,6 +77,7 @@ static bool try_report_latch(LatchSearch *l, const State *state, const TrialEntr
     return latch != NULL;
 }
 
+// Finds states that abort at once after an earlier abort, because something still remembers it.
 void check_abort_latch(Trials *t)
 {
     LatchSearch l = {t, abort_find_bound(t->a), arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};

@@ -263,6 +263,7 @@ static void find_latch(AbortTrials *k, AbortRow *r)
         r->latched_at = trial_vars(k->t, cannot->situation)[k->t->a->m->var_of[r->latch->index]];
 }
 
+// Runs trials from the entries of a state, and fills in its row of the abort table.
 static void fill_in_trial_results(AbortTrials *k, AbortRow *r)
 {
     Trials *t = k->t;

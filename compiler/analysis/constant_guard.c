@@ -121,6 +121,7 @@ static bool is_decided_alone(const ReachWalk *k, const Expr *guard, bool holds)
 
 // ---- reports ----
 
+// Whether a guard combines comparisons; `not` is ignored.
 static bool is_compound(const Expr *e)
 {
     if (e->kind == EX_UNARY && e->op == SM_OP_NOT)
@@ -187,6 +188,7 @@ static uint32_t report_earlier_guard(ReachWalk *k, const Stmt *s, const EarlierG
 
 // ---- verdicts ----
 
+// Reports a guard that is never true, unless the constants of the program decide it on purpose.
 static GuardVerdict judge_never_true(ReachWalk *k, const Stmt *s, const EarlierGuards *b)
 {
     const bool itself = is_decided_alone(k, s->value, false);
@@ -204,6 +206,7 @@ static GuardVerdict judge_never_true(ReachWalk *k, const Stmt *s, const EarlierG
     return v;
 }
 
+// Reports a guard that is always true, unless the constants of the program decide it on purpose.
 static GuardVerdict judge_always_true(ReachWalk *k, const Stmt *s, const EarlierGuards *b, const Stmt *around)
 {
     GuardVerdict v = {true, false, 0};

@@ -213,6 +213,7 @@ static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
     mark_reported_from(k, step, 0, d);
 }
 
+// Walks the .exit block of the current state.
 static void walk_exit(ReachWalk *k)
 {
     const Stmts *block = k->state->block;

@@ -101,6 +101,7 @@ static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, 
 // The states that a search visits, each once, in order.
 typedef struct StateQueue { size_t state[STATES_MAX], n; } StateQueue;
 
+// Adds a state to those that the search for a read of the stored value has still to visit.
 static void enqueue_state(DeadStores *k, StateQueue *q, size_t state)
 {
     if (q->n < STATES_MAX && k->seen[state] != k->searches)
@@ -108,6 +109,7 @@ static void enqueue_state(DeadStores *k, StateQueue *q, size_t state)
     k->seen[state] = k->searches;
 }
 
+// Adds the states that can follow state `from`.
 static void enqueue_next_states(DeadStores *k, StateQueue *q, size_t from)
 {
     for (size_t t = k->first[from]; t < k->first[from + 1]; t++)

@@ -37,6 +37,7 @@ static bool target_assigns(const State *to, const Var *v)
     return false;
 }
 
+// Notes an assignment to the output, in the order of the statements; *off is the last one if it switches the output off.
 static void add_assignment(ExitCheck *x, const Stmt *s, const Stmts *list, const Stmt **off)
 {
     const StmtFact *f = &x->t->a->stmt[s->number];
@@ -51,6 +52,7 @@ static void add_assignment(ExitCheck *x, const Stmt *s, const Stmts *list, const
         x->is_unclear = true;
 }
 
+// Notes a transition out of the state: one before which the output was switched off, or one that leaves it on.
 static void add_transition(ExitCheck *x, const Stmt *s, const Stmt *off)
 {
     if (!x->t->a->stmt[s->number].reached || s->target == x->state)
@@ -90,6 +92,7 @@ static void report_exit(const ExitCheck *x)
     diag_note_step(diags, d, x->off->span, DIAG_note_off_before_leaving, x->v->name->text, x->to->name->text);
 }
 
+// Finds transitions that leave an output on which the other transitions of the state switch off.
 void check_exit_leaves_on(Trials *t)
 {
     for (uint32_t v = 0; v < t->run->m->var.n; v++)

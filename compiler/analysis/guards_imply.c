@@ -27,6 +27,7 @@ typedef struct Order {
 
 static bool is_finite(SmF64 x) { return sm_eq(sm_sub(x, x), sm_from_i32(0)); }
 
+// Returns one side of a comparison as `base plus number`, so that `a + 2` and `a` can be compared.
 static Side side_of(const Expr *e)
 {
     Side s = {e, sm_from_i32(0)};
@@ -139,6 +140,7 @@ static bool comparisons_imply(ImplySearch *k, const Expr *x, const Expr *y)
     return comparison_count(y) > 0;
 }
 
+// Whether y is true wherever x is true; false also if the search gives up.
 static bool expr_implies(ImplySearch *k, const Expr *x, const Expr *y)
 {
     if (k->budget == 0)
@@ -174,6 +176,7 @@ static bool comparisons_exclude(ImplySearch *k, const Expr *x, const Expr *y)
     return false;
 }
 
+// Whether y is false wherever x is true; false also if the search gives up.
 static bool expr_excludes(ImplySearch *k, const Expr *x, const Expr *y)
 {
     if (k->budget == 0)

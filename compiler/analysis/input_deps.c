@@ -27,6 +27,7 @@ bool is_sensor(const InputDepsTable *s, const Var *v) { return is_only_read(s, v
 
 typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: all reads; those in == or != with a constant
 
+// Counts the reads of a variable, and its comparisons with constants by == and !=.
 static void count_use(Expr *e, void *context)
 {
     UseCount *u = context;
@@ -134,6 +135,7 @@ static InputDeps deps_of_var(const InputDepsTable *s, const Var *v)
 
 // ---- the graph ----
 
+// Queues a variable or statement whose set of inputs has changed.
 static void push_node(DepGraph *g, uint32_t node)
 {
     if (g->waits[node])
@@ -199,6 +201,7 @@ InputDeps input_deps_of_condition(const InputDepsTable *s, const Condition *when
     return when ? s->deps[node_of_guard(s, when->stmt)] : none;
 }
 
+// Adds the inputs on which an expression depends to *out.
 static void merge_deps_of_expr(const InputDepsTable *s, const Expr *e, InputDeps *out)
 {
     for (uint32_t i = 0; i < e->n; i++)

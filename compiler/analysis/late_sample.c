@@ -96,6 +96,7 @@ static void check_sample(const StatUse *u, const Expr *e)
         check_sample(u, e->arg[i]);
 }
 
+// Checks a window whether it samples, before the step, a variable that the step assigns first.
 static void check_roll(Expr *e, void *context)
 {
     StatUse *u = context;

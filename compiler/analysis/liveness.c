@@ -36,6 +36,7 @@ struct Liveness {
 
 static uint64_t *new_set(Liveness *l) { return ARENA_ARRAY(l->a->arena, uint64_t, l->words); }
 
+// Adds a variable to the set of those that are read later.
 static void mark_live(Liveness *l, uint64_t *set, uint32_t var)
 {
     if (l->bit[var] != IR_NONE)

@@ -15,6 +15,7 @@ static void report_stored_value(Analysis *a, DiagCode code, Span span, const Var
                 const_text(a->arena, x));
 }
 
+// Reports a constant that the variable's type cannot store as it is.
 static void check_constant(Analysis *a, const Var *v, const Expr *value)
 {
     const bool whole = sm_type_info[v->type].kind != SM_KIND_FLOAT;

@@ -139,6 +139,7 @@ static bool can_end_without_command(LeftOnSearch *l, const State *s)
     return false;
 }
 
+// Finds outputs that stay on where the machine rests.
 void check_output_left_on(Trials *t)
 {
     LeftOnSearch l = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};

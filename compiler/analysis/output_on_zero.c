@@ -323,6 +323,7 @@ static void try_motion(FailureSearch *k, const FailureCases *l, FailureCase *c)
         }
 }
 
+// Tries the failures of one sensor from the entries of a state.
 static void try_sensor(FailureSearch *k, const TrialState *s, uint32_t sensor)
 {
     FailureTrial *z = &k->run;
@@ -350,6 +351,7 @@ static void try_sensor(FailureSearch *k, const TrialState *s, uint32_t sensor)
 // Whether failures of the input are tried in the state.
 static bool tries_failures_of(const Trials *t, size_t state, uint32_t input) { return !t->input[input].command && t->state[state].relevant[input]; }
 
+// Finds what the machine goes on doing because one sensor has failed.
 void check_output_on_zero(Trials *t)
 {
     FailureSearch k = {.run = failure_trial_new(t)};

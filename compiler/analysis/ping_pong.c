@@ -122,6 +122,7 @@ static void report_cycle(const CycleSearch *f, size_t n)
     }
 }
 
+// Finds states that follow each other at every step while nothing changes.
 void check_ping_pong(Trials *t)
 {
     CycleSearch f = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};
@@ -151,6 +152,7 @@ static bool shares_sensor(const InputDepsTable *s, const Transition *in, const T
     return shared && !then.input;
 }
 
+// Finds states that are left again at once.
 void check_cascade(Trials *t)
 {
     const Analysis *a = t->a;

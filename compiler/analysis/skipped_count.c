@@ -68,6 +68,7 @@ static bool counts_to(const Counter *c, const Var *v, SmF64 start, SmF64 x)
     return true;
 }
 
+// Whether the counter passes the number x without ever having it.
 static bool is_skipped(const Counter *c, const Var *v, SmF64 x)
 {
     if (c->other || sm_eq(c->by, sm_from_i32(0)) || counts_to(c, v, sm_cell_to_f64(v->type, v->init), x))

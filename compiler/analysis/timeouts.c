@@ -184,6 +184,7 @@ static bool has_relevant_sensor(const Trials *t, size_t state)
     return false;
 }
 
+// Finds states that only one sensor can end.
 void check_waits_for_sensor(Trials *t)
 {
     TimeoutCheck w = new_timeout_check(t);
@@ -260,6 +261,7 @@ static bool try_entry_for_timeout(TimeoutCheck *w, const State *s, const TrialEn
     return false;
 }
 
+// Finds states that drive an output and that time alone never ends.
 void check_missing_timeout(Trials *t)
 {
     TimeoutCheck w = new_timeout_check(t);

@@ -186,6 +186,7 @@ static void change_inputs(TrialSearch *k, const TrialState *s)
             k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
 }
 
+// Runs one trial of a state: from a random entry, with a few changes of its inputs one after another.
 static void run_one_try(TrialSearch *k, uint32_t state)
 {
     Trials *t = k->t;
@@ -249,6 +250,7 @@ static void search_rounds(TrialSearch *k, int from, int to)
         }
 }
 
+// Runs trials, in rounds, that find situations in which each state can be entered.
 static void search_situations(Trials *t)
 {
     TrialSearch k = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};

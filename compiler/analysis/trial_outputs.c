@@ -15,6 +15,7 @@ static bool is_fixed(const Expr *e)
     return fixed;
 }
 
+// Whether the statement adds a fixed number to its own variable, or subtracts one.
 static bool is_increment(const Stmt *s)
 {
     const Expr *e = s->value;

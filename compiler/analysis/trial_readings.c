@@ -34,6 +34,7 @@ static void compute_vars(TrialFinder *f)
 // Readings at which the sides of a comparison are equal.
 typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; bool full; } Roots;
 
+// Adds a number at which some condition changes, unless an equal one is in the list.
 static void add_root(Roots *r, double x)
 {
     if (!(x > -1e15 && x < 1e15))
@@ -97,6 +98,7 @@ static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t whic
     }
 }
 
+// Sets all inputs to 0 except this one.
 static void set_one_input(TrialFinder *f, uint32_t input, double x)
 {
     for (uint32_t i = 0; i < f->t->inputs; i++)
@@ -105,6 +107,7 @@ static void set_one_input(TrialFinder *f, uint32_t input, double x)
     f->value[f->t->input[input].v->index] = x;
 }
 
+// Sets this input and all of its group to the same reading, and all other inputs to 0.
 static void set_input_group(TrialFinder *f, uint32_t input, double x)
 {
     set_one_input(f, input, x);
@@ -129,6 +132,7 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+// Adds a reading to those that trials give to the sensor, as its type stores it.
 static void add_reading(TrialInput *i, double x)
 {
     const SmType type = i->v->type;
@@ -140,6 +144,7 @@ static void add_reading(TrialInput *i, double x)
     i->reading[i->readings++] = x;
 }
 
+// Finds the readings worth a trial for an input: those around the numbers at which a condition changes.
 static void find_readings(TrialFinder *f, uint32_t input)
 {
     TrialInput *i = &f->t->input[input];

@@ -85,6 +85,7 @@ typedef struct UnitGroup {
     bool any, differs;
 } UnitGroup;
 
+// Adds a value to those that must have one unit, and reports it if its unit differs.
 static void add_to_group(UnitCheck *k, UnitGroup *g, const Quantity *q, Span span)
 {
     const bool is_first = q->kind == QUANTITY_UNIT && g->first.kind != QUANTITY_UNIT;
@@ -101,6 +102,7 @@ static void add_to_group(UnitCheck *k, UnitGroup *g, const Quantity *q, Span spa
     }
 }
 
+// Returns the quantity of the arguments of min, max or a comparison, which must have one unit.
 static Quantity infer_group(UnitCheck *k, const Expr *e)
 {
     UnitGroup g = {0};

@@ -89,6 +89,7 @@ static void mark_needed_in_stmts(NeededParts *n, const Stmts *stmts, const Condi
     }
 }
 
+// Finds the variables, windows and guards on which an output of the machine depends.
 static NeededParts find_needed_parts(Analysis *a, bool everywhere)
 {
     const Program *p = a->p;

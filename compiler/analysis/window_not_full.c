@@ -43,6 +43,7 @@ typedef struct WindowTrial {
 
 // ---- inputs ----
 
+// Sets the inputs of the next sample, with noise.
 static void set_inputs(WindowTrial *w)
 {
     const Trials *t = w->t;
@@ -260,6 +261,7 @@ static void choose_earlier_readings(WindowTrial *w, uint32_t kind)
             w->earlier[i] = (kind == 2 ? 1e5 : -1e5) * t->input[i].scale;
 }
 
+// Tries an entry of a state with glitches of the inputs: does a guard decide before its window is full?
 static void try_entry(WindowTrial *w, const TrialState *s, const TrialEntry *e)
 {
     Trials *t = w->t;
@@ -324,6 +326,7 @@ static void try_entries(WindowTrial *w)
     }
 }
 
+// Finds what a window decides before it is full.
 void check_window_not_full(Trials *t)
 {
     WindowTrial w = {.t = t, .in = trial_new_inputs(t), .now = trial_new_inputs(t)};
