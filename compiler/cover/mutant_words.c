@@ -66,7 +66,7 @@ static void write_input(const Program *p, const ScenarioChange *c, Buf *out)
     const Var *v = p->var.at[c->var];
 
     buf_printf(out, "%s %s ", v->report_name->text, c->kind == SCENARIO_RAMP ? "from" : "=");
-    format_cell_shortest(out, v->type, sm_cell_from_f64(v->type, c->a));
+    format_cell_stored(out, v->type, sm_cell_from_f64(v->type, c->a));
     if (c->kind != SCENARIO_RAMP)
         return;
     buf_str(out, " by ");

@@ -41,7 +41,8 @@ void diagram_write_svg(const Analysis *a, const DiagramOptions *o, Buf *out);
 // Returns the width of the slices of a picture of width w: the same for all, and at most `most`, which must be more than 200.
 int32_t diagram_slice_width(int32_t w, int32_t most);
 // Appends the picture in slices, row by row from top to bottom, each a picture of its own and at most `most` large.  Horizontal cuts are between
-// states and between texts: only a state or text that is itself higher than `most` is cut through.  Slices side by side overlap by 200 pixels.
+// states and between texts: only a state or text that is itself higher than `most` is cut through.  Slices side by side overlap by 200 pixels;
+// blank ones are left out.
 void diagram_write_slices(const Analysis *a, const DiagramOptions *o, DiagramSize most, Buf *out);
 void diagram_write_dot(const Analysis *a, const DiagramOptions *o, Buf *out);
 void diagram_write_mermaid(const Analysis *a, const DiagramOptions *o, Buf *out);

@@ -64,6 +64,11 @@ void diagram_number_notes(Diagram *d, DiagramNotes *out)
     }
 }
 
+Box diagram_note_box(const DiagramNote *note)
+{
+    return (Box){0, note->y, MARGIN + NUMBER_W + diagram_text_width(note->text, GUARD_SIZE, false), LINE};
+}
+
 void diagram_write_notes(const DiagramNotes *n, Buf *out)
 {
     for (size_t i = 0; i < n->line.n; i++) {

@@ -15,6 +15,7 @@ typedef struct DiagramNotes {
 
 // Numbers the marks of a diagram that has been laid out, state by state.
 void diagram_number_notes(Diagram *d, DiagramNotes *out);
+Box diagram_note_box(const DiagramNote *note);          // around the text of a line and its number
 void diagram_write_notes(const DiagramNotes *n, Buf *out);
 
 #endif

@@ -419,18 +419,18 @@ static void write_description(Buf *out, const Diagram *d)
 }
 
 // A drawn diagram: the SVG elements of the picture, and its size including the notes.
-typedef struct DrawnDiagram { Diagram *d; Buf elements; DiagramSize size; } DrawnDiagram;
+typedef struct DrawnDiagram { Diagram *d; DiagramNotes notes; Buf elements; DiagramSize size; } DrawnDiagram;
 
 static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagram *out)
 {
     Diagram *d = out->d = diagram_build(a, o);
-    DiagramNotes notes;
+    DiagramNotes *notes = &out->notes;
 
     layout_diagram(d);
-    diagram_number_notes(d, &notes);
-    out->size = (DiagramSize){notes.w > d->w ? notes.w : d->w, d->h + notes.h};
-    for (size_t i = 0; i < notes.line.n; i++)
-        vec_push(a->arena, &d->cut, notes.line.at[i].y);
+    diagram_number_notes(d, notes);
+    out->size = (DiagramSize){notes->w > d->w ? notes->w : d->w, d->h + notes->h};
+    for (size_t i = 0; i < notes->line.n; i++)
+        vec_push(a->arena, &d->cut, notes->line.at[i].y);
     buf_init(&out->elements, a->arena);
     write_description(&out->elements, d);
     write_style(&out->elements, o->changes != NULL);
@@ -440,7 +440,7 @@ static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagra
         write_edge(&out->elements, d, &d->edge.at[e]);
     for (size_t n = 0; n < d->nodes; n++)
         (d->node[n].state ? write_state : write_section)(&out->elements, d, &d->node[n]);
-    diagram_write_notes(&notes, &out->elements);
+    diagram_write_notes(notes, &out->elements);
 }
 
 // Writes the part of the picture whose upper left corner is at (left, top).
@@ -481,13 +481,56 @@ int32_t diagram_slice_width(int32_t w, int32_t most)
     return (w + (n - 1) * SLICE_OVERLAP + n - 1) / n;
 }
 
-// Appends the slices between two heights, from left to right.  The last one ends at the right edge of the picture.
+static bool boxes_meet(Box a, Box b) { return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h; }
+
+static Box box_between(Point a, Point b)
+{
+    const int32_t x = a.x < b.x ? a.x : b.x, y = a.y < b.y ? a.y : b.y;
+
+    return (Box){x, y, (a.x < b.x ? b.x : a.x) - x + 1, (a.y < b.y ? b.y : a.y) - y + 1};
+}
+
+static bool edge_meets(const DiagramEdge *e, Box part)
+{
+    enum { SLIVER = 40 };                                // pixels: a line that leaves the part so near its top or bottom shows nothing
+    const Box inner = {part.x, part.y + SLIVER, part.w, part.h - 2 * SLIVER};
+    bool meets = boxes_meet(e->label, part) || (e->form == EDGE_STUB && boxes_meet(e->name, part));
+
+    for (size_t i = 0; i + 1 < e->path.n; i++)
+        meets = meets || boxes_meet(box_between(path_point(e, i), path_point(e, i + 1)), inner);
+    return meets;
+}
+
+// Whether a part of the picture shows neither a state nor a text nor more than the end of a line.  Boxes around them are compared, so a blank
+// part may be called not blank.
+static bool is_blank(const DrawnDiagram *drawn, Box part)
+{
+    const Diagram *d = drawn->d;
+    bool blank = true;
+
+    for (size_t i = 0; i < drawn->notes.line.n; i++)
+        blank = blank && !boxes_meet(diagram_note_box(&drawn->notes.line.at[i]), part);
+    for (size_t n = 0; n < d->nodes; n++)
+        blank = blank && !boxes_meet(d->node[n].box, part);
+    for (size_t e = 0; e < d->edge.n; e++)
+        blank = blank && !edge_meets(&d->edge.at[e], part);
+    return blank;
+}
+
+// Appends the slices between two heights, from left to right, without those in which only the part that the one to their left shows is not
+// blank.  The last one ends at the right edge of the picture.
 static void write_row_of_slices(const DrawnDiagram *drawn, int32_t top, DiagramSize slice, Buf *out)
 {
     const int32_t w = drawn->size.w, n = count_columns(w, slice.w);
+    int32_t shown = 0;
 
-    for (int32_t i = 0; i < n; i++)
-        write_picture(drawn, i + 1 == n ? w - slice.w : i * (slice.w - SLICE_OVERLAP), top, slice, out);
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t left = i + 1 == n ? w - slice.w : i * (slice.w - SLICE_OVERLAP);
+        if (is_blank(drawn, (Box){shown, top, left + slice.w - shown, slice.h}))
+            continue;
+        write_picture(drawn, left, top, slice, out);
+        shown = left + slice.w;
+    }
 }
 
 // Appends the picture in slices, row by row from top to bottom, each a separate picture of at most the given size.

@@ -9,12 +9,61 @@
 
 // ---- text ----
 
+static bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+static bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+enum { DIVIDED = 12, PART_SHORTEST = 4, PART_LONGEST = 16 };    // in characters: the longest word that is not divided; a part of a longer one
+
+// Whether a word can be divided before `at`: after `_`, `.`, `/` or `(`, and before a capital letter.  `last`: where it was divided before.
+static bool is_word_part(const char *text, size_t last, size_t at)
+{
+    const char before = text[at - 1], after = text[at];
+
+    if (at < last + PART_SHORTEST || ((unsigned char)after & 0xC0) == 0x80)
+        return false;
+    if (is_letter(after) && (before == '_' || before == '.' || before == '/' || before == '('))
+        return true;
+    return (is_capital(after) && !is_capital(before)) || at >= last + PART_LONGEST;
+}
+
+// Writes text in which a browser can divide long names where a column is narrow: `chamber|Pressure|A`.  The style sheet allows it on paper.
+static void write_names(Buf *out, const char *text, size_t n)
+{
+    size_t written = 0, end;
+
+    for (size_t word = 0; word < n; word = end + 1) {
+        size_t last = word;
+        for (end = word; end < n && text[end] != ' '; end++)
+            continue;
+        for (size_t at = word + 1; end - word > DIVIDED && at + 1 < end; at++)
+            if (is_word_part(text, last, at)) {
+                xml_write(out, text + written, at - written);
+                buf_str(out, "<wbr/>");
+                written = last = at;
+            }
+    }
+    xml_write(out, text + written, n - written);
+}
+
+// Writes code.  An option, as --all, is not divided after its hyphens.
+static void write_code(Buf *out, const char *text, size_t n)
+{
+    enum { LONGEST = 24 };                               // more characters do not fit on a line beside other text
+    const char *hyphens = strstr(text, "--");
+    const bool has_option = hyphens && hyphens < text + n && n <= LONGEST;
+
+    buf_str(out, has_option ? "<code class=\"b\">" : "<code>");
+    write_names(out, text, n);
+    buf_str(out, "</code>");
+}
+
 static void write_state_link(Buf *out, const char *name, size_t n)
 {
     buf_str(out, "<a class=\"st\" href=\"#state-");
     xml_write(out, name, n);
     buf_str(out, "\">");
-    xml_write(out, name, n);
+    write_names(out, name, n);
     buf_str(out, "</a>");
 }
 
@@ -32,11 +81,8 @@ static void write_markup(Buf *out, const char *text)
         inner = strcspn(text, mark == '`' ? "`" : "^");
         if (mark == '^')
             write_state_link(out, text, inner);
-        else {
-            buf_str(out, "<code>");
-            xml_write(out, text, inner);
-            buf_str(out, "</code>");
-        }
+        else
+            write_code(out, text, inner);
         text += inner + (text[inner] != '\0');
     }
 }
@@ -62,11 +108,8 @@ static void write_cell(Buf *out, const DocCell *c)
     case CELL_TEXT: write_markup(out, c->text); break;
     case CELL_PLAIN: xml_write_str(out, c->text); break;
     case CELL_CODE:
-        if (*c->text) {
-            buf_str(out, "<code>");
-            xml_write_str(out, c->text);
-            buf_str(out, "</code>");
-        }
+        if (*c->text)
+            write_code(out, c->text, strlen(c->text));
         break;
     case CELL_NUMBER: buf_printf(out, "%llu", (unsigned long long)c->number); break;
     case CELL_TARGET: buf_printf(out, "<span id=\"%s\">%llu</span>", c->link, (unsigned long long)c->number); break;
@@ -90,8 +133,12 @@ static void write_cell(Buf *out, const DocCell *c)
 }
 
 // Returns the class attribute of a table cell; "": none.  The class of an option, as -Wflight, prevents a line break at its hyphen.
-static const char *cell_class(const DocCell *c)
+static const char *cell_class(const DocTable *t, size_t i)
 {
+    const DocCell *c = &t->cell.at[i];
+
+    if (t->last_on_screen && (i + 1) % t->columns == 0)
+        return " class=\"screen\"";
     if (c->kind == CELL_PLAIN && c->text[0] == '-')
         return " class=\"b\"";
     return c->kind == CELL_NUMBER || c->kind == CELL_TARGET || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
@@ -122,8 +169,8 @@ static void write_table(Buf *out, const DocTable *t)
     for (size_t i = 0; i < t->columns; i++) {
         if (!used[i])
             continue;
-        buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? cell_class(&t->cell.at[i]) : "");
-        xml_write_str(out, t->column[i].title);
+        buf_printf(out, "<th scope=\"col\"%s>", t->cell.n ? cell_class(t, i) : "");
+        write_names(out, t->column[i].title, strlen(t->column[i].title));
         buf_str(out, "</th>");
     }
     buf_str(out, "</tr></thead>\n<tbody>\n");
@@ -132,7 +179,7 @@ static void write_table(Buf *out, const DocTable *t)
             buf_str(out, i ? "</tr>\n<tr>" : "<tr>");
         if (!used[i % t->columns])
             continue;
-        buf_printf(out, "<td%s>", cell_class(&t->cell.at[i]));
+        buf_printf(out, "<td%s>", cell_class(t, i));
         write_cell(out, &t->cell.at[i]);
         buf_str(out, "</td>");
     }

@@ -22,7 +22,7 @@ const char *report_format_cell(Arena *arena, SmType type, uint64_t cell)
     Buf b;
 
     buf_init(&b, arena);
-    format_cell_shortest(&b, type, cell);
+    format_cell_stored(&b, type, cell);
     return buf_text(&b);
 }
 

@@ -7,7 +7,8 @@
 #include "compiler/report/page_text.h"
 
 static const DocColumn state_columns[] = {{"state", "State"}, {"noticed", "Noticed"}, {"changes", "Of"}};
-static const DocColumn change_columns[] = {{"line", "Line"}, {"text", "As written"}, {"change", "Change that no script notices"}, {"inputs", "Inputs that would show it"}};
+static const DocColumn change_columns[] = {{"line", "Line"}, {"text", "As written"}, {"change", "Change that no script notices"},
+                                           {"inputs", "Inputs that would show it"}};
 
 typedef struct StateScore { uint32_t noticed, changes; } StateScore;
 
@@ -15,7 +16,6 @@ static bool counts_for_score(const Mutant *m)
 {
     return m->verdict == MUTANT_NOTICED || m->verdict == MUTANT_GENERATED || m->verdict == MUTANT_UNNOTICED;
 }
-
 
 static StateScore score_of(const Report *r, uint32_t state)
 {
@@ -70,11 +70,13 @@ static const char *written_line(const Report *r, Span span)
 
 static void add_change_row(const Report *r, DocTable *t, const Mutant *m)
 {
+    Mutant without_danger = *m;                        // the heading names it
     Buf change, inputs;
 
+    without_danger.danger = DANGER_OTHER;
     buf_init(&change, r->arena);
     buf_init(&inputs, r->arena);
-    mutant_write_change(r->arena, m, &change);
+    mutant_write_change(r->arena, &without_danger, &change);
     if (m->scenario)
         mutant_write_scenario(r->analysis.p, m, MUTANT_INPUTS_SHOWN, &inputs);
     else
@@ -99,6 +101,7 @@ static void add_changes(const Report *r, Doc *d, MutantDanger danger, const char
             if (!t) {
                 doc_add_heading(d, NULL, title);
                 t = DOC_ADD_TABLE(d, key, change_columns);
+                t->last_on_screen = true;
             }
             add_change_row(r, t, m[i]);
         }

@@ -46,11 +46,11 @@ const char *const report_style[] = {
     "th,td{text-align:left;vertical-align:top;padding:.35rem .6rem;border-bottom:1px solid var(--line)}\n",
     "th{color:var(--dim);font-weight:600;border-bottom:2px solid var(--line)}tbody tr:hover{background:var(--soft)}\n",
     "table.narrow{width:auto}table.dense{font-size:.8rem}.dense td,.dense th{padding:.25rem}.dense .badge{font-size:.7rem;padding:.05rem "
-    ".3rem;border-radius:.3rem}td "
+    ".3rem;border-radius:.3rem}wbr{display:none}p,li,td "
     "code{overflow-wrap:break-word}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-"
-    "variant-numeric:tabular-nums}\n",
+    "variant-numeric:tabular-nums}code.b{white-space:nowrap}\n",
     ".bar{display:inline-block;width:7rem;height:.7em;background:var(--soft);border:1px solid var(--line);margin-right:.4em}"
-    ".bar i{display:block;height:100%;background:var(--accent)}\n",
+    ".bar i{display:block;border-top:.6em solid var(--accent)}\n",
     "dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:.6rem;margin:.8rem 0 1.2rem}\n",
     "dl div{background:var(--soft);border:1px solid var(--line);border-radius:6px;padding:.5rem .8rem}\n",
     "dt{color:var(--dim);font-size:.85rem}dd{margin:0;font-weight:600;overflow-wrap:anywhere}\n",
@@ -59,7 +59,8 @@ const char *const report_style[] = {
     ".ln{color:var(--dim);font-size:.8rem;font-variant-numeric:tabular-nums}.do .ln::before{content:\"line "
     "\"}.st{font-weight:600}\n",
     ".badge{font-size:.75rem;font-weight:600;padding:.1rem .5rem;border-radius:1rem;border:1px solid currentColor;"
-    "vertical-align:middle;white-space:nowrap}a.badge{color:var(--note)}.good,a.good{color:var(--good)}.bad,a.bad{color:var(--bad)}.note{color:var(--note)}\n",
+    "vertical-align:middle;white-space:nowrap}a.badge{color:var(--note)}"
+    ".good,a.good{color:var(--good)}.bad,a.bad{color:var(--bad)}.note{color:var(--note)}\n",
     "pre{background:var(--soft);border:1px solid var(--line);border-radius:6px;padding:.5rem "
     ".8rem;overflow-x:auto;line-height:1.45;"
     "margin:.4rem 0}pre "
@@ -68,21 +69,24 @@ const char *const report_style[] = {
     ".source span:target{background:var(--mark)}.label{color:var(--dim);margin:.2rem 0 .6rem}\n",
     "figure{margin:1rem 0;overflow-x:auto}figcaption{color:var(--dim);font-size:.9rem}figure svg{max-width:100%;height:auto}\n"
     "@media screen{figure.diagram{margin:1rem calc(50% - 50vw + 1.5rem);text-align:center}"
-    "figure.diagram>svg{max-width:max(100%,var(--width)*.8)}.print{display:none}}\n",
+    "figure.diagram>svg{max-width:max(100%,var(--width)*.8)}.print{display:none}.dense th wbr{display:inline}}\n",
     "footer{border-top:1px solid var(--line);color:var(--dim);font-size:.85rem;margin-top:3rem}\n",
     PLOTS,
-    "@media print{td code{overflow-wrap:anywhere}html{font-size:10pt}body{max-width:none;padding:0 "
+    "@media print{html{font-size:10pt}body{max-width:none;padding:0 "
     "1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0;margin-bottom:.8rem}section{margin:0 0 5mm}"
-    "article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}"
+    "article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}article:has(tr:nth-child(9)){break-inside:auto}"
+    "tbody tr:first-child,p:has(+.wide){break-after:avoid}td wbr,th wbr{display:inline}tbody tr:last-child{break-before:avoid}"
     "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}"
     "a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"
-    ".chapter{font-size:15pt;margin:6mm 0 2mm;break-after:avoid}nav{display:none}figure{margin:.3rem 0}figure svg{width:auto;max-height:225mm}figure.low svg{max-height:110mm}"
+    ".chapter{font-size:15pt;margin:6mm 0 2mm;break-after:avoid}nav{display:none}figure{margin:.3rem 0}"
+    "figure svg{width:auto;max-height:215mm}figure.low svg{max-height:110mm}"
     "figure.tall,figure.large{break-inside:auto}figure.tall>svg,figure.large>svg{display:none}"
-    ".print{display:block}.print svg{display:block;break-inside:avoid;max-width:100%;max-height:none}"
-    "section:has(figure.large){page:large}"
+    ".screen{display:none}.print{display:block}.chapter:has(+section>figure.large){margin-top:0}"
+    ".print svg{display:block;break-inside:avoid;max-width:100%;max-height:none}"
+    "article>figure.large,section:has(>figure.large),.chapter:has(+section>figure.large){page:large}"
     "dl{grid-template-columns:repeat(4,minmax(0,1fr));gap:.3rem;margin:.5rem 0 .8rem}dl div{padding:.2rem .5rem}"
     "tbody tr:hover{background:none}.badge{border:1px solid #000}\n"
     "@page{margin:16mm 14mm;@bottom-right{content:counter(page) \" of \" counter(pages);font:9pt sans-serif}}\n"
-    "@page large{size:A4 landscape}}\n",
+    "@page large{size:landscape;margin:11mm 8mm}}\n",
     0};

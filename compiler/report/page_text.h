@@ -78,7 +78,7 @@
 
 #define TEXT_MUTATION \
     "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
-    "would not find. The most dangerous ones come first."
+    "would not find. The most dangerous ones come first. The inputs that would show a change are left out on paper."
 
 // ---- faults and sweeps ----
 
@@ -147,7 +147,8 @@
 
 #define TEXT_COSTS \
     "VM instructions in the longest step of each state, computed from the image that flies. No step can take more. The first step of " \
-    "a state also runs `.entry`, and a step that leaves the state also runs `.exit`."
+    "a state also runs `.entry`, and a step that leaves the state also runs `.exit`. The cycles are those of the step that takes most cycles, " \
+    "which can be another step than the one with most instructions."
 #define TEXT_COSTS_SAMPLES \
     "Of each step, %s take the samples of windows. What a sample costs in addition to its instruction depends on the window."    // "5 instructions"
 #define TEXT_COSTS_BOARD \

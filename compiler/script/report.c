@@ -129,6 +129,24 @@ void format_cell_rounded(Buf *out, SmType type, uint64_t cell) { append_cell(out
 
 // Appends the value of a cell with the fewest digits that read back as the same double.
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, format_number_shortest); }
+
+// Appends x, which is an F32, with the fewest digits that round to it.
+static void append_f32(Buf *out, double x)
+{
+    char digits[40];
+
+    if (append_nonfinite(out, x))
+        return;
+    for (int precision = 1; precision <= 9; precision++) {
+        snprintf(digits, sizeof digits, "%.*g", precision, x);
+        if ((float)strtod(digits, NULL) == (float)x)
+            break;
+    }
+    format_number_shortest(out, strtod(digits, NULL));
+}
+
+void format_cell_stored(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, type == SM_F32 ? append_f32 : format_number_shortest); }
+
 // Floats in hexadecimal, as C99 %a; all other values in decimal.
 void format_cell_exact(Buf *out, SmType type, uint64_t cell) { append_cell(out, type, cell, append_hex); }
 

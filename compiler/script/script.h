@@ -132,6 +132,8 @@ void format_cell_exact(Buf *out, SmType type, uint64_t cell);
 // Append a value with the fewest digits that read back as the same double.
 void format_cell_shortest(Buf *out, SmType type, uint64_t cell);
 void format_number_shortest(Buf *out, double x);
+// Appends a value with the fewest digits that are the same value once they are stored in the type: 0.1 for an F32.
+void format_cell_stored(Buf *out, SmType type, uint64_t cell);
 
 // Returns the variables in the order of reports and traces; allocated in `arena`.
 const Var **report_order(Arena *arena, const Program *p);

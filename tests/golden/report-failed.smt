@@ -189,7 +189,8 @@ Costs
 
 VM instructions in the longest step of each state, computed from the image that flies. No step can
 take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
-`.exit`.
+`.exit`. The cycles are those of the step that takes most cycles, which can be another step than
+the one with most instructions.
 
   State  First step  Later steps  Most expensive lines of the longest step  Cycles on AVR
   Idle            5            5  line 8: 5                                          1817

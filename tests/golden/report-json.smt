@@ -83,7 +83,7 @@ bool valve    # lets "fuel" in
     "No script was run. Name scripts after the machine, as in `smc report tank.sm tank.ss`."]},
  "cost": {"title": "Costs",
    "text": [
-    "VM instructions in the longest step of each state, computed from the image that flies. No step can take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs `.exit`.",
+    "VM instructions in the longest step of each state, computed from the image that flies. No step can take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs `.exit`. The cycles are those of the step that takes most cycles, which can be another step than the one with most instructions.",
     "The longest step at 16 MHz. This is an estimate: for each instruction it assumes the highest cost that was measured on an ATmega328P, for any operands. In tests, real steps took between a third and three quarters of the estimate. It is not proved that no step can take longer. The cost of emitted C depends on the compiler and is not estimated.",
     "RAM of this machine on the VM of a 64-bit computer. A board with shorter pointers needs slightly less. The state vector is shared with the application and is not included."],
    "tables": {

@@ -37,7 +37,8 @@ What no script notices
 ----------------------
 
 The machine is changed in one place at a time, and all scripts run again. A change that no script
-notices is a fault that these tests would not find. The most dangerous ones come first.
+notices is a fault that these tests would not find. The most dangerous ones come first. The inputs
+that would show a change are left out on paper.
 
 The scripts notice 4 of 12 changes (33.3 %). Changes that make no difference are not counted: 0.
 
@@ -45,18 +46,18 @@ The scripts notice 4 of 12 changes (33.3 %). Changes that make no difference are
   Fill         4  12
 
 On the way to an abort
-  Line  As written         Change that no script notices                                    Inputs that would show it
-    10  p > 825: -> Abort  `p > 825` changed to `0` in Fill, on the way to an @abort state  from Fill, at G = 0: p = 900; at G = 10, S differs
-    10  p > 825: -> Abort  `>` changed to `>=` in Fill, on the way to an @abort state       from Fill, at G = 0: p = 825; at G = 10, S differs
-    10  p > 825: -> Abort  `825` changed to `743` in Fill, on the way to an @abort state    from Fill, at G = 0: p = 825; at G = 10, S differs
-    10  p > 825: -> Abort  `825` changed to `907` in Fill, on the way to an @abort state    from Fill, at G = 0: p = 900; at G = 10, S differs
-    10  p > 825: -> Abort  `-> Abort` removed in Fill, on the way to an @abort state        from Fill, at G = 0: p = 900; at G = 10, S differs
+  Line  As written         Change that no script notices     Inputs that would show it
+    10  p > 825: -> Abort  `p > 825` changed to `0` in Fill  from Fill, at G = 0: p = 900; at G = 10, S differs
+    10  p > 825: -> Abort  `>` changed to `>=` in Fill       from Fill, at G = 0: p = 825; at G = 10, S differs
+    10  p > 825: -> Abort  `825` changed to `743` in Fill    from Fill, at G = 0: p = 825; at G = 10, S differs
+    10  p > 825: -> Abort  `825` changed to `907` in Fill    from Fill, at G = 0: p = 900; at G = 10, S differs
+    10  p > 825: -> Abort  `-> Abort` removed in Fill        from Fill, at G = 0: p = 900; at G = 10, S differs
 
 At an output
-  Line  As written      Change that no script notices              Inputs that would show it
-     9  open = p > 700  `>` changed to `>=` in Fill, an output     from Fill, at G = 0: p = 700; at G = 0, open differs
-     9  open = p > 700  `700` changed to `630` in Fill, an output  from Fill, at G = 0: p = 700; at G = 0, open differs
-     9  open = p > 700  `700` changed to `770` in Fill, an output  from Fill, at G = 0: p = 702.0723684210526; at G = 0, open differs
+  Line  As written      Change that no script notices   Inputs that would show it
+     9  open = p > 700  `>` changed to `>=` in Fill     from Fill, at G = 0: p = 700; at G = 0, open differs
+     9  open = p > 700  `700` changed to `630` in Fill  from Fill, at G = 0: p = 700; at G = 0, open differs
+     9  open = p > 700  `700` changed to `770` in Fill  from Fill, at G = 0: p = 702.0723684210526; at G = 0, open differs
 
 What it costs
 =============
@@ -66,7 +67,8 @@ Costs
 
 VM instructions in the longest step of each state, computed from the image that flies. No step can
 take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
-`.exit`.
+`.exit`. The cycles are those of the step that takes most cycles, which can be another step than
+the one with most instructions.
 
   State  First step  Later steps  Most expensive lines of the longest step  Cycles on AVR
   Fill            7            7  line 9: 4, line 10: 3                              2428

@@ -27,10 +27,10 @@ Parameters that can be set
 Values that are set before the machine starts, without compiling it again. The findings are true of
 every value in the range.
 
-  Parameter  Type  Unit  Range        Default              Value                Comment               Read in    Line
-  limit      F64   m     150 to 1000  450                  450                  where the main opens  Run, Next     6
-  gain       F32         -1.5 to 1.5  0.10000000149011612  0.10000000149011612                        Run           7
-  on         bool                     true                 true                                       Run           8
+  Parameter  Type  Unit  Range        Default  Value  Comment               Read in    Line
+  limit      F64   m     150 to 1000  450      450    where the main opens  Run, Next     6
+  gain       F32         -1.5 to 1.5  0.1      0.1                          Run           7
+  on         bool                     true     true                         Run           8
 
 Parameters
 Named values that the machine never changes.

@@ -301,7 +301,8 @@ Costs
 
 VM instructions in the longest step of each state, computed from the image that flies. No step can
 take more. The first step of a state also runs `.entry`, and a step that leaves the state also runs
-`.exit`.
+`.exit`. The cycles are those of the step that takes most cycles, which can be another step than
+the one with most instructions.
 
 Of each step, 3 instructions take the samples of windows. What a sample costs in addition to its
 instruction depends on the window.

@@ -81,6 +81,14 @@ expect "--net without --sv" ends_with 2 "$smc" report "$examples/mission/mission
 echo 'send beacon every 1 s to 10.0.0.2:1 { nowhere }' >"$out/wrong.net"
 expect "messages with an error" ends_with 1 "$smc" report "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "--net=$out/wrong.net"
 
+# On paper, long names can be divided between their words, and short ones cannot.  Options keep their hyphens.
+page stand 0 "$examples/teststand/stand.sm" "--sv=$examples/teststand/teststand.sv" "$examples"/teststand/stand*.ss
+page mutated 0 "$examples/parachutes/parachutes.sm" "$examples/parachutes/parachutes.ss" --mutate
+expect "a long name is divided" grep -q '<code>chamber<wbr/>PressureA</code>' "$out/stand.html"
+expect "a short one is not" grep -q '<code>leastTank</code>' "$out/stand.html"
+expect "an option is not divided" grep -q '<code class="b">--mutate</code>' "$out/stand.html"
+expect "inputs that would show a change are on a screen only" grep -q '<td class="screen">from Pad, at G = ' "$out/mutated.html"
+
 # A diagram that is readable on part of a page is marked as low, others are not.
 expect "a low diagram" grep -q '<figure class="diagram low"' "$out/tank.html"
 expect "a diagram that is legible on a page of its own only" sh -c "! grep -q '<figure class=\"diagram low\"' '$out/chilldown.html'"
@@ -92,6 +100,7 @@ expect "a diagram that is not low" grep -q '<figure class="diagram"' "$out/ignit
 page star 0 "$root/tests/graph/machines/star.sm"
 slices_fit() { grep -o '^<svg[^>]* width="[0-9]*"' "$1" | tail -n +2 | sed 's/.*width="//; s/"//' | awk '$1 > 1564 { wide++ } END { exit NR < 2 || wide }'; }
 expect "slices of a wide diagram fit on a page" slices_fit "$out/star.html"
+expect "slices without a text are left out" test "$(grep -c '^<svg' "$out/star.html")" -eq 4
 expect "a screen shows it at 80 % of its width at least" grep -q '<figure class="diagram large" style="--width:1[0-9]*px">' "$out/star.html"
 
 # The JSON is valid, if python3 exists to check it.
