@@ -33,7 +33,7 @@ void arena_init(Arena *a, SmcAllocFn alloc, void *context, jmp_buf *oom)
     a->oom = oom;
 }
 
-// The allocator of an arena within another one.
+// Allocates a chunk for an arena within another one (`parent`).
 static void *alloc_within(void *parent, void *old, size_t size)
 {
     (void)old;                                        // an arena frees or allocates, it never resizes
@@ -46,6 +46,7 @@ void arena_init_within(Arena *a, Arena *parent)
     arena_init(a, alloc_within, parent, parent->oom);
 }
 
+// Frees a chunk. An arena within another one cannot return it to its parent, so it stores it in its list of spare chunks.
 static void free_chunk(Arena *a, ArenaChunk *c)
 {
     if (a->alloc == alloc_within) {
@@ -68,7 +69,7 @@ void arena_free(Arena *a)
     a->next = a->end = a->zeroed_end = NULL;
 }
 
-// Frees every object, but keeps the newest chunk for later allocations.
+// Returns the total size of the chunks, in bytes.
 size_t arena_size(const Arena *a)
 {
     size_t size = 0;
@@ -78,6 +79,7 @@ size_t arena_size(const Arena *a)
     return size;
 }
 
+// Frees every object, but keeps the newest chunk for later allocations.
 void arena_reset(Arena *a)
 {
     ArenaChunk *newest = a->chunk;
@@ -97,6 +99,7 @@ static char *start_of_chunk(ArenaChunk *c) { return (char *)c + HEADER; }
 // Returns how many bytes of a chunk are in use: of the newest, up to a->next.
 static size_t used_bytes(const Arena *a, ArenaChunk *c) { return c == a->chunk ? (size_t)(a->next - start_of_chunk(c)) : c->size; }
 
+// Copies the contents of all chunks into another arena, for arena_restore.
 void arena_save(const Arena *a, Arena *into, ArenaCopy *copy)
 {
     size_t n = 0;
@@ -112,6 +115,7 @@ void arena_save(const Arena *a, Arena *into, ArenaCopy *copy)
     }
 }
 
+// Frees the chunks that were allocated since arena_save, and restores the contents of the others.
 void arena_restore(Arena *a, const ArenaCopy *copy)
 {
     ArenaChunk *spare;
@@ -146,6 +150,7 @@ static ArenaChunk *take_spare_chunk(Arena *a, size_t wanted)
     return c;
 }
 
+// Adds a chunk with room for `wanted` bytes: a spare one if it fits, else a new one, twice as large as the last.
 static void add_chunk(Arena *a, size_t wanted)
 {
     size_t size = a->chunk ? a->chunk->size * 2 : FIRST_CHUNK;

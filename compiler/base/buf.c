@@ -11,6 +11,7 @@ void buf_init(Buf *b, Arena *arena)
     b->arena = arena;
 }
 
+// Makes room for n more bytes and the final NUL.
 static void reserve_bytes(Buf *b, size_t n)
 {
     size_t cap = b->cap ? b->cap : 128;

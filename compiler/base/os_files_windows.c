@@ -50,8 +50,8 @@ bool os_read_file(const char *path, size_t most, char **text, size_t *len, const
     return ok;
 }
 
-// Returns false if no regular file has this name.
-static bool get_information(const char *path, BY_HANDLE_FILE_INFORMATION *information)
+// Reads the size, identity and number of links of a file. Returns false if no regular file has this name.
+static bool read_file_information(const char *path, BY_HANDLE_FILE_INFORMATION *information)
 {
     const HANDLE file = windows_open_existing(path, FILE_READ_ATTRIBUTES);
     const bool ok = file != INVALID_HANDLE_VALUE && GetFileType(file) == FILE_TYPE_DISK && GetFileInformationByHandle(file, information) &&
@@ -70,7 +70,7 @@ bool os_read_head(const char *path, char *into, size_t n, size_t *len)
     long got;
 
     *len = 0;
-    if (!get_information(path, &information))
+    if (!read_file_information(path, &information))
         return true;
     if ((file = windows_open_existing(path, GENERIC_READ)) == INVALID_HANDLE_VALUE)
         return false;
@@ -102,7 +102,7 @@ bool os_same_file(const char *a, const char *b)
 {
     BY_HANDLE_FILE_INFORMATION x, y;
 
-    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0 || !get_information(a, &x) || !get_information(b, &y))
+    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0 || !read_file_information(a, &x) || !read_file_information(b, &y))
         return false;
     return x.dwVolumeSerialNumber == y.dwVolumeSerialNumber && x.nFileIndexHigh == y.nFileIndexHigh && x.nFileIndexLow == y.nFileIndexLow;
 }
@@ -111,7 +111,7 @@ bool os_has_other_names(const char *path)
 {
     BY_HANDLE_FILE_INFORMATION information;
 
-    return get_information(path, &information) && information.nNumberOfLinks > 1;
+    return read_file_information(path, &information) && information.nNumberOfLinks > 1;
 }
 
 // ---- writing ----
@@ -132,7 +132,7 @@ bool windows_write_all(HANDLE file, const void *bytes, size_t n, const char **wh
     return true;
 }
 
-// Other messages go to stderr by stdio, which the C runtime buffers where stderr is a file or a pipe: they come first.
+// Prints after flushing stderr: the C runtime buffers it if it is a file or a pipe, and earlier messages have to come first.
 bool os_print(int fd, const void *bytes, size_t n, const char **why)
 {
     fflush(stderr);
@@ -238,7 +238,7 @@ static HANDLE open_temporary(const char *target, int number, const char **why)
 
 // Closes a temporary file.  FlushFileBuffers stores its bytes on the medium before the rename, so that after a power cut either the old
 // file or the complete new one exists.
-static bool close_temporary(HANDLE file, bool ok, const char **why)
+static bool flush_and_close_temporary(HANDLE file, bool ok, const char **why)
 {
     if (ok && !FlushFileBuffers(file))
         ok = windows_set_reason(why);
@@ -280,6 +280,7 @@ bool os_replace_file(const char *temp, const char *target, const char **why)
     return ok;
 }
 
+// Writes one output without a temporary file. Returns false and sets *why if that fails.
 static bool write_directly(const OsOutput *out, const char **why)
 {
     bool ok, is_own;
@@ -303,7 +304,7 @@ bool os_write_temporary(const OsOutput *out, int number, char **target, const ch
         return write_directly(out, why);
     if ((*target = resolve_target(out->path, why)) == NULL || (file = open_temporary(*target, number, why)) == INVALID_HANDLE_VALUE)
         return false;
-    return close_temporary(file, windows_write_all(file, out->bytes, out->n, why), why);
+    return flush_and_close_temporary(file, windows_write_all(file, out->bytes, out->n, why), why);
 }
 
 bool os_stream_open(OsStream *s, const char *path, const char **why)
@@ -342,7 +343,7 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
 
     if (s->is_direct)
         return s->is_own || CloseHandle(windows_handle(s->fd)) || windows_set_reason(why);
-    ok = close_temporary(windows_handle(s->fd), true, why);
+    ok = flush_and_close_temporary(windows_handle(s->fd), true, why);
     os_signals_delay();
     if (ok && keep)
         ok = os_replace_file(os_unfinished_path(OS_STREAM_NUMBER), s->target, why);

@@ -36,6 +36,7 @@ const char os_null_device[] = "/dev/null";
 
 void os_start(int *argc, char ***argv) { (void)argc, (void)argv; }
 
+// Sets *why to the text of errno. Always returns false, the result of the failed function.
 static bool set_reason(const char **why)
 {
     *why = strerror(errno);
@@ -157,7 +158,7 @@ bool os_print(int fd, const void *bytes, size_t n, const char **why)
 }
 
 // Returns the mode of the replaced file, or else the default mode of a new file.
-static mode_t mode_for_output(const char *target)
+static mode_t file_mode_for_output(const char *target)
 {
     struct stat st;
     mode_t mask = umask(0);
@@ -166,7 +167,7 @@ static mode_t mode_for_output(const char *target)
     return stat(target, &st) == 0 ? st.st_mode & 07777 : (mode_t)(0666 & ~mask);
 }
 
-// A special file is written directly, because renaming cannot replace it.
+// Whether a path is a device, a pipe or an open descriptor, to which output is written directly: a renamed file cannot replace it.
 bool os_is_special(const char *path)
 {
     struct stat st;
@@ -225,14 +226,14 @@ static int open_temporary(const char *target, int number, const char **why)
 
 // Gives the temporary file the owner and mode of the file that it will replace, and closes it. fsync stores its bytes on the medium before
 // the rename, so that after a power cut either the old file or the complete new one exists.
-static bool close_temporary(int fd, const char *target, bool ok, const char **why)
+static bool flush_and_close_temporary(int fd, const char *target, bool ok, const char **why)
 {
     struct stat old, own;
 
     if (ok && stat(target, &old) == 0 && fstat(fd, &own) == 0 && (old.st_uid != own.st_uid || old.st_gid != own.st_gid) &&
         fchown(fd, old.st_uid, old.st_gid) != 0)
         errno = 0;                                    // only root can change a file's owner
-    if (ok && (fchmod(fd, mode_for_output(target)) != 0 || fsync(fd) != 0))
+    if (ok && (fchmod(fd, file_mode_for_output(target)) != 0 || fsync(fd) != 0))
         ok = set_reason(why);
     if (close(fd) != 0 && ok)
         ok = set_reason(why);
@@ -263,7 +264,7 @@ bool os_write_temporary(const OsOutput *out, int number, char **target, const ch
         return write_directly(out, why);
     if ((*target = resolve_target(out->path, why)) == NULL || (fd = open_temporary(*target, number, why)) < 0)
         return false;
-    return close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
+    return flush_and_close_temporary(fd, *target, write_all(fd, out->bytes, out->n, why), why);
 }
 
 bool os_replace_file(const char *temp, const char *target, const char **why) { return rename(temp, target) == 0 || set_reason(why); }
@@ -302,7 +303,7 @@ bool os_stream_close(OsStream *s, bool keep, const char **why)
 
     if (s->is_direct)
         return s->is_own || close(s->fd) == 0 || set_reason(why);
-    ok = close_temporary(s->fd, s->target, true, why);
+    ok = flush_and_close_temporary(s->fd, s->target, true, why);
     if (ok && keep)
         ok = os_replace_file(os_unfinished_path(OS_STREAM_NUMBER), s->target, why);
     if (!ok || !keep)

@@ -75,13 +75,14 @@ bool os_write_private(const char *path, const void *bytes, size_t n, const char 
     return ok;
 }
 
-// Whether a user other than the owner is meant. The system and the administrators can read every file.
+// Whether `sid` is a user other than the owner. The system and the administrators do not count, because they can read every file.
 static bool is_other_user(PSID sid, PSID owner)
 {
     return !EqualSid(sid, owner) && !IsWellKnownSid(sid, WinLocalSystemSid) && !IsWellKnownSid(sid, WinBuiltinAdministratorsSid) &&
            !IsWellKnownSid(sid, WinCreatorOwnerSid) && !IsWellKnownSid(sid, WinCreatorOwnerRightsSid);
 }
 
+// Whether a list of access rights allows any user but the owner and the system to read the file.
 static bool others_can_read(ACL *acl, PSID owner)
 {
     const DWORD reads = FILE_READ_DATA | GENERIC_READ | GENERIC_ALL;

@@ -19,6 +19,7 @@ static wchar_t *left_folder;
 
 // ---- folders ----
 
+// Returns folder\name, on the heap; NULL: out of memory.
 static wchar_t *child_path(const wchar_t *folder, const wchar_t *name)
 {
     wchar_t *path = malloc((wcslen(folder) + wcslen(name) + 2) * sizeof *path);
@@ -112,7 +113,8 @@ static bool has_partners(void)
     return false;
 }
 
-// Windows does not remove the file of a running program, nor at once that of a program that has just ended.
+// Removes the folder that os_remove_folder could not remove yet. Windows refuses to remove the file of a running program, and of one that has just
+// ended, so this function tries several times.
 static void remove_left_folder(void)
 {
     for (int i = 0; left_folder && !remove_wide_folder(left_folder) && i < REMOVE_TRIES; i++)
@@ -144,6 +146,7 @@ void windows_end_processes(void)
 
 typedef struct Line { wchar_t *text; size_t n, cap; } Line;
 
+// Appends a character `times` times. Returns false if memory is exhausted.
 static bool put_wide(Line *l, wchar_t c, size_t times)
 {
     if (l->n + times + 1 > l->cap) {
@@ -191,7 +194,7 @@ static wchar_t *command_line(const char *const *argv)
     return NULL;
 }
 
-// Returns the file of a program: of a name without folder, that in PATH. Neither the current folder nor batch files are searched, and .exe
+// Returns the path of a program. A name without a folder is searched in PATH. Neither the current folder nor batch files are searched, and .exe
 // is added where it is missing.  On the heap; NULL, with the last error set, if no such program exists.
 static wchar_t *find_program(const char *name)
 {
@@ -273,7 +276,7 @@ static HANDLE open_inherited(const char *path, DWORD access, DWORD how)
 static const wchar_t *const temp_names[] = {L"TMPDIR", L"TMP", L"TEMP"};
 enum { TEMP_NAMES = sizeof temp_names / sizeof *temp_names };
 
-// Replaces the variables, and stores what they were in before[].
+// Sets the environment variables that name the folder for temporary files, and stores their previous values in before[].
 static void replace_temp_variables(const char *temp, wchar_t *before[TEMP_NAMES])
 {
     wchar_t *wide = windows_wide(temp);
@@ -289,6 +292,7 @@ static void replace_temp_variables(const char *temp, wchar_t *before[TEMP_NAMES]
     free(wide);
 }
 
+// Sets the variables back to the values that replace_temp_variables stored, and frees these.
 static void restore_temp_variables(wchar_t *before[TEMP_NAMES])
 {
     for (int i = 0; i < TEMP_NAMES; i++) {

@@ -39,6 +39,7 @@ static const struct { unsigned long bits_per_second; speed_t speed; } speeds[] =
 #endif
 };
 
+// Finds the constant of termios for a speed. Returns false for a speed that is not supported.
 static bool find_speed(unsigned long bits_per_second, speed_t *speed)
 {
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
@@ -49,7 +50,7 @@ static bool find_speed(unsigned long bits_per_second, speed_t *speed)
     return false;
 }
 
-// Returns false, with errno set, if the device refuses the mode.
+// Sets the line to bytes without any translation, flow control or echo. Returns false, with errno set, if the device refuses.
 static bool set_raw_mode(int fd, speed_t speed)
 {
     struct termios t;
@@ -174,6 +175,7 @@ bool os_tcp_open(const char *address, int *fd, const char **why)
     return open;
 }
 
+// Opens a connection to a board or an application: HOST:PORT by TCP, a socket in the file system, or else a serial port.
 bool os_line_open(const char *where, unsigned long bits_per_second, int *fd, const char **why)
 {
     struct stat s;

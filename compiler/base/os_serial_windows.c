@@ -24,7 +24,7 @@ static wchar_t *port_path(const char *path)
     return windows_wide(prefixed);
 }
 
-// Returns false if the device is no serial line, or refuses the mode.
+// Sets the port to bytes without any translation or flow control. Returns false if it is no serial line, or refuses.
 static bool set_raw_mode(HANDLE port, unsigned long bits_per_second, const char **why)
 {
     DCB dcb;
@@ -137,7 +137,8 @@ bool os_socket_open(const char *path, int *fd, const char **why)
     return false;
 }
 
-// A number after the last ':' cannot be part of a path of Windows.
+// Opens a connection to a board or an application: HOST:PORT by TCP, or else a serial port.  A number after the last ':' cannot be part of a path
+// of Windows.
 bool os_line_open(const char *where, unsigned long bits_per_second, int *fd, const char **why)
 {
     const char *port = strrchr(where, ':');
@@ -146,6 +147,7 @@ bool os_line_open(const char *where, unsigned long bits_per_second, int *fd, con
     return is_address ? os_tcp_open(where, fd, why) : os_serial_open(where, bits_per_second, fd, why);
 }
 
+// Whether os_line_open has opened a socket, not a serial port.
 static bool is_socket(int fd)
 {
     int type, n = sizeof type;
@@ -153,6 +155,7 @@ static bool is_socket(int fd)
     return getsockopt((SOCKET)windows_handle(fd), SOL_SOCKET, SO_TYPE, (char *)&type, &n) == 0;
 }
 
+// Sends all n bytes. Returns false if the connection accepts none for SEND_TIMEOUT_MS, or is closed.
 static bool send_to_socket(SOCKET s, const uint8_t *bytes, size_t n)
 {
     while (n > 0) {
@@ -166,7 +169,7 @@ static bool send_to_socket(SOCKET s, const uint8_t *bytes, size_t n)
     return true;
 }
 
-// As os_serial_receive.
+// os_serial_receive for a socket: returns the number of bytes received, 0 after `wait` ms without any, -1 if the connection is closed.
 static int receive_from_socket(SOCKET s, uint8_t *bytes, size_t room, uint32_t wait)
 {
     WSAPOLLFD p = {s, POLLIN, 0};
@@ -179,7 +182,7 @@ static int receive_from_socket(SOCKET s, uint8_t *bytes, size_t room, uint32_t w
 // ---- reading and writing ----
 
 // Sets how long a read waits: until the first byte, at most `wait` ms.  (With MAXDWORD twice, Windows returns as soon as a byte is there.)
-static bool set_timeouts(HANDLE port, uint32_t wait)
+static bool set_port_timeouts(HANDLE port, uint32_t wait)
 {
     COMMTIMEOUTS t = {MAXDWORD, MAXDWORD, wait, 0, SEND_TIMEOUT_MS};
 
@@ -196,7 +199,7 @@ bool os_serial_send(int fd, const uint8_t *bytes, size_t n)
     if (is_socket(fd))
         return send_to_socket((SOCKET)port, bytes, n);
     for (; n > 0; bytes += put, n -= put)
-        if (!set_timeouts(port, 0) || !WriteFile(port, bytes, (DWORD)n, &put, NULL) || put == 0)
+        if (!set_port_timeouts(port, 0) || !WriteFile(port, bytes, (DWORD)n, &put, NULL) || put == 0)
             return false;
     return true;
 }
@@ -210,7 +213,7 @@ int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait)
         wait = WAIT_MOST_MS;
     if (is_socket(fd))
         return receive_from_socket((SOCKET)port, bytes, room, wait);
-    if (!set_timeouts(port, wait) || !ReadFile(port, bytes, (DWORD)room, &got, NULL))
+    if (!set_port_timeouts(port, wait) || !ReadFile(port, bytes, (DWORD)room, &got, NULL))
         return -1;
     // the device may be gone: some drivers then report 0 bytes read instead of an error
     return got > 0 ? (int)got : ClearCommError(port, &state, NULL) ? 0 : -1;

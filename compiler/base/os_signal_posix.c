@@ -48,6 +48,7 @@ static void end_process(int number)
     _exit(128 + number);
 }
 
+// The handler of signals: ends the process, or while os_signals_delay is in effect, only records the signal.
 static void on_signal(int number)
 {
     if (!held)
@@ -55,7 +56,7 @@ static void on_signal(int number)
     waiting = number;
 }
 
-// The handler is installed without SA_RESTART, so a blocking call returns, and its caller can query os_signal_waiting.
+// Installs the handlers. Without SA_RESTART, a blocking call returns after a signal, and its caller can query os_signal_waiting.
 void os_signals_begin(void)
 {
     struct sigaction action;
@@ -82,6 +83,7 @@ void os_signals_end(void)
             sigaction(numbers[i], &before[i], NULL);
 }
 
+// Delays the effect of signals until the matching os_signals_resume.
 void os_signals_delay(void)
 {
     os_signals_begin();

@@ -154,7 +154,7 @@ char *windows_plain_path(const wchar_t *path)
     return plain;
 }
 
-// The Unix names of the standard streams are accepted, so that a script for both systems needs no second form.
+// Returns the number of the standard stream that a path names, else -1. The names are those of Unix, so that a script works on both systems.
 int os_find_descriptor(const char *path)
 {
     static const char *const names[][2] = {{"/dev/stdin", "/dev/fd/0"}, {"/dev/stdout", "/dev/fd/1"}, {"/dev/stderr", "/dev/fd/2"}};
@@ -264,7 +264,7 @@ bool os_is_terminal(int fd)
     return GetConsoleMode(windows_standard_stream(fd), &mode);
 }
 
-// Consoles before Windows 10 do not understand escape sequences.
+// Whether a stream is a console that understands escape sequences for colours: Windows 10 and later.
 bool os_shows_colors(int fd)
 {
     const char *term = os_getenv("TERM");
@@ -274,7 +274,7 @@ bool os_shows_colors(int fd)
            SetConsoleMode(windows_standard_stream(fd), mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
 
-// Values are stored as long as the process lives: few variables are read, each only a few times.
+// Returns the value of an environment variable, NULL if it is absent or empty.  Values are never freed: few variables are read, each rarely.
 const char *os_getenv(const char *name)
 {
     wchar_t *wide = windows_wide(name), *value = NULL;

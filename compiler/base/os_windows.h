@@ -38,7 +38,7 @@ HANDLE windows_open_existing(const char *path, DWORD access);
 HANDLE windows_create_new(const char *path, SECURITY_ATTRIBUTES *security, const char **why);
 bool windows_write_all(HANDLE file, const void *bytes, size_t n, const char **why);
 
-HANDLE windows_standard_stream(int fd);                           // of stdin, stdout and stderr, 0 to 2
+HANDLE windows_standard_stream(int fd);                           // returns the handle of stdin (0), stdout (1) or stderr (2)
 
 // The sentence of an error of Windows, as POSIX systems word it.  windows_set_reason stores that of GetLastError, windows_set_no_memory
 // stores "out of memory"; both return false.

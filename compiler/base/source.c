@@ -30,7 +30,7 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
     return s;
 }
 
-// Returns line and column, each from 1, of the byte at `at`.
+// Returns a copy of the source for the statements of [all_states] as they apply to this state (Source.written).
 Source *source_copy_for_state(Arena *arena, const Source *s, const char *state)
 {
     Source *copy = arena_copy(arena, s, sizeof *s);
@@ -40,6 +40,7 @@ Source *source_copy_for_state(Arena *arena, const Source *s, const char *state)
     return copy;
 }
 
+// Returns line and column, each from 1, of the byte at offset `at`.
 LineCol source_position(const Source *s, uint32_t at)
 {
     uint32_t low = 0, high = s->lines;      // invariant: line[low] <= at < line[high]

@@ -14,7 +14,7 @@ typedef struct Source {
     uint32_t len;
     uint32_t *line;       // line[i]: offset of the first byte of line i + 1
     uint32_t lines;       // number of lines; at least 1
-    uint32_t number;      // a number for the use of the owner; initially 0
+    uint32_t number;      // free for use by the code that created the source; initially 0
 
     // A copy of a source whose statements belong to several states ([all_states] of a machine), one for each of these states. Positions in it
     // tell which state they belong to. Diagnostics replace it by the source itself.

@@ -31,6 +31,7 @@ void str_pool_init(StrPool *p, Arena *arena)
     p->arena = arena;
 }
 
+// Doubles the hash table and inserts every string again.
 static void grow_pool(StrPool *p)
 {
     size_t cap = p->cap ? p->cap * 2 : 256;
@@ -48,7 +49,7 @@ static void grow_pool(StrPool *p)
     p->cap = cap;
 }
 
-// The slot of the string, or the free slot where it would be inserted.
+// Returns the slot of the string in the hash table, or the free slot where it would be inserted.
 static size_t find_slot(const StrPool *p, const char *text, size_t len, uint32_t hash)
 {
     size_t at = hash & (p->cap - 1);
@@ -106,6 +107,7 @@ void str_mark(StrPool *p, const char *text, uint8_t mark)
     find_or_add_string(p, text, strlen(text))->mark = mark;
 }
 
+// Returns the smallest of the three.
 static size_t smallest(size_t a, size_t b, size_t c)
 {
     size_t m = a < b ? a : b;
@@ -156,6 +158,7 @@ void *map_find(const Map *m, Str key)
     return m->cap ? m->value[find_map_slot(m, key)] : NULL;
 }
 
+// Doubles the hash table and inserts every key again.
 static void grow_map(Map *m)
 {
     Map bigger = {m->arena, NULL, NULL, m->cap ? m->cap * 2 : 16, m->n};

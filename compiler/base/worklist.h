@@ -20,6 +20,7 @@ static inline Worklist worklist_new(Arena *arena, size_t limit)
     return (Worklist){ARENA_ARRAY(arena, uint32_t, limit), ARENA_ARRAY(arena, bool, limit), 0, 0, limit};
 }
 
+// Adds a number at the end, unless it is in the queue.
 static inline void worklist_add(Worklist *w, uint32_t number)
 {
     if (w->queued[number])
@@ -52,6 +53,7 @@ static inline SweepList sweep_list_new(Arena *arena, size_t limit)
     return (SweepList){ARENA_ARRAY(arena, uint64_t, words), 0, words};
 }
 
+// Adds a number, unless it is in the list.
 static inline void sweep_list_add(SweepList *w, uint32_t number)
 {
     w->n += !bitset_has(w->queued, number);

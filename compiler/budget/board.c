@@ -21,6 +21,7 @@ const Board *board_find(const char *mcu)
     return NULL;
 }
 
+// Returns the first board of the table, sorted by size, that has room for the image and RAM and knows all functions of the set; NULL: none.
 const Board *board_smallest(uint32_t image, uint32_t ram, uint32_t functions)
 {
     for (size_t i = 0; i < BOARDS; i++)

@@ -45,8 +45,8 @@ static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 // ---- reading a function ----
 
-// Reads the instruction at this position into *out and returns the position of the next one.  `end`: of the function.  Positions must
-// ascend from call to call, because the line table is read along with the instructions.
+// Reads the instruction at this position into *out and returns the position of the next one.  `end`: position of the end of the function.  Positions
+// must ascend from call to call, because the line table is read along with the instructions.
 static uint32_t read_ins(ImageReader *r, uint32_t at, uint32_t end, ImageIns *out)
 {
     const uint8_t op = smvm_u8(r->m.image, at);
@@ -144,6 +144,7 @@ typedef struct LongestStep {
     PathEnd entry_path, step_path;    // how .entry and .step end
 } LongestStep;
 
+// Replaces *best by s if s costs more.
 static void update_longest(LongestStep *best, LongestStep s)
 {
     if (s.n > best->n)
@@ -151,7 +152,7 @@ static void update_longest(LongestStep *best, LongestStep s)
 }
 
 // Updates *best with the longest step that begins like s and then runs .step, and .exit if .step leaves the state.
-static void try_step_paths(LongestStep *best, const ImageFn *f, LongestStep s)
+static void update_longest_with_step(LongestStep *best, const ImageFn *f, LongestStep s)
 {
     const uint32_t before = s.n;
 
@@ -179,12 +180,13 @@ static LongestStep longest_first_step(const ImageFn *f)
     if (f[COST_ENTRY].longest[PATH_LEAVES])
         update_longest(&best, left);
     if (f[COST_ENTRY].ends)
-        try_step_paths(&best, f, ended);
+        update_longest_with_step(&best, f, ended);
     return best;
 }
 
-// Fills in the costs of a state's steps, and the path of the most expensive one.
-static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample, StateCost *s)
+// Computes the costs of the first and of later steps of a state, and the path of the most expensive step. sample: the function that runs in every
+// step.
+static void compute_state_cost(ImageReader *r, uint32_t state, const ImageFn *sample, StateCost *s)
 {
     ImageFn f[STATE_FUNCTIONS];
     LongestStep first, later = {0, false, false, false, PATH_ENDS, PATH_ENDS};
@@ -194,7 +196,7 @@ static void cost_of_state(ImageReader *r, uint32_t state, const ImageFn *sample,
         f[b] = read_function(r, 1 + STATE_FUNCTIONS * state + b);       // function 0 is the sample function
     first = longest_first_step(f);
     if (f[COST_ENTRY].ends && f[COST_STEP].ends)                // otherwise every path leaves the state in its first step
-        try_step_paths(&later, f, later);
+        update_longest_with_step(&later, f, later);
     s->first = r->always + sample->longest[PATH_ENDS] + first.n;
     s->later = f[COST_ENTRY].ends && f[COST_STEP].ends ? r->always + sample->longest[PATH_ENDS] + later.n : 0;
     s->worst = larger(s->first, s->later);
@@ -251,7 +253,7 @@ void cost_of_machine(Arena *arena, const uint8_t *image, uint32_t number, CostUn
     out->states = r.m.states;
     out->state = ARENA_ARRAY(arena, StateCost, r.m.states);
     for (uint32_t s = 0; s < r.m.states; s++) {
-        cost_of_state(&r, s, &sample, &out->state[s]);
+        compute_state_cost(&r, s, &sample, &out->state[s]);
         if (out->state[s].worst > out->worst || s == 0) {
             out->worst = out->state[s].worst;
             out->worst_state = s + 1;

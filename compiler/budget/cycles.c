@@ -40,6 +40,7 @@ uint32_t cycles_stack_bytes(bool calls)
 
 uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole) { return row_cycles[row][2 * chip + !whole]; }
 
+// Returns the cycles of a window operation, from the table: a fixed part, and one for each of the `slots` samples. type: of the samples.
 uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots)
 {
     const unsigned key = type == SM_F32 ? 4 : type == SM_F64 ? 5 : smvm_type_shift(type);
@@ -51,7 +52,7 @@ uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots)
 
 static const CyclesReg any_value = {false, true, UINT32_MAX};
 
-// Describes a register that contains a whole number of at most magnitude `most`; as any value, if that needs more than 32 bits.
+// Describes a register that contains a whole number of magnitude `most` or less. If that needs more than 32 bits, the result is any_value (unknown).
 static CyclesReg reg_of_whole(bool is_signed, uint64_t most)
 {
     const CyclesReg r = {true, is_signed, (uint32_t)most};
@@ -71,7 +72,7 @@ static CyclesReg reg_of_type(uint8_t type)
     }
 }
 
-// Describes X after an operation on X and Y; as any value, if a whole result may need more than 32 bits.
+// Describes register X after an operation on X and Y. If a whole result may need more than 32 bits, the result is any_value (unknown).
 static CyclesReg reg_of_binary(uint8_t op, const CyclesReg *x, const CyclesReg *y)
 {
     const uint64_t most = x->most > y->most ? x->most : y->most;
@@ -90,7 +91,7 @@ static CyclesReg reg_of_binary(uint8_t op, const CyclesReg *x, const CyclesReg *
     }
 }
 
-// Describes X after an operation on X alone.
+// Describes register X after an operation on X alone.
 static CyclesReg reg_of_unary(uint8_t op, const CyclesReg *x)
 {
     if (!x->whole || op == SMVM_neg || op == SMVM_sqrt || x->most > INT32_MAX)
@@ -124,6 +125,7 @@ static uint32_t cycles_of_window(const Cycles *c, uint32_t window, CyclesWindow 
     return cycles_of_window_row(has_median ? sorted : plain, (uint8_t)(kind & SM_ROLL_TYPE), entry & SMVM_WINDOW_SIZE_MASK);
 }
 
+// Whether a window stores times of changes, not samples.
 static bool stores_times(const Cycles *c, uint32_t window)
 {
     return (smvm_window(c->m->image, c->m->windows_at, (SmvmAt)window) >> SMVM_WINDOW_SIZE_BITS & SM_ROLL_TYPE) == SM_ROLL_TIMES;
@@ -183,6 +185,7 @@ static uint32_t cycles_of_jump(const Cycles *c, uint8_t op, const uint32_t *numb
     return row_cost(c, number[0] >= SMVM_VARINT_MID ? CYCLES_jxn_4 : number[0] >= SMVM_VARINT_1 ? CYCLES_jxn_2 : CYCLES_jxn, c->x.whole);
 }
 
+// Returns the row of avr_cycles.def for the elementary function with number n.
 static CyclesRow row_of_function(uint32_t n)
 {
     static const uint8_t row[SMVM_FN_MAX] = {
@@ -194,7 +197,7 @@ static CyclesRow row_of_function(uint32_t n)
     return (CyclesRow)row[n % SMVM_FN_MAX];
 }
 
-// Returns the cost of an instruction, without that of decoding long numbers.
+// Returns the cycles of an instruction, without those of decoding operands of several bytes.
 static uint32_t cycles_of_opcode(Cycles *c, uint8_t op, const uint32_t *number)
 {
     const CyclesReg constant = reg_of_whole(false, number[0]);

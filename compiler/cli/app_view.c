@@ -5,7 +5,7 @@
 
 // ---- messages ----
 
-const char *app_trial_end(uint8_t end)
+const char *app_trial_end_text(uint8_t end)
 {
     return end == SM_SWAP_WAS_CONFIRMED   ? "it was confirmed"
            : end == SM_SWAP_TOOK_TOO_LONG ? "it was not confirmed in time"
@@ -20,13 +20,14 @@ void app_describe_swap(Buf *out, const ApplicationSwap *s)
     case SM_SWAP_WAITING: buf_str(out, "a swap waits for the end of a tick\n"); break;
     case SM_SWAP_TRIAL: buf_str(out, "a swap is on trial; 'smc device confirm' keeps it\n"); break;
     case SM_SWAP_CONFIRMED: buf_str(out, "the last swap was confirmed\n"); break;
-    case SM_SWAP_RETURNED: buf_printf(out, "the old machines returned from the last swap: %s\n", app_trial_end(s->end)); break;
+    case SM_SWAP_RETURNED: buf_printf(out, "the old machines returned from the last swap: %s\n", app_trial_end_text(s->end)); break;
     default: buf_printf(out, "the last swap was refused: %s\n", application_reason_text(s->reason)); break;
     }
 }
 
 // ---- actions ----
 
+// Writes one line about a machine of the application: the checksum and the identity of its image, or that it cannot be swapped.
 static void describe_machine(Buf *out, const ApplicationMachine *m)
 {
     buf_printf(out, "%s: ", m->name);
@@ -74,6 +75,8 @@ int app_show_info(BoardLine *b, Buf *out)
     return app_list_machines(b, out);
 }
 
+// Reads the file of --key into `room` and points *key to it, if the application accepts signed swaps only; else *key is NULL. Returns EXIT_OK,
+// or the exit code after a message.
 int app_load_key(BoardLine *b, uint8_t room[16], const uint8_t **key)
 {
     int code;

@@ -18,6 +18,6 @@ int app_load_key(BoardLine *b, uint8_t room[16], const uint8_t **key);
 // Describes the phase of a swap and its reason or its end, as a line.
 void app_describe_swap(Buf *out, const ApplicationSwap *s);
 // Returns how a trial ended (SmSwapEnd), as a clause of a sentence.
-const char *app_trial_end(uint8_t end);
+const char *app_trial_end_text(uint8_t end);
 
 #endif

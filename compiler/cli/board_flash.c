@@ -102,6 +102,7 @@ static int report_refusal(BoardLine *b, const char *name, FlashRefusal refusal, 
 
 typedef struct Progress { uint32_t length; bool shown; } Progress;
 
+// Shows how many bytes have been sent: on a terminal, by rewriting one line. `p->shown`: standard error is a terminal.
 static void show_progress(void *context, uint32_t done)
 {
     const Progress *p = context;
@@ -115,6 +116,8 @@ static void show_progress(void *context, uint32_t done)
     }
 }
 
+// Reports the step at which an update failed, and whether the previous image remains. `before`: the image that ran before the update. Returns
+// the exit code.
 static int report_failure(BoardLine *b, const Update *u, const DeviceImage *before, DeviceStep step)
 {
     static const char *const previous_text[] = {TEXT_keeps_previous, TEXT_slot_until_start, TEXT_slot_lost, TEXT_slot_maybe_lost};
@@ -144,6 +147,7 @@ static int report_failure(BoardLine *b, const Update *u, const DeviceImage *befo
     return code;
 }
 
+// Prints which image ran before the update and which one runs now.
 static int report_success(BoardLine *b, const Update *u, const DeviceImage *before)
 {
     DeviceImage now;
@@ -187,6 +191,8 @@ static int send_image(BoardLine *b, const FlashImage *image, const DeviceImage *
     return report_success(b, &u, before);
 }
 
+// Warns about an image that the board accepts: it starts in a state without @safe, declares no pins, or overwrites the only slot. `running`:
+// the image that runs now.
 static void print_warnings(BoardLine *b, const char *name, const FlashImage *image, const DeviceImage *running)
 {
     SmvmMachine m;

@@ -12,8 +12,8 @@ typedef struct BoardLine {
     int fd;
     SerialLine line;
     LinkHost host;
-    DeviceInfo info;          // of a board
-    bool is_application;      // an application is at the other end, and no board
+    DeviceInfo info;          // the answer of a board
+    bool is_application;      // an application answers at the other end, not a board: `app` is valid instead of `info`
     ApplicationInfo app;
 } BoardLine;
 

@@ -12,6 +12,7 @@ static const char *const emit_name[] = {"", "bytecode", "array", "c", "ir", "ast
 static bool is_image(CompileEmit e) { return e == EMIT_BYTECODE || e == EMIT_ARRAY; }
 static bool is_stage_text(CompileEmit e) { return e == EMIT_AST || e == EMIT_TOKENS; }
 
+// Reads --emit into *emit, bytecode if it is absent. Returns false after a message about an unknown kind of output.
 static bool find_emit(Cli *c, CompileEmit *emit)
 {
     *emit = EMIT_BYTECODE;
@@ -42,7 +43,7 @@ static const char *path_in_folder(Cli *c, const char *name)
     return format_in(&c->session.arena, "%s%s%s", folder, *folder && !path_ends_in_separator(folder) ? "/" : "", name);
 }
 
-// Returns the path of an output: that of -o, or a file in its folder; without -o, the input's stem with this suffix.
+// Returns the path of an output: the value of -o, or a file in the folder that -o names; without -o, the input's stem with this suffix.
 static const char *output_path(Cli *c, const char *input, const char *suffix)
 {
     const char *name = format_in(&c->session.arena, "%s%s", path_stem(c, input), suffix);
@@ -100,7 +101,7 @@ static void add_output(Outputs *o, const char *path, const Buf *bytes)
     o->at[o->n++] = (OsOutput){path, buf_text(bytes), bytes->n};
 }
 
-// Adds the soft-float files beside a .c, once per folder.
+// Adds the soft-float library to the outputs, beside the C file `code`, once per folder.
 static void add_soft_library(Cli *c, const char *code, Outputs *o)
 {
     static const char *const name[] = {"sm_soft.h", "sm_soft.c", "sm_soft_avr.S"};
@@ -133,7 +134,7 @@ static Outputs list_outputs(Cli *c, const Compiled *made, CompileEmit emit)
     return o;
 }
 
-// Creates the folder that -o names only after all outputs have been checked.
+// Writes all outputs. Creates the folder that -o names (`to_folder`) only after all outputs have been checked.
 static int write_outputs(Cli *c, const Outputs *o, bool to_folder)
 {
     const char *folder = c->value[OPT_OUTPUT], *why;

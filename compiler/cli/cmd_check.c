@@ -2,6 +2,7 @@
 // smc check: checks sources without running them.
 #include "compiler/cli/cli.h"
 
+// Checks that the files of the command line can be checked together, as their number by kind shows.
 static int check_arguments(Cli *c)
 {
     size_t of[FILE_KINDS] = {0};        // by FileKind: number of files of this kind

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc cover: searches for inputs that reach what no script has tested, and writes each run as a script.
 //
-// 1. The given scripts run, and those of the folder that a person has edited.  The goals are the places that they do not cover.  The search
-//    starts with the states along the given scripts.
+// 1. The given scripts run, and those of the folder that a person has edited.  The goals are the coverage places (transitions, branches,
+//    conditions: cover.h) that they do not cover.  The search starts with the states along the given scripts.
 // 2. The other scripts of the folder that smc has written run.  If they reach every goal that is not impossible, nothing is searched.
 // 3. Else the search is the same as without them, so a second call finds the same, and nothing is written twice.  What it finds is written if
 //    it reaches a goal that no script of the folder reaches.
@@ -24,6 +24,7 @@ typedef struct CoverSettings { uint64_t effort, memory, seed, delta_t; size_t fo
 
 // ---- options ----
 
+// Reads a list of kinds of coverage such as "state,transition" into *kinds, a set of 1u << CoverKind. Returns false for an unknown kind.
 static bool read_kinds(const char *text, unsigned *kinds)
 {
     for (*kinds = 0;; text++) {
@@ -40,6 +41,7 @@ static bool read_kinds(const char *text, unsigned *kinds)
     }
 }
 
+// Returns the names of all kinds of goals, for a message: "x, y and z".
 static const char *list_kinds(Cli *c)
 {
     Buf out;
@@ -76,7 +78,7 @@ static int read_options(CoverRun *r, CoverSettings *s)
 
 // ---- the given scripts ----
 
-// Checks and runs the given scripts.
+// Checks and runs the scripts that the command line names, counts what they cover, and records their runs as starting points of the search.
 static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Compiled *made)
 {
     Engine *const counting = cover_open_engine(r->given), *e[2] = {NULL, cover_open_engine(r->all)};
@@ -125,6 +127,7 @@ static void show_progress(CoverProgress *k, const SearchProgress *p)
     k->is_shown = true;
 }
 
+// Called by the search now and then: shows its progress. Returns whether the search is to go on, until a signal arrives.
 static bool go_on(void *context, const SearchProgress *p)
 {
     CoverProgress *k = context;
@@ -134,6 +137,7 @@ static bool go_on(void *context, const SearchProgress *p)
     return !k->r->was_interrupted;
 }
 
+// Erases the line of progress.
 static void end_progress(CoverProgress *k)
 {
     Buf out;
@@ -144,6 +148,8 @@ static void end_progress(CoverProgress *k)
         cli_print(k->r->c, 2, &out);
 }
 
+// Searches for inputs that reach the goals. With `watch`, the only goals are the conditions that it watches (pairs of states without a
+// transition).
 static SearchResult *run_search(CoverRun *r, const CoverSettings *s, const SearchWatch *watch)
 {
     CoverProgress progress = {r, os_seconds(), 0, false};
@@ -189,7 +195,8 @@ static const char *list_others(const CoverRun *r, const SearchScenario *s, uint3
     return buf_text(&out);
 }
 
-// Writes a scenario as a script, runs it and stores it in the folder.  EXIT_INTERNAL: the script is not what it should be.
+// Writes a scenario (a run that the search has found) as a script, runs it and stores it in the folder.  EXIT_INTERNAL: the script does not pass
+// or does not reach its goal.
 static int write_script(CoverRun *r, const Scenario *found, const char *stem, const char *goal, const char *also, const State *not_entered)
 {
     const bool skeleton = r->c->given[OPT_SKELETONS];
@@ -239,13 +246,15 @@ static int write_found_scripts(CoverRun *r)
 
 // ---- pairs of states without a transition ----
 
+// Returns the goal, as a sentence, of a script that shows a missing transition: the machine stays in m->in although the condition is true that
+// leads to m->to from another state.
 static const char *pair_goal(const CoverRun *r, const MustNot *m)
 {
     return format_in(r->arena, MUST_NOT_GOAL "%s -> %s, even while %s, which leads there from %s.", m->in->name->text, m->to->name->text,
                      condition_text(r->arena, m->other->when), m->other->from->name->text);
 }
 
-// Returns the script of an earlier call that shows a pair, or NULL.
+// Returns the path of a script that an earlier call wrote for the pair of states with this goal, or NULL.
 static const char *find_old_pair(const CoverRun *r, const char *goal)
 {
     for (uint32_t i = 0; i < r->old.n; i++)
@@ -254,6 +263,8 @@ static const char *find_old_pair(const CoverRun *r, const char *goal)
     return NULL;
 }
 
+// For each pair of states without a transition, searches a run in which the condition of another transition to the second state is true, while
+// the machine stays in the first. Writes each run as a script.
 static int write_pairs(CoverRun *r, const CoverSettings *s)
 {
     const MustNots *m = must_not_list(r->arena, r->p);
@@ -285,7 +296,7 @@ static int write_pairs(CoverRun *r, const CoverSettings *s)
 
 // ---- the command ----
 
-// Places that the search has proved impossible, though facts alone do not exclude them.
+// Marks the goals as impossible that the search has proved unreachable, although the facts (known bounds of variables) do not exclude them.
 static void accept_proofs(CoverRun *r)
 {
     for (uint32_t i = 1; i < r->all->place.n; i++)
@@ -301,7 +312,7 @@ static bool has_open_goal(const CoverRun *r)
     return false;
 }
 
-// Searches and writes, until a signal asks to stop.
+// Searches for what reaches the open goals and writes the scripts, until a signal asks to stop.
 static int search_and_write(CoverRun *r, const CoverSettings *s)
 {
     int code = EXIT_OK;

@@ -151,6 +151,7 @@ static void write_field(Buf *out, const char *name, unsigned long value)
         buf_printf(out, ", %s %lu", name, value);
 }
 
+// Writes one line for an event of the log. e: its 19 bytes as the device sent them: time in ns, kind, source, two arguments.
 static void write_event(Buf *out, const uint8_t *e)
 {
     const double seconds = ((double)sm_link_load(e + 4, 4) * 4294967296.0 + (double)sm_link_load(e, 4)) * 1e-9;
@@ -172,6 +173,7 @@ static void write_event(Buf *out, const uint8_t *e)
 // transfers them would be queried forever.
 enum { EVENTS_SHOWN = 1000 };
 
+// Writes a stored transition, after the number of those that were lost before it. t->time counts units of 2^20 ns.
 static void write_transition(Buf *out, const LinkTransition *t)
 {
     if (t->lost == LINK_LOST_MAX)
@@ -247,7 +249,7 @@ static int run_action(Cli *c, size_t action)
     return cli_print(c, 1, &out) || code != EXIT_OK ? code : EXIT_ENVIRONMENT;
 }
 
-// Returns the most words that an action has, with its name.
+// Returns the maximum number of arguments of an action such as "erase"; its name counts as one.
 static size_t most_arguments(size_t action)
 {
     return actions[action].run == device_set_parameters ? SIZE_MAX : actions[action].run == erase_image ? 2 : 1;

@@ -39,7 +39,7 @@ static int check_arguments(Cli *c)
     return machines == 2 ? EXIT_OK : cli_usage_error(c, TEXT_diff_machines);
 }
 
-// Compiles machine number `wanted`, without the other one.  EXIT_OK, or the exit code after a message.
+// Compiles machine number `wanted` of the two on the command line, without the other one.  EXIT_OK, or the exit code after a message.
 static int compile_version(Cli *c, const CompileInput *all, size_t wanted, const CompileOptions *o, Version *v)
 {
     Buf *image;
@@ -68,7 +68,7 @@ static int compile_version(Cli *c, const CompileInput *all, size_t wanted, const
     return EXIT_OK;
 }
 
-// Compiles a script for one of the machines; NULL if it has errors there.
+// Compiles a script for one of the two machines; NULL if it has errors with that machine, which are not reported.
 static const Script *compile_script(Cli *c, const Version *v, const Source *src)
 {
     const Script *s;

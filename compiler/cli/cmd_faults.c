@@ -33,6 +33,7 @@ static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json
 
 static const char *plural(uint64_t n) { return n == 1 ? "" : "s"; }
 
+// Whether the matrix has a column for this kind of fault: it was requested and some input can have it.
 static bool is_column(const Faults *f, FaultKind kind)
 {
     for (uint32_t i = 0; i < f->input.n; i++)
@@ -41,6 +42,7 @@ static bool is_column(const Faults *f, FaultKind kind)
     return false;
 }
 
+// Writes a table of the worst outcomes: a row for each input, a column for each kind of fault.
 static void write_matrix(const Faults *f, Buf *out)
 {
     size_t widest = strlen("input");
@@ -67,6 +69,7 @@ static void write_matrix(const Faults *f, Buf *out)
     buf_char(out, '\n');
 }
 
+// Writes the name, the trigger and the effect of a fault, and how many other triggers had the same outcome.
 static void write_line(const FaultsRun *r, const FaultLine *line, Buf *out)
 {
     buf_str(out, "  ");
@@ -82,6 +85,7 @@ static void write_line(const FaultsRun *r, const FaultLine *line, Buf *out)
     buf_char(out, '\n');
 }
 
+// Writes all lines. Each group with the same outcome and number of faults has a heading.
 static void write_lines(const FaultsRun *r, Buf *out)
 {
     for (uint32_t i = 0; i < r->lines.at.n; i++) {
@@ -92,6 +96,7 @@ static void write_lines(const FaultsRun *r, Buf *out)
     }
 }
 
+// Writes a note for each input whose range is not declared: where the assumed range comes from.
 static void write_ranges(const FaultsRun *r, Buf *out)
 {
     for (uint32_t i = 0; i < r->f->input.n; i++) {
@@ -102,6 +107,7 @@ static void write_ranges(const FaultsRun *r, Buf *out)
     }
 }
 
+// Returns how many single faults have an effect.
 static unsigned long count_effects(const Faults *f)
 {
     unsigned long n = 0;
@@ -236,6 +242,7 @@ static void run_faults(FaultsRun *r)
     progress_end(&k);
 }
 
+// Reports an incomplete campaign, and outcomes at least as serious as --fail-on. Returns the exit code that they require.
 static int report_fail_on(const FaultsRun *r)
 {
     unsigned long n = 0, failed = 0;
@@ -305,6 +312,7 @@ static const char *list_names(Arena *arena, const char *const *name, int n, cons
     return buf_text(&out);
 }
 
+// Called for each word of a list: adds the kind of fault with this name. Returns false after a message.
 static bool add_kind(void *context, const char *word, size_t n)
 {
     FaultsRun *r = context;
@@ -319,6 +327,7 @@ static bool add_kind(void *context, const char *word, size_t n)
     return false;
 }
 
+// Called for each word of a list: adds a time at which faults begin. Returns false after a message.
 static bool add_time(void *context, const char *word, size_t n)
 {
     FaultsRun *r = context;
@@ -330,6 +339,7 @@ static bool add_time(void *context, const char *word, size_t n)
     return true;
 }
 
+// Called for each word of a list: adds the input with this name, into which faults are injected. Returns false after a message.
 static bool add_input(void *context, const char *word, size_t n)
 {
     FaultsRun *r = context;
@@ -351,8 +361,8 @@ static bool add_input(void *context, const char *word, size_t n)
     return false;
 }
 
-// Reads an option that is a percentage above 0, as a part.  Returns false after a message.
-static bool read_part(Cli *c, OptionId id, const char *spelling, double *part)
+// Reads an option that is a percentage above 0 into *fraction, as a fraction: 0.05 for 5 %.  Returns false after a message.
+static bool read_fraction(Cli *c, OptionId id, const char *spelling, double *fraction)
 {
     const char *end = "";
     double percent;
@@ -363,7 +373,7 @@ static bool read_part(Cli *c, OptionId id, const char *spelling, double *part)
         cli_usage_error(c, TEXT_faults_percent, spelling, c->value[id]);
         return false;
     }
-    *part = percent / 100;
+    *fraction = percent / 100;
     return true;
 }
 
@@ -403,8 +413,8 @@ static bool read_options(FaultsRun *r, size_t *format)
 
     fault_lines_set_defaults(&r->o);
     r->o.pairs = c->given[OPT_PAIRS];
-    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format) || !read_part(c, OPT_FAULT_OFFSET, "--offset", &sizes->offset) ||
-        !read_part(c, OPT_FAULT_NOISE, "--noise", &sizes->noise) || !read_steps(c, OPT_LATE, "--late", &sizes->late) ||
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format) || !read_fraction(c, OPT_FAULT_OFFSET, "--offset", &sizes->offset) ||
+        !read_fraction(c, OPT_FAULT_NOISE, "--noise", &sizes->noise) || !read_steps(c, OPT_LATE, "--late", &sizes->late) ||
         !read_steps(c, OPT_DROPPED, "--dropped", &sizes->dropped) || !read_fail_on(r))
         return false;
     if (c->given[OPT_MAX_RUNS] && !cli_read_count(c->value[OPT_MAX_RUNS], &r->o.max_runs))

@@ -14,6 +14,7 @@ typedef struct Fix {
     size_t *fixed;            // by argument: number of findings fixed
 } Fix;
 
+// Compiles the current texts of all files. The diagnostics remain in the session.
 static void compile_and_diagnose(Fix *f)
 {
     Compiled out;
@@ -63,8 +64,8 @@ static bool is_better(const Diags *now, const Source *src, const Diags *before, 
     return false;
 }
 
-// Runs one round on one file; returns false if there was nothing to do, or it did not help.
-static bool apply_edits_to(Fix *f, size_t i)
+// Applies the edits that the diagnostics propose to file i. Returns false, with the file unchanged, if no edit applies or the result is not better.
+static bool apply_edits_to_file(Fix *f, size_t i)
 {
     Cli *c = f->c;
     Diags before = c->session.diags;
@@ -128,7 +129,7 @@ int cmd_fix(Cli *c)
     for (int round = 0; round < ROUNDS && any; round++) {
         any = false;
         for (size_t i = 0; i < c->files; i++)
-            any = apply_edits_to(&f, i) || any;
+            any = apply_edits_to_file(&f, i) || any;
     }
     buf_init(&report, &c->session.arena);
     code = write_fixed(&f, &report) ? EXIT_OK : EXIT_ENVIRONMENT;

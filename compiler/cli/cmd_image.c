@@ -4,6 +4,7 @@
 #include "bytecode-vm/smvm.h"
 #include "compiler/cli/key.h"
 
+// Called by the disassembler: appends `text` to a Buf.
 static void append_text(void *context, const char *text, size_t length)
 {
     buf_put(context, text, length);
@@ -60,7 +61,7 @@ int cmd_disasm(Cli *c)
     return cli_print(c, 1, &out) ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
-// Bits of `kind`: 1 output, 2 digital.  Bits of `flags`: 2 @pull_up, 4 @pull_down.
+// Writes a pin in words.  Bits of p->kind: 1 output, 2 digital.  Bits of p->flags: 2 @pull_up, 4 @pull_down.
 void cli_write_pin(Buf *out, const SmvmPin *p)
 {
     buf_printf(out, "%s %s %lu%s", p->kind & 2 ? "digital" : "analog", p->kind & 1 ? "output" : "input", (unsigned long)p->pin,

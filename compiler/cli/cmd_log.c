@@ -17,7 +17,7 @@ static const uint32_t size_most = 0x7FFFFFFF;
 
 // ---- the file ----
 
-// Reports damage. Returns 0, or EXIT_PROBLEM if the log contains nothing else.
+// Reports which parts of the log are damaged or unreadable. Returns EXIT_OK, or EXIT_PROBLEM if the log has no readable session.
 static int report_damage(Cli *c, const char *path, const Log *log)
 {
     if (log->newer)
@@ -37,6 +37,8 @@ static int report_damage(Cli *c, const char *path, const Log *log)
 
 // ---- the selected session ----
 
+// Stores the session that is to be shown in f->session: the one of --session, else the last. For text without --session it stays NULL, and all
+// sessions are shown.
 static int choose_session(Cli *c, Flight *f, size_t format)
 {
     const size_t n = f->log->session.n;
@@ -68,7 +70,7 @@ static int report_unknown_name(Cli *c, const Flight *f, const char *what, const 
     return EXIT_PROBLEM;
 }
 
-// Selects the elements that the arguments after the log name, and the machine that --machine names.
+// Selects the state-vector elements that the arguments after the log name, and the machine that --machine names.
 static int choose_elements_and_machine(Cli *c, Flight *f)
 {
     const LogSession *last = f->log->session.at[f->log->session.n - 1];

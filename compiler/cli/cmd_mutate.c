@@ -26,7 +26,7 @@ static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json
 
 // ---- text ----
 
-// Returns the path of the script that --scripts wrote to show a mutant, or NULL.
+// Returns the path of the script that --scripts wrote because it fails on this mutant, or NULL.
 static const char *path_of_script(const MutateRun *r, const Mutant *m)
 {
     uint32_t n;
@@ -51,6 +51,7 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     buf_char(out, '\n');
 }
 
+// Writes a title and the mutants with this verdict.
 static void write_list(const MutateRun *r, MutantVerdict verdict, const char *title, Buf *out)
 {
     uint32_t shown;
@@ -84,7 +85,7 @@ static void write_requirements(const MutateRun *r, Buf *out)
 }
 
 // Writes for how many changes the search has found inputs, and how the user gets them.
-static void write_search(const MutateRun *r, const MutationScore *s, Buf *out)
+static void write_search_result(const MutateRun *r, const MutationScore *s, Buf *out)
 {
     buf_printf(out, "inputs were found for %lu of the %lu changes that no script notices%s\n", s->of[MUTANT_GENERATED],
                s->of[MUTANT_GENERATED] + s->of[MUTANT_UNNOTICED], s->of[MUTANT_GENERATED] && !r->c->given[OPT_SCRIPTS] ? "; --scripts=DIR writes them as scripts" : "");
@@ -102,7 +103,7 @@ static void write_text(const MutateRun *r, Buf *out)
     buf_char(out, '\n');
     write_requirements(r, out);
     if (r->is_searched)
-        write_search(r, &s, out);
+        write_search_result(r, &s, out);
     write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
     write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
     if (r->scripts.by_mutant)
@@ -197,7 +198,8 @@ static int write_result(MutateRun *r, size_t format)
     return cli_write_outputs(r->c, &file, 1);
 }
 
-static int judge_score(MutateRun *r)
+// Compares the score with --min-score. Returns EXIT_PROBLEM after a message if it is lower.
+static int check_min_score(MutateRun *r)
 {
     const MutationScore s = mutation_score(r->u);
 
@@ -224,7 +226,7 @@ static int mutate_machine(MutateRun *r, uint64_t max_steps, size_t format)
     if (code == EXIT_OK)
         code = write_result(r, format);
     if (code == EXIT_OK)
-        code = judge_score(r);
+        code = check_min_score(r);
     if (r->tried < mutation_score(r->u).all)
         cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, mutation_score(r->u).all);
     mutation_end(r->u);

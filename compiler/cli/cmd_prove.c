@@ -53,7 +53,7 @@ static int write_result(Cli *c, size_t format, const Program *p, const ProveResu
 }
 
 // Returns the exit code of the verdicts: the worst one decides.
-static int code_of_verdicts(const ProveResult *r)
+static int exit_code_of_verdicts(const ProveResult *r)
 {
     int code = EXIT_OK;
 
@@ -73,7 +73,7 @@ static bool is_not_interrupted(void *context)
 
 typedef struct ProveProgress { Cli *c; const Requirements *what; } ProveProgress;
 
-// Shows the requirement that is being decided, on a terminal.  `done` is all of them: removes what was shown.
+// On a terminal, shows the requirement that is being decided; `done`: how many have been. After the last one, erases that line.
 static void show_progress(void *context, uint32_t done)
 {
     const ProveProgress *k = context;
@@ -92,7 +92,7 @@ static void show_progress(void *context, uint32_t done)
 
 // ---- scripts ----
 
-// Returns the requirements of the machine without its scripts: they can write locals, which a proof does not allow for.
+// Returns the requirements, checked against the machine as it is without scripts. Scripts can write its locals, which a proof does not allow for.
 static const Requirements *requirements_without_scripts(Cli *c, const CompileInput *in, const CompiledSource *machine)
 {
     const Source **rq = ARENA_ARRAY(&c->session.arena, const Source *, in->n);
@@ -113,7 +113,7 @@ static const Requirements *requirements_without_scripts(Cli *c, const CompileInp
 
 typedef VEC(ProveGiven) Givens;
 
-// Runs the scripts of `in`.  They have to pass.
+// Runs the scripts of `in`, which have to pass, and records the runs in *out: searches for a violation start from them.
 static int run_scripts(Cli *c, const CompileInput *in, const Compiled *made, const Program *p, Givens *out)
 {
     const Program *scripted = runs_find_machine(in, made)->scripted;
@@ -171,7 +171,7 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
         cli_print_error(c, TEXT_sentence, r->bug);
         return EXIT_INTERNAL;
     }
-    return code_of_verdicts(r);
+    return exit_code_of_verdicts(r);
 }
 
 int cmd_prove(Cli *c)

@@ -16,7 +16,7 @@ typedef VEC(ApplicationChange) Changes;
 
 // ---- what to send ----
 
-// Splits NAME=FILE. Without a name, the machine has that of the file.
+// Splits the argument NAME=FILE and returns the name of the machine. Without NAME=, it is the name of the file.
 static const char *split_name(Cli *c, const char *argument, const char **file)
 {
     const char *equals = strchr(argument, '='), *slash = strchr(argument, '/');
@@ -82,6 +82,7 @@ static int read_app(Cli *c, Surroundings *around)
     return around->vector ? EXIT_OK : EXIT_ENVIRONMENT;
 }
 
+// Reads what machines are compiled with: the application of --app, or the state vector of --sv and the bindings of --bind.
 static int read_surroundings(Cli *c, Surroundings *out)
 {
     *out = (Surroundings){NULL, NULL, NULL};
@@ -158,6 +159,8 @@ static int load_image(Cli *c, const char *path, ApplicationChange *out)
     return EXIT_OK;
 }
 
+// Loads the image that replaces a machine: compiles a .sm, or reads a .smb. NAME=built-in (`is_named`) has none. Returns EXIT_OK, or the exit
+// code after a message.
 static int load_change(Cli *c, const char *file, bool is_named, const Surroundings *around, ApplicationChange *out)
 {
     if (is_named && strcmp(file, built_in) == 0)
@@ -211,7 +214,7 @@ static int find_machine(BoardLine *b, const char *name, uint16_t *number, Applic
     return EXIT_OK;
 }
 
-// Finds all machines, before anything is sent.
+// Finds the machine of every change in the application.  An unknown name is reported before anything is sent.
 static int find_machines(BoardLine *b, const Changes *all, Target *t)
 {
     Arena *arena = &b->c->session.arena;
@@ -234,7 +237,7 @@ static int find_machines(BoardLine *b, const Changes *all, Target *t)
 
 // ---- what is kept ----
 
-// Lists what machine `number` took over, and what it did not.
+// Lists which states, locals and windows machine `number` took over from its predecessor, and which it did not.
 static bool describe_kept(BoardLine *b, uint16_t number, Buf *out)
 {
     static const char *const kind[] = {"state", "local", "window"}, *const fate[] = {"kept", "added", "removed", "changed"};
@@ -252,7 +255,7 @@ static bool describe_kept(BoardLine *b, uint16_t number, Buf *out)
     return b->host.answered && b->host.result == SM_E_MISSING;
 }
 
-// Describes all machines after the exchange.
+// Writes a line for each exchanged machine: the new image, the old one, and whether the machine continues or restarts.
 static int describe_exchange(BoardLine *b, const Changes *all, const Target *t, Buf *out)
 {
     ApplicationMachine now;
@@ -333,7 +336,7 @@ static int finish_trial(BoardLine *b, const Changes *all, const Target *t, const
     if (code != EXIT_OK)
         return code;
     if (s->phase == SM_SWAP_RETURNED) {
-        cli_print_error(b->c, TEXT_swap_returned, app_trial_end(s->end));
+        cli_print_error(b->c, TEXT_swap_returned, app_trial_end_text(s->end));
         return EXIT_PROBLEM;
     }
     if (s->phase != SM_SWAP_TRIAL)
@@ -342,7 +345,7 @@ static int finish_trial(BoardLine *b, const Changes *all, const Target *t, const
     return EXIT_OK;
 }
 
-// Follows the swap from its preparation on.
+// Waits until the swap that has been sent has been made or refused, and reports the result. Returns the exit code.
 static int follow_swap(BoardLine *b, const Changes *all, const Target *t, uint32_t checksum, const uint8_t *key)
 {
     ApplicationSwap s;

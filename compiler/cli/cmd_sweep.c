@@ -36,7 +36,8 @@ static const char *number_text(const SweepRun *r, double x)
     return buf_text(&b);
 }
 
-// Writes the points of a line.  Successive points with the same result are written as one range.
+// Writes the results along one parameter (`axis`: its index), the others at their current values.  Successive points with the same result are
+// written as one range.
 static void write_line(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepLine *l = &r->s->line[axis];
@@ -53,6 +54,7 @@ static void write_line(const SweepRun *r, uint32_t axis, Buf *out)
     }
 }
 
+// Writes the values of this parameter (`axis`: its index) at which the result of a check changes.
 static void write_boundaries(const SweepRun *r, uint32_t axis, Buf *out)
 {
     for (uint32_t i = 0; i < r->s->boundary.n; i++) {
@@ -66,6 +68,7 @@ static void write_boundaries(const SweepRun *r, uint32_t axis, Buf *out)
     }
 }
 
+// Writes how far the current value of this parameter is from values at which a check fails.
 static void write_margin(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepAxis *a = &r->s->axis[axis];
@@ -232,7 +235,7 @@ static int run_and_report(SweepRun *r, size_t format)
 
 // ---- options ----
 
-// Reads one end of a sweep.  EXIT_OK, or the exit code after a message.
+// Reads the lowest or highest value to which a parameter is swept.  EXIT_OK, or the exit code after a message.
 static int read_end(SweepRun *r, const char *name, const char *text, size_t n, double *x, const Var **parameter)
 {
     const char *word = format_in(r->arena, "%s=%.*s", name, (int)n, text);
@@ -272,6 +275,7 @@ static int read_axis(SweepRun *r, const char *word)
     return EXIT_OK;
 }
 
+// Reads the values of --set: NAME=LO:HI:N is a parameter to sweep, NAME=VALUE sets one for all runs. EXIT_OK, or the exit code after a message.
 static int read_settings(SweepRun *r)
 {
     Cli *c = r->c;

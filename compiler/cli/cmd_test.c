@@ -78,7 +78,8 @@ int test_result_fd(const Cli *c)
 
 static bool all_engines(const Cli *c) { return c->given[OPT_ENGINE] && strcmp(c->value[OPT_ENGINE], "all") == 0; }
 
-// Only the engines of emitted C can be absent, because only they depend on a tool outside smc.
+// Returns those of the engines `which` (a set of 1u << EngineKind) that cannot run here.  Only the engines of emitted C can be absent, because only
+// they depend on a tool outside smc.
 unsigned test_absent_engines(TestRun *t, unsigned which)
 {
     which &= 1u << ENGINE_C | 1u << ENGINE_C_SOFT;
@@ -256,7 +257,7 @@ static int read_options(TestRun *t)
 }
 
 // Replaces other names of standard input, such as /dev/stdin, with "-".
-static void name_standard_input(Cli *c)
+static void normalize_standard_input_names(Cli *c)
 {
     for (size_t i = 0; i < c->files; i++)
         if (os_find_descriptor(c->file[i]) == 0)
@@ -269,7 +270,7 @@ int cmd_test(Cli *c)
     Files f;
     int code, ran = EXIT_OK, written;
 
-    name_standard_input(c);
+    normalize_standard_input_names(c);
     f = classify_files(c);
     if ((code = check_arguments(c, &f)) != EXIT_OK || (code = check_trace(c, &f)) != EXIT_OK || (code = test_coverage_check_options(c)) != EXIT_OK ||
         (code = test_traceability_check_options(c, f.machine, f.requirements)) != EXIT_OK || (code = read_options(&t)) != EXIT_OK)

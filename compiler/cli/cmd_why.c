@@ -43,6 +43,7 @@ static bool is_file(const char *word)
     return strchr(word, '/') != NULL;
 }
 
+// Stores the state or the variable that the question is about in *to. Reports a second one, and returns the exit code.
 static int set_word(WhyCommand *y, const char **to, const char *word)
 {
     if (y->to || y->of)
@@ -103,6 +104,7 @@ static int read_arguments(WhyCommand *y)
     return machines == 1 && scripts == 1 ? EXIT_OK : cli_usage_error(c, TEXT_why_what);
 }
 
+// Reads the options of the question, except its time. Returns EXIT_OK, or the exit code after a message.
 static int read_options(WhyCommand *y)
 {
     Cli *c = y->c;
@@ -148,7 +150,7 @@ static const State *find_state(const WhyCommand *y, size_t machine)
     return name ? map_find(&machine_program(y, machine)->state_by_name, name) : NULL;
 }
 
-// Finds the variable by its name in the machine, or of an element in the state vector, which bindings can change.
+// Finds the variable that the question names: by its name in the machine, or by the name of its state-vector element. Bindings can make them differ.
 static const Var *find_variable(const WhyCommand *y, size_t machine)
 {
     const Program *p = machine_program(y, machine);
@@ -317,6 +319,7 @@ static int compile_machine_and_script(WhyCommand *y)
     return cli_print_diagnostics(c);
 }
 
+// Reports why the question has no answer, if so. Returns the exit code.
 static int report_status(WhyCommand *y, const WhyAnswer *a)
 {
     const char *asked = format_in(y->arena, "%llu", (unsigned long long)(y->q.at_step ? y->q.at_step : y->q.at_g));

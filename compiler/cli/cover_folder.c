@@ -24,7 +24,7 @@ static bool is_argument(const Cli *c, const char *path)
 }
 
 // Reads a file of the folder if smc has written it for this machine.
-static int read_old(CoverRun *r, const char *name)
+static int read_old_script(CoverRun *r, const char *name)
 {
     const char *path = path_in_folder(r, name);
     char head[512];
@@ -41,6 +41,7 @@ static int read_old(CoverRun *r, const char *name)
     return EXIT_OK;
 }
 
+// Appends the scripts of the folder to the sources that are compiled.
 static void add_sources(CoverRun *r, CompileInput *in)
 {
     CompileSource *all = arena_array(r->arena, in->n + r->old.n, sizeof *all);
@@ -67,7 +68,7 @@ int cover_read_folder(CoverRun *r, CompileInput *in)
         r->name[i] = format_in(r->arena, "%s", names[i]);
     free(names);
     for (size_t i = 0; i < r->names && code == EXIT_OK; i++)
-        code = read_old(r, r->name[i]);
+        code = read_old_script(r, r->name[i]);
     add_sources(r, in);
     return code;
 }
@@ -81,7 +82,7 @@ static bool run_script(CoverRun *r, const Script *s, Engine *e, bool is_silent)
     return script_run(r->arena, &r->c->session.diags, s, &e, 1, &o).outcome == SCRIPT_PASSED;
 }
 
-// Returns whether a run of the script covers a place with this sentence; `is_known`: some place has it.
+// Returns whether `c` has counted a coverage place whose goal is this sentence. *is_known: the machine has such a place.
 static bool covers_goal(const CoverRun *r, const Cover *c, const char *goal, bool *is_known)
 {
     bool found = false;
@@ -121,7 +122,7 @@ static void judge_script(CoverRun *r, OldScript *old)
     run_script(r, s, cover_open_engine(r->all), true);
 }
 
-// Runs an edited script as if it were given.
+// Runs an edited script like one that the command line names.
 static int run_edited(CoverRun *r, const OldScript *old)
 {
     const Script *s = session_script(&r->c->session, old->src, r->p);

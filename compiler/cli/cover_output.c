@@ -16,6 +16,7 @@ bool cover_is_goal(const CoverRun *r, uint32_t place)
 
 typedef enum Outcome { OUTCOME_REACHED, OUTCOME_IMPOSSIBLE, OUTCOME_NOT_FOUND } Outcome;
 
+// Returns what has become of a goal; `place`: its index in Cover.place.
 static Outcome outcome_of(const CoverRun *r, uint32_t place)
 {
     if (r->all->hits[place] > 0)
@@ -38,18 +39,18 @@ CoverTotals cover_count(const CoverRun *r)
     return t;
 }
 
-// Returns how the search of a place ended that it has not reached; NULL: it was not searched.
-static const SearchFind *missing_of(const CoverRun *r, uint32_t place)
+// Returns how the search for a goal ended without reaching it; NULL if it reached the goal or did not search. `place`: index of the goal.
+static const SearchFind *find_failed_search(const CoverRun *r, uint32_t place)
 {
     const SearchFind *f = r->result ? &r->result->find[place] : NULL;
 
     return f && f->outcome == SEARCH_NOT_FOUND ? f : NULL;
 }
 
-// Returns what the search knows about a place that it has not reached; "": nothing.
-static const char *reason_of(const CoverRun *r, uint32_t place)
+// Returns why the search has not reached a goal, as far as it knows; "": unknown. `place`: index of the goal in Cover.place.
+static const char *describe_failed_search(const CoverRun *r, uint32_t place)
 {
-    const SearchFind *f = missing_of(r, place);
+    const SearchFind *f = find_failed_search(r, place);
     const CoverPlace *blocked = f && f->blocked_by ? &r->all->place.at[f->blocked_by] : NULL;
     Buf out;
 
@@ -70,6 +71,7 @@ static const char *reason_of(const CoverRun *r, uint32_t place)
 
 // ---- text ----
 
+// Lists the goals that no script reaches: with `impossible`, those proved unreachable, else the others.
 static void write_gaps(const CoverRun *r, bool impossible, Buf *out)
 {
     const CoverGaps gaps = cover_list_gaps(r->all, r->kinds);
@@ -77,7 +79,7 @@ static void write_gaps(const CoverRun *r, bool impossible, Buf *out)
 
     for (uint32_t i = 0; i < gaps.n; i++) {
         const CoverGap *g = &gaps.at[i];
-        const char *reason = impossible ? "" : reason_of(r, g->place);
+        const char *reason = impossible ? "" : describe_failed_search(r, g->place);
         if (g->is_impossible != impossible)
             continue;
         if (is_first)
@@ -100,6 +102,7 @@ static void write_old_scripts(const CoverRun *r, Buf *out)
     }
 }
 
+// Lists the pairs of states without a transition for which no script exists.
 static void write_pairs(const CoverRun *r, Buf *out)
 {
     bool is_first = true;
@@ -137,7 +140,7 @@ static void write_field(Buf *out, const char *name, const char *text)
     json_put_string(out, text);
 }
 
-static void write_blocked(const CoverRun *r, const SearchFind *f, Buf *out)
+static void write_blocking_condition(const CoverRun *r, const SearchFind *f, Buf *out)
 {
     const CoverPlace *p = &r->all->place.at[f->blocked_by];
     const LineCol at = source_position(p->span.src, p->span.at);
@@ -164,10 +167,10 @@ static void write_goal(const CoverRun *r, uint32_t i, Buf *out)
     write_field(out, "outcome", word[outcome]);
     if (outcome == OUTCOME_IMPOSSIBLE)
         write_field(out, "reason", p->impossible);
-    if (outcome == OUTCOME_NOT_FOUND && *reason_of(r, i))
-        write_field(out, "reason", reason_of(r, i));
-    if (outcome == OUTCOME_NOT_FOUND && missing_of(r, i))
-        write_blocked(r, missing_of(r, i), out);
+    if (outcome == OUTCOME_NOT_FOUND && *describe_failed_search(r, i))
+        write_field(out, "reason", describe_failed_search(r, i));
+    if (outcome == OUTCOME_NOT_FOUND && find_failed_search(r, i))
+        write_blocking_condition(r, find_failed_search(r, i), out);
     buf_char(out, '}');
 }
 

@@ -17,18 +17,18 @@ typedef struct OldScript {
     const Source *src;
     enum { OLD_EDITED, OLD_VALID, OLD_STALE } verdict;
     const char *why;          // STALE: why the script is not used, as a phrase: "it fails"
-    bool is_replaced;         // STALE: a new script has its name
+    bool is_replaced;         // STALE: a new script with the same name replaces this one
 } OldScript;
 
 typedef struct NewScript {
-    const char *path, *goal;  // goal: as in its comment
+    const char *path, *goal;  // goal: the sentence in the comment at the start of the script
     const char *text;
     size_t n;
     const char *also;         // the other goals that this script is the first to reach, as text; "": none
 } NewScript;
 
-// A pair of states without a transition.
-// path: the script that makes the forbidden transition; NULL: none
+// A pair of states without a transition between them.
+// path: the script in which a condition that leads to the second state is true and the machine stays in the first; NULL: none
 typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;
 
 typedef struct CoverRun {
@@ -37,16 +37,16 @@ typedef struct CoverRun {
     const Program *p;
     const char *folder;
     const char *machine;      // the name of its file, without folders
-    Cover *given;             // what the given and the edited scripts cover: the goals are the other places
-    Cover *all;               // what all scripts cover, the new ones included
+    Cover *given;             // counts what the given and the edited scripts cover: the coverage places that remain are the goals
+    Cover *all;               // counts what all scripts cover, the new ones included
     GoalTexts *text;
     unsigned kinds;           // 1u << CoverKind of each kind that has goals
-    VEC(const Script *) script;       // the given ones
+    VEC(const Script *) script;       // the scripts that the command line names
     VEC(Scenario) recorded;           // the runs of the given scripts, as far as scenarios can express them
     VEC(OldScript) old;
     VEC(NewScript) new_one;
     VEC(CoverPair) pair;
-    const char **name;        // the names in the folder; `names` of them
+    const char **name;        // `names` names of the files in the folder
     size_t names;
     const SearchResult *result;       // the result of the search; NULL: there was nothing to search
     bool was_interrupted;

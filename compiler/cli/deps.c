@@ -7,7 +7,7 @@
 
 bool deps_wanted(const Cli *c) { return c->given[OPT_DEPS] || c->given[OPT_DEPS_FILE]; }
 
-// Checks that the file of the rule has a name, from -MF or from the output.
+// Checks that the make rule of -MD can be written to a file: -MF names it, or the output has a name.
 bool deps_check_name(Cli *c, const OsOutput *output)
 {
     if (c->given[OPT_DEPS_FILE] || strcmp(output->path, "-") != 0)
@@ -45,7 +45,7 @@ DepInputs deps_list_inputs(Cli *c)
     return all;
 }
 
-// Adds the rule after the *n outputs, where n > 0; the array has room for one more.
+// Appends the file with the make rule of -MD to the *n outputs, of which there is at least one; the array has room for it.
 void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
 {
     Buf *out = ARENA_NEW(&c->session.arena, Buf);

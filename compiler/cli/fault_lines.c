@@ -27,6 +27,7 @@ void fault_lines_show_progress(const Faults *f, ProgressLine *k)
 
 // ---- the list ----
 
+// Whether two results share a line of the report: the same faults with the same outcome, at different triggers.
 static bool is_same_line(const FaultResult *a, const FaultResult *b)
 {
     if (a->faults != b->faults || a->outcome != b->outcome)
@@ -37,6 +38,7 @@ static bool is_same_line(const FaultResult *a, const FaultResult *b)
     return true;
 }
 
+// For qsort: single faults first, then the most dangerous outcome, then the order in which they ran.
 static int compare_lines(const void *a, const void *b)
 {
     const FaultResult *x = ((const FaultLine *)a)->r, *y = ((const FaultLine *)b)->r;
@@ -48,6 +50,7 @@ static int compare_lines(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
+// For qsort: results that share a line follow each other, in the order in which they ran.
 static int compare_inputs(const void *a, const void *b)
 {
     const FaultResult *x = *(const FaultResult *const *)a, *y = *(const FaultResult *const *)b;
@@ -115,7 +118,8 @@ static const char *name_script(const FaultLines *l, const FaultLine *line, unsig
     return format_in(&l->c->session.arena, "%s%s%s.ss", folder, path_ends_in_separator(folder) ? "" : "/", name);
 }
 
-static const char *command_for(const FaultLines *l, const char *script)
+// Returns the smc test command that runs the script, for the comment at its start.
+static const char *test_command_for(const FaultLines *l, const char *script)
 {
     const Cli *c = l->c;
     const char *command = "smc test";
@@ -133,7 +137,7 @@ static const char *command_for(const FaultLines *l, const char *script)
 }
 
 // Checks and runs the text of a script.  Returns whether it reproduces the fault.
-static bool try_script(FaultLines *l, const FaultResult *x, const char *path, const Buf *text)
+static bool reproduces_fault(FaultLines *l, const FaultResult *x, const char *path, const Buf *text)
 {
     Session *session = &l->c->session;
     Source *src = source_new(&l->c->session.arena, path, buf_text(text), text->n);
@@ -148,19 +152,21 @@ static bool try_script(FaultLines *l, const FaultResult *x, const char *path, co
     return is_good;
 }
 
+// Stores a script that reproduces the fault of a line: the original script with edits, else a recording of its run. If neither reproduces it,
+// line->script is NULL.
 static void make_script(FaultLines *l, FaultLine *line, unsigned long number)
 {
     const char *path = name_script(l, line, number), *original = l->f->script[l->f->trigger.at[line->r->trigger].script]->src->name;
-    const FaultScriptPlace place = {path_to_folder_of(&l->c->session.arena, l->c->value[OPT_SCRIPTS], original), command_for(l, path)};
+    const FaultScriptPlace place = {path_to_folder_of(&l->c->session.arena, l->c->value[OPT_SCRIPTS], original), test_command_for(l, path)};
     Buf edited, recorded;
 
     buf_init(&edited, &l->c->session.arena);
     buf_init(&recorded, &l->c->session.arena);
     line->script = path;
     line->text = buf_text(&edited);
-    if (!fault_script_write_edited(&l->c->session.arena, l->f, line->r, &place, &edited) && try_script(l, line->r, path, &edited))
+    if (!fault_script_write_edited(&l->c->session.arena, l->f, line->r, &place, &edited) && reproduces_fault(l, line->r, path, &edited))
         line->text = buf_text(&edited);
-    else if (!fault_script_write_recorded(&l->c->session.arena, l->f, line->r, &place, &recorded) && try_script(l, line->r, path, &recorded))
+    else if (!fault_script_write_recorded(&l->c->session.arena, l->f, line->r, &place, &recorded) && reproduces_fault(l, line->r, path, &recorded))
         line->text = buf_text(&recorded);
     else
         line->script = NULL;

@@ -10,7 +10,7 @@
 // One line of the list: the faults of one kind, of the same inputs and with the same outcome.
 typedef struct FaultLine {
     const FaultResult *r;     // the result of the first run of this line
-    uint32_t others;          // how many other triggers have the same outcome
+    uint32_t others;          // number of other triggers at which the same fault has the same outcome
     const char *script;       // the file that reproduces the fault; NULL: none
     const char *text;         // the contents of the file
 } FaultLine;

@@ -81,10 +81,10 @@ void parameters_list(Cli *c, SmvmBytes bytes, Buf *out)
 
 // ---- setting ----
 
-// A parameter that a setting names: of the only machine that has it, or of the machine before the point.
+// A parameter that a setting names, "NAME" or "MACHINE.NAME". found: how many machines have it; m, number: the last of them, and its index there.
 typedef struct Named { SmvmMachine m; uint32_t number; unsigned found; } Named;
 
-static Named find_named(Cli *c, SmvmBytes image, const Setting *s)
+static Named find_named_parameter(Cli *c, SmvmBytes image, const Setting *s)
 {
     const char *const point = memchr(s->name, '.', s->name_size);
     const char *const name = point ? point + 1 : s->name;
@@ -112,7 +112,7 @@ bool parameters_set(Cli *c, uint8_t *image, const char *word)
 
     if (!setting_parse(c, word, &s))
         return false;
-    n = find_named(c, (SmvmBytes)image, &s);
+    n = find_named_parameter(c, (SmvmBytes)image, &s);
     if (n.found > 1) {
         cli_print_error(c, TEXT_setting_of_several, (int)s.name_size, s.name, (int)s.name_size, s.name);
         return false;

@@ -67,6 +67,7 @@ static bool open_data(const DataFile *file, DataStream *stream, const char **why
     return false;
 }
 
+// Adds the path of a file with recorded data to the inputs, once.
 static void add_data_name(Cli *c, const char *name)
 {
     for (size_t i = 0; i < c->data.n; i++)
@@ -75,7 +76,7 @@ static void add_data_name(Cli *c, const char *name)
     vec_push(&c->session.arena, &c->data, name);
 }
 
-// Returns the file with recorded data that a script names.
+// Returns the file with recorded data that a script names. Called when a script is checked.
 static const DataFile *find_data(void *context, const Source *from, const char *name, const char **why)
 {
     static const OptionId outputs[] = {OPT_OUTPUT, OPT_TRACE, OPT_JUNIT, OPT_MESSAGE_FILE, OPT_DEPS_FILE};

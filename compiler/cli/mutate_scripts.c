@@ -36,7 +36,7 @@ static const char *path_of(const ScriptsRun *r, const Mutant *m)
                      (unsigned long)at.line, (unsigned long)at.col, (unsigned long)(m - first + 1));
 }
 
-// Whether a script can have this path.
+// Whether a script can be written to this path: no file has it, or one that smc mutate wrote for this machine.
 static bool can_write(const ScriptsRun *r, const char *path)
 {
     enum { MOST = 1 << 24 };

@@ -181,7 +181,7 @@ bool options_parse(Cli *c, int argc, char **argv)
     return c->given[OPT_HELP] || c->given[OPT_VERSION] || check_values(c);
 }
 
-// Returns what the help of a subcommand says of an option.
+// Returns an option with the description that it has in the help of this subcommand.
 static OptionInfo find_option_help(OptionId id, const Command *command)
 {
     OptionInfo o = option_info[id];

@@ -476,7 +476,7 @@ static const char *real_path(Cli *c, const char *path)
 
 // Checks that an output is not an input and does not have the name of a source.  `option`: the option that named the output, or NULL if the
 // command chose the name.
-static int check_name(Cli *c, const char *path, const char *option)
+static int check_output_name(Cli *c, const char *path, const char *option)
 {
     const char *real = real_path(c, path);
     const char *another = option ? format_in(&c->session.arena, "name another file after %s", option)
@@ -523,7 +523,8 @@ static bool is_same_output(Cli *c, const char *a, const char *b)
     return !os_is_special(a) && (os_same_file(a, b) || strcmp(real_path(c, a), real_path(c, b)) == 0);
 }
 
-// Whether all outputs can be written.
+// Checks all outputs before the first is written: none is an input, the same file as another output, or a file that smc has not written.
+// Returns EXIT_OK, or the exit code after a message.
 int outputs_check(Cli *c, const OsOutput *out, size_t n)
 {
     const char *messages = c->given[OPT_MESSAGE_FILE] ? c->value[OPT_MESSAGE_FILE] : NULL;        // written when the command ends
@@ -536,7 +537,7 @@ int outputs_check(Cli *c, const OsOutput *out, size_t n)
         if (messages && out[i].path != messages && is_same_output(c, messages, out[i].path))
             return strcmp(messages, "-") == 0 ? cli_usage_error(c, TEXT_both_to_stdout, "this output", "--message-file")
                                               : cli_usage_error(c, TEXT_outputs_same, out[i].path, messages);
-        if ((code = check_name(c, out[i].path, NULL)) == EXIT_OK)
+        if ((code = check_output_name(c, out[i].path, NULL)) == EXIT_OK)
             code = check_existing(c, out[i].path);
     }
     return code;
@@ -569,7 +570,7 @@ int outputs_check_options(Cli *c)
             if (c->given[option[k].id] && is_same_output(c, path, c->value[option[k].id]))
                 return cli_usage_error(c, strcmp(path, "-") == 0 ? TEXT_both_to_stdout : TEXT_outputs_equal,
                                        option[k].spelling, option[i].spelling);
-        code = check_name(c, path, option[i].spelling);
+        code = check_output_name(c, path, option[i].spelling);
         if (code == EXIT_OK && !(can_be_folder && option[i].id == OPT_OUTPUT))     // -o of a build can be the stem of several names
             code = check_existing(c, path);
     }

@@ -5,7 +5,8 @@
 
 bool progress_is_due(const ProgressLine *k) { return os_is_terminal(2) && os_seconds() - k->last >= 0.2; }
 
-static void write_line(ProgressLine *k, const char *text)
+// Writes `text` over what the line of progress shows; "" erases it.
+static void rewrite_line(ProgressLine *k, const char *text)
 {
     Buf out;
 
@@ -18,12 +19,12 @@ void progress_show(ProgressLine *k, const char *text)
 {
     k->last = os_seconds();
     k->is_shown = true;
-    write_line(k, text);
+    rewrite_line(k, text);
 }
 
 void progress_end(ProgressLine *k)
 {
     if (k->is_shown)
-        write_line(k, "");
+        rewrite_line(k, "");
     k->is_shown = false;
 }

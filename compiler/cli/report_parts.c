@@ -22,6 +22,7 @@ typedef struct PartsClock {
     uint32_t parts;               // parts that are still to run
 } PartsClock;
 
+// Gives the next part an equal share of the time that is left.
 static void begin_part(PartsClock *k)
 {
     const double now = os_seconds();
@@ -30,6 +31,7 @@ static void begin_part(PartsClock *k)
     k->parts--;
 }
 
+// Whether the current part has time left and no signal has asked to stop.
 static bool may_go_on(const PartsClock *k)
 {
     return !os_signal_waiting() && (k->part_end == 0 || os_seconds() < k->part_end);
@@ -44,7 +46,7 @@ void report_parts_choose(Cli *c)
     c->given[OPT_FAULTS] = c->given[OPT_FAULTS] || c->given[OPT_SCRIPTS] || c->given[OPT_PAIRS];
 }
 
-// Notes a part that was not completed.
+// Records the name of a part of the report that was not completed.
 static void add_unfinished(Report *r, const char *part) { vec_push(r->arena, &r->unfinished, part); }
 
 // Returns the scripts of the runs.  Sets *why to a phrase if a script has failed or the report has no script; otherwise to NULL.
@@ -159,6 +161,7 @@ static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *c
 
 // ---- faults ----
 
+// Returns the name, the words and the severity of each outcome of a fault, by FaultOutcome.
 static const ReportOutcome *list_outcomes(Arena *arena)
 {
     ReportOutcome *out = ARENA_ARRAY(arena, ReportOutcome, FAULT_OUTCOME_COUNT);
@@ -169,7 +172,7 @@ static const ReportOutcome *list_outcomes(Arena *arena)
     return out;
 }
 
-// Returns the number of the line with the outcome of a cell, from 1; 0: none.
+// Returns the number, from 1, of the line about the single fault of this kind in this input with this outcome; 0: none.
 static uint32_t find_line(const FaultLines *l, uint32_t input, FaultKind kind, FaultOutcome outcome)
 {
     for (uint32_t i = 0; i < l->at.n; i++) {
@@ -216,7 +219,8 @@ static void fill_matrix(Arena *arena, const FaultLines *l, ReportFaults *out)
     }
 }
 
-static const char *words_of(Arena *arena, const Faults *f, const FaultResult *x, void (*write)(const Faults *f, const FaultResult *r, Buf *out))
+// Returns what one of the fault_write_… functions writes about a result.
+static const char *fault_text(Arena *arena, const Faults *f, const FaultResult *x, void (*write)(const Faults *f, const FaultResult *r, Buf *out))
 {
     Buf b;
 
@@ -229,13 +233,14 @@ static void fill_lines(Arena *arena, const FaultLines *l, ReportFaults *out)
 {
     for (uint32_t i = 0; i < l->at.n; i++) {
         const FaultLine *line = &l->at.at[i];
-        const ReportFaultLine to = {line->r->faults > 1, line->r->outcome, words_of(arena, l->f, line->r, fault_write_name),
-                                    words_of(arena, l->f, line->r, fault_write_trigger), words_of(arena, l->f, line->r, fault_write_effect), line->others,
+        const ReportFaultLine to = {line->r->faults > 1, line->r->outcome, fault_text(arena, l->f, line->r, fault_write_name),
+                                    fault_text(arena, l->f, line->r, fault_write_trigger), fault_text(arena, l->f, line->r, fault_write_effect), line->others,
                                     line->script ? path_file_name(line->script) : NULL};
         vec_push(arena, &out->line, to);
     }
 }
 
+// Stores, for each requirement, how many faults violate it and the number of the first line about one.
 static void fill_requirements(Arena *arena, const FaultLines *l, const Requirements *rq, ReportFaults *out)
 {
     for (uint32_t q = 0; rq && q < rq->at.n; q++) {
@@ -318,14 +323,15 @@ static const char *value_text(Arena *arena, const Sweep *s, double x)
     return buf_text(&b);
 }
 
-// Returns what a check means, in the words of its author; "": its author wrote no words.
-static const char *meaning_of(const SweepCheck *c)
+// Returns the text that the author of a check (a requirement or an assert) gave it; "": none.
+static const char *check_meaning(const SweepCheck *c)
 {
     if (c->requirement)
         return c->requirement->text->text;
     return c->assert && c->assert->remark && c->assert->remark->text ? c->assert->remark->text->text : "";
 }
 
+// Stores the results along the parameter. Successive values at which the same checks fail become one span.
 static void fill_spans(Arena *arena, const Sweep *s, ReportSweepOf *out)
 {
     const SweepLine *l = &s->line[0];
@@ -342,7 +348,7 @@ static void fill_spans(Arena *arena, const Sweep *s, ReportSweepOf *out)
         Buf name;
         buf_init(&name, arena);
         sweep_write_check(s, b->check, &name);
-        vec_push(arena, &out->boundary, ((ReportSweepBoundary){buf_text(&name), meaning_of(&s->check.at[b->check]), value_text(arena, s, b->passes), value_text(arena, s, b->fails)}));
+        vec_push(arena, &out->boundary, ((ReportSweepBoundary){buf_text(&name), check_meaning(&s->check.at[b->check]), value_text(arena, s, b->passes), value_text(arena, s, b->fails)}));
     }
 }
 

@@ -25,6 +25,7 @@ static bool is_number(const char *text)
     return digits > 0 && *at == '\0';
 }
 
+// Reads true, false or a number with an optional sign; NaN for any other text.
 static SmF64 read_value(const char *text)
 {
     const bool minus = text[0] == '-';

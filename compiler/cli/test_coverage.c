@@ -12,7 +12,7 @@ struct TestCoverage {
     const Program *p;
 };
 
-typedef struct Demand { bool is_set; double percent; } Demand;       // what --min-coverage demands of a kind of places
+typedef struct Demand { bool is_set; double percent; } Demand;       // the percentage that --min-coverage demands of one kind of coverage
 
 // The kinds of --min-coverage: those of coverage by their numbers, and requirements, which test_traceability.c judges.
 enum { DEMAND_REQUIREMENTS = COVER_KIND_COUNT, DEMANDS };
@@ -73,13 +73,13 @@ int test_coverage_check_options(Cli *c)
     return EXIT_OK;
 }
 
-// Whether a total is below the demanded percentage.  A machine without places of a kind meets any demand.
+// Whether coverage of a kind is below the demanded percentage.  A machine with nothing of this kind meets any demand.
 static bool is_too_low(CoverTotal t, Demand d)
 {
     return d.is_set && 100.0 * t.covered < d.percent * t.possible;
 }
 
-// Reports a kind whose coverage is too low, with a note for each place that is missing.
+// Reports a kind whose coverage is too low, with a note for each place in the source that is not covered.
 static void report_too_low(TestRun *t, const TestCoverage *v, const Cover *c, int kind, double percent)
 {
     Diags *d = &t->c->session.diags;
@@ -96,7 +96,8 @@ static void report_too_low(TestRun *t, const TestCoverage *v, const Cover *c, in
     }
 }
 
-static void judge_coverage(TestRun *t, const TestCoverage *v, const char *machine)
+// Compares the coverage with each limit of --min-coverage, and adds the comparison to the results of the tests.
+static void check_min_coverage(TestRun *t, const TestCoverage *v, const char *machine)
 {
     Demand demand[DEMANDS] = {{false, 0}};
     TestResult r = {.path = format_in(t->arena, "coverage of %s", machine), .suite = machine, .status = TEST_PASSED, .message = "", .is_limit = true};
@@ -116,7 +117,8 @@ static void judge_coverage(TestRun *t, const TestCoverage *v, const char *machin
 
 // ---- counts of earlier runs ----
 
-static int add_file(TestRun *t, const TestCoverage *v, const char *path)
+// Adds the counts in a .cov file of an earlier call. Returns EXIT_OK, or the exit code after a message.
+static int add_coverage_file(TestRun *t, const TestCoverage *v, const char *path)
 {
     const Source *text = cli_read_source(t->c, path);
     const char *wrong;
@@ -129,7 +131,7 @@ static int add_file(TestRun *t, const TestCoverage *v, const char *path)
     return EXIT_PROBLEM;
 }
 
-// Opens the engine that counts: of an application, one for each of its machines.
+// Opens an engine that counts coverage while it runs. For an application, it consists of one engine for each machine.
 static Engine *open_engine(Arena *arena, TestCoverage *v)
 {
     Engine **e;
@@ -156,7 +158,7 @@ int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCov
     engines->at[engines->n++] = open_engine(t->arena, v);
     for (size_t i = 0; i < t->c->files && code == EXIT_OK; i++)
         if (test_is_coverage_data(t->c->file[i]))
-            code = add_file(t, v, t->c->file[i]);
+            code = add_coverage_file(t, v, t->c->file[i]);
     *coverage = v;
     return code;
 }
@@ -222,6 +224,6 @@ int test_coverage_finish(TestRun *t, TestCoverage *v, const char *machine)
         cover_write_text(v->machine[i], &out);
     if (!test_stdout_is_for_program(t->c) && !cli_print(t->c, test_result_fd(t->c), &out))
         return EXIT_ENVIRONMENT;
-    judge_coverage(t, v, machine);
+    check_min_coverage(t, v, machine);
     return EXIT_OK;
 }

@@ -20,7 +20,7 @@ typedef struct MachineTest {
     Buf report;               // report of the last script: what it printed, and then the final values
     size_t printed;           // the length of the first of these parts
     TestTrace *trace;         // the trace that --trace requests; or NULL
-    TestCoverage *coverage;   // results of --coverage; or NULL
+    TestCoverage *coverage;   // the coverage that options ask for; or NULL
     Traceability *matrix;     // results of --traceability; or NULL
     VEC(Span) explained;      // conditions of requirements whose violation is printed in full
 } MachineTest;
@@ -104,8 +104,8 @@ static int exit_code_of(ScriptOutcome o)
     return EXIT_INTERNAL;
 }
 
-// Returns the requirements that the script has tested, each once: "R7 R8"; "" if it tested none of them. First those of its asserts, then those of `what`,
-// which can be NULL.
+// Returns the requirements that the script has tested, each once: "R7 R8"; "" if it tested none of them. First those of its asserts, then those of
+// `what`, which can be NULL.
 static const char *list_requirements(Arena *arena, const Script *s, const ScriptResult *r, const Requirements *what)
 {
     Map seen = {arena, NULL, NULL, 0, 0};
@@ -278,6 +278,7 @@ static bool open_coverage(MachineTest *m)
     return code == EXIT_OK;
 }
 
+// Prints the lines that the last script printed, and its final values if they are wanted.
 static int print_report(MachineTest *m, const char *path)
 {
     Cli *c = m->t->c;

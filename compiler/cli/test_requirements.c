@@ -39,7 +39,7 @@ RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what)
 }
 
 // Appends `path:line` and the result to a list, unless it is the last entry.
-static void add_place(Arena *arena, Buf *list, Span span, const char *result)
+static void append_source_line(Arena *arena, Buf *list, Span span, const char *result)
 {
     const char *place = format_in(arena, "%s:%lu%s", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line,
                                   result);
@@ -60,7 +60,7 @@ static void add_asserts(RequirementTable *table, const Script *s, const ScriptRe
                 const ScriptAssert *a = &item->asserts.at[n];
                 const size_t *number = a->remark && a->remark->requirement ? map_find(&table->number, a->remark->requirement) : NULL;
                 if (number && (a->kind == SCRIPT_FAIL || r->evaluated[item->first_assert + n]))
-                    add_place(table->t->arena, &table->asserts[*number], a->remark->span,
+                    append_source_line(table->t->arena, &table->asserts[*number], a->remark->span,
                               r->failed_asserts[item->first_assert + n] ? " (failed)" : "");
             }
         }
@@ -86,7 +86,7 @@ static const char *list_marks(Arena *arena, const Program *p, Str id)
     buf_init(&out, arena);
     for (size_t i = 0; i < p->mark.n; i++)
         if (p->mark.at[i].requirement == id)
-            add_place(arena, &out, p->mark.at[i].span, "");
+            append_source_line(arena, &out, p->mark.at[i].span, "");
     return buf_text(&out);
 }
 

@@ -100,6 +100,7 @@ static int report_write_error(TestTrace *t, const char *why)
     return EXIT_ENVIRONMENT;
 }
 
+// Whether a double can hold this whole number exactly. cell: the value in 64 bits, two's complement if the type is signed.
 static bool is_exact_double(SmType type, uint64_t cell)
 {
     const bool is_negative = sm_type_info[type].kind == SM_KIND_SIGNED && cell >> 63;

@@ -48,8 +48,8 @@ static int write_file(TestRun *t, const Traceability *matrix)
     return cli_write_outputs(t->c, &file, 1);
 }
 
-// Returns a place in a source that names the requirement.
-static Span place_of(const Traceability *matrix, const TracedRequirement *q)
+// Returns where a source names the requirement: its definition, else a mark @req, else an assert.
+static Span requirement_span(const Traceability *matrix, const TracedRequirement *q)
 {
     return q->what ? q->what->span : q->mark.n ? q->mark.at[0].span : matrix->assert.at[q->assert.at[0]].span;
 }
@@ -67,9 +67,9 @@ static void judge_tested_requirements(TestRun *t, const Traceability *matrix, co
         if (q->result[0] != 'u')
             continue;                             // "untested" and "undecided"
         if (low == NULL)
-            low = diag_report(d, DIAG_coverage_too_low, place_of(matrix, q), "requirements",
+            low = diag_report(d, DIAG_coverage_too_low, requirement_span(matrix, q), "requirements",
                               format_in(t->arena, "%lu of %lu", (unsigned long)tested, (unsigned long)all), format_in(t->arena, "%.6g", percent));
-        diag_note(d, low, place_of(matrix, q), DIAG_note_not_covered,
+        diag_note(d, low, requirement_span(matrix, q), DIAG_note_not_covered,
                   format_in(t->arena, "%s is %s%s%s", q->id->text, q->result, q->what ? ": " : "", q->what ? q->what->text->text : ""));
     }
     r.code = test_report_diagnostics(t, &r.message);
@@ -78,12 +78,12 @@ static void judge_tested_requirements(TestRun *t, const Traceability *matrix, co
     vec_push(t->arena, &t->result, r);
 }
 
-// Stores what proofs find about the requirements of files.  The scripts are starting points of searches.
+// Tries to prove the requirements, and stores the verdicts in the matrix.  The runs of the scripts are starting points of searches.
 static void add_proofs(TestRun *t, Traceability *matrix)
 {
     const Program *p = matrix->what->program;
     ProveGiven *given = ARENA_ARRAY(t->arena, ProveGiven, t->script.n + 1);
-    Diags reported;                               // by their runs, before
+    Diags reported;                               // dropped: the scripts have run before, and their diagnostics have been printed
     const ProveResult *r;
 
     diags_init(&reported, t->arena);

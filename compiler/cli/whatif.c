@@ -8,6 +8,7 @@
 
 enum { STEPS_MOST = 1000000 };
 
+// Checks the scripts and adds them to w->script. EXIT_OK, or EXIT_PROBLEM after their diagnostics.
 static int check_scripts(Cli *c, WhatIf *w, const CompileInput *in, const Compiled *made)
 {
     for (size_t i = 0; i < in->n; i++)

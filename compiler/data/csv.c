@@ -17,7 +17,7 @@ static bool fail(Csv *c, uint64_t line, const char *error)
 
 static bool fail_nul(Csv *c) { return fail(c, c->next_line, "a NUL byte: the file is not text"); }
 
-// Fills the buffer.  Returns false at the end of the file, and after an error.
+// Reads the next bytes of the file into the buffer.  Returns false at the end of the file, and after an error.
 static bool read_buffer(Csv *c)
 {
     const char *why = "";
@@ -99,6 +99,7 @@ void csv_close(Csv *c)
 
 static bool fail_long_record(Csv *c) { return fail(c, c->line, format_in(c->arena, "the record is longer than %d bytes", CSV_RECORD_MAX)); }
 
+// Appends bytes to the text of the current record.
 static void add_bytes(Csv *c, const char *bytes, size_t n)
 {
     while (c->capacity - c->size < n) {
@@ -109,6 +110,7 @@ static void add_bytes(Csv *c, const char *bytes, size_t n)
     c->size += n;
 }
 
+// Stores where the text of the next cell begins.
 static void begin_cell(Csv *c)
 {
     if (c->cells + 1 == c->cell_capacity) {
@@ -118,6 +120,7 @@ static void begin_cell(Csv *c)
     c->cell[c->cells] = (uint32_t)c->size;
 }
 
+// Ends the text of a cell with a NUL, and begins the next one.
 static void end_cell(Csv *c)
 {
     add_bytes(c, "", 1);
@@ -135,7 +138,7 @@ static void consume_line_end(Csv *c)
         c->at++;
 }
 
-// Copies bytes of a cell without quotes up to the next byte that can end it.
+// Copies the bytes of an unquoted cell up to the next byte that can end it, or the end of the buffer.
 static void copy_plain(Csv *c)
 {
     const char delimiter = c->delimiter, *from = c->buffer + c->at, *end = c->buffer + c->end, *at = from;

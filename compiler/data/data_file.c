@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+// Reads from bytes in memory, as DataStream.read.
 static bool read_memory(DataStream *s, char *into, size_t n, size_t *got, const char **why)
 {
     const DataMemory *m = s->self;

@@ -14,6 +14,7 @@ enum {
     SHOWN_MOST = 40                       // bytes of a cell that a message shows
 };
 
+// Records an error. column: index of the wanted column, RECORDING_TIME or RECORDING_FILE; line 0: none. Always returns false.
 static bool fail(Recording *r, int column, uint64_t line, const char *text)
 {
     r->error = (RecordingError){text, line, column};
@@ -24,7 +25,7 @@ static bool fail_csv(Recording *r) { return fail(r, RECORDING_FILE, r->csv.error
 
 // ---- the text of a cell ----
 
-// Returns a cell for a message: cut to a readable length, with \xNN for bytes that are not UTF-8 or not visible.
+// Returns the text of a cell of the CSV file for a message: cut to a readable length, with \xNN for bytes that are not UTF-8 or not visible.
 static const char *show_cell(Arena *arena, const char *cell, size_t n)
 {
     Buf out;
@@ -94,6 +95,7 @@ static bool is_decimal(char *cell, size_t n, bool comma)
     return i == n;
 }
 
+// Converts a number of the compiler (SmF64) to the double with the same bits.
 static double to_double(SmF64 x)
 {
     const uint64_t bits = sm_bits(x);
@@ -134,6 +136,7 @@ static CellKind read_number(Recording *r, size_t i, TimeUnit unit, double *x)
     return fits ? CELL_NUMBER : CELL_TOO_LARGE;
 }
 
+// Reports that cell i of the record is no number, or too large. column: the wanted column that it belongs to.
 static bool fail_cell(Recording *r, int column, size_t i, CellKind kind)
 {
     const char *cell = show_cell(r->arena, csv_cell(&r->csv, i), csv_cell_length(&r->csv, i));
@@ -153,7 +156,7 @@ static bool is_equal_without_case(const char *a, const char *b)
 
 // Returns the edit distance between a name in the header and `name`: 0 if they differ only in case, any number above `most` if it exceeds
 // `most`.
-static size_t distance_of(const char *name, const char *cell, size_t most)
+static size_t name_distance(const char *name, const char *cell, size_t most)
 {
     return *cell && is_equal_without_case(name, cell) ? 0 : *cell ? str_distance(name, cell, most + 1) : most + 1;
 }
@@ -167,7 +170,7 @@ static const char *find_near_names(Recording *r, const char *name)
 
     for (size_t distance = 0; distance <= most; distance++)
         for (size_t i = 0; i < r->header_cells && i < COMPARED_MOST && n < NEAR_MOST; i++)
-            if (distance_of(name, csv_cell(&r->csv, i), most) == distance) {
+            if (name_distance(name, csv_cell(&r->csv, i), most) == distance) {
                 const char *near = show_cell(r->arena, csv_cell(&r->csv, i), csv_cell_length(&r->csv, i));
                 list = list ? format_in(r->arena, "%s or '%s'", list, near) : format_in(r->arena, "'%s'", near);
                 n++;
@@ -187,6 +190,7 @@ static const char *list_names(Recording *r)
     return buf_text(&out);
 }
 
+// Reports that the header lacks a column, with similar names or the list of all.
 static bool fail_unknown(Recording *r, const char *name, int column)
 {
     const char *near = find_near_names(r, name);
@@ -196,7 +200,8 @@ static bool fail_unknown(Recording *r, const char *name, int column)
                      : format_in(r->arena, "there is no column '%s'; the header has %s", name, list_names(r)));
 }
 
-static bool is_name(const Recording *r, size_t i, const char *name)
+// Whether cell i of the header is this name, apart from blanks around it.
+static bool is_header_name(const Recording *r, size_t i, const char *name)
 {
     char *cell = csv_cell(&r->csv, i);
     size_t n = csv_cell_length(&r->csv, i);
@@ -211,7 +216,7 @@ static bool find_column(Recording *r, const char *name, int column, size_t *foun
     size_t n = 0;
 
     for (size_t i = r->header_cells; i-- > 0;)
-        if (is_name(r, i, name)) {
+        if (is_header_name(r, i, name)) {
             *found = i;
             n++;
         }
@@ -245,6 +250,7 @@ static bool is_row_of_numbers(Recording *r)
     return any;
 }
 
+// Reads the header, and finds the time and every wanted column in it. Returns false after an error.
 static bool read_header(Recording *r)
 {
     const CsvResult result = csv_next(&r->csv);
@@ -319,6 +325,7 @@ static bool read_time(Recording *r, double *time, bool *is_bad)
     return true;
 }
 
+// Reads wanted column i of the record. A missing value becomes NaN, or repeats the row before, as the format says.
 static bool read_value(Recording *r, size_t i, const RecordingRow *before, double *value)
 {
     const RecordingColumn *column = &r->format->column[i];

@@ -10,7 +10,9 @@
 // with a wait of BUSY_WAIT milliseconds apart.
 enum { BUSY_TRIES = 40, BUSY_WAIT = 25 };
 
-static bool request(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
+// Sends a request with a body of n bytes. Returns whether the application answered SM_OK with at least `least` bytes; fewer set h->result to
+// SM_E_SIZE.
+static bool request_answer(LinkHost *h, LinkMessage message, const uint8_t *body, size_t n, size_t least)
 {
     if (!link_request(h, message, body, n) || h->result != SM_OK)
         return false;
@@ -34,7 +36,7 @@ bool application_query(LinkHost *h, ApplicationInfo *info)
     const uint8_t *b;
 
     memset(info, 0, sizeof *info);
-    if (!request(h, LINK_APP, NULL, 0, 18))
+    if (!request_answer(h, LINK_APP, NULL, 0, 18))
         return false;
     b = h->body;
     info->protocol = b[0];
@@ -56,7 +58,7 @@ bool application_read_machine(LinkHost *h, uint16_t machine, ApplicationMachine 
 
     memset(out, 0, sizeof *out);
     sm_link_store(body, machine, 2);
-    if (!request(h, LINK_MACHINE, body, sizeof body, 18))
+    if (!request_answer(h, LINK_MACHINE, body, sizeof body, 18))
         return false;
     b = h->body;
     if (h->n < 18u + b[17]) {
@@ -78,7 +80,7 @@ bool application_read_machine(LinkHost *h, uint16_t machine, ApplicationMachine 
 bool application_read_swap(LinkHost *h, ApplicationSwap *out)
 {
     memset(out, 0, sizeof *out);
-    if (!request(h, LINK_SWAP, NULL, 0, 13))
+    if (!request_answer(h, LINK_SWAP, NULL, 0, 13))
         return false;
     out->checksum = sm_link_load(h->body, 4);
     out->phase = h->body[4];
@@ -89,13 +91,14 @@ bool application_read_swap(LinkHost *h, ApplicationSwap *out)
     return true;
 }
 
+// Reads what a swap did with a state, local or window of a machine. `item`: its index.
 bool application_read_item(LinkHost *h, uint16_t machine, uint32_t item, ApplicationItem *out)
 {
     uint8_t body[6];
 
     sm_link_store(body, machine, 2);
     sm_link_store(body + 2, item, 4);
-    if (!request(h, LINK_KEPT, body, sizeof body, 2))
+    if (!request_answer(h, LINK_KEPT, body, sizeof body, 2))
         return false;
     out->kind = h->body[0];
     out->fate = h->body[1];
@@ -103,6 +106,7 @@ bool application_read_item(LinkHost *h, uint16_t machine, uint32_t item, Applica
     return true;
 }
 
+// Confirms a swap on trial. `key`: signs the confirmation; NULL if the application requires no signature.
 bool application_confirm(LinkHost *h, const ApplicationSwap *swap, const uint8_t *key)
 {
     uint8_t body[4 + SMVM_CODE];
@@ -110,7 +114,7 @@ bool application_confirm(LinkHost *h, const ApplicationSwap *swap, const uint8_t
     sm_link_store(body, swap->checksum, 4);
     if (key)
         smvm_confirm_code(swap->number, swap->checksum, key, body + 4);
-    return request(h, LINK_CONFIRM, body, key ? sizeof body : 4, 0);
+    return request_answer(h, LINK_CONFIRM, body, key ? sizeof body : 4, 0);
 }
 
 const char *application_reason_text(uint8_t reason)
@@ -133,6 +137,7 @@ static void append_uint(Buf *out, uint32_t value, int bytes)
         buf_char(out, (char)value);
 }
 
+// Appends a name with its final NUL, after a byte with their length.
 static void append_name(Buf *out, const char *name)
 {
     const size_t n = name ? strlen(name) + 1 : 0;
@@ -165,6 +170,7 @@ void application_write_swap(const ApplicationChange *change, size_t n, const uin
     buf_put(out, (const char *)code, sizeof code);
 }
 
+// Announces a swap of swap->n bytes. With `key`, adds the permit that an application that accepts signed swaps only requires.
 static bool send_begin(LinkHost *h, const Buf *swap, const uint8_t *key, uint32_t number, uint16_t session)
 {
     uint8_t body[SMVM_PERMIT_AT + SMVM_PERMIT];
@@ -175,9 +181,10 @@ static bool send_begin(LinkHost *h, const Buf *swap, const uint8_t *key, uint32_
     sm_link_store(body + SMVM_PERMIT_AT, number, 4);
     if (key)
         smvm_permit_code(number, (uint32_t)swap->n, key, body + SMVM_PERMIT_AT + 4);
-    return request(h, LINK_BEGIN, body, key ? sizeof body : SMVM_PERMIT_AT, 0);
+    return request_answer(h, LINK_BEGIN, body, key ? sizeof body : SMVM_PERMIT_AT, 0);
 }
 
+// Sends the swap in blocks of the size that the application accepts.
 static bool send_data(LinkHost *h, const ApplicationInfo *info, const Buf *swap, uint16_t session)
 {
     uint8_t body[LINK_BODY_MAX];
@@ -188,12 +195,13 @@ static bool send_data(LinkHost *h, const ApplicationInfo *info, const Buf *swap,
         sm_link_store(body, session, 2);
         sm_link_store(body + 2, at, 3);
         memcpy(body + 5, swap->at + at, n);
-        if (!request(h, LINK_DATA, body, 5 + n, 0))
+        if (!request_answer(h, LINK_DATA, body, 5 + n, 0))
             return false;
     }
     return true;
 }
 
+// Waits `wait` milliseconds, and drops what arrives meanwhile.
 static void pause_for(LinkHost *h, uint32_t wait)
 {
     const uint32_t start = h->line->now(h->line->context);
@@ -213,10 +221,10 @@ ApplicationStep application_send_swap(LinkHost *h, const ApplicationInfo *info, 
         return APPLICATION_BEGIN;
     if (info->block == 0 || !send_data(h, info, swap, session))
         return APPLICATION_DATA;
-    begun = request(h, LINK_END, body, sizeof body, 0);
+    begun = request_answer(h, LINK_END, body, sizeof body, 0);
     for (int i = 0; i < BUSY_TRIES && !begun && h->answered && h->result == SM_E_BUSY; i++) {
         pause_for(h, BUSY_WAIT);
-        begun = request(h, LINK_END, body, sizeof body, 0);
+        begun = request_answer(h, LINK_END, body, sizeof body, 0);
     }
     return begun ? APPLICATION_DONE : APPLICATION_END;
 }

@@ -88,7 +88,7 @@ bool device_read_image_info(LinkHost *h, uint8_t slot, DeviceImage *image)
     return true;
 }
 
-// Finds the running image: that of a slot, or else the built-in one.
+// Finds the image that runs: the one in a slot that the board reports as running, or else the built-in one.
 bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
@@ -103,7 +103,7 @@ bool device_find_running_image(LinkHost *h, const DeviceInfo *info, DeviceImage 
 static bool is_on_trial(const DeviceImage *image) { return image->state == DEVICE_TRIAL; }
 static bool has_ended_trial(const DeviceImage *image) { return image->state != DEVICE_EMPTY && image->end != DEVICE_NOT_ENDED; }
 
-// Finds the first slot with an image for which `is` returns true.
+// Finds the first slot with an image that fulfils the condition `is`.
 static bool find_image(LinkHost *h, const DeviceInfo *info, bool (*is)(const DeviceImage *image), DeviceImage *image)
 {
     for (uint8_t slot = 0; slot < info->slots; slot++) {
@@ -133,7 +133,7 @@ static bool send_request_for_checksum(LinkHost *h, LinkMessage message, uint32_t
 bool device_confirm_image(LinkHost *h, uint32_t checksum) { return send_request_for_checksum(h, LINK_CONFIRM, checksum); }
 bool device_erase_image(LinkHost *h, uint32_t checksum) { return send_request_for_checksum(h, LINK_ERASE, checksum); }
 
-// Finds the pin of the board's chip for a pin of an image (SmvmPhysicalPin).
+// Asks the board which pin of its chip a pin of an image uses.  kind, number: see SmvmPhysicalPin.
 bool device_find_chip_pin(LinkHost *h, uint8_t kind, uint16_t number, uint8_t *chip_pin)
 {
     uint8_t body[3] = {kind, 0, 0};
@@ -234,7 +234,7 @@ static bool slot_has_same_bytes(LinkHost *h, const DeviceInfo *info, const Updat
     return true;
 }
 
-// Reads n bytes of a slot.
+// Reads n bytes of a slot, from offset `at`.
 static bool read_slot(LinkHost *h, const DeviceInfo *info, uint8_t slot, uint32_t at, uint8_t *bytes, uint32_t n)
 {
     const uint32_t most = info->body - 1u;

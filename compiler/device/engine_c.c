@@ -70,7 +70,8 @@ static bool split_words(Arena *a, const char *text, CommandWords *words)
     return true;
 }
 
-// Returns the diagnostics of the C compiler, cut off after MESSAGE_MAX bytes; a sentence with its exit code if the compiler wrote no diagnostics.
+// Returns the diagnostics of the C compiler from its log file, cut off after MESSAGE_MAX bytes; a sentence with its exit code if the compiler wrote
+// no diagnostics.
 static const char *read_compiler_output(Arena *arena, const char *log, int exit_code)
 {
     char *text;
@@ -240,6 +241,7 @@ static EngineStatus run_request(EngineC *e, EngineStep *out)
     return out->status;
 }
 
+// Starts the machine in a state: sends the command to both variants (see VARIANTS).
 static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
 {
     EngineC *e = engine->self;
@@ -251,6 +253,7 @@ static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
     return run_request(e, out);
 }
 
+// Runs a step after writing n elements: sends the command to both variants (see VARIANTS).
 static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     EngineC *e = engine->self;

@@ -11,6 +11,7 @@
 // The cost of a pin in a step, in cycles of an ATmega: the maximum measured by tests/avr/run_pins.c, rounded up.
 enum { DIGITAL_CYCLES = 400, INPUT_CYCLES = 5000, OUTPUT_CYCLES = 5000 };
 
+// Computes what an image needs of a board: RAM, cycles, pins, functions and windows.
 static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const FlashImage *image)
 {
     ImageNeeds n = {0, image->longest, 0, 0, 0, 0, 0};
@@ -37,7 +38,7 @@ static ImageNeeds find_image_needs(Arena *arena, const DeviceInfo *info, const F
     return n;
 }
 
-// Returns the name of the first elementary function in a set, which is not empty.
+// Returns the name of the first elementary function (sin, exp, …) in a set that is not empty. Bit n is the function with number n.
 static const char *name_of_first(uint32_t functions)
 {
 #define SM_ELEMENTARY(name, arguments, number) if ((functions >> number & 1) != 0) return #name;
@@ -46,6 +47,7 @@ static const char *name_of_first(uint32_t functions)
     return "a function";
 }
 
+// Compares the needs of an image with the limits of the board. Returns the first that it exceeds, or FLASH_ACCEPTED.
 static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, FlashCheck *c)
 {
     const ImageNeeds *n = &c->needs;
@@ -73,6 +75,7 @@ static FlashRefusal check_limits(const DeviceInfo *i, const FlashImage *image, F
 
 // ---- what the board accepts now ----
 
+// Records during which request the connection failed. `asking`: a phrase for the message.
 static FlashRefusal fail_request(FlashCheck *c, const char *asking)
 {
     c->asking = asking;
@@ -84,6 +87,7 @@ static bool is_same_image(const DeviceImage *there, const FlashImage *image)
     return there->length == image->length && there->checksum == smvm_uint(image->bytes, SMVM_CRC_AT, 4) && there->period == image->period;
 }
 
+// Refuses an image while another one is on trial, and one whose signature or number the board would refuse.
 static FlashRefusal check_trial_and_signature(LinkHost *h, const DeviceInfo *info, const FlashImage *image, FlashCheck *c)
 {
     if (device_find_trial_image(h, info, &c->trial))

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-// Initialises h for a line.  `sequence`: the number before that of the first request.
+// Initialises h for a line.  wait: ms to wait for each answer.  sequence: the first request has the next number.
 void link_host_init(LinkHost *h, const SerialLine *line, uint32_t wait, unsigned tries, uint8_t sequence)
 {
     memset(h, 0, sizeof *h);

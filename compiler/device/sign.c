@@ -16,7 +16,7 @@ static void store_little_endian(uint8_t *at, uint32_t value, unsigned bytes)
 }
 
 // Writes an entry of the section table.
-static void write_entry(uint8_t *entry, uint8_t id, uint8_t version, uint32_t at, uint32_t size)
+static void write_section_entry(uint8_t *entry, uint8_t id, uint8_t version, uint32_t at, uint32_t size)
 {
     entry[0] = id;
     entry[1] = version;
@@ -27,6 +27,7 @@ static void write_entry(uint8_t *entry, uint8_t id, uint8_t version, uint32_t at
 // What an image has without its signature: the number of its sections, and where the last of them ends.
 typedef struct Content { uint32_t sections, end; } Content;
 
+// Finds the content of an image without its signature: the number of its other sections, and the offset of their end.
 static Content find_content(const uint8_t *image, uint32_t length)
 {
     Content c = {smvm_section_count(image), length};
@@ -63,8 +64,8 @@ static uint32_t add_sections(const uint8_t *image, uint32_t length, uint8_t *out
         smvm_read_section(image, i, &s);
         store_little_endian(out + SMVM_HEADER + i * SMVM_SECTION_ENTRY + 2, s.at + data - old_data, 3);
     }
-    write_entry(entry, SMVM_S_PERMIT, SMVM_V_PERMIT, end, SMVM_CODE);
-    write_entry(entry + SMVM_SECTION_ENTRY, SMVM_S_AUTH, SMVM_V_AUTH, end + SMVM_CODE, SMVM_AUTH);
+    write_section_entry(entry, SMVM_S_PERMIT, SMVM_V_PERMIT, end, SMVM_CODE);
+    write_section_entry(entry + SMVM_SECTION_ENTRY, SMVM_S_AUTH, SMVM_V_AUTH, end + SMVM_CODE, SMVM_AUTH);
     out[SMVM_SECTIONS_AT] = (uint8_t)(c.sections + 2);
     length = end + SMVM_CODE + SMVM_AUTH;
     store_little_endian(out + SMVM_LENGTH_AT, length, 3);

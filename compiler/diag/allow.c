@@ -27,6 +27,7 @@ void diag_allow_shared(Diags *d, const char *flag, const char *reason, Span span
 
 // ---- order ----
 
+// Orders positions by source, in any fixed order, then by offset. Returns a number below, equal to or above 0.
 static int compare_positions(const Span *a, const Span *b)
 {
     uintptr_t x = (uintptr_t)a->src, y = (uintptr_t)b->src;
@@ -66,6 +67,7 @@ static int compare_diag_positions(const void *a, const void *b)
     return compare_positions(&x->span, &y->span);
 }
 
+// Returns pointers to all @allow, sorted with `compare`.
 static DiagAllow **sorted_allows(const Diags *d, int (*compare)(const void *, const void *))
 {
     DiagAllow **all = ARENA_ARRAY(d->arena, DiagAllow *, d->allow.n);
@@ -85,12 +87,14 @@ typedef struct AllowWalk {
     size_t depth;
 } AllowWalk;
 
+// Whether the text that an @allow covers ends before this position.
 static bool has_ended(const DiagAllow *a, const Span *at)
 {
     return a->covers.src != at->src || a->covers.at + a->covers.len <= at->at;
 }
 
-// Sets x->by. Must be called for positions in file order, because each call advances the stack of open allows to x.
+// Sets x->by to the innermost @allow that covers the position of x.  Must be called for positions in file order: each call advances the stack of
+// @allow whose text has begun and not ended.
 static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
 {
     const char *flag = diag_info[x->diag->code].flag;
@@ -108,8 +112,8 @@ static void find_innermost_allow(AllowWalk *w, AllowPosition *x)
             x->by = w->open[i];
 }
 
-// Decides whether warning x is allowed. places[0] is the warning's position; the others are the declarations that it names. A warning that
-// names several outputs is allowed only if each of them has an @allow. Even if some have none, the @allow of the others count as used.
+// Decides whether warning x is allowed. places[0] is the position of the warning; the others are the declarations of variables that it names. A
+// warning that names several outputs is allowed only if each of them has an @allow. Even if some have none, the @allow of the others count as used.
 static void decide_if_allowed(Diag *x, const AllowPosition *places)
 {
     size_t open[DIAG_SUBJECTS] = {0};

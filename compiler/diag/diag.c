@@ -39,6 +39,7 @@ void diags_init(Diags *d, Arena *arena)
 
 // ---- repeated reports ----
 
+// Returns the entry of a code and a position in the hash table, or the free slot where it would be inserted.
 static DiagPosition *find_position(const Diags *d, const Source *src, uint32_t at, DiagCode code)
 {
     size_t slot = (at * 2654435761u ^ (uint32_t)code * 40503u) & (d->position_cap - 1);
@@ -107,14 +108,14 @@ static const Source *find_listed_file(const Diags *d, const Source *src)
     return src;
 }
 
-// Records that x is true for a state. The reports for one state follow each other.
+// Records that diagnostic x applies to a state. The reports for one state follow each other.
 static void add_state(Diags *d, Diag *x, const char *state)
 {
     if (x->states.n == 0 || strcmp(x->states.at[x->states.n - 1], state) != 0)
         vec_push(d->arena, &x->states, state);
 }
 
-// Records that x is true for the current machine. The reports for one machine follow each other.
+// Records that diagnostic x applies to the current machine. The reports for one machine follow each other.
 static void add_machine(Diags *d, Diag *x)
 {
     if (d->machine && (x->machines.n == 0 || x->machines.at[x->machines.n - 1] != d->machine))
@@ -281,6 +282,7 @@ static size_t file_rank(const Diags *d, const Source *src)
     return i;
 }
 
+// Whether a comes before b in the output: by file, then by position.
 static bool is_before(const Diags *d, const Diag *a, const Diag *b)
 {
     if (a->span.src != b->span.src)
@@ -325,6 +327,7 @@ void diags_sort(Diags *d)
 
 static char to_upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
 
+// Whether two words are equal, apart from upper and lower case.
 static bool same_word(const char *a, const char *b)
 {
     while (*a && to_upper(*a) == to_upper(*b))

@@ -45,6 +45,7 @@ static uint64_t hash_line(uint64_t h, const char *s, size_t n)
     return h;
 }
 
+// Hashes the code, the file name and the text of the line, not its number: so the hash survives changes elsewhere in the file.
 static uint64_t hash_diagnostic(const Diag *d)
 {
     const char *id = diag_info[d->code].id, *file, *line;

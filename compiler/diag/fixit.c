@@ -13,6 +13,7 @@ typedef struct EditChange {
 
 typedef VEC(EditChange) EditChanges;
 
+// Orders edits by position; edits at the same position by the order of the calls of diag_edit.
 static int compare_changes(const void *a, const void *b)
 {
     const EditChange *x = a, *y = b;

@@ -11,6 +11,7 @@ static const char *const chapters[] = {
 
 static size_t chapter_of(const DiagInfo *row) { return (size_t)(row->id[1] - '0') * 10 + (size_t)(row->id[2] - '0'); }
 
+// Whether any code belongs to this chapter.
 static bool has_pages(size_t chapter)
 {
     for (size_t i = 0; i < DIAG_COUNT; i++)

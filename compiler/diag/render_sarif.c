@@ -23,6 +23,7 @@ static void put_uri(Buf *out, const char *path)
     buf_char(out, '"');
 }
 
+// Returns the column counted in characters, from 1; LineCol counts bytes.
 static unsigned long column_in_characters(const Source *src, LineCol where)
 {
     const char *s = src->text + src->line[where.line - 1];
@@ -152,6 +153,7 @@ static size_t count_steps(const Diag *d)
     return n;
 }
 
+// Writes the notes that are not numbered steps.
 static void put_related_locations(Buf *out, const Diag *d)
 {
     bool any = false;

@@ -200,6 +200,7 @@ static void put_diag(const DiagStyle *style, Buf *out, const Diag *d)
 
 // ---- the closing line ----
 
+// Writes "2 more errors" or the like; nothing for n = 0. `more`: "" or "more ".
 static void put_count(Buf *out, size_t n, const char *more, const char *what)
 {
     if (n)

@@ -30,8 +30,8 @@ static const char *skip_prefix(const char *text, const char *prefix)
     return strncmp(text, prefix, n) == 0 ? text + n : NULL;
 }
 
-// Returns the warning's name x in a word "no-x", "error=x", "no-error=x" or "x".
-static const char *flag_name_in(const char *w)
+// Returns the name of the warning, x, in a word after -W: "no-x", "error=x", "no-error=x" or "x".
+static const char *skip_flag_prefix(const char *w)
 {
     const char *rest;
 
@@ -41,6 +41,7 @@ static const char *flag_name_in(const char *w)
     return w;
 }
 
+// Returns the name of a warning or group that is most similar to `name`; NULL if none is.
 static const char *nearest_warning(Arena *arena, const char *name)
 {
     const char **names = ARENA_ARRAY(arena, const char *, diag_flag_count + GROUPS);
@@ -57,7 +58,7 @@ static const char *nearest_warning(Arena *arena, const char *name)
 const char *diag_selection_error(Arena *arena, const DiagSelection *w)
 {
     for (size_t i = 0; i < w->n; i++) {
-        const char *word = w->word[i], *name = flag_name_in(word), *near;
+        const char *word = w->word[i], *name = skip_flag_prefix(word), *near;
         if (strcmp(word, "error") == 0 || strcmp(word, "no-error") == 0 || find_groups(name) || diag_find_flag(name))
             continue;
         near = nearest_warning(arena, name);
@@ -72,7 +73,7 @@ typedef struct FlagChoice { bool on, error; } FlagChoice;
 // Applies one word after -W to the current decision *v about a warning.
 static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
 {
-    const char *name = flag_name_in(w);
+    const char *name = skip_flag_prefix(w);
 
     if (strcmp(w, "error") == 0 || strcmp(w, "no-error") == 0)
         v->error = w[0] == 'e';

@@ -7,9 +7,10 @@
 #include "stdlib/convert.h"
 #include "stdlib/f64.h"
 
-// Returns the state whose number e is, if e is compared with S or assigned to it: a name of a state (language.md 3.30), or a plain number.  A plain
+// Returns the state whose number the expression e is, where e is compared with S or assigned to it: e is the name of a state (language.md 3.30) or
+// a plain number.  A plain
 // number means the same in both machines only if all states have the same numbers in both.
-static const State *named_state(const Canon *c, const Expr *e)
+static const State *state_of_number(const Canon *c, const Expr *e)
 {
     const Program *p = c->p;
     const double x = e->kind == EX_NUMBER ? e->number : 0;
@@ -34,14 +35,15 @@ static bool canon_state_comparison(const Canon *c, const Expr *e, Buf *out)
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return false;
     if (is_s(c->p, e->arg[0]))
-        s = named_state(c, e->arg[1]);
+        s = state_of_number(c, e->arg[1]);
     else if (is_s(c->p, e->arg[1]))
-        s = named_state(c, e->arg[0]);
+        s = state_of_number(c, e->arg[0]);
     if (s)
         buf_printf(out, "(S%d %s)", (int)e->op, c->state[s->number]);
     return s != NULL;
 }
 
+// Writes the canonical name of a variable. A constant becomes its value, so that its name does not matter.
 static void canon_var(const Canon *c, const Var *v, Buf *out)
 {
     if (v->kind == VAR_LOCAL && v->is_constant)
@@ -50,6 +52,7 @@ static void canon_var(const Canon *c, const Var *v, Buf *out)
         buf_printf(out, "%s%s", c->var[v->index], v == c->p->s && !c->keeps_numbers ? c->side : "");
 }
 
+// Writes what a window stores: statistic, size, gap between samples, whether it is measured in time, and the sampled expression.
 static void canon_window(const Canon *c, const Window *w, Buf *out)
 {
     buf_printf(out, "window%d/%lu/%" PRIu64 "/%d[", (int)w->stat, (unsigned long)w->size, w->gap, w->time != NULL);
@@ -57,7 +60,7 @@ static void canon_window(const Canon *c, const Window *w, Buf *out)
     buf_char(out, ']');
 }
 
-// The depth of an expression is bounded by AST_DEPTH_MAX, and that of windows inside windows by the size of the file.
+// Writes an expression in canonical form.  Recursion is bounded: expressions by AST_DEPTH_MAX, windows inside windows by the size of the file.
 void canon_expr(const Canon *c, const Expr *e, Buf *out)
 {
     if (canon_state_comparison(c, e, out))
@@ -134,6 +137,7 @@ void canon_state(const Canon *c, const State *s, Buf *out)
     }
 }
 
+// Returns a condition and all the conditions around it in canonical form, joined by "&", each with "!" if it must be false.
 const char *canon_condition(Arena *arena, const Canon *c, const Condition *when)
 {
     Buf out;

@@ -35,8 +35,8 @@ typedef struct Item {
     const Stmt *stmt;
     const Condition *when;
     BlockKind block;
-    const char *target;           // canonical: "->Vent", or the variable
-    const char *condition, *value;            // canonical
+    const char *target;           // in canonical form: "->Vent", or the assigned variable
+    const char *condition, *value;            // in canonical form; value: of an assignment
     bool matched;
 } Item;
 typedef VEC(Item) Items;
@@ -46,6 +46,7 @@ typedef struct Place { const State *state; const AllStates *all; } Place;
 
 typedef struct ItemWalk { Arena *arena; const Canon *c; Place place; Items *out; } ItemWalk;
 
+// Called for each statement of the machine: adds it to the list if it is a transition or assignment in the searched place (w->place).
 static void add_item(const StmtLocation *at, void *context)
 {
     ItemWalk *w = context;
@@ -65,6 +66,7 @@ static void add_item(const StmtLocation *at, void *context)
     vec_push(w->arena, w->out, item);
 }
 
+// Lists the transitions and assignments in a place: the own statements of a state, or of one [all_states] section in it (Place).
 static Items list_items(ProgramDiff *d, const Canon *c, Place place)
 {
     Items out = {NULL, 0, 0};
@@ -75,7 +77,7 @@ static Items list_items(ProgramDiff *d, const Canon *c, Place place)
     return out;
 }
 
-// Returns how an item is written: the condition of a transition, an assignment with its condition.
+// Returns the source text of an item (a transition or assignment): the condition of a transition; an assignment with its condition.
 static const char *item_text(Arena *arena, const Item *i)
 {
     const char *when = i->when ? condition_text(arena, i->when) : "";
@@ -85,6 +87,7 @@ static const char *item_text(Arena *arena, const Item *i)
     return format_in(arena, "%s%s%s", source_text(arena, i->stmt->span), i->when ? " if " : "", when);
 }
 
+// Returns how the report names a transition or assignment: "-> Vent in .entry" or "valve in .step".
 static const char *item_name(Arena *arena, const Item *i)
 {
     if (i->stmt->kind == ST_TRANSITION)
@@ -93,6 +96,7 @@ static const char *item_name(Arena *arena, const Item *i)
                      i->block == BLOCK_ENTRY ? ".entry" : i->block == BLOCK_EXIT ? ".exit" : ".step");
 }
 
+// Creates the record of a transition or assignment that was added (old is NULL), removed (new is NULL) or changed.
 static DiffChange item_change(ProgramDiff *d, const char *where, const Item *old, const Item *new)
 {
     DiffChange c = {.how = !old ? DIFF_ADDED : !new ? DIFF_REMOVED : DIFF_CHANGED, .weight = DIFF_BEHAVIOUR, .where = where};
@@ -108,6 +112,7 @@ static DiffChange item_change(ProgramDiff *d, const char *where, const Item *old
 
 enum { SAME_ALL, SAME_TARGET, SAME_CONDITION, RULES };
 
+// Whether two items of the machines are versions of each other under this rule. Stricter rules are tried first: see SAME_ALL.
 static bool items_match(const Item *a, const Item *b, int rule)
 {
     if (a->stmt->kind != b->stmt->kind || a->block != b->block)
@@ -119,6 +124,7 @@ static bool items_match(const Item *a, const Item *b, int rule)
     }
 }
 
+// Records that item a became b, with the meaning of the change: another target, or how the guard differs.
 static void add_changed_item(ProgramDiff *d, const Canon canon[2], const char *where, const Item *a, const Item *b)
 {
     DiffChange c = item_change(d, where, a, b);
@@ -132,7 +138,7 @@ static void add_changed_item(ProgramDiff *d, const Canon canon[2], const char *w
     diff_add(d, c);
 }
 
-// Adds what differs between the transitions and assignments of two places.
+// Pairs the transitions and assignments of a place in the old and the new machine, and adds the differences to d->change.
 static void compare_items(ProgramDiff *d, const Canon canon[2], const char *where, Place old, Place new)
 {
     Items a = list_items(d, &canon[0], old), b = list_items(d, &canon[1], new);
@@ -156,6 +162,7 @@ static void compare_items(ProgramDiff *d, const Canon canon[2], const char *wher
 
 // ---- states ----
 
+// Returns the statements of a place in canonical form, with names that do not depend on their spelling.
 static const char *canon_place(ProgramDiff *d, const Canon *c, Place place)
 {
     Buf out;
@@ -170,7 +177,7 @@ static const char *canon_place(ProgramDiff *d, const Canon *c, Place place)
     return buf_text(&out);
 }
 
-// Compares the text of two places.  If the code is the same, only a note remains.
+// Compares the statements of a place in the old and the new machine.  With `same_code` (equal IR), all differences are notes.
 static void compare_place(ProgramDiff *d, const Canon canon[2], const char *where, Place old, Place new, bool same_code)
 {
     const size_t before = d->change.n;
@@ -204,6 +211,7 @@ static void compare_state_marks(ProgramDiff *d, const State *a, const State *b)
                                  .old = state_text(d->arena, a), .new = state_text(d->arena, b)});
 }
 
+// Whether two states have the same statements in canonical form.
 static bool same_text(ProgramDiff *d, const Canon canon[2], const State *a, const State *b)
 {
     Buf x, y;
@@ -215,6 +223,7 @@ static bool same_text(ProgramDiff *d, const Canon canon[2], const State *a, cons
     return strcmp(buf_text(&x), buf_text(&y)) == 0;
 }
 
+// Compares the [all_states] sections of both machines, in their order.
 static void compare_sections(ProgramDiff *d, const Canon canon[2])
 {
     const Program *p = d->old.p, *q = d->new.p;
@@ -242,6 +251,7 @@ static void compare_sections(ProgramDiff *d, const Canon canon[2])
     }
 }
 
+// Returns how many of the changes found so far change the behaviour.
 static size_t count_behaviour(const ProgramDiff *d)
 {
     size_t n = 0;
@@ -251,7 +261,7 @@ static size_t count_behaviour(const ProgramDiff *d)
     return n;
 }
 
-// A state that differs is always listed, even if no single difference can be named.
+// Compares the states.  One whose code differs is always listed, even if no single difference can be named.
 static void compare_states(ProgramDiff *d, const Canon canon[2])
 {
     const Program *p = d->old.p, *q = d->new.p;
@@ -294,6 +304,7 @@ static void compare_states(ProgramDiff *d, const Canon canon[2])
 
 // ---- variables ----
 
+// Returns the declaration of a variable, in normal form, for the report.
 static const char *var_text(Arena *arena, const Var *v)
 {
     Buf out;
@@ -328,8 +339,9 @@ static bool same_parameter(const Parameter *a, const Parameter *b)
     return (!a && !b) || (a && b && a->lo == b->lo && a->hi == b->hi && a->standard == b->standard);
 }
 
-// What the machine does depends on a variable's type, on the first value of one that changes, and on the values that a parameter can have.
-static DiffWeight weight_of(const Var *a, const Var *b)
+// Returns how serious a difference between two declarations is.  The behaviour depends on the type, on the initial value of a local that is not
+// constant, and on the values that a parameter can have.
+static DiffWeight weigh_declarations(const Var *a, const Var *b)
 {
     if (a->type != b->type || !same_parameter(a->parameter, b->parameter))
         return DIFF_BEHAVIOUR;
@@ -353,7 +365,7 @@ static void compare_variables(ProgramDiff *d)
         if (b && strcmp(c.old, c.new) == 0)
             continue;
         if (b)
-            c.weight = weight_of(a, b);
+            c.weight = weigh_declarations(a, b);
         else
             c.weight = a->kind == VAR_ELEMENT || a->parameter ? DIFF_INTERFACE : DIFF_NOTE;
         if (b && c.weight == DIFF_NOTE && a->name != b->name && a->kind == VAR_LOCAL && strcmp(a->name->text, b->name->text) != 0)
@@ -389,7 +401,7 @@ static void compare_options(ProgramDiff *d)
                                  .new = (size_t)q->time_unit < sizeof unit / sizeof *unit ? unit[q->time_unit] : ""});
 }
 
-// Whether p has the mark as often as `least` times up to the given one.
+// Counts the marks @req of requirement `id` in a state, among the first `end` marks of the old or the new machine.  `state`: its name in the new one.
 static size_t count_marks(const ProgramDiff *d, bool of_new, Str id, const char *state, size_t end)
 {
     const Program *p = of_new ? d->new.p : d->old.p;
@@ -423,7 +435,7 @@ static void compare_requirements(ProgramDiff *d)
     }
 }
 
-// Whether two state vectors have the same elements in the same places.  A machine's own section is a region with the name of its file, which can
+// Whether two state vectors have the same elements at the same offsets.  A machine's own section is a region with the name of its file, which can
 // differ between two versions.
 static bool same_vector(const StateVec *a, const StateVec *b)
 {
@@ -453,8 +465,8 @@ static void compare_layout(ProgramDiff *d)
                                  .meaning = "images of the one do not run with the other"});
 }
 
-// Whether a swap can continue (swapping.md 12.2, 12.4, 12.7).
-static void judge_swap(ProgramDiff *d)
+// Reports whether the new machine can continue where the old one is, if it is swapped in flight, and what it loses (swapping.md 12.2, 12.4, 12.7).
+static void describe_swap(ProgramDiff *d)
 {
     Buf can, lost;
 
@@ -499,7 +511,7 @@ static void compare_costs(ProgramDiff *d)
     vec_push(d->arena, &d->cost, ((DiffCost){"bytes of memory on the VM", a.ram, b.ram}));
 }
 
-// Returns the name of the state that contains a place of the source; "".
+// Returns the name of the state that contains this position of the source; "": none.
 static const char *state_at(const Program *p, Span span)
 {
     for (size_t i = 0; i < p->state.n; i++) {
@@ -510,6 +522,7 @@ static const char *state_at(const Program *p, Span span)
     return "";
 }
 
+// Returns the name that a state of the old machine has in the new one; without a match, or with `of_new`, the same name.
 static const char *name_in_new(const ProgramDiff *d, bool of_new, const char *state)
 {
     for (size_t i = 0; i < d->old.p->state.n && !of_new; i++)
@@ -518,6 +531,7 @@ static const char *name_in_new(const ProgramDiff *d, bool of_new, const char *st
     return state;
 }
 
+// Counts the findings of a machine with this code in the state `where`, among its first `end` findings.
 static size_t count_findings(const ProgramDiff *d, bool of_new, DiagCode code, const char *where, size_t end)
 {
     const Diags *f = of_new ? d->new.findings : d->old.findings;
@@ -529,7 +543,7 @@ static size_t count_findings(const ProgramDiff *d, bool of_new, DiagCode code, c
     return n;
 }
 
-// Findings are compared by code and state, not by line.
+// Lists the findings that only one machine has.  They are compared by code and state, not by line.
 static void compare_findings(ProgramDiff *d)
 {
     for (int side = 1; side >= 0 && d->old.findings && d->new.findings; side--) {
@@ -565,7 +579,7 @@ ProgramDiff *diff_programs(Arena *arena, const DiffSide *old, const DiffSide *ne
     compare_options(d);
     compare_requirements(d);
     compare_layout(d);
-    judge_swap(d);
+    describe_swap(d);
     compare_costs(d);
     compare_findings(d);
     return d;

@@ -21,7 +21,7 @@ typedef struct DiffSide {
     const IrMachine *ir;          // optimised as for the image that flies
     const Diags *findings;        // the findings of smc check about the machine; or NULL
     const uint8_t *measured;      // an image for cost_of_machine; or NULL: costs are not compared
-    size_t image_size;            // of the image that smc build writes
+    size_t image_size;            // bytes of the image that smc build writes
     uint64_t identity;            // smvm_logic_identity of the image
 } DiffSide;
 

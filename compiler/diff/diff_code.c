@@ -11,6 +11,7 @@ typedef struct CodeMatch {
     Arena *arena;
 } CodeMatch;
 
+// Returns an array of n + 1 elements, all IR_NONE.
 static uint32_t *new_table(Arena *arena, size_t n)
 {
     uint32_t *at = ARENA_ARRAY(arena, uint32_t, n + 1);
@@ -20,7 +21,8 @@ static uint32_t *new_table(Arena *arena, size_t n)
     return at;
 }
 
-static CodeMatch begin_match(const ProgramDiff *d)
+// Prepares the comparison of IR: which variable of the new machine corresponds to each of the old one; windows are matched when they are met.
+static CodeMatch new_code_match(const ProgramDiff *d)
 {
     CodeMatch m = {.d = d, .a = d->old.ir, .b = d->new.ir, .arena = d->arena};
 
@@ -35,7 +37,8 @@ static CodeMatch begin_match(const ProgramDiff *d)
     return m;
 }
 
-// Windows correspond if they have the same form, and if their samples do; same_samples checks the latter.
+// Whether windows a (old) and b (new) correspond: they have the same form, and neither corresponds to another one. same_samples compares what they
+// store.
 static bool same_window(CodeMatch *m, uint32_t a, uint32_t b)
 {
     const IrWindow *x = &m->a->window.at[a], *y = &m->b->window.at[b];
@@ -57,6 +60,7 @@ static bool same_var(const CodeMatch *m, uint32_t a, uint32_t b)
 // Code that reads S depends on the numbers of states.
 static bool reads_number(const CodeMatch *m, const IrIns *i) { return i->op == IR_load && i->var == m->a->s; }
 
+// Whether every matched state has the same number in both machines.
 static bool keeps_numbers(const ProgramDiff *d)
 {
     for (uint32_t s = 1; s <= d->old.p->state.n; s++)
@@ -65,6 +69,7 @@ static bool keeps_numbers(const ProgramDiff *d)
     return true;
 }
 
+// Whether two instructions are equal. ref: by instruction of the old function, the corresponding one of the new.
 static bool same_instruction(CodeMatch *m, const uint32_t *ref, const IrIns *x, const IrIns *y)
 {
     if (x->op != y->op || x->type != y->type || x->stat != y->stat || (x->a == IR_NONE) != (y->a == IR_NONE) ||
@@ -94,6 +99,7 @@ static bool same_jump(const CodeMatch *m, const uint32_t *ref, const IrJump *x, 
     return false;
 }
 
+// Whether two functions have equal blocks, instruction by instruction. Both can be NULL.
 static bool same_function(CodeMatch *m, const IrFn *f, const IrFn *g)
 {
     uint32_t *ref;
@@ -116,10 +122,10 @@ static bool same_function(CodeMatch *m, const IrFn *f, const IrFn *g)
     return true;
 }
 
-// The statistics of a state count only if the functions that sample their windows are equal, too.
+// Whether two states run the same IR.  If they read windows, the functions that store the samples must be equal, too.
 bool diff_same_code(const ProgramDiff *d, const State *old, const State *new)
 {
-    CodeMatch m = begin_match(d);
+    CodeMatch m = new_code_match(d);
     const IrState *x = &m.a->state.at[old->number - 1], *y = &m.b->state.at[new->number - 1];
     bool reads_windows = false;
 

@@ -9,6 +9,7 @@ static const char *value_text(Arena *arena, const Define *d)
     return format_in(arena, "%.*s", (int)d->value_span.len, d->value_span.src->text + d->value_span.at);
 }
 
+// Returns the definition of p with the same name, or NULL.
 static const Define *find_define(const Program *p, const Define *like)
 {
     for (size_t i = 0; i < p->define.n; i++)
@@ -34,7 +35,8 @@ void diff_compare_defines(ProgramDiff *d)
         }
 }
 
-// Whether a definition is used in a piece of the source, or in a definition that is.  left: how many definitions can be inside each other.
+// Whether definition e is used in the range s of the source, directly or inside other definitions.  left: how many more levels of definitions inside
+// definitions are followed.
 static bool is_used_in(const Define *e, Span s, size_t left)
 {
     for (size_t i = 0; i < e->use.n; i++) {

@@ -12,6 +12,7 @@
 typedef struct GuardPart { const Expr *e; bool holds; const char *canon; bool cancelled; } GuardPart;
 typedef VEC(GuardPart) GuardParts;
 
+// Adds the operands of a conjunction to `out`, each as one part. holds: the expression must be true, else false (De Morgan).
 static void add_part(Arena *arena, const Canon *c, const Expr *e, bool holds, GuardParts *out)
 {
     GuardPart part = {e, holds, NULL, false};
@@ -29,6 +30,7 @@ static void add_part(Arena *arena, const Canon *c, const Expr *e, bool holds, Gu
     vec_push(arena, out, part);
 }
 
+// Splits a condition and all the conditions around it into parts that must all be true or false.
 static GuardParts split_guard(Arena *arena, const Canon *c, const Condition *when)
 {
     GuardParts out = {NULL, 0, 0};
@@ -38,6 +40,7 @@ static GuardParts split_guard(Arena *arena, const Canon *c, const Condition *whe
     return out;
 }
 
+// Marks the parts that both guards have as cancelled, in pairs.
 static void cancel_common_parts(GuardParts *a, GuardParts *b)
 {
     for (size_t i = 0; i < a->n; i++)
@@ -63,6 +66,7 @@ typedef struct GuardInterval {
     bool lo_open, hi_open;        // the end itself is outside
 } GuardInterval;
 
+// Returns the value of a constant expression in *x; false if it is not constant, or NaN.
 static bool constant_of(const Expr *e, double *x)
 {
     if (!expr_is_constant(e))
@@ -87,7 +91,8 @@ static void lower_upper_bound(GuardInterval *v, double x, bool open)
     }
 }
 
-// Narrows the interval by one comparison.  Returns false if it is not one of the variable with a constant.
+// Narrows the interval v of a variable by a comparison that is true (or false, without `holds`).  Returns false if it does not compare this variable
+// with a constant.
 static bool add_comparison(GuardInterval *v, Comparison c, bool holds)
 {
     SmOperator op = c.op;
@@ -113,7 +118,7 @@ static bool add_comparison(GuardInterval *v, Comparison c, bool holds)
     }
 }
 
-// Returns whether all remaining parts are comparisons of one variable with constants.
+// Whether all remaining parts compare the same variable with constants.  *v is then the interval of its values.
 static bool find_interval(const GuardParts *g, GuardInterval *v)
 {
     *v = (GuardInterval){NULL, -INFINITY, INFINITY, false, false};
@@ -133,7 +138,7 @@ static bool find_interval(const GuardParts *g, GuardInterval *v)
 
 // Whether the lower end of b is below that of a; the same of upper ends.
 static bool begins_before(const GuardInterval *b, const GuardInterval *a) { return b->lo < a->lo || (b->lo == a->lo && a->lo_open && !b->lo_open); }
-// Whether b contains numbers above those of a.
+// Whether interval b contains numbers above all those of a.
 static bool has_higher_upper_bound(const GuardInterval *b, const GuardInterval *a)
 {
     return b->hi > a->hi || (b->hi == a->hi && a->hi_open && !b->hi_open);
@@ -159,7 +164,7 @@ static void write_interval(Buf *out, const char *name, double lo, bool lo_open, 
     }
 }
 
-// Writes the part of `large` that is outside `small`, which is inside it.
+// Writes the values in the interval `large` that are not in `small`, an interval inside it.
 static void write_difference(Buf *out, const char *name, const GuardInterval *large, const GuardInterval *small)
 {
     const bool below = begins_before(large, small);
@@ -172,6 +177,8 @@ static void write_difference(Buf *out, const char *name, const GuardInterval *la
     }
 }
 
+// Returns in words for which values of the only variable the new guard is true and the old one not, or the reverse; NULL if the guards are not
+// intervals.
 static const char *compare_intervals(const ProgramDiff *d, const GuardParts *old, const GuardParts *new)
 {
     GuardInterval a, b;
@@ -193,6 +200,7 @@ static const char *compare_intervals(const ProgramDiff *d, const GuardParts *old
 
 // ---- the comparison ----
 
+// Returns the parts that are not cancelled, joined by "and".
 static const char *list_parts(Arena *arena, const GuardParts *g)
 {
     Buf out;

@@ -12,7 +12,7 @@ static void write_member(Buf *out, const char *key, const char *text)
     json_put_string(out, text);
 }
 
-static void write_line(Buf *out, const char *key, const Stmt *s)
+static void write_line_number(Buf *out, const char *key, const Stmt *s)
 {
     if (s)
         buf_printf(out, ",\"%s\":%lu", key, (unsigned long)source_position(s->span.src, s->span.at).line);
@@ -26,8 +26,8 @@ static void write_change(const DiffChange *c, Buf *out)
     write_member(out, "old", c->old);
     write_member(out, "new", c->new);
     write_member(out, "meaning", c->meaning);
-    write_line(out, "old_line", c->old_stmt);
-    write_line(out, "new_line", c->new_stmt);
+    write_line_number(out, "old_line", c->old_stmt);
+    write_line_number(out, "new_line", c->new_stmt);
     buf_char(out, '}');
 }
 

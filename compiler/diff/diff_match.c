@@ -41,6 +41,7 @@ static void set_names(ProgramDiff *d, Canon canon[2])
 
 // ---- by name ----
 
+// Records that a variable of the old machine is this one in the new machine.
 static void pair_vars(ProgramDiff *d, const Var *old, const Var *new)
 {
     d->var_of[old->index] = new;
@@ -53,6 +54,7 @@ static void pair_states(ProgramDiff *d, const State *old, const State *new)
     d->old_state_of[new->number] = old->number;
 }
 
+// Whether x of machine a and y of machine b have the same name. G, S and T match whatever they are called.
 static bool same_name(const Program *a, const Var *x, const Program *b, const Var *y)
 {
     const char *s = special_name(a, x), *t = special_name(b, y);
@@ -63,6 +65,7 @@ static bool same_name(const Program *a, const Var *x, const Program *b, const Va
                                         y->kind == VAR_ELEMENT ? element_name(y) : y->name->text) == 0;
 }
 
+// Pairs variables and states that have the same name in both machines.
 static void match_names(ProgramDiff *d)
 {
     const Program *a = d->old.p, *b = d->new.p;
@@ -108,6 +111,7 @@ static const char *list_uses(Arena *arena, const Canon *of, const Var *v)
     return buf_text(&out);
 }
 
+// Whether two locals have the same type, initial value and kind, so that one can be the renamed other.
 static bool same_form(const Var *a, const Var *b)
 {
     return a->kind == VAR_LOCAL && b->kind == VAR_LOCAL && a->type == b->type && a->init == b->init && a->is_constant == b->is_constant &&
@@ -158,7 +162,8 @@ static bool shares_line(const char *a, const char *b)
     return false;
 }
 
-static const Var *only_form(const Program *p, const Var *const *var_of, const Var *form)
+// Returns the local of p without a match that has the form of `form`; NULL if p has none or several.
+static const Var *only_with_form(const Program *p, const Var *const *var_of, const Var *form)
 {
     const Var *found = NULL;
 
@@ -176,13 +181,14 @@ static void match_likely_locals(ProgramDiff *d, const Canon canon[2])
 {
     for (size_t i = 0; i < d->old.p->var.n; i++) {
         const Var *a = d->old.p->var.at[i], *b = d->var_of[i] || a->kind != VAR_LOCAL || a->is_constant
-            ? NULL : only_form(d->new.p, d->old_var_of, a);
-        if (b && only_form(d->old.p, d->var_of, b) == a && shares_line(list_uses(d->arena, &canon[0], a), list_uses(d->arena, &canon[1], b)))
+            ? NULL : only_with_form(d->new.p, d->old_var_of, a);
+        if (b && only_with_form(d->old.p, d->var_of, b) == a && shares_line(list_uses(d->arena, &canon[0], a), list_uses(d->arena, &canon[1], b)))
             pair_vars(d, a, b);
     }
 }
 
-// A pair changes the names in the uses of other locals, so these can then have a single candidate.
+// Pairs renamed locals until no more are found.  Each pair changes the names in the statements that mention other locals, so these can then have a
+// single candidate.
 static void match_locals(ProgramDiff *d, Canon canon[2])
 {
     while (pair_locals(d, canon, false) || pair_locals(d, canon, true))
@@ -195,6 +201,7 @@ typedef VEC(const char *) Texts;
 
 typedef struct Incoming { Arena *arena; const Canon *c; const State *to; Texts *out; } Incoming;
 
+// Called for each statement: adds the transition to in->to that it is, with its source state and condition.
 static void add_incoming(const StmtLocation *at, void *context)
 {
     Incoming *in = context;
@@ -204,7 +211,7 @@ static void add_incoming(const StmtLocation *at, void *context)
                                                canon_condition(in->arena, in->c, at->when)));
 }
 
-// Lists what characterises a state: its statements, and the transitions to it.
+// Lists the statements of a state and the transitions to it, in canonical form and sorted, to compare it with states of the other machine.
 static Texts describe_state(Arena *arena, const Canon *c, const State *s)
 {
     Texts out = {NULL, 0, 0};
@@ -224,7 +231,7 @@ static Texts describe_state(Arena *arena, const Canon *c, const State *s)
     return out;
 }
 
-// Returns how much two sorted lists have in common, in percent.
+// Returns which part of two sorted lists is common to both, in percent.
 static unsigned similarity_of(const Texts *a, const Texts *b)
 {
     size_t i = 0, k = 0, common = 0;
@@ -247,7 +254,7 @@ static void report_renamed_state(ProgramDiff *d, const State *from, const State 
 }
 
 // Pairs the two unmatched states that are most alike.  Returns false if no two are alike enough.
-static bool match_state(ProgramDiff *d, Canon canon[2])
+static bool match_most_similar_states(ProgramDiff *d, Canon canon[2])
 {
     const State *from = NULL, *to = NULL;
     unsigned best = RENAMED_LEAST - 1;
@@ -310,6 +317,7 @@ static bool pair_in_order(ProgramDiff *d)
     return true;
 }
 
+// Whether every state equals the one it is paired with, in canonical form.
 static bool states_are_equal(const ProgramDiff *d, const Canon canon[2])
 {
     if (d->old.p->state.n != d->new.p->state.n)
@@ -326,7 +334,7 @@ static bool states_are_equal(const ProgramDiff *d, const Canon canon[2])
     return true;
 }
 
-// Whether the machines are equal once what has no match by name is paired in order.  If not, the match is as it was before.
+// Pairs everything that has no match by name in the order of the files. Returns whether the machines are then equal; if not, removes these pairs.
 static bool match_in_order(ProgramDiff *d, Canon canon[2])
 {
     const Program *a = d->old.p, *b = d->new.p;
@@ -357,7 +365,7 @@ void diff_match(ProgramDiff *d, Canon canon[2])
     if (!match_in_order(d, canon)) {
         set_names(d, canon);
         match_locals(d, canon);
-        while (match_state(d, canon))
+        while (match_most_similar_states(d, canon))
             ;
         set_names(d, canon);
         match_locals(d, canon);

@@ -22,6 +22,7 @@ typedef struct DiffRecording {
     bool is_over;                 // a difference has been found
 } DiffRecording;
 
+// Called after each step of the old machine: records the variables that changed.
 static void record_step(void *context, const ScriptStep *s)
 {
     DiffRecording *r = context;
@@ -45,7 +46,7 @@ static const char *cell_text(Arena *arena, SmType type, uint64_t cell)
     return buf_text(&out);
 }
 
-// Whether two values are equal for whatever reads them: any NaN reads as 0, and a byte of a bool that is not 0 as 1.
+// Whether two values are equal for code that reads them: every NaN reads as 0, and every byte of a bool but 0 as 1.
 static bool same_cell(const Var *a, uint64_t x, const Var *b, uint64_t y)
 {
     const double p = sm_cell_to_f64(a->type, x), q = sm_cell_to_f64(b->type, y);
@@ -53,6 +54,7 @@ static bool same_cell(const Var *a, uint64_t x, const Var *b, uint64_t y)
     return a->type == b->type ? x == y : p == q;
 }
 
+// Called after each step of the new machine: compares it with the recorded step of the old one, and records the first difference in r->run.
 static void compare_step(void *context, const ScriptStep *s)
 {
     DiffRecording *r = context;
@@ -95,6 +97,7 @@ static const char *result_text(Arena *arena, const ScriptResult *r)
     return format_in(arena, "%s after %" PRIu64 " step%s", outcome[r->outcome], r->steps, r->steps == 1 ? "" : "s");
 }
 
+// Runs a script on a machine and calls `after` after each step. Drops the diagnostics.
 static ScriptResult run_one_script(DiffRecording *r, const Program *p, const Script *s, uint64_t max_steps, void (*after)(void *, const ScriptStep *))
 {
     const ScriptOptions o = {.max_steps = max_steps, .after_step = after, .context = r, .is_silent = true, .is_compared = true};

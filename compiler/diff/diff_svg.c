@@ -13,6 +13,8 @@ typedef struct Union {
     VEC(const Stmt *) removed;    // the transitions that only the old machine has, as copied
 } Union;
 
+// Returns the state of the diagram (the union of both machines) that stands for a state of the old machine. Removed states follow those of the
+// new one.
 static State *state_in_union(const Union *u, const State *old)
 {
     const Program *q = u->d->new.p;
@@ -54,6 +56,7 @@ static Stmt *copy_transition(Union *u, const Transition *t)
     return s;
 }
 
+// Whether the diagram shows a transition of the old machine as removed: it has no equivalent in the new one, or leads elsewhere.
 static bool is_removed(const ProgramDiff *d, const Transition *t)
 {
     if (!d->state_of[t->from->number])
@@ -75,6 +78,7 @@ static DiagramChange change_of_state(const ProgramDiff *d, const State *s)
     return DIAGRAM_SAME;
 }
 
+// Fills the union with copies of the states of the new machine, and after them of the removed states of the old one.
 static void copy_states(Union *u)
 {
     const Program *a = u->d->old.p, *b = u->d->new.p;
@@ -103,7 +107,7 @@ static void copy_states(Union *u)
     }
 }
 
-// Sections name the states that they except by number, so the states that are only of the old machine are excepted, too.
+// Copies the [all_states] sections.  A section lists the numbers of its excepted states, to which the removed states of the old machine are added.
 static void extend_sections(Union *u)
 {
     const Program *b = u->d->new.p;
@@ -120,13 +124,14 @@ static void extend_sections(Union *u)
     }
 }
 
-// Targets of transitions are pointers to states of the new machine, which have copies.
-static void retarget(const Union *u, Transitions *all)
+// Replaces the targets of transitions, which point to states of the new machine, by their copies in the union.
+static void replace_targets(const Union *u, Transitions *all)
 {
     for (size_t i = 0; i < all->n; i++)
         all->at[i].to = u->p->state.at[all->at[i].to->number - 1];
 }
 
+// Returns how the diagram shows a transition: added, removed, changed or the same.
 static DiagramChange change_of_transition(const Union *u, const Transition *t)
 {
     for (size_t i = 0; i < u->removed.n; i++)
@@ -143,6 +148,7 @@ static DiagramChange change_of_transition(const Union *u, const Transition *t)
     return DIAGRAM_SAME;
 }
 
+// Returns the condition that a changed transition of the new machine had in the old one; NULL: it did not change.
 static const char *earlier_condition(const ProgramDiff *d, const Stmt *s)
 {
     for (size_t i = 0; i < d->change.n; i++)
@@ -167,7 +173,7 @@ void diff_write_svg(const ProgramDiff *d, Buf *out)
         if (is_removed(d, &old.at[i]))
             vec_push(d->arena, &state_in_union(&u, old.at[i].from)->block[old.at[i].block], copy_transition(&u, &old.at[i]));
     a.transition = transitions_of(d->arena, u.p);
-    retarget(&u, &a.transition);
+    replace_targets(&u, &a.transition);
     transition = ARENA_ARRAY(d->arena, DiagramChange, a.transition.n + 1u);
     was = ARENA_ARRAY(d->arena, const char *, a.transition.n + 1u);
     for (size_t i = 0; i < a.transition.n; i++) {

@@ -6,6 +6,7 @@
 #include "compiler/base/path.h"
 #include "compiler/diff/diff_part.h"
 
+// Returns how many changes have this weight.
 static size_t count_weight(const ProgramDiff *d, DiffWeight w)
 {
     size_t n = 0;
