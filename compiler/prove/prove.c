@@ -273,8 +273,8 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
     return true;
 }
 
-// Searches with the rest of the effort: short searches with other random numbers, then long ones.  Where a state has to last almost as long as it can,
-// one search commits to early exits from it, and another one to late exits.
+// Searches with the rest of the effort: short searches with other random numbers, then long ones.  Where a state has to last almost as long as it
+// can, one search commits to early exits from it, and another one to late exits.
 static void search_long(ProveRun *v, ProveOf *of)
 {
     static const uint64_t most[] = {1000000, 1000000, 1000000, 1000000, 4000000, 4000000, UINT64_MAX};

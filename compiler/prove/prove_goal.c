@@ -218,6 +218,7 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     const GoalMemory before = *m;
     Conditions x;
     bool premise, reached;
+    double left;              // the share of the waiting time that is left
 
     monitor_step(w->monitor, (char *)situation + MEMORY_SIZE, cell);
     w->tried[cell[w->g->all->program->s->index] - 1] = true;
@@ -227,7 +228,8 @@ static void step_goal(void *self, void *situation, const uint64_t *cell, double 
     w->premise_seen = w->premise_seen || (premise && !m->outside);
     m->outside = m->outside || (w->g->assume_ranges && !is_in_ranges(w, m, cell));
     reached = m->outside ? false : w->g->kind == GOAL_PREMISE ? premise : w->monitor->result[w->g->requirement] == MONITOR_VIOLATED;
-    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, &x, w->what->kind == REQUIREMENT_LEADS_TO ? share_of_time_left(w, (char *)situation + MEMORY_SIZE, cell) : 1);
+    left = w->what->kind == REQUIREMENT_LEADS_TO ? share_of_time_left(w, (char *)situation + MEMORY_SIZE, cell) : 1;
+    *distance = m->outside ? SEARCH_UNKNOWN : distance_to_goal(w, &before, m, &x, left);
     if (reached)
         *distance = 0;
     else if (!(*distance > 0))
