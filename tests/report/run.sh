@@ -29,8 +29,9 @@ page() {
     name=$1 want=$2
     shift 2
     expect "report $name" ends_with "$want" "$smc" report "$@" -o "$out/$name.html"
+    expect "no table of $name is empty" sh -c "! tr -d '\n' <'$out/$name.html' | grep -q '<tbody></tbody>'"
     expect "wellformed $name" awk -f "$here/wellformed.awk" "$out/$name.html"
-    case $1 in "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; esac
+    case $1 in "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; *) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; esac
     twin=
     for argument; do
         case $argument in
@@ -59,6 +60,8 @@ page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page twostage 0 "$root/tests/graph/machines/twostage.sm"
 page all_states 0 "$root/tests/graph/machines/all_states.sm"
 page rocket 0 "$examples/rocket/mission.sm" "--sv=$examples/rocket/rocket.sv"
+printf '[state_vector]\nU64 G\nU32 S\n[A]\n.step\n' >"$out/nothing.sm"
+page nothing 0 "$out/nothing.sm"
 page alone 0 "$examples/tank/tank.sm"
 
 # The messages of an application.
