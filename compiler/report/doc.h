@@ -44,6 +44,7 @@ typedef struct DocTable {
     bool facts;               // pairs of name and value: shown without column titles
     bool narrow;              // no wider than necessary
     bool dense;               // many columns with short words: smaller
+    bool upright;             // dense, with so many columns that their titles are written downwards
     bool last_on_screen;      // the last column is not printed on paper
     VEC(DocCell) cell;        // the cells, row by row
 } DocTable;

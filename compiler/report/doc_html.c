@@ -46,7 +46,7 @@ static void write_names(Buf *out, const char *text, size_t n)
     xml_write(out, text + written, n - written);
 }
 
-// Writes code.  An option, as --all, is not divided after its hyphens.
+// Writes code.  An option, as --all, is not divided after its hyphens, nor is an arrow.
 static void write_code(Buf *out, const char *text, size_t n)
 {
     enum { LONGEST = 24 };                               // more characters do not fit on a line beside other text
@@ -54,7 +54,13 @@ static void write_code(Buf *out, const char *text, size_t n)
     const bool has_option = hyphens && hyphens < text + n && n <= LONGEST;
 
     buf_str(out, has_option ? "<code class=\"b\">" : "<code>");
-    write_names(out, text, n);
+    for (const char *end = text + n, *arrow; text < end; text = arrow + 2) {
+        arrow = strstr(text, "->");
+        write_names(out, text, (size_t)((arrow && arrow < end ? arrow : end) - text));
+        if (!arrow || arrow >= end)
+            break;
+        buf_str(out, "<span class=\"b\">-&gt;</span>");
+    }
     buf_str(out, "</code>");
 }
 
@@ -74,7 +80,7 @@ static void write_markup(Buf *out, const char *text)
         const size_t n = strcspn(text, "`^");
         const char mark = text[n];
         size_t inner;
-        xml_write(out, text, n);
+        write_names(out, text, n);
         if (!mark)
             break;
         text += n + 1;
@@ -106,7 +112,7 @@ static void write_cell(Buf *out, const DocCell *c)
 {
     switch (c->kind) {
     case CELL_TEXT: write_markup(out, c->text); break;
-    case CELL_PLAIN: xml_write_str(out, c->text); break;
+    case CELL_PLAIN: write_names(out, c->text, strlen(c->text)); break;
     case CELL_CODE:
         if (*c->text)
             write_code(out, c->text, strlen(c->text));
@@ -165,7 +171,8 @@ static void write_table(Buf *out, const DocTable *t)
         write_facts(out, t);
         return;
     }
-    buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>", t->dense ? " class=\"narrow dense\"" : t->narrow ? " class=\"narrow\"" : "");
+    buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>",
+               t->upright ? " class=\"narrow dense upright\"" : t->dense ? " class=\"narrow dense\"" : t->narrow ? " class=\"narrow\"" : "");
     for (size_t i = 0; i < t->columns; i++) {
         if (!used[i])
             continue;

@@ -137,6 +137,8 @@ static bool is_cause(const AbortMatrix *x, const Var *v)
     return any;
 }
 
+enum { TITLES_ACROSS = 10 };    // columns: with more of them, long names fit on paper only if they are written downwards
+
 // Adds a row for each state that can need an abort, and a column for each variable that a guard of an abort reads.
 static void add_causes(const Report *r, Doc *d, const AbortMatrix *x)
 {
@@ -159,6 +161,7 @@ static void add_causes(const Report *r, Doc *d, const AbortMatrix *x)
     doc_add_paragraph(d, TEXT_ABORT_CAUSES);
     t = doc_add_table(d, "causes", column, (uint32_t)cause.n + 1);
     t->narrow = t->dense = true;
+    t->upright = t->columns > TITLES_ACROSS;
     for (size_t i = 0; i < x->n; i++) {
         const AbortRow *row = &x->row[i];
         if (row->verdict == ABORT_ITSELF || row->verdict == ABORT_UNREACHED)

@@ -79,6 +79,8 @@ static void add_longest_step(const Report *r, Doc *d)
     const StateCost *s = &r->cost.state[r->cost.worst_state - 1];
     DocTable *t;
 
+    if (s->path.n == 0)                                  // the machine has no statements
+        return;
     doc_add_heading(d, "longest",
                     format_in(r->arena, "The longest step, in ^%s^", r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     t = DOC_ADD_TABLE(d, "longest", longest_columns);

@@ -48,7 +48,7 @@ const char *const report_style[] = {
     "table.narrow{width:auto}table.dense{font-size:.8rem}.dense td,.dense th{padding:.25rem}.dense .badge{font-size:.7rem;padding:.05rem "
     ".3rem;border-radius:.3rem}wbr{display:none}p,li,td "
     "code{overflow-wrap:break-word}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-"
-    "variant-numeric:tabular-nums}code.b{white-space:nowrap}\n",
+    "variant-numeric:tabular-nums}code.b,span.b{white-space:nowrap}\n",
     ".bar{display:inline-block;width:7rem;height:.7em;background:var(--soft);border:1px solid var(--line);margin-right:.4em}"
     ".bar i{display:block;border-top:.6em solid var(--accent)}\n",
     "dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:.6rem;margin:.8rem 0 1.2rem}\n",
@@ -69,13 +69,16 @@ const char *const report_style[] = {
     ".source span:target{background:var(--mark)}.label{color:var(--dim);margin:.2rem 0 .6rem}\n",
     "figure{margin:1rem 0;overflow-x:auto}figcaption{color:var(--dim);font-size:.9rem}figure svg{max-width:100%;height:auto}\n"
     "@media screen{figure.diagram{margin:1rem calc(50% - 50vw + 1.5rem);text-align:center}"
-    "figure.diagram>svg{max-width:max(100%,var(--width)*.8)}.print{display:none}.dense th wbr{display:inline}}\n",
+    "figure.diagram>svg{max-width:max(100%,var(--width)*.8)}.print{display:none}.dense th wbr{display:inline}}\n"
+    ".upright th:not(:first-child){writing-mode:vertical-rl}.upright th:first-child{vertical-align:bottom}"
+    "th.b,.upright th{white-space:nowrap}.upright th wbr{display:none!important}\n",
     "footer{border-top:1px solid var(--line);color:var(--dim);font-size:.85rem;margin-top:3rem}\n",
     PLOTS,
     "@media print{html{font-size:10pt}body{max-width:none;padding:0 "
     "1px;font-size:10pt;line-height:1.35}th,td{padding:.2rem .5rem}header{padding-top:0;margin-bottom:.8rem}section{margin:0 0 5mm}"
     "article,tr,figure,blockquote,.ex,dl div,.do li{break-inside:avoid}article:has(tr:nth-child(9)){break-inside:auto}"
-    "tbody tr:first-child,p:has(+.wide){break-after:avoid}td wbr,th wbr{display:inline}tbody tr:last-child{break-before:avoid}"
+    "tbody tr:first-child,p:has(+.wide){break-after:avoid}td wbr,th wbr{display:inline}"
+    ".dense td,.dense th{padding:.2rem .15rem}.dense .badge{white-space:normal}tbody tr:last-child{break-before:avoid}"
     "h2,h3,.do b{break-after:avoid}#scripts article{break-inside:auto}#scripts blockquote{break-after:avoid}"
     "a{color:inherit}.wide,pre,figure{overflow:visible}"
     "pre{white-space:pre-wrap}.source{font-size:8.5pt;border:0;background:none;padding:0}thead{display:table-header-group}"

@@ -189,9 +189,38 @@ else
     skipped=$((skipped + 1))
 fi
 
+# ---- against docs/boards.md ----
+
+# documented WORDS: the words are in docs/boards.md, however its lines are wrapped, and with commas in its numbers
+doc_passed=0 doc_failed=0
+documented()
+{
+    if tr -s '\n' ' ' <docs/boards.md | sed 's/\([0-9]\),\([0-9]\)/\1\2/g' | grep -qF "$1"; then
+        doc_passed=$((doc_passed + 1))
+    else
+        doc_failed=$((doc_failed + 1))
+        echo "sizes: not so in docs/boards.md: $1"
+    fi
+}
+measured() { awk -v key="$1 firmware $2" '$1 " " $2 " " $3 == key { print $4 }' "$records"; }
+limits() { sed -n "s/^BOARD(\"$1\", *\"[A-Za-z]*\", *\([0-9]*\), *\([0-9]*\),.*/\\$2/p" compiler/budget/boards.def; }
+
+documented "| an image | $(limits atmega2560 1) bytes, two slots | $(limits atmega328p 1) bytes, one slot |"
+documented "| RAM for state vector, machines and pins | $(limits atmega2560 2) bytes | $(limits atmega328p 2) bytes |"
+if has avr-gcc && [ "$(avr-gcc -dumpversion)" = 5.4.0 ] && has python3; then
+    ram=2048 for_images=1024 used=$(measured atmega328p ram) stack=$(measured atmega328p stack)
+    documented "The firmware of the Uno has $(measured atmega328p flash) bytes of flash"
+    documented "The firmware of the Mega has $(awk -v n="$(measured atmega2560 flash)" 'BEGIN { printf "%.1f", n / 1024 }') KB of flash"
+    documented "$((used - for_images)) bytes are static in addition to those for images, and $((ram - used)) are left"
+    documented "takes more than $stack bytes of stack"
+    documented "its stack leaves only $((ram - used - stack)) free"
+else
+    skipped=$((skipped + 1))
+fi
+
 # ---- against the budgets ----
 
-awk -v skipped=$skipped '
+awk -v skipped=$skipped -v passed=$doc_passed -v failed=$doc_failed '
     /^#/ || NF == 0 { next }
     FNR == NR { most[$1 " " $2 " " $3] = $4; next }
     {

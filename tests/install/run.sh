@@ -23,6 +23,18 @@ stops()
 check "make install" "$make" -s B="$build" CC="$cc" DESTDIR="$dir/inst" PREFIX=/usr install
 check "the command runs" "$inst/bin/smc" --version
 
+# All commands of `smc help` are there, and cases of .smt files run.
+commands_help()
+{
+    "$inst/bin/smc" help | sed -n 's/^  smc \([a-z-]*\) .*/\1/p' | sort -u >"$dir/commands"
+    test "$(wc -l <"$dir/commands")" -ge 20 || return 1
+    while read -r command; do
+        "$inst/bin/smc" help "$command" | grep -q '^Usage:' && "$inst/bin/smc" "$command" --help | grep -q '^Usage:' || { echo "$command"; return 1; }
+    done <"$dir/commands"
+}
+check "each command prints its help" commands_help
+check "cases of an .smt file run" sh -c "'$inst/bin/smc' test '$root/tests/script'/*.smt >'$dir/cases' && grep -q ' passed' '$dir/cases'"
+
 # A project that builds a machine both ways with smc.mk.
 mkdir "$dir/project"
 cp examples/tank/tank.sm examples/tank/tank.ss "$dir/project"

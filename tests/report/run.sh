@@ -29,8 +29,9 @@ page() {
     name=$1 want=$2
     shift 2
     expect "report $name" ends_with "$want" "$smc" report "$@" -o "$out/$name.html"
+    expect "no table of $name is empty" sh -c "! tr -d '\n' <'$out/$name.html' | grep -q '<tbody></tbody>'"
     expect "wellformed $name" awk -f "$here/wellformed.awk" "$out/$name.html"
-    case $1 in "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; esac
+    case $1 in "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; *) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; esac
     twin=
     for argument; do
         case $argument in
@@ -59,6 +60,8 @@ page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page twostage 0 "$root/tests/graph/machines/twostage.sm"
 page all_states 0 "$root/tests/graph/machines/all_states.sm"
 page rocket 0 "$examples/rocket/mission.sm" "--sv=$examples/rocket/rocket.sv"
+printf '[state_vector]\nU64 G\nU32 S\n[A]\n.step\n' >"$out/nothing.sm"
+page nothing 0 "$out/nothing.sm"
 page alone 0 "$examples/tank/tank.sm"
 
 # The messages of an application.
@@ -83,8 +86,12 @@ expect "messages with an error" ends_with 1 "$smc" report "$examples/mission/mis
 
 # On paper, long names can be divided between their words, and short ones cannot.  Options keep their hyphens.
 page stand 0 "$examples/teststand/stand.sm" "--sv=$examples/teststand/teststand.sv" "$examples"/teststand/stand*.ss
+page longnames 0 "$here/longnames.sm"
 page mutated 0 "$examples/parachutes/parachutes.sm" "$examples/parachutes/parachutes.ss" --mutate
 expect "a long name is divided" grep -q '<code>chamber<wbr/>PressureA</code>' "$out/stand.html"
+expect "an arrow is not divided" grep -q '<span class="b">-&gt;</span> Idle' "$out/everything.html"
+expect "titles of many columns are written downwards" grep -q '<table class="narrow dense upright">' "$out/longnames.html"
+expect "those of few are not" grep -q '<table class="narrow dense">' "$out/stand.html"
 expect "a short one is not" grep -q '<code>leastTank</code>' "$out/stand.html"
 expect "an option is not divided" grep -q '<code class="b">--mutate</code>' "$out/stand.html"
 expect "inputs that would show a change are on a screen only" grep -q '<td class="screen">from Pad, at G = ' "$out/mutated.html"
@@ -141,6 +148,20 @@ no_more_pages() { test "$(pages "$1")" -ge 1 && test "$(pages "$1")" -le "$2"; }
 shown() {
     timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,4000 "$2" "file://$1" >/dev/null 2>&1
 }
+# measured NAME WIDTH MEDIUM: in a window of this width, or on paper of it, nothing of the page is too wide, covered or blank.
+measured() {
+    {
+        case $3 in
+            paper) sed 's/@media *print/@media all/; s/@media screen/@media not all/; /Content-Security-Policy/d' "$out/$1.html" ;;
+            *) sed '/Content-Security-Policy/d' "$out/$1.html" ;;
+        esac
+        echo '<script>' && cat "$here/measure.js" && echo '</script>'
+    } >"$out/measured.html"
+    timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size="$2",720 --dump-dom "file://$out/measured.html" 2>/dev/null |
+        sed -n 's|.*<title>\(wide.*\)</title>.*|\1|p' >"$out/measures"
+    cat "$out/measures"
+    grep -qx 'wide 0, clash 0, blank 0, pictures some' "$out/measures"
+}
 if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
     for name in hostile four-scripts; do
         expect "screenshot $name" shown "$out/$name.html" "--screenshot=$out/$name.png"
@@ -148,6 +169,15 @@ if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-
         expect "print $name" shown "$out/$name.html" "--print-to-pdf=$out/$name.pdf"
         expect "print of $name is one" sh -c "head -c 5 '$out/$name.pdf' | grep -q %PDF-"
     done
+    # On a projector, and on the width between the margins of A4 and of Letter.
+    for name in longnames stand everything star; do
+        expect "$name at 1280 pixels" measured "$name" 1280 screen
+        expect "$name on A4" measured "$name" 688 paper
+    done
+    expect "long names on Letter" measured longnames 710 paper
+    # One section does not turn another to landscape, and tables are divided between pages.
+    expect "print stand" shown "$out/stand.html" "--print-to-pdf=$out/stand.pdf"
+    expect "pages of the test stand" no_more_pages "$out/stand.pdf" 26
     # On paper the diagram is on the first page, and no section begins a new one. What is not covered takes a page of the eleven.
     expect "pages of four scripts" no_more_pages "$out/four-scripts.pdf" 11
     # The browser's own tree has the page, and the hostile texts as texts: no element came of them.
