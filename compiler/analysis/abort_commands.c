@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports states that cannot abort on a bool input, such as a button, on which nearly all other states abort, also one that follows.  Where
-// no state that follows aborts on it either, as in a last state that vents, the danger can be over.
+// Reports states that lack an abort that other states have:
+//
+//   - on a bool input, such as a button, on which nearly all other states abort, also one that follows.  Where no state that follows aborts on
+//     it either, as in a last state that vents, the danger can be over;
+//   - on a condition on which every state before it and every state after it aborts.  What [all_states] aborts on does not count: there the
+//     author has named the states that are excepted.
 //
 // That is read from the guards of the paths in the abort matrix, through definitions and windows.  An input that is stored in a local says
 // nothing here: a later guard can read that local instead.
@@ -112,6 +116,88 @@ static void report_states_without(Trials *t, const AbortMatrix *x, const Var *in
     }
 }
 
+// ---- conditions ----
+
+// Returns the innermost guard of the path if the state itself contains it, and it reads an input; else NULL.
+static const Expr *guard_of_state(const AbortPath *path)
+{
+    const Condition *when = path->first->when;
+    const bool counts = when && when->holds && path->possible && abort_is_bounded(path) && (path->sensors > 0 || path->by_input);
+
+    return counts && !when->stmt->span.src->written ? when->stmt->value : NULL;
+}
+
+static bool aborts_on(const Trials *t, const AbortRow *r, const Expr *guard)
+{
+    bool any = false;
+
+    for (size_t k = 0; k < r->path.n && !any; k++) {
+        const Expr *own = guard_of_state(&r->path.at[k]);
+        any = own && expr_equal(own, guard, t->a->m->window_of);
+    }
+    return any;
+}
+
+// Whether the state has an abort, of whatever form, that depends on a sensor or an input of the path.
+static bool aborts_on_same_inputs(const AbortRow *r, const AbortPath *path)
+{
+    for (size_t k = 0; k < r->path.n; k++) {
+        const AbortPath *own = &r->path.at[k];
+        for (size_t i = 0; i < own->sensors; i++)
+            for (size_t n = 0; n < path->sensors; n++)
+                if (own->sensor[i] == path->sensor[n] && abort_is_bounded(own))
+                    return true;
+    }
+    return path->sensors == 0;
+}
+
+// Whether all states from which transitions lead into the state, and all states to which it leads that are no aborts, abort on the guard.  Some
+// state must be on either side.
+static bool is_between_aborts_on(const Trials *t, const AbortMatrix *x, const AbortRow *r, const Expr *guard)
+{
+    size_t before = 0, after = 0;
+
+    for (size_t i = 0; i < t->a->transition.n; i++) {
+        const Transition *step = &t->a->transition.at[i];
+        const State *other = step->to == r->state ? step->from : step->to;
+        if ((step->from == r->state) == (step->to == r->state) || !t->a->stmt[step->stmt->number].reached ||
+            x->row[other->number - 1].verdict == ABORT_ITSELF)
+            continue;
+        if (!aborts_on(t, &x->row[other->number - 1], guard))
+            return false;
+        before += step->to == r->state;
+        after += step->from == r->state;
+    }
+    return before > 0 && after > 0;
+}
+
+// Reports the abort paths of `before`, a state from which a transition leads to that of r, that r lacks.
+static void report_missing_guards(Trials *t, const AbortMatrix *x, const AbortRow *r, const AbortRow *before)
+{
+    Analysis *a = t->a;
+
+    for (size_t k = 0; k < before->path.n; k++) {
+        const AbortPath *path = &before->path.at[k];
+        const Expr *guard = guard_of_state(path);
+        Diag *d;
+        if (!guard || aborts_on_same_inputs(r, path) || !is_between_aborts_on(t, x, r, guard))
+            continue;
+        d = diag_report(a->diags, DIAG_abort_skips_guard, r->state->span, r->state->name->text, source_text(a->arena, guard->span));
+        diag_note(a->diags, d, path->first->stmt->span, DIAG_note_aborts_on_input, before->state->name->text,
+                  source_text(a->arena, guard->span));
+    }
+}
+
+static void report_states_between(Trials *t, const AbortMatrix *x)
+{
+    for (size_t i = 0; i < t->a->transition.n; i++) {
+        const Transition *step = &t->a->transition.at[i];
+        const AbortRow *r = &x->row[step->to->number - 1];
+        if (step->from != step->to && can_need_abort(r) && has_output_on(t, r))
+            report_missing_guards(t, x, r, &x->row[step->from->number - 1]);
+    }
+}
+
 void abort_report_skipped_inputs(Trials *t, const AbortMatrix *x)
 {
     for (size_t v = 0; v < t->a->p->var.n; v++) {
@@ -119,4 +205,5 @@ void abort_report_skipped_inputs(Trials *t, const AbortMatrix *x)
         if (input->kind == VAR_ELEMENT && input->type == SM_BOOL && !input->written && !is_stored(t, input))
             report_states_without(t, x, input);
     }
+    report_states_between(t, x);
 }

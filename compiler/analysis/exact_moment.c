@@ -48,6 +48,13 @@ static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
     return !sm_eq(x, sm_floor(x)) || (sm_lt(x, sm_from_u64(k->a->step)) && !(first_step && sm_eq(x, one)));
 }
 
+// Whether a time with a unit is less than half a step.  Half a step and more separates the first step from the others, whatever the order of
+// the machine's clock.
+static bool is_much_less_than_step(const TimeChecks *k, SmF64 x)
+{
+    return sm_lt(sm_from_i32(0), x) && sm_lt(sm_add(x, x), sm_from_u64(k->a->step));
+}
+
 // Reports `time op other` if `time` is T and `other` is an unlikely number.  `whole`: the expression that contains the comparison.
 static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOperator op, const Expr *other)
 {
@@ -56,8 +63,10 @@ static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOp
     SmF64 x;
     Diag *d;
 
-    if (op == SM_OP_EQ || op == SM_OP_NE || other->unit != TIME_NONE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other) ||
-        !is_unlikely_limit(k, x = expr_constant_value(other), first_step))
+    if (op == SM_OP_EQ || op == SM_OP_NE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other))
+        return;
+    x = expr_constant_value(other);
+    if (other->unit == TIME_NONE ? !is_unlikely_limit(k, x, first_step) : !is_much_less_than_step(k, x))
         return;
     reason = sm_eq(x, sm_floor(x)) ? format_in(k->a->arena, "advances by %llu in each step", (unsigned long long)k->a->step)
                                    : "is a whole number";
