@@ -344,6 +344,36 @@ static Fact *refined_fact(FlowWalk *w, uint32_t slot)
     return &r->fact;
 }
 
+static void refine_value(FlowWalk *w, IrRef r, Fact bounds);
+
+// Adds what follows for the operands of i from its result being within bounds and not NaN: max(a, b) < 5 bounds a and b.
+static void refine_operands(FlowWalk *w, const IrIns *i, Fact bounds)
+{
+    const bool is_float = i->type == SM_F64 || i->type == SM_F32;         // an integer's abs and neg saturate
+    const double none = fact_of_type(SM_F64).hi;
+    Fact side[2] = {{.lo = -none, .hi = none, .minus_zero = true}, {.lo = -none, .hi = none, .minus_zero = true}};
+
+    if (w->budget == 0 || !(i->op == IR_max || i->op == IR_min || (is_float && (i->op == IR_abs || i->op == IR_neg))))
+        return;
+    w->budget--;
+    if (i->op == IR_abs || i->op == IR_neg) {
+        side[0].lo = -bounds.hi;
+        side[0].hi = i->op == IR_abs ? bounds.hi : -bounds.lo;
+        refine_value(w, i->a, side[0]);
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        const Fact other = w->out.of[k ? i->a : i->b];
+        const bool is_max = i->op == IR_max;
+        if (is_max || other.lo > bounds.hi)
+            side[k].hi = bounds.hi;
+        if (!is_max || other.hi < bounds.lo)
+            side[k].lo = bounds.lo;
+    }
+    refine_value(w, i->a, side[0]);
+    refine_value(w, i->b, side[1]);
+}
+
 // Adds the fact that r is within bounds and not NaN on the current edge, for the home variable (FactHome) of r and of the values from which
 // r was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
 static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
@@ -355,6 +385,7 @@ static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
             w->contradicts |= known->lo > bounds.hi || bounds.lo > known->hi;
             *known = fact_meet(*known, bounds);
         }
+        refine_operands(w, ins(w, r), bounds);
         if (ins(w, r)->op != IR_cvt || ins(w, r)->type != SM_F64 || w->out.of[ins(w, r)->a].nan)
             return;
         bounds = bounds_before_conversion(bounds, ins(w, ins(w, r)->a)->type);

@@ -11,6 +11,7 @@ enum {
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
     NEAR_SHARE = 32,          // 1 / NEAR_SHARE of the steps are for runs close to the given runs
     FIRST_SHARE = 16,         // 1 / FIRST_SHARE of the steps run before the proofs that need long
+    FEW_STEPS = 1000,         // a longer scenario is shortened
     FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
@@ -254,6 +255,28 @@ static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *
     return found;
 }
 
+// Leaves out changes and waits that a long violation does not need.
+static const Scenario *shorten_violation(ProveRun *v, ProveOf *of, const Scenario *s)
+{
+    const GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
+    uint64_t steps;
+
+    if (s->changes <= FEW_CHANGES && s->steps <= FEW_STEPS)
+        return s;
+    s = near_shorten(v->arena, &v->work, v->m, &g, s, &steps);
+    of->steps += steps;
+    v->result->steps += steps;
+    return s;
+}
+
+// Returns a simpler violation, or the same one.
+static const Scenario *simplify_violation(ProveRun *v, ProveOf *of, const Scenario *found)
+{
+    const Scenario *short_one = shorten_violation(v, of, found), *other = search_simpler(v, of, short_one);
+
+    return other == short_one ? other : shorten_violation(v, of, other);
+}
+
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
@@ -263,7 +286,7 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
     if (!found.scenario)
         return false;
     of->verdict = PROVE_VIOLATED;
-    of->scenario = search_simpler(v, of, found.scenario);
+    of->scenario = simplify_violation(v, of, found.scenario);
     return true;
 }
 
@@ -321,19 +344,14 @@ static void keep_violation(ProveRun *v, ProveOf *of, const Scenario *s)
 {
     GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
     const Scenario *simpler;
-    uint64_t steps;
 
-    if (s->changes > FEW_CHANGES) {
-        s = near_shorten(v->arena, &v->work, v->m, &g, s, &steps);
-        of->steps += steps;
-        v->result->steps += steps;
-    }
+    s = shorten_violation(v, of, s);
     g.given = s;
     g.givens = 1;
     simpler = run_goal_search(v, of, &g).scenario;
     of->verdict = PROVE_VIOLATED;
     of->premise_seen = true;
-    of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
+    of->scenario = simplify_violation(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
 }
 
 // If a given run violates the requirement, records the violation with a simplified scenario, and returns true.
