@@ -118,6 +118,20 @@ typedef struct ProveProof {
     uint32_t sets, tried;     // how many there are; how many attempts have been made with each
 } ProveProof;
 
+// Stores the inputs with numbers that can influence the requirement.
+static void note_inputs(const ProveRun *v, const ProveModel *model, ProveOf *of)
+{
+    for (uint32_t n = 0; n < v->p->var.n; n++) {
+        const Var *var = v->p->var.at[n];
+        if (v->m->var_of[n] == IR_NONE || var->type == SM_BOOL || model->var[v->m->var_of[n]].kind != PROVE_INPUT)
+            continue;
+        if (!var->range && of->unrangeds < PROVE_WIDES)
+            of->unranged[of->unrangeds++] = var;
+        else if (var->range && !v->o->assume_ranges && of->rangeds < PROVE_WIDES)
+            of->ranged[of->rangeds++] = var;
+    }
+}
+
 static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
 {
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
@@ -125,8 +139,7 @@ static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
         p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
-    for (uint32_t n = 0; n < v->p->var.n && !v->o->assume_ranges; n++)
-        of->beyond_range |= v->p->var.at[n]->range && v->m->var_of[n] != IR_NONE && p->model[PROVE_EXACT]->var[v->m->var_of[n]].kind == PROVE_INPUT;
+    note_inputs(v, p->model[PROVE_EXACT], of);
     for (uint32_t n = 0; n < v->m->var.n; n++)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
