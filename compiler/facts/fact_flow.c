@@ -392,51 +392,6 @@ static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
     }
 }
 
-static void bound_above(Fact *a, double hi)
-{
-    if (hi < a->hi)
-        a->hi = hi;
-}
-
-static void bound_below(Fact *a, double lo)
-{
-    if (lo > a->lo)
-        a->lo = lo;
-}
-
-// Narrows both facts to the values for which *a < *b, or *a <= *b.
-static void bound_by_less(Fact *a, Fact *b, bool or_equal)
-{
-    const Fact was = *a;
-
-    bound_above(a, or_equal ? b->hi : fact_next_below(*a, b->hi));
-    bound_below(b, or_equal ? was.lo : fact_next_above(*b, was.lo));
-}
-
-// Excludes b from *a, if b is exactly one number and a bound of *a.
-static void bound_by_unequal(Fact *a, const Fact *b)
-{
-    if (b->lo != b->hi)
-        return;
-    if (a->lo == b->lo)
-        bound_below(a, fact_next_above(*a, a->lo));
-    if (a->hi == b->lo)
-        bound_above(a, fact_next_below(*a, a->hi));
-}
-
-// Narrows the facts of both operands to the values for which `*a op *b` is true.
-static void bound_by_comparison(Fact *a, IrOp op, Fact *b)
-{
-    switch ((int)op) {
-    case IR_eq: bound_by_less(a, b, true); bound_by_less(b, a, true); break;
-    case IR_ne: bound_by_unequal(a, b); bound_by_unequal(b, a); break;
-    case IR_lt: bound_by_less(a, b, false); break;
-    case IR_le: bound_by_less(a, b, true); break;
-    case IR_gt: bound_by_less(b, a, false); break;
-    case IR_ge: bound_by_less(b, a, true); break;
-    }
-}
-
 // Whether a comparison compares the exact value of r.  It converts 64-bit integers to F64, which rounds from 2^53 on.  If an operand is
 // rounded, a bound of one operand does not follow from a bound of the other.
 static bool is_compared_exactly(const FlowWalk *w, IrRef r)
@@ -471,7 +426,7 @@ static void refine_comparison(FlowWalk *w, const IrIns *i, bool holds)
         return;
     if (!b_exact && !(a_exact && a.lo == a.hi))
         return;
-    bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
+    fact_bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
     if (may_be_nan) {                             // the comparison says nothing about the other operand if this one is NaN
         refine_unless_nan(w, a_nan ? i->a : i->b, a_nan ? a : b);
         return;
