@@ -242,7 +242,10 @@ prove-corpus: $(B)/smc
 # tests/prove/author: requirements of an independent author.  Ten minutes of processor time.
 prove-author: $(B)/smc
 	sh tests/prove/author.sh $(B)/smc
-.PHONY: prove-campaign prove-corpus prove-author
+# tests/prove/second: 40 more requirements.  A minute of processor time.
+prove-second: $(B)/smc
+	sh tests/prove/second.sh $(B)/smc
+.PHONY: prove-campaign prove-corpus prove-author prove-second
 
 # tests/cover: scripts that are written from random scenarios, and what is called impossible.  `make scripts-campaign N=100000 SEED=1`.
 $(B)/cover/scripts: $(B)/obj/tests/cover/scripts.o $(GEN_OBJ) $(B)/libsmc.a

@@ -28,7 +28,7 @@ int runs_refuse_app(Cli *c, const char *app)
     cli_load_app(c, &in);
     diags_clear(&c->session.diags);
     return cli_usage_error(c, TEXT_not_an_app, app, c->command->name, c->command->name, find_app_file(c, &in, FILE_SM, "MACHINE.sm"),
-                           find_app_file(c, &in, FILE_SV, "VECTOR.sv"));
+                           strcmp(c->command->name, "prove") == 0 ? " REQUIREMENTS.rq" : "", find_app_file(c, &in, FILE_SV, "VECTOR.sv"));
 }
 
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.

@@ -331,6 +331,53 @@ static Fact fact_of_comparison_ins(const IrIns *i, Fact a, Fact b, SmType type)
     }
 }
 
+// ---- what a true comparison says about its operands ----
+
+static void bound_above(Fact *a, double hi)
+{
+    if (hi < a->hi)
+        a->hi = hi;
+}
+
+static void bound_below(Fact *a, double lo)
+{
+    if (lo > a->lo)
+        a->lo = lo;
+}
+
+// Narrows both facts to the values for which *a < *b, or *a <= *b.
+static void bound_by_less(Fact *a, Fact *b, bool or_equal)
+{
+    const Fact was = *a;
+
+    bound_above(a, or_equal ? b->hi : fact_next_below(*a, b->hi));
+    bound_below(b, or_equal ? was.lo : fact_next_above(*b, was.lo));
+}
+
+// Excludes b from *a, if b is exactly one number and a bound of *a.
+static void bound_by_unequal(Fact *a, const Fact *b)
+{
+    if (b->lo != b->hi)
+        return;
+    if (a->lo == b->lo)
+        bound_below(a, fact_next_above(*a, a->lo));
+    if (a->hi == b->lo)
+        bound_above(a, fact_next_below(*a, a->hi));
+}
+
+// Narrows the facts of both operands to the values for which `*a op *b` is true.
+void fact_bound_by_comparison(Fact *a, IrOp op, Fact *b)
+{
+    switch ((int)op) {
+    case IR_eq: bound_by_less(a, b, true); bound_by_less(b, a, true); break;
+    case IR_ne: bound_by_unequal(a, b); bound_by_unequal(b, a); break;
+    case IR_lt: bound_by_less(a, b, false); break;
+    case IR_le: bound_by_less(a, b, true); break;
+    case IR_gt: bound_by_less(b, a, false); break;
+    case IR_ge: bound_by_less(b, a, true); break;
+    }
+}
+
 // ---- all operations ----
 
 static Fact fact_of_logic(const IrIns *i, Fact a, Fact b)

@@ -34,6 +34,9 @@ Fact fact_convert(Fact a, SmType to);
 // never empty.
 Fact fact_of_stat(SmStat stat, Fact sample);
 
+// Narrows the facts of both operands, which are numbers, to the values for which `*a op *b` is true.
+void fact_bound_by_comparison(Fact *a, IrOp op, Fact *b);
+
 Fact fact_join(Fact a, Fact b);                       // returns what is known if either a or b is true
 Fact fact_meet(Fact a, Fact b);                       // returns what is known if both a and b are true; a if they contradict each other
 static inline bool fact_equal(Fact a, Fact b)

@@ -345,6 +345,36 @@ static Fact *refined_fact(FlowWalk *w, uint32_t slot)
     return &r->fact;
 }
 
+static void refine_value(FlowWalk *w, IrRef r, Fact bounds);
+
+// Adds what follows for the operands of i from its result being within bounds and not NaN: max(a, b) < 5 bounds a and b.
+static void refine_operands(FlowWalk *w, const IrIns *i, Fact bounds)
+{
+    const bool is_float = i->type == SM_F64 || i->type == SM_F32;         // an integer's abs and neg saturate
+    const double none = fact_of_type(SM_F64).hi;
+    Fact side[2] = {{.lo = -none, .hi = none, .minus_zero = true}, {.lo = -none, .hi = none, .minus_zero = true}};
+
+    if (w->budget == 0 || !(i->op == IR_max || i->op == IR_min || (is_float && (i->op == IR_abs || i->op == IR_neg))))
+        return;
+    w->budget--;
+    if (i->op == IR_abs || i->op == IR_neg) {
+        side[0].lo = -bounds.hi;
+        side[0].hi = i->op == IR_abs ? bounds.hi : -bounds.lo;
+        refine_value(w, i->a, side[0]);
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        const Fact other = w->out.of[k ? i->a : i->b];
+        const bool is_max = i->op == IR_max;
+        if (is_max || other.lo > bounds.hi)
+            side[k].hi = bounds.hi;
+        if (!is_max || other.hi < bounds.lo)
+            side[k].lo = bounds.lo;
+    }
+    refine_value(w, i->a, side[0]);
+    refine_value(w, i->b, side[1]);
+}
+
 // Adds the fact that r is within bounds and not NaN on the current edge, for the home variable (FactHome) of r and of the values from which
 // r was converted.  Sets w->contradicts if no value remains: so `p > 20 and p < 10` is found to be always false, although neither half is.
 static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
@@ -356,54 +386,10 @@ static void refine_value(FlowWalk *w, IrRef r, Fact bounds)
             w->contradicts |= known->lo > bounds.hi || bounds.lo > known->hi;
             *known = fact_meet(*known, bounds);
         }
+        refine_operands(w, ins(w, r), bounds);
         if (ins(w, r)->op != IR_cvt || ins(w, r)->type != SM_F64 || w->out.of[ins(w, r)->a].nan)
             return;
         bounds = bounds_before_conversion(bounds, ins(w, ins(w, r)->a)->type);
-    }
-}
-
-static void bound_above(Fact *a, double hi)
-{
-    if (hi < a->hi)
-        a->hi = hi;
-}
-
-static void bound_below(Fact *a, double lo)
-{
-    if (lo > a->lo)
-        a->lo = lo;
-}
-
-// Narrows both facts to the values for which *a < *b, or *a <= *b.
-static void bound_by_less(Fact *a, Fact *b, bool or_equal)
-{
-    const Fact was = *a;
-
-    bound_above(a, or_equal ? b->hi : fact_next_below(*a, b->hi));
-    bound_below(b, or_equal ? was.lo : fact_next_above(*b, was.lo));
-}
-
-// Excludes b from *a, if b is exactly one number and a bound of *a.
-static void bound_by_unequal(Fact *a, const Fact *b)
-{
-    if (b->lo != b->hi)
-        return;
-    if (a->lo == b->lo)
-        bound_below(a, fact_next_above(*a, a->lo));
-    if (a->hi == b->lo)
-        bound_above(a, fact_next_below(*a, a->hi));
-}
-
-// Narrows the facts of both operands to the values for which `*a op *b` is true.
-static void bound_by_comparison(Fact *a, IrOp op, Fact *b)
-{
-    switch ((int)op) {
-    case IR_eq: bound_by_less(a, b, true); bound_by_less(b, a, true); break;
-    case IR_ne: bound_by_unequal(a, b); bound_by_unequal(b, a); break;
-    case IR_lt: bound_by_less(a, b, false); break;
-    case IR_le: bound_by_less(a, b, true); break;
-    case IR_gt: bound_by_less(b, a, false); break;
-    case IR_ge: bound_by_less(b, a, true); break;
     }
 }
 
@@ -441,7 +427,7 @@ static void refine_comparison(FlowWalk *w, const IrIns *i, bool holds)
         return;
     if (!b_exact && !(a_exact && a.lo == a.hi))
         return;
-    bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
+    fact_bound_by_comparison(&a, holds ? i->op : ir_negated_comparison(i->op), &b);
     if (may_be_nan) {                             // the comparison says nothing about the other operand if this one is NaN
         refine_unless_nan(w, a_nan ? i->a : i->b, a_nan ? a : b);
         return;

@@ -11,6 +11,7 @@ enum {
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
     NEAR_SHARE = 32,          // 1 / NEAR_SHARE of the steps are for runs close to the given runs
     FIRST_SHARE = 16,         // 1 / FIRST_SHARE of the steps run before the proofs that need long
+    FEW_STEPS = 1000,         // a longer scenario is shortened
     FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
@@ -118,6 +119,20 @@ typedef struct ProveProof {
     uint32_t sets, tried;     // how many there are; how many attempts have been made with each
 } ProveProof;
 
+// Stores the inputs with numbers that can influence the requirement.
+static void note_inputs(const ProveRun *v, const ProveModel *model, ProveOf *of)
+{
+    for (uint32_t n = 0; n < v->p->var.n; n++) {
+        const Var *var = v->p->var.at[n];
+        if (v->m->var_of[n] == IR_NONE || var->type == SM_BOOL || model->var[v->m->var_of[n]].kind != PROVE_INPUT)
+            continue;
+        if (!var->range && of->unrangeds < PROVE_WIDES)
+            of->unranged[of->unrangeds++] = var;
+        else if (var->range && !v->o->assume_ranges && of->rangeds < PROVE_WIDES)
+            of->ranged[of->rangeds++] = var;
+    }
+}
+
 // Builds the models of a requirement, one for each way to make it less exact, and the assumptions under which they are explored.
 static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
 {
@@ -126,8 +141,7 @@ static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
         p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
-    for (uint32_t n = 0; n < v->p->var.n && !v->o->assume_ranges; n++)
-        of->beyond_range |= v->p->var.at[n]->range && v->m->var_of[n] != IR_NONE && p->model[PROVE_EXACT]->var[v->m->var_of[n]].kind == PROVE_INPUT;
+    note_inputs(v, p->model[PROVE_EXACT], of);
     for (uint32_t n = 0; n < v->m->var.n; n++)
         of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
@@ -260,6 +274,28 @@ static const Scenario *search_simpler(ProveRun *v, ProveOf *of, const Scenario *
     return found;
 }
 
+// Leaves out changes and waits that a long violation does not need.
+static const Scenario *shorten_violation(ProveRun *v, ProveOf *of, const Scenario *s)
+{
+    const GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
+    uint64_t steps;
+
+    if (s->changes <= FEW_CHANGES && s->steps <= FEW_STEPS)
+        return s;
+    s = near_shorten(v->arena, &v->work, v->m, &g, s, &steps);
+    of->steps += steps;
+    v->result->steps += steps;
+    return s;
+}
+
+// Returns a simpler violation, or the same one.
+static const Scenario *simplify_violation(ProveRun *v, ProveOf *of, const Scenario *found)
+{
+    const Scenario *short_one = shorten_violation(v, of, found), *other = search_simpler(v, of, short_one);
+
+    return other == short_one ? other : shorten_violation(v, of, other);
+}
+
 // Searches for a violation with what is left of the effort.  Returns whether there is one.
 static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t effort)
 {
@@ -269,7 +305,7 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
     if (!found.scenario)
         return false;
     of->verdict = PROVE_VIOLATED;
-    of->scenario = search_simpler(v, of, found.scenario);
+    of->scenario = simplify_violation(v, of, found.scenario);
     return true;
 }
 
@@ -328,19 +364,14 @@ static void keep_violation(ProveRun *v, ProveOf *of, const Scenario *s)
 {
     GoalSearch g = new_search(v, of, GOAL_VIOLATION, 1, effort_of(v) / FIRST_SHARE);
     const Scenario *simpler;
-    uint64_t steps;
 
-    if (s->changes > FEW_CHANGES) {
-        s = near_shorten(v->arena, &v->work, v->m, &g, s, &steps);
-        of->steps += steps;
-        v->result->steps += steps;
-    }
+    s = shorten_violation(v, of, s);
     g.given = s;
     g.givens = 1;
     simpler = run_goal_search(v, of, &g).scenario;
     of->verdict = PROVE_VIOLATED;
     of->premise_seen = true;
-    of->scenario = search_simpler(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
+    of->scenario = simplify_violation(v, of, simpler && is_simpler(simpler, s) ? simpler : s);
 }
 
 // If a given run violates the requirement, records the violation with a simplified scenario, and returns true.

@@ -92,7 +92,7 @@ typedef struct ProveNear {
 // is open.
 typedef struct ProveWide { const Var *var; const Window *window; } ProveWide;
 
-enum { PROVE_WIDES = 4 };     // the most wide values that a result names
+enum { PROVE_WIDES = 4 };     // the most wide values, and the most inputs of a kind, that a result names
 
 typedef struct ProveOf {
     const Requirement *what;
@@ -107,7 +107,10 @@ typedef struct ProveOf {
     ProveObstacle obstacle;   // UNDECIDED
     ProveWide wide[PROVE_WIDES];      // UNDECIDED: what the last exploration could not distinguish all values of, `wides` of them
     uint32_t wides;
-    bool beyond_range;        // UNDECIDED: it depends on an element with @range, and values beyond that were not excluded
+    const Var *ranged[PROVE_WIDES];   // UNDECIDED: the elements with @range on which it depends, if values beyond that were not excluded; `rangeds`
+    uint32_t rangeds;
+    const Var *unranged[PROVE_WIDES]; // UNDECIDED: the inputs with numbers and without @range on which it depends; `unrangeds` of them
+    uint32_t unrangeds;
     bool *tried;              // by state from 0: some run was in it
     bool *excluded;           // by state from 0: an exploration has found that no run comes to it before it violates the requirement
     uint32_t irrelevant;      // variables that cannot influence the requirement

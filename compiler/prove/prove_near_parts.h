@@ -50,6 +50,7 @@ typedef struct NearSearch {
     char *block;              // the state of the current run, and the situation of the monitor
     size_t size;              // of both
     uint64_t *cell;           // by Var.index, of the current run
+    const ScenarioChange **current;   // by Var.index, of near_shorten: the last change; NULL: none
     VEC(NearLeaf) leaf;       // comparisons, those of the requirement first
     uint32_t required;        // how many these are
     VEC(NearStore) store;

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Removes changes that a violation does not need from a run, many at once, then fewer.  A script's plant changes inputs in each step: those
-// changes remain that lead from state to state.
+// changes remain that lead from state to state.  Then waits between changes become shorter.
 #include <string.h>
 
 #include "compiler/prove/prove_near_parts.h"
+
+// Sets the inputs before a step.  A ramp, say, changes its input in each step until the next change of that input.  k->cell has the values before.
+static void set_inputs(NearSearch *k, uint64_t step)
+{
+    uint64_t *cell = flat_cells(k->f, k->block);
+
+    for (uint32_t v = 0; v < k->p->var.n; v++)
+        if (k->current[v] && k->m->var_of[v] != IR_NONE)
+            cell[k->m->var_of[v]] = scenario_cell(k->p, k->current[v], step, k->cell);
+}
 
 // Runs a scenario.  Returns the first step that violates the requirement; 0: none.
 static uint64_t find_violation(NearSearch *k, const Scenario *s)
@@ -11,8 +21,12 @@ static uint64_t find_violation(NearSearch *k, const Scenario *s)
     size_t next = 0;
 
     near_begin(k, s);
+    near_read_cells(k);
+    memset(k->current, 0, k->p->var.n * sizeof *k->current);
     for (uint64_t step = 1; step <= s->steps && k->steps < k->limit; step++) {
-        next = near_set_inputs(k, s, next, step);
+        for (; next < s->changes && s->change[next].step <= step; next++)
+            k->current[s->change[next].var] = &s->change[next];
+        set_inputs(k, step);
         if (near_run_step(k, step) == MONITOR_VIOLATED)
             return step;
     }
@@ -41,6 +55,35 @@ static bool try_without_changes(NearSearch *k, Scenario *s, ScenarioChange *chan
     return true;
 }
 
+// Makes all changes from number `from` on earlier by `by` steps if the result violates the requirement, too.
+static bool try_earlier(NearSearch *k, Scenario *s, ScenarioChange *change, ScenarioChange *earlier, size_t from, uint64_t by)
+{
+    Scenario attempt = *s;
+    uint64_t step;
+
+    memcpy(earlier, change, s->changes * sizeof *earlier);
+    for (size_t i = from; i < s->changes; i++)
+        earlier[i].step -= by;
+    attempt.change = earlier;
+    step = find_violation(k, &attempt);
+    if (step == 0 || step >= s->steps)
+        return false;
+    memcpy(change, earlier, s->changes * sizeof *change);
+    s->steps = step;
+    return true;
+}
+
+// Halves, quarters and so on of each wait are left out.  Changes of different steps stay in different steps.
+static void shorten_waits(NearSearch *k, Scenario *s, ScenarioChange *change, ScenarioChange *earlier)
+{
+    for (size_t i = 0; i < s->changes && k->steps < k->limit; i++) {
+        const uint64_t since = i ? change[i - 1].step : 0;
+        for (uint64_t by = change[i].step - since; by > 0 && k->steps < k->limit; by /= 2)
+            while (change[i].step > since + by && try_earlier(k, s, change, earlier, i, by))
+                ;
+    }
+}
+
 const Scenario *near_shorten(Arena *arena, Arena *work, const IrMachine *m, const GoalSearch *g, const Scenario *long_one, uint64_t *steps)
 {
     NearSearch k;
@@ -48,7 +91,11 @@ const Scenario *near_shorten(Arena *arena, Arena *work, const IrMachine *m, cons
     ScenarioChange *change, *less;
     const Scenario *out;
 
+    *steps = 0;
+    if (s.loops)
+        return long_one;
     near_open(&k, work, m, g);
+    k.current = ARENA_ARRAY(work, const ScenarioChange *, k.p->var.n + 1);
     change = arena_copy(work, s.change, s.changes * sizeof *change);
     less = arena_array(work, s.changes + 1, sizeof *less);
     s.change = change;
@@ -57,6 +104,7 @@ const Scenario *near_shorten(Arena *arena, Arena *work, const IrMachine *m, cons
             try_without_changes(&k, &s, change, less, end - n, n);
             end -= n;
         }
+    shorten_waits(&k, &s, change, less);
     *steps = k.steps;
     out = goal_end_scenario(work, g, &s);
     if (!out)

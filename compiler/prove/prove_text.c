@@ -152,20 +152,72 @@ static void write_untried(const Program *p, const ProveOf *of, size_t indent, Bu
 
 static bool is_time(const Program *p, const ProveWide *w) { return !w->window && (!w->var || w->var == p->t || w->var == p->g); }
 
-static void write_remedies(const Program *p, const ProveOf *of, size_t indent, Buf *out)
-{
-    static const char *const remedy[] = {"shorter windows", "shorter times", "variables with fewer values, such as counters that stop at a limit"};
-    bool helps[3] = {false, false, false};
-    const char *separator = "";
+// The longest time with which a state compares T.
+typedef struct LongestTimer { const Program *p; const State *state, *found; double time; } LongestTimer;
 
-    for (uint32_t n = 0; n < of->wides; n++)
-        helps[of->wide[n].window ? 0 : is_time(p, &of->wide[n]) ? 1 : 2] = true;
-    buf_printf(out, "%*sa proof can become possible by: ", (int)indent, "");
-    for (int k = 0; k < 3; k++)
-        if (helps[k]) {
-            buf_printf(out, "%s%s", separator, remedy[k]);
-            separator = "; ";
+static void note_timer(Expr *e, void *context)
+{
+    LongestTimer *l = context;
+
+    for (uint32_t n = 0; (e->kind == EX_BINARY || e->kind == EX_CHAIN) && n + 1 < e->n; n++) {
+        const Expr *a = e->arg[n], *b = e->arg[n + 1], *timer = a->kind == EX_VAR ? a : b, *time = timer == a ? b : a;
+        if (timer->kind == EX_VAR && timer->var == l->p->t && time->kind == EX_NUMBER && time->number > l->time) {
+            l->time = time->number;
+            l->found = l->state;
         }
+    }
+}
+
+static void note_timers(LongestTimer *l, const Stmts *list)
+{
+    for (uint32_t i = 0; i < list->n; i++) {
+        if (list->at[i]->value)
+            expr_walk(list->at[i]->value, note_timer, l);
+        note_timers(l, &list->at[i]->then);
+        note_timers(l, &list->at[i]->otherwise);
+    }
+}
+
+// Writes what to make shorter if T has too many values.
+static void write_timer(Arena *arena, const Program *p, Buf *out)
+{
+    LongestTimer l = {.p = p};
+
+    for (uint32_t s = 0; s < p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            l.state = p->state.at[s];
+            note_timers(&l, &l.state->block[b]);
+        }
+    if (!l.found)
+        buf_str(out, "a limit on T in the states that have none");
+    else
+        buf_printf(out, "a shorter timer than %s%s%s in %s", const_text(arena, l.time), p->uses_time_unit ? " " : "", p->uses_time_unit ? time_unit_name(p->time_unit) : "",
+                   l.found->name->text);
+}
+
+// Writes for each value that the exploration could not follow what would help.
+static void write_remedies(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
+{
+    bool has_timer = false;
+
+    buf_printf(out, "%*sa proof can become possible by: ", (int)indent, "");
+    for (uint32_t n = 0; n < of->wides; n++) {
+        const ProveWide *w = &of->wide[n];
+        const bool is_timer = is_time(p, w) && w->var;
+        if (is_timer && has_timer)
+            continue;
+        has_timer |= is_timer;
+        if (n)
+            buf_str(out, "; ");
+        if (w->window)
+            buf_printf(out, "fewer samples in %.*s", (int)w->window->span.len, w->window->span.src->text + w->window->span.at);
+        else if (is_timer)
+            write_timer(arena, p, out);
+        else if (!w->var)
+            buf_str(out, "a shorter time after 'within'");
+        else
+            buf_printf(out, "fewer values of '%s', such as a counter that stops at a limit", w->var->name->text);
+    }
     buf_char(out, '\n');
 }
 
@@ -198,7 +250,28 @@ static void write_undecided(Arena *arena, const Program *p, const ProveOf *of, s
                (unsigned long long)of->visits);
     write_wides(arena, p, of, indent, out);
     if (of->obstacle == PROVE_TOO_LARGE && of->wides)
-        write_remedies(p, of, indent, out);
+        write_remedies(arena, p, of, indent, out);
+}
+
+static void write_names(const Var *const *var, uint32_t n, Buf *out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        buf_printf(out, "%s'%s'", i == 0 ? "" : i + 1 < n ? ", " : " and ", var[i]->name->text);
+}
+
+// Writes which ranges of inputs can help.
+static void write_range_advice(const ProveOf *of, Buf *out)
+{
+    if (of->rangeds) {
+        buf_str(out, "--assume-ranges, if there are no values beyond the @range of ");
+        write_names(of->ranged, of->rangeds, out);
+        buf_str(out, "; ");
+    }
+    if (of->unrangeds) {
+        buf_str(out, "@range on ");
+        write_names(of->unranged, of->unrangeds, out);
+        buf_str(out, ", with --assume-ranges; ");
+    }
 }
 
 // Writes what the user of the command can do.
@@ -215,8 +288,7 @@ static void write_advice(const Program *p, const ProveResult *r, const ProveOf *
         buf_str(out, "a script that comes to these states, named in the command; ");
     else if (!of->premise_seen)
         buf_str(out, "a script that comes to the premise, named in the command; ");
-    if (of->beyond_range)
-        buf_str(out, "--assume-ranges, if no element has values beyond its @range; ");
+    write_range_advice(of, out);
     buf_printf(out, "--effort=%llu, which searches longer\n", (unsigned long long)effort);
 }
 

@@ -85,7 +85,7 @@ smc: 'a.app' is an application, and smc mutate is for one machine: name the file
 Try 'smc mutate --help'.
 smc: 'a.app' is an application, and smc cover is for one machine: name the file of a machine and the state vector, as in 'smc cover MACHINE.sm --sv a.sv'
 Try 'smc cover --help'.
-smc: 'a.app' is an application, and smc prove is for one machine: name the file of a machine and the state vector, as in 'smc prove MACHINE.sm --sv a.sv'
+smc: 'a.app' is an application, and smc prove is for one machine: name the file of a machine and the state vector, as in 'smc prove MACHINE.sm REQUIREMENTS.rq --sv a.sv'
 Try 'smc prove --help'.
 smc: 'a.app' is an application, and smc faults is for one machine: name the file of a machine and the state vector, as in 'smc faults MACHINE.sm --sv a.sv'
 Try 'smc faults --help'.

@@ -139,6 +139,6 @@ requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
       [..] steps were tried; what is known about the values is too little for a proof
       [..] abstract states and [..] paths were examined
-      what can help: --assume-ranges, if no element has values beyond its @range; --effort=10, which searches longer
+      what can help: --assume-ranges, if there are no values beyond the @range of 'p'; --effort=10, which searches longer
 -- exit --
 1 0 0 5
