@@ -78,12 +78,12 @@ static inline uint8_t sm_to_u8(SmF64 x)
 // snippet: sm_to_f32
 static inline float sm_to_f32(SmF64 x)
 {
-    return sm_is_nan(x) ? 0.0f : sm_round_f32(x);
+    return SM_UNLIKELY(sm_is_nan(x)) ? 0.0f : sm_round_f32(x);
 }
 // snippet: sm_to_f64
 static inline SmF64 sm_to_f64(SmF64 x)
 {
-    return sm_is_nan(x) ? sm_from_i32(0) : x;
+    return SM_UNLIKELY(sm_is_nan(x)) ? sm_from_i32(0) : x;
 }
 // snippet: end
 #if !SM_F64_SOFT
@@ -128,7 +128,7 @@ static inline int64_t sm_count_i64(int64_t v, int64_t n)
 // snippet: sm_read_f64
 static inline SmF64 sm_read_f64(SmF64 x)
 {
-    return sm_is_nan(x) ? sm_from_i32(0) : x;
+    return SM_UNLIKELY(sm_is_nan(x)) ? sm_from_i32(0) : x;
 }
 // snippet: end
 #if !SM_F64_SOFT
@@ -136,12 +136,12 @@ static inline SmF64 sm_read_f64(SmF64 x)
 static inline SmF64 sm_read_f32(float v)
 {
     const SmF64 x = sm_from_f32(v);
-    return sm_is_nan(x) ? sm_from_i32(0) : x;
+    return SM_UNLIKELY(sm_is_nan(x)) ? sm_from_i32(0) : x;
 }
 // snippet: sm_no_nan_f32 (only where SmF64 is a double)
 static inline float sm_no_nan_f32(float v)
 {
-    return sm_is_nan(sm_from_f32(v)) ? 0.0f : v;
+    return SM_UNLIKELY(sm_is_nan(sm_from_f32(v))) ? 0.0f : v;
 }
 // snippet: end
 #endif

@@ -49,6 +49,17 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+// snippet: SM_UNLIKELY
+// The condition c, which is almost never true.  gcc otherwise computes both values of a choice and selects one, which delays all that follows.
+// With -Os it jumps anyway.
+#if defined(SM_UNLIKELY)
+#elif defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 9 && !defined(__OPTIMIZE_SIZE__)
+#define SM_UNLIKELY(c) __builtin_expect_with_probability(c, 0, 1.0)
+#else
+#define SM_UNLIKELY(c) (c)
+#endif
+// snippet: end
+
 #if SM_F64_SOFT
 #include "stdlib/f64_soft.h"
 #else

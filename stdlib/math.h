@@ -52,7 +52,8 @@ static inline uint32_t sm_upper_half(uint32_t a, uint32_t b) { return (uint32_t)
 #endif
 // snippet: sm_sqrt_digits
 #ifndef SM_SQRT_INSTRUCTION
-// The integer nearest to the square root of f * 2^104, where f is from 1 to below 4 and n is f * 2^60.  No root is halfway between two integers.
+// The integer nearest to the square root of f * 2^104, where f is from 1 to below 4, and n is f * 2^60 and a multiple of 2^8.  No root is halfway
+// between two integers.
 static inline uint64_t sm_sqrt_digits(uint64_t n)
 {
 #if defined(__AVR__) || (defined(__OPTIMIZE_SIZE__) && defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1)
