@@ -315,10 +315,10 @@ static void search_long(ProveRun *v, ProveOf *of)
 {
     static const uint64_t most[] = {1000000, 1000000, 1000000, 1000000, 4000000, 4000000, UINT64_MAX};
     const uint64_t effort = effort_of(v);
+    bool found = false;
 
-    for (uint32_t n = 0; n < sizeof most / sizeof *most && of->steps < effort && goes_on(v); n++)
-        if (search_violation(v, of, n + 2, most[n] < effort - of->steps ? most[n] : effort - of->steps))
-            return;
+    for (uint32_t n = 0; n < sizeof most / sizeof *most && !found && of->steps < effort && goes_on(v); n++)
+        found = search_violation(v, of, n + 2, most[n] < effort - of->steps ? most[n] : effort - of->steps);
 }
 
 // ---- given runs ----

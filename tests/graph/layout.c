@@ -238,13 +238,31 @@ static const char *drawn(const Analysis *a, const DiagramOptions *o)
     return buf_text(&out);
 }
 
-// The slices of a picture follow each other row by row, without a gap between rows.  None is larger than allowed.  Those of a row begin at the
-// left edge, overlap or touch, and end at the right edge; the sum of the heights of the rows is the height of the picture.
+// Whether the slices together show every corner of a box.
+static bool is_shown(const Things *slices, Box box)
+{
+    const Point corner[] = {{box.x, box.y}, {box.x + box.w - 1, box.y}, {box.x, box.y + box.h - 1}, {box.x + box.w - 1, box.y + box.h - 1}};
+    int shown = 0;
+
+    for (int c = 0; c < 4; c++) {
+        bool found = false;
+        for (size_t i = 0; i < slices->n; i++) {
+            const Box s = slices->at[i].box;
+            found |= corner[c].x >= s.x && corner[c].x < s.x + s.w && corner[c].y >= s.y && corner[c].y < s.y + s.h;
+        }
+        shown += found;
+    }
+    return shown == 4;
+}
+
+// The slices of a picture follow each other row by row, from left to right.  None is larger than allowed, or outside the picture; those of a row
+// have one height, and rows do not overlap.  Blank slices are left out, so what the picture shows is checked: every state and every text.
 static void check_slices(const Analysis *a, DiagramSize most)
 {
     DiagramSize size;
     const DiagramOptions o = {.size = &size};
-    long bottom = 0, right = 0, height = 0;
+    Diagram *d = diagram_build(a, &o);
+    Things slices = {NULL, 0, 0}, t;
     Buf out;
 
     drawn(a, &o);
@@ -254,15 +272,17 @@ static void check_slices(const Analysis *a, DiagramSize most)
     for (const char *s = buf_text(&out); (s = strstr(s, "viewBox=\"")) != NULL; s++) {
         char *end;
         const long left = strtol(s + 9, &end, 10), top = strtol(end, &end, 10), w = strtol(end, &end, 10), h = strtol(end, &end, 10);
-        if (right == 0)
-            height = h;
-        CHECK(w > 0 && w <= most.w && h > 0 && h <= most.h);
-        CHECK(top == bottom && h == height && (right == 0 ? left == 0 : left > 0 && left <= right && left + w > right));
-        right = left + w == size.w ? 0 : left + w;
-        if (right == 0)
-            bottom = top + h;
+        const Thing now = {.box = {(int32_t)left, (int32_t)top, (int32_t)w, (int32_t)h}};
+        const Box *last = slices.n ? &slices.at[slices.n - 1].box : NULL;
+        CHECK(w > 0 && w <= most.w && h > 0 && h <= most.h && left >= 0 && top >= 0 && left + w <= size.w && top + h <= size.h);
+        CHECK(!last || (top == last->y ? left > last->x && h == last->h : top >= last->y + last->h));
+        vec_push(&session.arena, &slices, now);
     }
-    CHECK(bottom == size.h && right == 0);
+    CHECK(slices.n > 0);
+    layout_diagram(d);
+    t = things_of(d);
+    for (size_t i = 0; i < t.n; i++)
+        CHECK(is_shown(&slices, t.at[i].box));
 }
 
 static void check_svg(const Program *p)
