@@ -4,6 +4,23 @@
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
+enum { LINES_SHOWN = 40, LINES_CUT_LEAST = 10 };      // most lines of a script; how many more it must have before it is cut
+
+// Cuts a text after LINES_SHOWN lines, if many follow.  Returns how many were cut.
+static size_t cut_lines(char *text)
+{
+    size_t lines = 0;
+    char *end = NULL;
+
+    for (char *at = text; *at; at++)
+        if (*at == '\n' && ++lines == LINES_SHOWN)
+            end = at;
+    if (lines < LINES_SHOWN + LINES_CUT_LEAST)
+        return 0;
+    *end = '\0';
+    return lines - LINES_SHOWN;
+}
+
 const char *report_proof_tone(ProveVerdict v) { return v == PROVE_PROVED ? "good" : v == PROVE_VIOLATED ? "bad" : "note"; }
 
 void report_add_proofs(Report *r, Doc *d)
@@ -19,12 +36,18 @@ void report_add_proofs(Report *r, Doc *d)
         const ProveOf *of = &all->of[i];
         DocPart *heading = doc_add_heading(d, NULL, format_in(r->arena, "%s: %s", of->what->id->text, of->what->text->text));
         Buf reason;
+        char *text;
+        size_t cut;
 
         heading->plain = true;
         heading->tone = report_proof_tone(of->verdict);
         heading->badge = prove_verdict_words(of->verdict);
         buf_init(&reason, r->arena);
         prove_write_reason(r->arena, p, of, 0, &reason);
-        doc_add_lines(d, buf_text(&reason));
+        text = arena_copy(r->arena, buf_text(&reason), reason.n + 1);
+        cut = cut_lines(text);
+        doc_add_lines(d, text);
+        if (cut)
+            doc_add_paragraph(d, format_in(r->arena, TEXT_PROOF_CUT, (unsigned long)cut));
     }
 }

@@ -62,6 +62,8 @@
 
 // ---- proofs ----
 
+#define TEXT_PROOF_CUT "%lu more lines. `smc prove` with the same files prints the whole script; save it as a `.ss` and run it with `smc test`."      // lines
+
 #define TEXT_PROOFS \
     "`smc prove` decides whether any run can violate a requirement. A proof holds for all inputs, NaN and infinities included, with the " \
     "machine's step and the assumptions named. The lines after a proof are what is true after each step in a state. A script shows a " \
