@@ -32,8 +32,8 @@ typedef struct NearFound {
 
 // g->given are the runs, and g->effort limits the steps.  `work` is reset first.
 NearFound near_search(Arena *arena, Arena *work, const IrMachine *m, const GoalSearch *g);
-// Returns a run with fewer changes and shorter waits that violates the requirement, too, confirmed by the reference interpreter, or the same one.  g->effort limits the
-// steps, and *steps receives how many have run.
+// Returns a run with fewer changes and shorter waits that violates the requirement, too, confirmed by the reference interpreter, or the same one.
+// g->effort limits the steps, and *steps receives how many have run.
 const Scenario *near_shorten(Arena *arena, Arena *work, const IrMachine *m, const GoalSearch *g, const Scenario *s, uint64_t *steps);
 
 #endif
