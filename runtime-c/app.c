@@ -96,6 +96,7 @@ static SmResult check_clock(SmApp *app)
     return note_failure(app, r, SM_TEXT("the clock"), SM_TEXT("it has stopped"));
 }
 
+// Checks the rules between parts of the application: it has an executor, and what several threads use has a lock.
 static SmResult check_config(SmApp *app)
 {
     const bool shared = app->executors > 1 && sm_run_wants_threads(app);
@@ -157,6 +158,7 @@ static void store_failed_pin(SmApp *app, SmResult r)
     memmove(app->failed_pin, at, (size_t)(app->failed_pin + sizeof app->failed_pin - at));
 }
 
+// Initialises all executors and their tasks, and records the executor and the task that fail.
 static SmResult init_executors(SmApp *app)
 {
     SmResult r = SM_OK;

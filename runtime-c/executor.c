@@ -48,6 +48,7 @@ static bool is_config_valid(const SmExecutor *e)
     return true;
 }
 
+// Calls init of all tasks of a rate group. Stores the one that fails in *failed.
 static SmResult init_tasks(const SmRate *r, const SmTask **failed)
 {
     for (uint16_t i = 0; i < r->tasks; i++) {
@@ -129,6 +130,7 @@ static void store_statistic(const SmExecutor *e, const SmElement *element, uint6
     }
 }
 
+// Stores the statistics in the state-vector elements that the configuration names, in one critical section.
 static void store_statistics(const SmExecutor *e)
 {
     const SmVitals *v = &e->vitals;
@@ -218,6 +220,7 @@ static void count_overrun_and_skip(SmExecutor *e, const SmTick *tick, uint64_t n
     emit_overrun(e, tick->time);
 }
 
+// Updates the delay and the duration of ticks after one that was due at `due` and began at `began` (PAL clock times in ns).
 static void record_tick_times(SmExecutor *e, uint64_t due, uint64_t began)
 {
     e->ticks++;

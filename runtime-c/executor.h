@@ -56,7 +56,7 @@ typedef struct SmExecutor {
     const SmElement *time;    // element G, a U64; or NULL
     uint64_t unit;            // nanoseconds per unit of G
     SmVitals vitals;
-    uint16_t number;          // number of the executor in its application, for SmEvent.source
+    uint16_t number;          // number of the executor in its application, from 0, for SmEvent.source
     // The fields below belong to the runtime; initially all zero.
     uint64_t start;           // PAL clock time at which tick 0 is due
     uint64_t base;            // value of G before the first tick

@@ -6,6 +6,7 @@
 
 #include "runtime-c/pal/lock.h"
 
+// Opens the lock, unless it is open. Without locks on this platform, its number stays 0.
 static inline SmResult sm_handover_open(PalLock *lock)
 {
     SmResult r = lock->id != 0 ? SM_OK : pal_lock_open(lock);

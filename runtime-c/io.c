@@ -71,6 +71,7 @@ static SmResult open_pin(SmIo *io, uint16_t i)
     return sm_pin_open(&io->pin[i], &io->handle[i]);
 }
 
+// Closes those of the first n pins that have this direction, 0 for inputs or OUTPUT.
 static void close_pins(SmIo *io, uint16_t n, uint8_t direction)
 {
     for (uint16_t i = 0; i < n; i++)
@@ -80,6 +81,7 @@ static void close_pins(SmIo *io, uint16_t n, uint8_t direction)
         }
 }
 
+// Opens all pins of a direction, 0 for inputs or OUTPUT. After a failure, none of them is open.
 static SmResult open_pins(SmIo *io, uint8_t direction)
 {
     SmResult r = SM_OK;
@@ -140,6 +142,7 @@ SmResult sm_inputs_step(void *context, const SmTick *tick)
 
 // ---- outputs ----
 
+// Copies the elements of all outputs to io->value. Called inside the critical section.
 static void load_outputs(SmIo *io)
 {
     for (uint16_t i = 0; i < io->pins; i++)
@@ -147,7 +150,7 @@ static void load_outputs(SmIo *io)
             io->value[i] = sm_cell_load(type_of(&io->pin[i]), element_address(io, i));
 }
 
-// Sets every output in every step, even if its element has not changed, so that a disturbance of a pin lasts at most one step.
+// Sets every output in every step, even if its element has not changed, so that a pin disturbed from outside is wrong for at most one step.
 SmResult sm_outputs_step(void *context, const SmTick *tick)
 {
     SmIo *io = (SmIo *)context;

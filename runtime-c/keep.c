@@ -55,6 +55,7 @@ static bool read_head(const SmKeep *k, const PalNvmInfo *info, uint32_t at, uint
     return pal_nvm_read(k->nvm, there ? at : 0, head, there < SM_KEEP_HEAD ? there : SM_KEEP_HEAD) == SM_OK;
 }
 
+// Whether all n bytes have the value of erased memory.
 static bool is_blank(const uint8_t *bytes, uint32_t n, uint8_t blank)
 {
     while (n > 0 && bytes[n - 1] == blank)

@@ -159,6 +159,7 @@ static void append_gap(SmLog *log)
     }
 }
 
+// Copies the state vector into a record in the ring. SM_E_FULL: there is no space.
 static SmResult append_record(SmLog *log, uint64_t time)
 {
     const SmRegion *whole = &log->sv->layout->whole;

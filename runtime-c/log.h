@@ -32,8 +32,8 @@ typedef struct SmLog {
     // The fields below belong to the runtime; initially all zero.
     PalLogFile out;
     PalLock lock;             // protects head, end and tail
-    uint32_t head, end;       // of the step: position of the next block; end of the last block before the ring wrapped around
-    uint32_t tail, checksummed;    // of the drain: start of the bytes that are not being written yet; end of the blocks that have their checksum
+    uint32_t head, end;       // set by sm_log_step: position of the next block; end of the last block before the ring wrapped around
+    uint32_t tail, checksummed;    // set by sm_log_drain: start of the bytes that are not written yet; end of the blocks that have their checksum
     uint32_t cursor;          // the log's cursor in the event ring
     uint32_t dropped, lost;   // totals: records dropped for lack of space, events overwritten before the step read them
     uint32_t dropped_reported, lost_reported;  // parts of these totals that the log already reports

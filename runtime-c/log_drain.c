@@ -28,6 +28,7 @@ static uint32_t append_to_file(SmLog *log, const uint8_t *bytes, uint32_t n)
 
 // ---- the description ----
 
+// Whether a description has begun and is not complete.
 static bool is_describing(const SmLog *log)
 {
     return log->description_done < log->description_size;

@@ -77,6 +77,7 @@ static SmResult open_udp(SmNetChannel *c, bool sends)
     return r;
 }
 
+// Checks the row of a channel and opens its socket. `sends`: the task of the channel sends messages.
 static SmResult open_channel(SmNet *net, SmNetChannel *c, bool sends)
 {
     if (!is_row_valid(net, c) || sends != (c->period != 0))
@@ -101,6 +102,7 @@ void sm_net_close(SmNet *net)
     }
 }
 
+// Opens all channels. After a failure, none is open, and net->failed is the index of the one that failed.
 static SmResult open_channels(SmNet *net, bool sends)
 {
     if (!net || !net->sv || !net->sv->layout || (net->channels && !net->channel))
@@ -117,7 +119,7 @@ static SmResult open_channels(SmNet *net, bool sends)
     return SM_OK;
 }
 
-// Reads the run of each channel: from its element, or from the clock, which differs in each run of the program.
+// Sets the run number of each channel, which tells receivers that the sender was restarted: the value of its element, or the clock at the start.
 static SmResult read_runs(SmNet *net)
 {
     const uint32_t clock = (uint32_t)(pal_clock_now() / 1000);
@@ -136,7 +138,7 @@ static SmResult read_runs(SmNet *net)
 
 // ---- every step ----
 
-// Serves all channels, even if one fails.  Returns the error of the first one that failed.
+// Calls `serve` for all channels, even if one fails.  Returns the error of the first one that failed.
 static SmResult serve_channels(SmNet *net, uint64_t now, SmResult (*serve)(SmNetChannel *c, uint64_t now))
 {
     SmResult result = SM_OK;
@@ -153,6 +155,7 @@ static SmResult serve_channels(SmNet *net, uint64_t now, SmResult (*serve)(SmNet
 
 // ---- receiving ----
 
+// Whether the last message was accepted longer ago than the timeout of the channel.
 static bool is_silent(const SmNetChannel *c, uint64_t now)
 {
     const uint64_t restart = 1000000000u;         // without a timeout, a sender that was restarted is accepted after a second
@@ -160,6 +163,7 @@ static bool is_silent(const SmNetChannel *c, uint64_t now)
     return now - c->accepted_at > (c->timeout ? c->timeout : restart);
 }
 
+// Checks and counts a received message. If it is accepted, c->value has its values.
 SmNetCount sm_net_accept(SmNetChannel *c, const uint8_t *bytes, size_t n, uint64_t now)
 {
     SmNetStamp stamp;
@@ -211,7 +215,7 @@ static void store_fields(const SmNet *net, SmNetChannel *c, uint64_t now)
     c->fresh = false;
 }
 
-// Stores the counts, the age in milliseconds, and the run of a sealed channel.
+// Stores the counters of a channel, the age of its last message in milliseconds, and the run number of the sender if messages are authenticated.
 static void store_statistics(const SmNet *net, const SmNetChannel *c, uint64_t now)
 {
     const uint64_t age = (now - c->accepted_at) / 1000000;
@@ -224,6 +228,7 @@ static void store_statistics(const SmNet *net, const SmNetChannel *c, uint64_t n
         sm_cell_store(SM_U32, address_of(net, c->run->offset), c->order.last.run);
 }
 
+// Stores the values and the counters of all channels in the state vector, in one critical section.
 static SmResult store_received(SmNet *net, uint64_t now)
 {
     const SmResult r = sm_enter(net->sv);
@@ -260,7 +265,7 @@ SmResult sm_receive_step(void *context, const SmTick *tick)
 
 // ---- sending ----
 
-// Decides whether a message of this channel is due: the first in each of its periods.
+// Sets c->due if a message of this channel is to be sent: in the first step of each of its periods.
 static void update_channel_due(SmNetChannel *c, uint64_t now)
 {
     const uint64_t slot = now / c->period;
@@ -288,6 +293,7 @@ static SmResult load_due(SmNet *net, uint64_t now)
     return SM_OK;
 }
 
+// Sends the encoded message as a datagram, and counts it as sent or lost.
 static SmResult send_message(SmNetChannel *c)
 {
     const SmResult r = pal_socket_send_to(c->socket, &c->address, c->bytes, c->message.size);
@@ -296,6 +302,7 @@ static SmResult send_message(SmNetChannel *c)
     return r;
 }
 
+// Encodes and sends the message of a channel, if it is due. A TCP channel also serves its connections.
 static SmResult send_channel(SmNetChannel *c, uint64_t now)
 {
     if (c->due) {

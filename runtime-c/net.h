@@ -94,7 +94,7 @@ void sm_net_values(const SmNetMessage *m, const uint8_t *bytes, uint64_t *value)
 // What has been accepted from a sender.  Initially all zero; for sealed messages `last.run` is the run that was accepted last.
 typedef struct SmNetOrder {
     bool any;
-    SmNetStamp last;          // of the newest message that was accepted
+    SmNetStamp last;          // run and number of the newest message that was accepted
     uint64_t seen;            // bit i: last.number - i was accepted
 } SmNetOrder;
 
@@ -141,10 +141,10 @@ typedef struct SmNetChannel {
     uint64_t *value;          // by field: the value in the message
     uint8_t *bytes;           // message.size bytes
     // The fields below belong to the runtime; initially all zero.
-    uint32_t count[SM_NET_COUNTS];    // modulo 2^32; other threads read them with sm_shared_read (shared.h)
+    uint32_t count[SM_NET_COUNTS];    // by SmNetCount, modulo 2^32; other threads read them with sm_shared_read (shared.h)
     PalSocket socket;
     SmNetOrder order;
-    SmNetStamp next;          // of the next message that is sent
+    SmNetStamp next;          // run and number of the next message that is sent
     uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period
     bool fresh;               // `value` has a message that is not stored yet
     bool open, sent_any;

@@ -13,7 +13,7 @@ enum { MAGIC_LOW = 0x53, MAGIC_HIGH = 0x4D, VERSION = 1 };
 
 // ---- bytes ----
 
-// Compilers for little-endian processors make one load or store of each of these two, which they do not of a loop over n.
+// put32 and get32: for a little-endian processor, compilers make one store or load of each. They do not do that for a loop over the bytes.
 static inline void put32(uint8_t *at, uint32_t x)
 {
     at[0] = (uint8_t)x;
@@ -53,7 +53,7 @@ static uint64_t infinity_of(SmType type) { return type == SM_F64 ? 0x7FF00000000
 // Whether the bits are those of an infinity or a NaN.
 static bool is_not_finite(SmType type, uint64_t bits) { return infinity_of(type) != 0 && (bits & infinity_of(type)) == infinity_of(type); }
 
-// Returns the bits that are sent for an element.
+// Returns the bits that are sent for an element: 0 for a NaN, the largest finite number for an infinity.
 static uint64_t bits_to_send(SmType type, uint64_t bits)
 {
     const uint64_t sign = type == SM_F64 ? (uint64_t)1 << 63 : (uint64_t)1 << 31;
@@ -65,7 +65,7 @@ static uint64_t bits_to_send(SmType type, uint64_t bits)
     return bits & ~(infinity_of(type) | sign) ? 0 : bits - 1;          // the largest finite number precedes the infinity
 }
 
-// Returns the cause for which a value is refused; SM_NET_accepted if it is not.
+// Returns why a received value is refused: it is not finite, or out of range. SM_NET_accepted if it is not refused.
 static SmNetCount check_value(const SmNetField *f, const uint8_t *at)
 {
     const SmType type = (SmType)f->type;
@@ -108,7 +108,7 @@ void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stam
     put32(bytes + crc, sm_crc32(bytes, crc));
 }
 
-// Whether the code of a sealed message is correct.  The time does not depend on which bytes are wrong.
+// Whether the authentication code of a message is correct.  The duration does not depend on which bytes are wrong.
 static bool is_sealed(const SmNetMessage *m, const uint8_t *bytes)
 {
     const size_t end = end_of_values(m);
@@ -127,7 +127,7 @@ SmNetCount sm_net_check_header(const SmNetMessage *m, const uint8_t *bytes)
     return get32(bytes + 4) == m->hash ? SM_NET_accepted : SM_NET_hash;
 }
 
-// Returns the cause for which the bytes around the values are refused.
+// Returns why the header, the length or the checksums of a message are refused; SM_NET_accepted if they are not.
 static SmNetCount check_frame(const SmNetMessage *m, const uint8_t *bytes, size_t n)
 {
     const size_t crc = (size_t)m->size - SM_NET_CRC;
@@ -145,6 +145,7 @@ static SmNetCount check_frame(const SmNetMessage *m, const uint8_t *bytes, size_
     return SM_NET_accepted;
 }
 
+// Checks a received message of n bytes and reads its stamp. Returns SM_NET_accepted, or why it is refused.
 SmNetCount sm_net_check(const SmNetMessage *m, const uint8_t *bytes, size_t n, SmNetStamp *stamp)
 {
     SmNetCount cause = check_frame(m, bytes, n);
@@ -174,6 +175,7 @@ void sm_net_values(const SmNetMessage *m, const uint8_t *bytes, uint64_t *value)
 
 // ---- the order of messages ----
 
+// Accepts the first message of a run of the sender.
 static SmNetCount begin_run(SmNetOrder *o, SmNetStamp stamp)
 {
     o->any = true;
@@ -182,6 +184,7 @@ static SmNetCount begin_run(SmNetOrder *o, SmNetStamp stamp)
     return SM_NET_accepted;
 }
 
+// Decides whether a message is newer than those accepted before, and records it if it is accepted.
 SmNetCount sm_net_order(SmNetOrder *o, SmNetStamp stamp, bool sealed, bool silent)
 {
     const uint32_t ahead = stamp.number - o->last.number, behind = o->last.number - stamp.number;

@@ -15,6 +15,7 @@ static void count_event(SmNetChannel *c, SmNetCount what) { c->count[what]++; }
 
 // ---- one connection ----
 
+// Marks the row of a peer as an open connection without any message yet.
 static void begin_connection(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     p->state = OPEN;
@@ -59,7 +60,7 @@ static SmResult begin_to_connect(SmNetChannel *c, uint64_t now)
     return is_local_failure(r) ? r : SM_OK;
 }
 
-// Asks whether the connection exists now.  An attempt that takes too long is ended.
+// Checks whether the pending connection is established.  Gives up an attempt that takes too long.
 static SmResult continue_to_connect(SmNetChannel *c, uint64_t now)
 {
     SmNetPeer *p = c->peer;
@@ -74,6 +75,7 @@ static SmResult continue_to_connect(SmNetChannel *c, uint64_t now)
     return is_local_failure(r) ? r : SM_OK;
 }
 
+// Begins to connect after the pause, or continues an attempt.
 static SmResult update_client(SmNetChannel *c, uint64_t now)
 {
     SmResult r = SM_OK;
@@ -87,8 +89,8 @@ static SmResult update_client(SmNetChannel *c, uint64_t now)
 
 // ---- servers ----
 
-// Returns a free place; else that of the peer that has been without a message for longest, if its time is over; else NULL.
-static SmNetPeer *find_place(SmNetChannel *c, uint64_t now)
+// Returns a free row of c->peer; else the row of the peer whose last message is oldest, if that peer has been silent for too long; else NULL.
+static SmNetPeer *find_peer_row(SmNetChannel *c, uint64_t now)
 {
     SmNetPeer *oldest = c->peer;
 
@@ -101,14 +103,14 @@ static SmNetPeer *find_place(SmNetChannel *c, uint64_t now)
     return now - oldest->used > patience_of(c) ? oldest : NULL;
 }
 
-// Accepts at most one peer.  While there is no place, new peers wait in the platform's queue.
+// Accepts at most one connection.  While no row is free, new peers wait in the platform's queue.
 static SmResult update_server(SmNetChannel *c, uint64_t now)
 {
-    SmNetPeer *place = find_place(c, now);
+    SmNetPeer *row = find_peer_row(c, now);
     PalSocket stream = {0};
     SmResult r;
 
-    if (!place)
+    if (!row)
         return SM_OK;
     r = pal_socket_accept(c->socket, &stream, NULL, 0);
     if (r == SM_OK && is_sender(c)) {
@@ -118,15 +120,16 @@ static SmResult update_server(SmNetChannel *c, uint64_t now)
     }
     if (r != SM_OK)
         return is_local_failure(r) ? r : SM_OK;
-    if (place->state != FREE)
-        close_connection(c, place, now);
-    place->socket = stream;
-    begin_connection(c, place, now);
+    if (row->state != FREE)
+        close_connection(c, row, now);
+    row->socket = stream;
+    begin_connection(c, row, now);
     return SM_OK;
 }
 
 // ---- opening and closing ----
 
+// Whether the table of peers is valid: each has a buffer, and a client has exactly one.
 static bool has_peers(const SmNetChannel *c)
 {
     for (uint8_t i = 0; i < c->peers; i++)
@@ -158,7 +161,7 @@ static void close_stream(SmNetChannel *c)
 
 // ---- sending ----
 
-// Sends the rest of p->bytes.
+// Sends the rest of the message in p->bytes, as far as the platform accepts it.
 static void send_rest(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     size_t sent = 0;
@@ -176,7 +179,7 @@ static void send_rest(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 
 // Whether the connection to the peer is still open.  A receiver of this channel sends nothing: the connection of a peer that sends a byte is
 // closed.
-static bool is_present(SmNetChannel *c, SmNetPeer *p, uint64_t now)
+static bool is_still_connected(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     uint8_t byte;
     size_t n;
@@ -186,8 +189,8 @@ static bool is_present(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     return p->state == OPEN;
 }
 
-// A message that has been sent in part is completed before the next one.  If the platform does not accept the first byte of a message, the
-// message is dropped, so that the peer later receives a newer one.
+// Sends the message of this step to a peer.  A message that has been sent in part is completed before the next one.  If the platform does not accept
+// the first byte of a message, the message is dropped, so that the peer later receives a newer one.
 static void send_to_peer(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     if (p->n == 0) {
@@ -202,12 +205,13 @@ static void send_to_peer(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     count_event(c, SM_NET_lost);
 }
 
+// Sends the message in c->bytes to all connected peers. Without any, counts it as lost.
 static void send_to_peers(SmNetChannel *c, uint64_t now)
 {
     bool any = false;
 
     for (uint8_t i = 0; i < c->peers; i++)
-        if (is_present(c, &c->peer[i], now)) {
+        if (is_still_connected(c, &c->peer[i], now)) {
             any = true;
             send_to_peer(c, &c->peer[i], now);
         }
@@ -220,14 +224,14 @@ static void send_to_peers(SmNetChannel *c, uint64_t now)
 // ---- receiving ----
 
 // Counts a message that is refused before it is whole, and closes the connection.
-static void refuse(SmNetChannel *c, SmNetPeer *p, SmNetCount cause, uint64_t now)
+static void refuse_message(SmNetChannel *c, SmNetPeer *p, SmNetCount cause, uint64_t now)
 {
     count_event(c, cause);
     count_event(c, SM_NET_refused);
     close_connection(c, p, now);
 }
 
-// Checks a whole message.  Damage and a wrong key are only explained by another sender or by boundaries that are lost.
+// Checks a whole message.  Over TCP, damage or a wrong key can only mean another kind of sender or lost message boundaries: closes the connection.
 static void accept_message(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 {
     const SmNetCount cause = sm_net_accept(c, p->bytes, c->message.size, now);
@@ -250,7 +254,7 @@ static bool receive_once(SmNetChannel *c, SmNetPeer *p, uint64_t now)
         return false;
     if (r != SM_OK) {
         if (p->n > 0)
-            refuse(c, p, SM_NET_short_, now);
+            refuse_message(c, p, SM_NET_short_, now);
         else
             close_connection(c, p, now);
         return false;
@@ -259,7 +263,7 @@ static bool receive_once(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     if (p->n >= SM_NET_HEADER)
         cause = sm_net_check_header(&c->message, p->bytes);
     if (cause != SM_NET_accepted)
-        refuse(c, p, cause, now);
+        refuse_message(c, p, cause, now);
     else if (p->n == c->message.size)
         accept_message(c, p, now);
     return p->state == OPEN && p->n == 0;
@@ -267,6 +271,7 @@ static bool receive_once(SmNetChannel *c, SmNetPeer *p, uint64_t now)
 
 // ---- every step ----
 
+// Called in every step: continues partly sent messages, closes silent connections, and accepts or makes new ones.
 static SmResult update_stream(SmNetChannel *c, uint64_t now)
 {
     for (uint8_t i = 0; i < c->peers; i++) {

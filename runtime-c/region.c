@@ -59,7 +59,7 @@ static void copy_packed(const SmStateVec *sv, const SmRegion *r, uint8_t *out)
     }
 }
 
-// Convert the n bytes of an element, as an integer, to wire byte order and back.  Shifts work the same on every byte order.
+// Stores the low n bytes of an integer in wire byte order, little-endian.  Shifts work the same on every processor.
 static void store_wire(uint8_t *out, uint64_t cell, uint8_t n)
 {
     switch (n) {
@@ -117,6 +117,7 @@ SmResult sm_pack_region(SmStateVec *sv, const SmRegion *r, void *bytes, size_t r
     return SM_OK;
 }
 
+// Stores the elements of a region from their wire form. Called inside the critical section.
 static void store_unpacked(const SmStateVec *sv, const SmRegion *r, const uint8_t *in)
 {
     const SmElement *e = &sv->layout->element[r->first];

@@ -123,6 +123,7 @@ static void write_and_sleep(SmApp *app, uint64_t now, uint64_t then)
     pal_clock_sleep_until(end);
 }
 
+// Runs the ticks of all executors in the calling thread, always of the one that has waited longest, until the application stops.
 static void run_in_this_thread(SmApp *app)
 {
     while (!sm_app_stopping(app)) {
@@ -146,6 +147,7 @@ static void sleep_for(uint64_t ns)
     pal_clock_sleep_until(pal_clock_now() + ns);
 }
 
+// Waits until app->gate says that all threads exist, or that the start has failed.
 static void wait_at_gate(const SmApp *app)
 {
     while (sm_shared_read(&app->gate) == GATE_WAIT)
@@ -165,6 +167,7 @@ static bool wait_for_tick(const SmExecutor *e)
     return false;
 }
 
+// The thread of an executor: runs its ticks from the opening of the gate until the application stops.
 static void executor_thread_main(void *of)
 {
     SmExecutor *const e = of;
@@ -176,6 +179,7 @@ static void executor_thread_main(void *of)
     sm_shared_write(&e->done, 1);
 }
 
+// The thread that feeds the watchdog, from the opening of the gate until it is closed.
 static void watchdog_thread_main(void *of)
 {
     SmApp *const app = of;

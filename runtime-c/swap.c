@@ -22,7 +22,7 @@ enum { TRIES = 1000 };        // after this many ticks without a common boundary
 static void *running_slot(const SmSwappable *w) { return w->slot[w->running]; }
 static void *other_slot(const SmSwappable *w) { return w->slot[w->running ^ 1]; }
 
-// Returns the index of the first concerned machine from `from` on; s->machines if no concerned machine follows.
+// Returns the index, `from` or later, of the first machine that the current swap replaces (`concerned`); s->machines if none follows.
 static uint16_t next_concerned(const SmSwaps *s, uint16_t from)
 {
     while (from < s->machines && !s->machine[from].concerned)
@@ -55,7 +55,8 @@ static void emit_event(const SmSwaps *s, const SmSwappable *w, SmEventKind kind,
 
 // ---- phases ----
 
-static void refuse(SmSwaps *s, SmSwapReason why, uint16_t machine)
+// Ends the current swap without an exchange. machine: index of the refused machine, or of the change if that has no machine.
+static void refuse_swap(SmSwaps *s, SmSwapReason why, uint16_t machine)
 {
     s->status.phase = SM_SWAP_REFUSED;
     s->status.reason = why;
@@ -63,13 +64,14 @@ static void refuse(SmSwaps *s, SmSwapReason why, uint16_t machine)
     s->refusal_due = true;
 }
 
+// Ends the trial in this phase, confirmed or returned. The event follows at the end of the tick.
 static void end_trial(SmSwaps *s, SmSwapPhase phase)
 {
     s->status.phase = phase;
     s->end_due = true;
 }
 
-// Emits what has ended since the last tick.
+// Emits the events of a refusal, or of the end of a trial, since the last tick.
 static void emit_due_events(SmSwaps *s, uint64_t time)
 {
     if (s->refusal_due && sm_swap_refused_machine(s, &s->status)) {
@@ -136,7 +138,7 @@ SmResult sm_swap_begin(SmSwaps *s, const SmSwapChange *change, uint16_t n)
     s->status.stored = SM_OK;
     why = store_changes(s, change, n, &failed);
     if (why != SM_SWAP_NOT_REFUSED) {
-        refuse(s, why, failed);
+        refuse_swap(s, why, failed);
     } else {
         s->status.phase = SM_SWAP_PREPARING;
         s->at = next_concerned(s, 0);
@@ -207,6 +209,7 @@ SmResult sm_swaps_save(SmSwaps *s)
     return r;
 }
 
+// Reads what is known of a machine. Only for the thread that prepares swaps.
 SmResult sm_swap_machine(SmSwaps *s, uint16_t machine, SmSwapMachineState *out)
 {
     SmResult r = s && out ? enter_from_outside(s) : SM_E_ARGUMENT;
@@ -254,6 +257,7 @@ const char *sm_swap_reason_text(SmSwapReason reason)
 
 static bool overlap(SmRange a, SmRange b) { return a.offset < b.offset + b.size && b.offset < a.offset + a.size; }
 
+// Whether the machine in a slot stores bytes of this range of the state vector.
 static bool stores_range(const SmSwapType *type, const void *slot, SmRange range)
 {
     SmRange r;
@@ -264,7 +268,7 @@ static bool stores_range(const SmSwapType *type, const void *slot, SmRange range
     return false;
 }
 
-// Whether anything but machine w stores bytes of the range, once the current swap is done.
+// Whether other code than machine w will store bytes of the range after the current swap.
 static bool has_other_writer(const SmSwaps *s, const SmSwappable *w, SmRange range)
 {
     for (uint16_t i = 0; i < s->writtens; i++)
@@ -278,6 +282,7 @@ static bool has_other_writer(const SmSwaps *s, const SmSwappable *w, SmRange ran
     return false;
 }
 
+// Whether the machine in slot `to`, unlike the one in slot `from`, stores an element that another part of the application also stores.
 bool sm_swap_adds_writer(const SmSwaps *s, const SmSwappable *w, const void *from, const void *to)
 {
     SmRange r;
@@ -288,7 +293,7 @@ bool sm_swap_adds_writer(const SmSwaps *s, const SmSwappable *w, const void *fro
     return false;
 }
 
-// Returns the first concerned machine that would be a second writer; s->machines if no machine would be one.  All of them are prepared.
+// Returns the first replaced machine that would store an element that other code also stores; s->machines if none would.  All are prepared.
 static uint16_t find_second_writer(const SmSwaps *s)
 {
     uint16_t i = next_concerned(s, 0);
@@ -298,17 +303,18 @@ static uint16_t find_second_writer(const SmSwaps *s)
     return i;
 }
 
-// Whether the present part is the last one of the preparation of all machines.
+// Whether the current part of the preparation is the last part of the last machine.
 static bool is_last_part(const SmSwaps *s)
 {
     return s->part + 1 == s->machine[s->at].type->parts && next_concerned(s, (uint16_t)(s->at + 1)) == s->machines;
 }
 
-// Records the result of a part: continues with the next part, the next machine, or the exchange.  `machine`: the one that is refused.
+// Records the result of one part of the preparation: continues with the next part, the next machine, or the exchange.  `machine`: the one that is
+// refused.
 static void finish_part(SmSwaps *s, SmSwapReason why, uint16_t machine)
 {
     if (why != SM_SWAP_NOT_REFUSED) {
-        refuse(s, why, machine);
+        refuse_swap(s, why, machine);
         return;
     }
     if (++s->part < s->machine[s->at].type->parts)
@@ -440,7 +446,7 @@ static SmSwapReason check_exchange(const SmSwaps *s, uint16_t *failed)
     return why;
 }
 
-// Makes the machine in the other slot the one that runs.  `starts`: it does not continue.
+// Makes the machine in the other slot the one that runs.  `starts`: it starts in a state instead of continuing.
 static void switch_slots(const SmSwaps *s, SmSwappable *w, bool starts, uint64_t time)
 {
     SmMachine *const m = w->machine;
@@ -457,6 +463,7 @@ static void switch_slots(const SmSwaps *s, SmSwappable *w, bool starts, uint64_t
         emit_event(s, w, SM_EVENT_STATE, time, 0, m->last_state);
 }
 
+// Exchanges all machines of the swap, which are then on trial. Called inside the critical section.
 static void exchange_machines(SmSwaps *s, uint64_t time)
 {
     for (uint16_t i = 0; i < s->machines; i++) {
@@ -469,6 +476,7 @@ static void exchange_machines(SmSwaps *s, uint64_t time)
     s->status.phase = SM_SWAP_TRIAL;
 }
 
+// Exchanges the machines if all are between two steps. Else the end of the next tick tries again, TRIES times in all.
 static void try_exchange(SmSwaps *s, uint64_t time)
 {
     SmSwapReason why;
@@ -476,20 +484,21 @@ static void try_exchange(SmSwaps *s, uint64_t time)
 
     if (!are_between_steps(s) || sm_enter(s->sv) != SM_OK) {
         if (++s->tries == TRIES)
-            refuse(s, SM_SWAP_NO_BOUNDARY, next_concerned(s, 0));
+            refuse_swap(s, SM_SWAP_NO_BOUNDARY, next_concerned(s, 0));
         return;
     }
     why = check_exchange(s, &failed);
     if (why == SM_SWAP_NOT_REFUSED)
         exchange_machines(s, time);
     else
-        refuse(s, why, failed);
+        refuse_swap(s, why, failed);
     sm_leave(s->sv);
 }
 
 // ---- the trial ----
 
-// Records that a trial has to end, if it has: for machines whose executors are not inside a tick.
+// Sets status.end if a machine on trial has entered a state marked @abort, or was not confirmed in time.  Skips machines whose executor is inside a
+// tick.
 static void check_trial(SmSwaps *s)
 {
     for (uint16_t i = 0; i < s->machines && s->status.end == 0; i++) {
@@ -505,7 +514,7 @@ static void check_trial(SmSwaps *s)
     }
 }
 
-// Lets all old machines return.  If not all machines are between two steps, the end of the next tick tries again.
+// Exchanges all machines back for the old ones.  If not all machines are between two steps, the end of the next tick tries again.
 static void try_return(SmSwaps *s, uint64_t time)
 {
     if (!are_between_steps(s) || sm_enter(s->sv) != SM_OK)
@@ -553,7 +562,8 @@ SmResult sm_swap_gate_init(void *gate)
     return r;
 }
 
-// If the lock times out, a thread has ended inside a critical section.  Then no exchange follows, and the machines run on.
+// The first task of a tick: records that the executor is inside a tick.  If the lock times out, a thread has ended inside a critical section.  Then
+// no exchange follows, and the machines run on.
 SmResult sm_swap_gate_enter(void *gate, const SmTick *tick)
 {
     SmSwapGate *g = gate;
@@ -588,6 +598,7 @@ static void publish_states(const SmSwapGate *g)
             s->machine[i].state = s->machine[i].machine->last_state;
 }
 
+// The last task of a tick: exchanges machines or ends a trial, if that is due.
 SmResult sm_swap_gate_leave(void *gate, const SmTick *tick)
 {
     SmSwapGate *g = gate;

@@ -85,7 +85,7 @@ typedef struct SmSwappable {
     uint16_t executor;        // the index of its executor in SmSwaps.gate
     // The fields below belong to the runtime; initially all zero.
     uint8_t running;          // index of the slot that runs
-    bool concerned;           // the current swap replaces it
+    bool concerned;           // the current swap replaces this machine
     SmSwapChange change;
     uint32_t steps;           // number of steps since the exchange
     bool was_aborting;        // at the last check, its state was marked @abort

@@ -14,6 +14,7 @@ typedef struct NamesBlock {
     SmResult result;
 } NamesBlock;
 
+// Writes the buffered bytes of the block to the file, and updates the size of the file.
 static void append_bytes(NamesBlock *b)
 {
     uint64_t size;
@@ -61,7 +62,7 @@ static void put_name(NamesBlock *b, const char *name)
     put_bytes(b, (const uint8_t *)name, n);
 }
 
-// Whether the drain is between two blocks of the file.
+// Whether the last bytes that sm_log_drain wrote to the file complete a block.
 static bool is_between_blocks(const SmLog *log)
 {
     return log->out.id != 0 && log->description_size > 0 && log->description_done == log->description_size && log->tail == log->checksummed;

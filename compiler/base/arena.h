@@ -33,7 +33,7 @@ void arena_init_within(Arena *a, Arena *parent);
 // The contents of an arena, to return to.
 typedef struct ArenaCopy {
     Arena was;
-    char *bytes;          // of its chunks, the newest first
+    char *bytes;          // the used bytes of its chunks, the newest first
 } ArenaCopy;
 
 // Copies the contents of `a` to memory of `into`, another arena.

@@ -66,6 +66,7 @@ void buf_printf(Buf *b, const char *format, ...)
     va_end(args);
 }
 
+// Returns formatted text, allocated in the arena.
 const char *format_in(Arena *arena, const char *format, ...)
 {
     va_list args, args_copy;

@@ -57,11 +57,11 @@ void os_reader_close(OsReader *r);
 bool os_is_folder(const char *path);
 // The file descriptor of this process that a path names, as /dev/stdout, /dev/fd/1, /proc/self/fd/1 or a link to one; else -1.
 int os_find_descriptor(const char *path);
-bool os_is_special(const char *path);              // a device or pipe, as /dev/null, or an open file of this process
-bool os_make_folder(const char *path, const char **why);     // the folder only, not its parents; true if it already exists
+bool os_is_special(const char *path);              // whether it is a device or pipe, as /dev/null, or an open file of this process
+bool os_make_folder(const char *path, const char **why);     // creates the folder, not its parents; true if it already exists
 // The path with symbolic links resolved, allocated on the heap.  The file need not exist.  NULL if its folder does not exist.
 char *os_real_path(const char *path);
-bool os_has_other_names(const char *path);         // a regular file with several hard links
+bool os_has_other_names(const char *path);         // whether it is a regular file with several hard links
 bool os_same_file(const char *a, const char *b);   // whether both name the same existing regular file; "-" is not a file
 // Lists the names in a folder, sorted, without . and ..; *names and its strings are one heap allocation.
 bool os_list_folder(const char *path, char ***names, size_t *n, const char **why);

@@ -34,6 +34,7 @@ bool os_read_all(intptr_t file, size_t most, char **text, size_t *len, const cha
     return false;
 }
 
+// Reads up to n bytes; *got is their number, 0 at the end. Returns false and sets *why if that fails or the file has become shorter.
 bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **why)
 {
     const long bytes = os_read_some(r->file, into, n, why);
@@ -45,6 +46,7 @@ bool os_reader_get(OsReader *r, void *into, size_t n, size_t *got, const char **
     return bytes > 0 || (bytes == 0 && r->done >= r->size);
 }
 
+// Unregisters a temporary file, so that a signal no longer removes it, and frees its path.
 void os_forget_temporary(int number)
 {
     char *temp = os_unfinished_path(number);
@@ -53,6 +55,7 @@ void os_forget_temporary(int number)
     free(temp);
 }
 
+// Writes all outputs or none: to temporary files first, which then replace the targets. Sets *failed_path and *why if that fails.
 bool os_write_files(const OsOutput *out, size_t n, const char **failed_path, const char **why)
 {
     char *target[OS_OUTPUTS_MOST] = {NULL};

@@ -294,6 +294,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
+// Writes one output to a temporary file beside its target; *target is then the path to rename it to. Special files are written directly.
 bool os_write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     HANDLE file;
@@ -337,6 +338,7 @@ bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why)
     return windows_write_all(windows_handle(s->fd), bytes, n, why);
 }
 
+// Closes the output. With `keep`, a temporary file replaces its target; without, it is removed.
 bool os_stream_close(OsStream *s, bool keep, const char **why)
 {
     bool ok;

@@ -18,6 +18,7 @@
 
 enum { HUGE_PAGE = 2 << 20 };
 
+// Allocates, resizes or (size 0) frees heap memory, as an SmcAllocFn.
 void *os_alloc(void *context, void *old, size_t size)
 {
     (void)context;
@@ -254,6 +255,7 @@ static bool write_directly(const OsOutput *out, const char **why)
     return ok;
 }
 
+// Writes one output to a temporary file beside its target; *target is then the path to rename it to. Special files are written directly.
 bool os_write_temporary(const OsOutput *out, int number, char **target, const char **why)
 {
     int fd;
@@ -272,6 +274,7 @@ void os_remove_file(const char *path) { unlink(path); }
 
 // ---- a file written incrementally ----
 
+// Opens an output that is written bit by bit: a temporary file, or a special file directly.
 bool os_stream_open(OsStream *s, const char *path, const char **why)
 {
     if (!check_name(path, why))
@@ -297,6 +300,7 @@ bool os_stream_put(OsStream *s, const void *bytes, size_t n, const char **why)
     return write_all(s->fd, bytes, n, why);
 }
 
+// Closes the output. With `keep`, a temporary file replaces its target; without, it is removed.
 bool os_stream_close(OsStream *s, bool keep, const char **why)
 {
     bool ok = true;

@@ -132,6 +132,7 @@ void os_remove_folder(const char *path)
     os_signals_resume();
 }
 
+// Ends all programs that this process has started, and removes their folder. Called when a signal ends this process.
 void windows_end_processes(void)
 {
     for (int i = 0; i < PARTNERS_MOST; i++)
@@ -354,6 +355,7 @@ static bool make_pipe(HANDLE *read_end, HANDLE *write_end, bool child_reads)
     return CreatePipe(read_end, write_end, &inherited, 0) && SetHandleInformation(child_reads ? *write_end : *read_end, HANDLE_FLAG_INHERIT, 0);
 }
 
+// Starts a program whose standard input and output the caller writes and reads.
 bool os_partner_start(OsPartner *p, const char *const *argv, const char **why)
 {
     HANDLE child_in, to, from, child_out;

@@ -25,7 +25,7 @@ bool os_serial_send(int fd, const uint8_t *bytes, size_t n);
 int os_serial_receive(int fd, uint8_t *bytes, size_t room, uint32_t wait);
 void os_serial_close(int fd);
 
-uint32_t os_milliseconds(void);       // since an arbitrary time, modulo 2^32
+uint32_t os_milliseconds(void);       // returns the milliseconds since an arbitrary time, modulo 2^32
 uint16_t os_run_nonce(void);          // a number that is unlikely to be the same in the next run of the command
 
 #endif

@@ -90,6 +90,7 @@ void os_signals_delay(void)
     held++;
 }
 
+// Ends the delay of os_signals_delay. A signal that arrived meanwhile ends the process.
 void os_signals_resume(void)
 {
     held--;

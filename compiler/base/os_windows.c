@@ -129,6 +129,7 @@ wchar_t *windows_join(const wchar_t *a, const wchar_t *b)
     return both;
 }
 
+// Returns the absolute path with the prefix \\?\, which permits more than 260 characters; on the heap.
 wchar_t *windows_path(const char *path)
 {
     wchar_t *wide = windows_wide(strcmp(path, "/dev/null") == 0 ? os_null_device : path), *full, *whole;
@@ -144,6 +145,7 @@ wchar_t *windows_path(const char *path)
     return whole;
 }
 
+// Returns the path without the prefix \\?\, as UTF-8, on the heap.
 char *windows_plain_path(const wchar_t *path)
 {
     const bool is_unc = wcsncmp(path, L"\\\\?\\UNC\\", 8) == 0;

@@ -27,6 +27,7 @@ const char *path_file_name(const char *path)
     return name;
 }
 
+// Returns the name of a file without folders, with / and \ as separators on every system.
 const char *path_portable_name(const char *path)
 {
     const char *name = path;
@@ -39,6 +40,7 @@ const char *path_portable_name(const char *path)
 
 bool path_is_absolute(const char *path) { return path_is_separator(path[0]) || drive_length(path) > 0; }
 
+// Returns the path of the file that the file `from` calls `name`: relative to the folder of `from`, unless absolute.
 const char *path_beside(Arena *arena, const char *from, const char *name)
 {
     const int folder = (int)(path_file_name(from) - from);           // the length of the folder's path, with its separator
@@ -56,6 +58,7 @@ static size_t length_of_parent(const char *path, size_t n)
     return n < 2 || (n - at == 3 && path[at] == '.' && path[at + 1] == '.') ? n : at;
 }
 
+// Returns the path without `.` and `FOLDER/..`.
 const char *path_simplify(Arena *arena, const char *path)
 {
     char *out = arena_alloc(arena, strlen(path) + 1);

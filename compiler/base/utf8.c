@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/base/utf8.h"
 
+// Decodes the first character of n bytes. Returns its length in bytes; 0 if it is not valid UTF-8.
 size_t utf8_decode(const char *s, size_t n, uint32_t *code)
 {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};    // by length: a smaller code point is an overlong form

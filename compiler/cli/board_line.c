@@ -34,6 +34,7 @@ static const struct { enum { BOARD, APPLICATION } side; SmResult result; const c
 #undef REFUSAL
 };
 
+// Prints why the last request failed, after `what`: what the host was doing. Returns the exit code.
 int board_report_failure(BoardLine *b, const char *what)
 {
     const bool is_app = b->is_application;
@@ -59,6 +60,7 @@ const char *board_trial_end_text(uint8_t end)
                                         : "the board stopped it";
 }
 
+// Describes an image: its slot, length, checksum and identity, and whether it runs or is on trial.
 void board_describe(Buf *out, const DeviceImage *i)
 {
     if (i->slot == DEVICE_BUILT_IN)

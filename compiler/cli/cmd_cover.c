@@ -358,6 +358,8 @@ static int write_results(CoverRun *r, const CoverSettings *s)
     return r->was_interrupted || t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
 }
 
+// Covers a machine: runs the scripts of the command line and of the folder, searches, writes scripts and results. given: number of sources that
+// the command line names.
 static int cover_machine(CoverRun *r, CompileInput *in, size_t given, const CompileOptions *o, const Compiled *made, CoverSettings *s)
 {
     int code;

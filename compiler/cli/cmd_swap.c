@@ -55,11 +55,11 @@ static int check_arguments(Cli *c)
     return EXIT_OK;
 }
 
-// What the machines that are compiled share.
+// What all machines of a swap are compiled with.
 typedef struct Surroundings {
-    const Source *vector;             // or NULL
-    const MachineInstance *bindings;  // of --bind; or NULL
-    const CompileApp *app;            // of --app: it has the bindings of each machine; or NULL
+    const Source *vector;             // the state vector of --sv; or NULL
+    const MachineInstance *bindings;  // the bindings of --bind; or NULL
+    const CompileApp *app;            // the application of --app, which has bindings for each machine; or NULL
 } Surroundings;
 
 // Reads the application that --app names, and its state vector.

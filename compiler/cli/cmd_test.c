@@ -70,6 +70,7 @@ static void collect_argument(TestRun *t, const char *path)
 
 bool test_stdout_is_for_program(const Cli *c) { return c->given[OPT_TAP] || cli_is_standard_output(c, OPT_JUNIT); }
 
+// Returns where the results go: standard output (1), or standard error (2) if another output goes to standard output.
 int test_result_fd(const Cli *c)
 {
     return cli_is_standard_output(c, OPT_TRACE) || cli_is_standard_output(c, OPT_COVERAGE_DATA) || cli_is_standard_output(c, OPT_COVERAGE_JSON) ||
@@ -140,6 +141,7 @@ static int exit_code(const TestRun *t)
 
 // ---- the command ----
 
+// Whether an argument is a script. "-" is one if the command line also names a machine.
 bool test_is_script(const Cli *c, const char *path)
 {
     bool has_machine = false;

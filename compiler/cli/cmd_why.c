@@ -28,6 +28,7 @@ typedef struct WhyCommand {
 
 // ---- arguments ----
 
+// Whether the word is a unit that belongs to the number of --at before it, as in `--at 3 s`.
 static bool is_time_word(const Cli *c, const char *word)
 {
     return c->given[OPT_AT] && time_unit_find(word) != TIME_NONE && isdigit((unsigned char)c->value[OPT_AT][strlen(c->value[OPT_AT]) - 1]);
@@ -143,6 +144,7 @@ static size_t machine_count(const WhyCommand *y) { return engine_machines(y->p);
 static const Program *machine_program(const WhyCommand *y, size_t i) { return y->p->joint ? y->p->joint->member.at[i].program : y->p; }
 static const char *machine_name(const WhyCommand *y, size_t i) { return y->p->joint ? y->p->joint->member.at[i].name->text : y->p->name->text; }
 
+// Returns the state that the question names, in the machine with this index; NULL: the machine has no such state.
 static const State *find_state(const WhyCommand *y, size_t machine)
 {
     const Str name = y->to ? str_find(&y->c->session.strings, y->to, strlen(y->to)) : NULL;

@@ -241,7 +241,8 @@ static int write_message_file(Cli *c, const Buf *document)
     return cli_write_outputs(c, &file, 1);
 }
 
-// Prints a SARIF document, and writes the file that --message-file names.
+// Prints a SARIF document of all messages, and writes the file that --message-file names. code: the exit code so far; returns it, or that of a
+// failure.
 int cli_finish(Cli *c, int code)
 {
     const bool prints_sarif = console_format(c) == MESSAGE_SARIF, writes_file = c->given[OPT_MESSAGE_FILE];
@@ -270,6 +271,7 @@ bool cli_is_standard_output(const Cli *c, OptionId id) { return c->given[id] && 
 
 // ---- formats ----
 
+// Whether the path ends in one of the suffixes of a format.
 static bool has_format_suffix(const char *path, const CliFormat *f)
 {
     for (size_t i = 0; i < sizeof f->suffix / sizeof *f->suffix && f->suffix[i]; i++)
@@ -357,6 +359,7 @@ bool cli_read_whole(const char *text, uint64_t *number)
     return *digit == '\0' && digit > text;
 }
 
+// Reads a time such as 400, '4 s' or 250ms, and converts it to units of G (`unit`).
 int cli_read_time(Cli *c, const char *text, TimeUnit unit, uint64_t *g)
 {
     const size_t digits = strspn(text, "0123456789.");

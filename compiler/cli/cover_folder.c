@@ -15,6 +15,7 @@ static const char *path_in_folder(const CoverRun *r, const char *name)
 
 // ---- reading ----
 
+// Whether the command line names this file.
 static bool is_argument(const Cli *c, const char *path)
 {
     for (size_t i = 0; i < c->files; i++)
@@ -53,6 +54,7 @@ static void add_sources(CoverRun *r, CompileInput *in)
     in->n += r->old.n;
 }
 
+// Creates or lists the folder, and adds the scripts in it that smc has written for this machine to the sources.
 int cover_read_folder(CoverRun *r, CompileInput *in)
 {
     const char *why = NULL;
@@ -134,6 +136,7 @@ static int run_edited(CoverRun *r, const OldScript *old)
     return cli_print_diagnostics(r->c);
 }
 
+// Runs the scripts that cover_read_folder has read, and counts what they cover.
 int cover_run_folder(CoverRun *r)
 {
     int code = EXIT_OK;
@@ -171,6 +174,7 @@ static bool claim_name(CoverRun *r, const char *name, const char *path)
     return true;
 }
 
+// Returns the path for a new script: STEM.ss, or STEM-N.ss if a file that must stay has this name.
 const char *cover_new_path(CoverRun *r, const char *stem)
 {
     const char *name = format_in(r->arena, "%s.ss", stem);

@@ -9,6 +9,7 @@
 
 // ---- outcomes ----
 
+// Whether a coverage place (`place`: its index) is a goal: of a kind that is searched, and not covered by the given scripts.
 bool cover_is_goal(const CoverRun *r, uint32_t place)
 {
     return r->kinds >> r->given->place.at[place].kind & 1 && r->given->hits[place] == 0;
@@ -154,6 +155,7 @@ static void write_blocking_condition(const CoverRun *r, const SearchFind *f, Buf
     buf_char(out, '}');
 }
 
+// Writes the JSON object of a goal. i: its index in Cover.place.
 static void write_goal(const CoverRun *r, uint32_t i, Buf *out)
 {
     static const char *const word[] = {"reached", "impossible", "not found"};

@@ -27,6 +27,7 @@ static void write_make_name(Buf *out, const char *name)
     }
 }
 
+// Lists the files that the command has read: arguments, what they include, their data, and those of options.
 DepInputs deps_list_inputs(Cli *c)
 {
     static const OptionId option[] = {OPT_SV, OPT_IO, OPT_NET};

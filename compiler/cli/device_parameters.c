@@ -49,6 +49,7 @@ int device_show_parameters(BoardLine *b, Buf *out)
 
 // ---- setting ----
 
+// Whether the arguments after `set` have the form NAME=VALUE. Returns false after a message.
 bool device_check_settings(Cli *c)
 {
     Setting s;

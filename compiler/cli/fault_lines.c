@@ -64,6 +64,7 @@ static int compare_inputs(const void *a, const void *b)
     return by ? by : x < y ? -1 : x > y;
 }
 
+// Collects the results with an effect in lines. Results that differ only in the trigger share a line, unless `each`.
 void fault_lines_collect(FaultLines *l, bool each)
 {
     Arena *arena = &l->c->session.arena;

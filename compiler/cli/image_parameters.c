@@ -64,6 +64,7 @@ static void list_parameter(Cli *c, const SmvmMachine *m, const SmvmParameter *p,
     buf_str(out, ")\n");
 }
 
+// Writes the identities of logic and settings, then a line for each parameter.
 void parameters_list(Cli *c, SmvmBytes bytes, Buf *out)
 {
     SmvmMachine m, second;
@@ -104,6 +105,7 @@ static Named find_named_parameter(Cli *c, SmvmBytes image, const Setting *s)
     return found;
 }
 
+// Sets the parameter that `word`, as NAME=VALUE, names. Returns false after a message; the image has then not changed.
 bool parameters_set(Cli *c, uint8_t *image, const char *word)
 {
     uint8_t refusal;

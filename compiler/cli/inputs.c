@@ -128,6 +128,7 @@ void cli_load_app(Cli *c, CompileInput *in)
     }
 }
 
+// Reads --bind into *out, NULL if it is absent; an error if the call compiles several machines.
 int cli_read_bindings(Cli *c, size_t machines, const MachineInstance **out)
 {
     MachineInstance *instance = ARENA_NEW(&c->session.arena, MachineInstance);

@@ -133,6 +133,7 @@ static int write_script(const ScriptsRun *r, const Mutant *m)
     return EXIT_OK;
 }
 
+// Writes a script for each mutant for which inputs were found. A script that also fails on later mutants serves for these, too.
 int mutate_write_scripts(Cli *c, Mutation *u, const Program *p, const char *machine, const char *folder, MutateScripts *out)
 {
     Arena *arena = &c->session.arena;

@@ -149,6 +149,7 @@ static bool read_csv_field(const char **at, const char *lf, const char **field, 
     return *n > 0 && (c == lf || (*c == ',' && c + 1 < lf));
 }
 
+// Whether n characters in the header of a table can be the name of an element or a local.
 static bool is_name(const char *at, size_t n)
 {
     size_t i = 0;
@@ -158,6 +159,7 @@ static bool is_name(const char *at, size_t n)
     return i == n;
 }
 
+// Whether n characters in a row of a table can be a value.
 static bool is_value(const char *at, size_t n)
 {
     static const char *const words[] = {"true", "false", "inf", "-inf", "nan", "-nan"};
@@ -262,6 +264,7 @@ static const char *read_tag(XmlOpen *open, const char *at, const char *end)
     return at + 1;
 }
 
+// Whether the file begins like the JUnit report of smc test, and contains only the XML elements that it writes.
 static bool is_junit(const Head *h)
 {
     static const char mark[] = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"smc test\" ";
@@ -415,6 +418,7 @@ static bool is_written_by_smc(const Head *h)
 
 // ---- sources and inputs ----
 
+// Whether a name has the suffix of a source, in capital or small letters.
 bool outputs_is_source_name(const char *name, size_t n)
 {
     static const char *const suffix[] = {".sm", ".ss", ".sv", ".io", ".net", ".app", ".smt", ".rq"};
@@ -516,6 +520,7 @@ static int check_existing(Cli *c, const char *path)
     return cli_usage_error(c, TEXT_output_not_ours, path);
 }
 
+// Whether two outputs are the same file or stream.
 static bool is_same_output(Cli *c, const char *a, const char *b)
 {
     if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)

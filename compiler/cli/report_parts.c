@@ -18,7 +18,7 @@ enum { QUICK_EFFORT = 2000000 };      // steps of a first search for a violation
 
 // When the parts stop: at a signal, and at the end of the time that the user has given.  Each part may take its share of the time that is left.
 typedef struct PartsClock {
-    double end, part_end;         // in seconds; 0: no limit
+    double end, part_end;         // times at which all parts, and the current part, have to end, in seconds; 0: no limit
     uint32_t parts;               // parts that are still to run
 } PartsClock;
 
@@ -37,6 +37,7 @@ static bool may_go_on(const PartsClock *k)
     return !os_signal_waiting() && (k->part_end == 0 || os_seconds() < k->part_end);
 }
 
+// Replaces --all by the options of all parts. --scripts and --pairs imply --faults.
 void report_parts_choose(Cli *c)
 {
     static const OptionId part[] = {OPT_PROVE, OPT_MUTATE, OPT_FAULTS, OPT_SWEEP};
@@ -69,6 +70,7 @@ typedef struct ProofProgress { ProgressLine line; const Requirements *what; cons
 
 static bool proofs_may_go_on(void *context) { return may_go_on(((ProofProgress *)context)->clock); }
 
+// Called before each proof; `done`: how many requirements have been decided.
 static void show_proofs(void *context, uint32_t done)
 {
     ProofProgress *k = context;
@@ -415,6 +417,7 @@ static void run_sweeps(Cli *c, Report *r, const Program *p, const PartsClock *cl
         add_unfinished(r, "margins of parameters");
 }
 
+// Runs the requested parts of the report. seconds: the time for all of them together; 0: no limit.
 int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *o, double seconds)
 {
     static const OptionId part[] = {OPT_PROVE, OPT_MUTATE, OPT_FAULTS, OPT_SWEEP};

@@ -18,6 +18,7 @@ static const char *find_app_file(Cli *c, const CompileInput *in, FileKind kind, 
     return otherwise;
 }
 
+// Reports that the command is for one machine, and names the files of the application to use instead.
 int runs_refuse_app(Cli *c, const char *app)
 {
     CompileSource source = {.text = cli_read_source(c, app), .kind = FILE_APP};
@@ -53,6 +54,7 @@ int runs_check_arguments(Cli *c)
     return EXIT_OK;
 }
 
+// Compiles `in` without analyses and without the scripts, which the command compiles itself.
 int runs_compile(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made)
 {
     o->scripts_later = true;

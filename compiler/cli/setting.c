@@ -41,6 +41,7 @@ static SmF64 read_value(const char *text)
     return minus ? sm_neg(x) : x;
 }
 
+// Splits NAME=VALUE and reads the value. Returns false after a message.
 bool setting_parse(Cli *c, const char *word, Setting *s)
 {
     const char *equals = strchr(word, '=');
@@ -71,6 +72,7 @@ static bool report_similar_parameter(Cli *c, const Program *p, const Setting *s)
     return near != NULL;
 }
 
+// Finds the parameter and converts the value to its type. Returns EXIT_OK, or the exit code after a message.
 int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
 {
     SmRefusal refusal = SM_REFUSAL_UNKNOWN;
@@ -86,6 +88,7 @@ int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
     return EXIT_PROBLEM;
 }
 
+// Adds the values of all --set to the list, for the parameters of p.
 int settings_read(Cli *c, const Program *p, ScriptSettings *list)
 {
     int code = EXIT_OK;

@@ -51,7 +51,8 @@ static void report_failed_case(TestRun *t, const TestResult *r)
         cli_print(t->c, 2, &b);
 }
 
-static void test_batch(TestRun *t, const char *const *path, size_t n)
+// Runs n cases, at most BATCH, and adds their results.
+static void run_batch(TestRun *t, const char *const *path, size_t n)
 {
     Batch b = {.n = n};
 
@@ -76,5 +77,5 @@ static void test_batch(TestRun *t, const char *const *path, size_t n)
 void test_run_cases(TestRun *t, const char *const *path, size_t n)
 {
     for (size_t i = 0; i < n; i += BATCH)
-        test_batch(t, path + i, n - i < BATCH ? n - i : BATCH);
+        run_batch(t, path + i, n - i < BATCH ? n - i : BATCH);
 }

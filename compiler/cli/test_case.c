@@ -71,6 +71,7 @@ static void parse_and_compile(TestCase *c, const char *path, size_t n)
         c->ir = session_ir(&c->s, c->smt.p, opt_level);
 }
 
+// Reads and compiles a case; test_case_close runs it.
 TestCase *test_case_open(TestRun *t, const char *path)
 {
     TestCase *c = ARENA_NEW(t->arena, TestCase);

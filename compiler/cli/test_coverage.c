@@ -54,6 +54,7 @@ static const char *list_kinds(Cli *c)
     return buf_text(&out);
 }
 
+// Whether --min-coverage demands a percentage of tested requirements.
 bool test_coverage_demands_requirements(const Cli *c, double *percent)
 {
     Demand demand[DEMANDS] = {{false, 0}};
@@ -146,6 +147,7 @@ static Engine *open_engine(Arena *arena, TestCoverage *v)
     return v->p->joint ? engine_app_open(arena, v->p, e) : e[0];
 }
 
+// Adds an engine that measures coverage to the set, and reads the counts of earlier runs. *coverage is NULL if no option asks for it.
 int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage)
 {
     TestCoverage *v = ARENA_NEW(t->arena, TestCoverage);
@@ -208,6 +210,7 @@ static int write_files(TestRun *t, const TestCoverage *v)
     return cli_write_outputs(t->c, file, n);
 }
 
+// After the scripts: writes the coverage, and compares it with --min-coverage.
 int test_coverage_finish(TestRun *t, TestCoverage *v, const char *machine)
 {
     Buf out;

@@ -162,6 +162,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     m->t->result.at[m->t->result.n - 1].requirements = list_requirements(t->arena, s, &r, m->requirements);
 }
 
+// Runs the script at this index of the arguments and adds its result.
 static void test_script(MachineTest *m, size_t argument)
 {
     const char *const path = result_name(m->t->c->file[argument]);

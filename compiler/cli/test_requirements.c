@@ -15,6 +15,7 @@ struct RequirementTable {
     size_t *ids;
 };
 
+// Begins the table of the requirements `what`; without any (NULL) it stays empty.
 RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what)
 {
     RequirementTable *table = ARENA_NEW(t->arena, RequirementTable);
@@ -66,6 +67,7 @@ static void add_asserts(RequirementTable *table, const Script *s, const ScriptRe
         }
 }
 
+// Adds what the run of a script has judged and asserted.
 void test_requirements_add(RequirementTable *table, const char *path, const Script *s, const ScriptResult *r)
 {
     if (!table->what)
@@ -90,6 +92,7 @@ static const char *list_marks(Arena *arena, const Program *p, Str id)
     return buf_text(&out);
 }
 
+// Reports what no script has judged, and stores the rows in t->requirement. complete: all scripts have passed.
 void test_requirements_end(RequirementTable *table, bool complete)
 {
     TestRun *t = table->t;

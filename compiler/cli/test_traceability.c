@@ -26,6 +26,7 @@ int test_traceability_check_options(Cli *c, const char *machine, size_t requirem
     return EXIT_OK;
 }
 
+// Returns an empty matrix; NULL if no option asks for traceability.
 Traceability *test_traceability_begin(TestRun *t, const Program *p, const Requirements *what)
 {
     return is_requested(t->c) ? traceability_new(t->arena, p, what) : NULL;
@@ -95,6 +96,7 @@ static void add_proofs(TestRun *t, Traceability *matrix)
         traceability_set_proof(matrix, r->of[i].what->id, prove_verdict_words(r->of[i].verdict));
 }
 
+// After the scripts: writes the matrix, and compares the tested requirements with --min-coverage.
 int test_traceability_finish(TestRun *t, Traceability *matrix, const char *machine)
 {
     double percent;

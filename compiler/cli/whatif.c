@@ -20,6 +20,7 @@ static int check_scripts(Cli *c, WhatIf *w, const CompileInput *in, const Compil
     return cli_print_diagnostics(c);
 }
 
+// Compiles the machine, scripts and requirements that the command names, and reads --max-steps.
 int whatif_load(Cli *c, WhatIf *w)
 {
     const CompiledSource *m;
@@ -62,6 +63,7 @@ int whatif_write(Cli *c, const Buf *result)
     return cli_write_outputs(c, file, files);
 }
 
+// Calls `add` for each word between commas. Returns false as soon as one call does.
 bool whatif_read_list(const char *list, void *context, bool (*add)(void *context, const char *word, size_t n))
 {
     for (const char *at = list; ; at++) {

@@ -13,7 +13,7 @@
 #include "compiler/base/arena.h"
 #include "compiler/data/data_file.h"
 
-enum { CSV_RECORD_MAX = 1 << 20, CSV_BUFFER = 1 << 16 };      // bytes: of a record; read at once
+enum { CSV_RECORD_MAX = 1 << 20, CSV_BUFFER = 1 << 16 };      // maximum bytes of a record; bytes read at once
 
 typedef enum CsvResult { CSV_RECORD, CSV_END, CSV_ERROR } CsvResult;
 

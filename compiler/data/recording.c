@@ -9,7 +9,7 @@
 #include "compiler/syntax/number.h"
 
 enum {
-    NEAR_MOST = 3, NAMES_MOST = 12,       // most columns that a message proposes; that it lists
+    NEAR_MOST = 3, NAMES_MOST = 12,       // maximum number of columns that a message proposes; that a message lists
     COMPARED_MOST = 4096,                 // columns that are compared with a name to find these
     SHOWN_MOST = 40                       // bytes of a cell that a message shows
 };
@@ -342,6 +342,7 @@ static bool read_value(Recording *r, size_t i, const RecordingRow *before, doubl
     return true;
 }
 
+// Reads the next row. `before`: the previous row, for missing cells. Returns false at the end, and after an error (r->error).
 bool recording_next(Recording *r, const RecordingRow *before, RecordingRow *row)
 {
     bool is_bad = true;

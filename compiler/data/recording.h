@@ -39,11 +39,11 @@ typedef struct Recording {
     Arena *arena;
     Csv csv;
     size_t header_cells;
-    size_t time_cell, *cell;  // index in a record: of the time; of each column
-    double first_time;        // of the first row, as read
-    double last_time;         // of the last row that was not bad
+    size_t time_cell, *cell;  // index of the cell with the time in a record; by column: index of its cell
+    double first_time;        // time of the first row, as in the file
+    double last_time;         // time of the last row that was not bad
     uint64_t rows, bad_rows;  // rows read so far; how many of them had a bad time
-    uint64_t first_bad_line;  // 0: none
+    uint64_t first_bad_line;  // line of the first row with a bad time; 0: none
     RecordingError error;
 } Recording;
 

@@ -146,6 +146,7 @@ static void append_name(Buf *out, const char *name)
     buf_put(out, name ? name : "", n);
 }
 
+// Appends the bytes of a swap of n machines, signed with `key` and `number` if key is not NULL.
 void application_write_swap(const ApplicationChange *change, size_t n, const uint8_t *key, uint32_t number, Buf *out)
 {
     uint8_t code[SMVM_CODE];

@@ -16,7 +16,7 @@ typedef struct ApplicationInfo {
     uint16_t machines;
     uint32_t room;            // most bytes of a swap
     bool requires_signature;
-    uint32_t mark;            // of its key
+    uint32_t mark;            // number that identifies its key (smvm_auth_mark)
     uint32_t newest;          // the highest number of a signed swap so far; the application refuses this number and lower ones
     char name[APPLICATION_NAME];
 } ApplicationInfo;
@@ -25,17 +25,17 @@ typedef struct ApplicationMachine {
     bool can_swap, is_on_trial;
     bool is_built_in;         // the machine runs the image with which the application was built
     bool is_stored;           // its image is stored, and runs again after a restart of the application
-    uint32_t checksum;        // of its image
+    uint32_t checksum;        // checksum of the image that the machine runs
     uint8_t identity[8];
     uint32_t state;
     char name[APPLICATION_NAME], state_name[APPLICATION_NAME];
 } ApplicationMachine;
 
 typedef struct ApplicationSwap {
-    uint32_t checksum;        // of the last swap; 0: it was begun by the application itself, not by a host
+    uint32_t checksum;        // checksum of the last swap; 0: it was begun by the application itself, not by a host
     uint8_t phase, reason, end;       // SmSwapPhase, SmSwapReason, SmSwapEnd
     uint16_t machine;         // index of the machine that was refused; 0xffff: the refusal concerns no single machine
-    uint32_t number;          // of a signed swap
+    uint32_t number;          // number of the swap, if it was signed
 } ApplicationSwap;
 
 typedef struct ApplicationItem {
@@ -57,9 +57,9 @@ bool application_confirm(LinkHost *h, const ApplicationSwap *swap, const uint8_t
 typedef struct ApplicationChange {
     const char *machine;
     uint8_t mode;             // SmSwapMode
-    const char *state;        // or NULL
+    const char *state;        // name of the state in which the machine restarts; NULL: its first
     const uint8_t *image;
-    uint32_t size;            // 0: the image with which the application was built
+    uint32_t size;            // bytes of `image`; 0: the image with which the application was built
 } ApplicationChange;
 
 // Returns the sentence of a reason for a refusal (runtime-c/swaps.def).

@@ -40,8 +40,8 @@ typedef struct DeviceImage {
     uint8_t state;            // DEVICE_EMPTY to DEVICE_CONFIRMED
     uint32_t length, checksum;
     uint8_t identity[8];
-    bool runs;                // it runs now
-    bool chosen;              // the next start runs it
+    bool runs;                // the board runs this image now
+    bool chosen;              // the board runs this image after its next start
     bool before;              // the board falls back to it if the chosen image cannot run
     uint8_t starts;           // remaining starts of a trial
     uint8_t end;              // why its trial ended (DeviceEnd); only for the image whose trial ended last

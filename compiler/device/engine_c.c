@@ -292,6 +292,7 @@ static const char *emit_program(Arena *arena, const IrMachine *const *m, size_t 
     return NULL;
 }
 
+// Builds and starts one program with the emitted C of n machines. NULL if that fails; *error is then a sentence.
 EngineCBatch *engine_c_batch_open(Arena *arena, const Program *const *p, const IrMachine *const *m, size_t n, bool soft, const char **error)
 {
     EngineCBatch *b = ARENA_NEW(arena, EngineCBatch);

@@ -82,6 +82,7 @@ static FlashRefusal fail_request(FlashCheck *c, const char *asking)
     return FLASH_LINK_FAILED;
 }
 
+// Whether the image on the board is the one to send, with the same period.
 static bool is_same_image(const DeviceImage *there, const FlashImage *image)
 {
     return there->length == image->length && there->checksum == smvm_uint(image->bytes, SMVM_CRC_AT, 4) && there->period == image->period;
@@ -149,6 +150,7 @@ FlashRefusal flash_check(Arena *arena, LinkHost *h, const DeviceInfo *info, cons
 
 // ---- after a failure ----
 
+// Finds what has become of the image that ran before an update that failed.
 FlashPrevious flash_find_previous(LinkHost *h, const DeviceInfo *info, const DeviceImage *previous)
 {
     DeviceImage now;

@@ -263,6 +263,7 @@ void diag_edit(Diags *d, Diag *to, Span span, const char *text)
     vec_push(d->arena, &to->edits, edit);
 }
 
+// Removes the warning at index i of the list.
 void diags_remove_warning(Diags *d, size_t i)
 {
     memmove(d->list.at + i, d->list.at + i + 1, (d->list.n - i - 1) * sizeof *d->list.at);

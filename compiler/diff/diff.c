@@ -30,7 +30,7 @@ bool diff_is_same(const ProgramDiff *d)
 
 // ---- transitions and statements of one place ----
 
-// A transition or an assignment.
+// A transition or an assignment, with the condition around it.
 typedef struct Item {
     const Stmt *stmt;
     const Condition *when;

@@ -62,7 +62,7 @@ typedef struct DiffRun {
     const char *script;
     const char *problem;          // why the script could not be compared; NULL: it was compared
     bool same;                    // states and elements were equal after every step, and so were the results
-    uint64_t steps;               // compared
+    uint64_t steps;               // number of steps that were compared
     uint64_t step, g;             // the first step that differs; step 0: only the results differ
     const char *old_state, *new_state;        // the states that the two machines ran in this step
     DiffValue value[DIFF_VALUES_MAX];         // the first elements whose values differ after the step
@@ -82,7 +82,7 @@ typedef struct ProgramDiff {
     const Var **var_of;           // by Var.index of the old machine: the variable of the new one; NULL: none
     const Var **old_var_of;       // the reverse
     bool *same_state;             // by number of a new state: it has the same behaviour as the old state
-    bool same_layout;             // of the state vector
+    bool same_layout;             // the state vectors have the same elements at the same offsets
     bool same_image;              // the images have the same identity
     const char *swap;             // whether the new machine can continue where the old one is, as a sentence
 } ProgramDiff;

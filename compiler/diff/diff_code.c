@@ -50,6 +50,7 @@ static bool same_window(CodeMatch *m, uint32_t a, uint32_t b)
     return m->window[a] == b && x->type == y->type && x->size == y->size && x->stats == y->stats;
 }
 
+// Whether variable a of the old machine corresponds to b of the new one, and has the same type and kind of memory.
 static bool same_var(const CodeMatch *m, uint32_t a, uint32_t b)
 {
     const IrVar *x = &m->a->var.at[a], *y = &m->b->var.at[b];
@@ -86,6 +87,7 @@ static bool same_instruction(CodeMatch *m, const uint32_t *ref, const IrIns *x, 
     return true;
 }
 
+// Whether two blocks end in the same way. ref: by instruction of the old function, the corresponding one of the new.
 static bool same_jump(const CodeMatch *m, const uint32_t *ref, const IrJump *x, const IrJump *y)
 {
     if (x->kind != y->kind)

@@ -47,6 +47,7 @@ static bool is_used_in(const Define *e, Span s, size_t left)
     return false;
 }
 
+// Returns why a statement with the same text means something else in the new machine: the changed definitions that it uses.
 const char *diff_describe_defines(ProgramDiff *d, const Stmt *stmt, const Condition *when)
 {
     const Program *p = d->old.p;

@@ -75,6 +75,7 @@ static bool constant_of(const Expr *e, double *x)
     return *x == *x;
 }
 
+// Raises the lower bound of the interval to x, if that narrows it. open: x itself is excluded.
 static void raise_lower_bound(GuardInterval *v, double x, bool open)
 {
     if (x > v->lo || (x == v->lo && open)) {
@@ -83,6 +84,7 @@ static void raise_lower_bound(GuardInterval *v, double x, bool open)
     }
 }
 
+// Lowers the upper bound of the interval to x, if that narrows it. open: x itself is excluded.
 static void lower_upper_bound(GuardInterval *v, double x, bool open)
 {
     if (x < v->hi || (x == v->hi && open)) {
@@ -144,6 +146,7 @@ static bool has_higher_upper_bound(const GuardInterval *b, const GuardInterval *
     return b->hi > a->hi || (b->hi == a->hi && a->hi_open && !b->hi_open);
 }
 
+// Writes an interval as a condition on the variable `name`: "p > 3" or "3 < p <= 5". open: the bound itself is excluded.
 static void write_interval(Buf *out, const char *name, double lo, bool lo_open, double hi, bool hi_open)
 {
     if (lo == hi) {
@@ -213,6 +216,7 @@ static const char *list_parts(Arena *arena, const GuardParts *g)
     return buf_text(&out);
 }
 
+// Returns what a changed guard means, if that is provable: "weaker: also true when 800 < p <= 825"; NULL: unknown.
 const char *diff_compare_guards(const ProgramDiff *d, const Canon canon[2], const Condition *old, const Condition *new)
 {
     GuardParts a = split_guard(d->arena, &canon[0], old), b = split_guard(d->arena, &canon[1], new);

@@ -359,6 +359,7 @@ static bool match_in_order(ProgramDiff *d, Canon canon[2])
 
 // ---- all ----
 
+// Pairs the states and variables of both machines, adds what was renamed, added or removed, and sets the canonical names.
 void diff_match(ProgramDiff *d, Canon canon[2])
 {
     match_names(d);

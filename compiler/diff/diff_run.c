@@ -17,8 +17,8 @@ typedef struct DiffRecording {
     VEC(RecordedChange) change;
     VEC(RecordedStep) state;      // the steps that ran another state than the step before
     uint64_t steps;
-    size_t next_change, next_state;           // of the comparison
-    uint32_t at_state;
+    size_t next_change, next_state;           // indexes into `change` and `state`: what the comparison reads next
+    uint32_t at_state;            // number of the state that the old machine ran in the compared step
     bool is_over;                 // a difference has been found
 } DiffRecording;
 
@@ -110,6 +110,7 @@ static ScriptResult run_one_script(DiffRecording *r, const Program *p, const Scr
     return script_run(arena, &unused, s, &e, 1, &o);
 }
 
+// Runs a script on both machines and adds where they first differ. A script is NULL if it has errors for that machine.
 void diff_run_script(ProgramDiff *d, const char *name, const Script *old, const Script *new, uint64_t max_steps)
 {
     DiffRun run = {.script = name, .same = true};

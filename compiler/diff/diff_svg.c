@@ -68,6 +68,7 @@ static bool is_removed(const ProgramDiff *d, const Transition *t)
     return false;
 }
 
+// Returns how the diagram shows a state of the new machine: added, changed apart from its transitions, or the same.
 static DiagramChange change_of_state(const ProgramDiff *d, const State *s)
 {
     if (!d->old_state_of[s->number])

@@ -79,7 +79,7 @@ void avr_pin_disconnect(uint8_t number)
     avr_pin_set(register_at(p.control), p.connect, false);
 }
 
-// 8-bit PWM, clocked at F_CPU / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
+// Starts a timer for 8-bit PWM, clocked at F_CPU / 64.  Timer 2 counts to its maximum, the 16-bit timers to 255.
 static void start_timer(const AvrPwm *p)
 {
     const bool narrow = p->control == _SFR_ADDR(TCCR2A);
@@ -157,7 +157,7 @@ SmResult pal_aio_read(PalAio channel, int32_t *millionths)
     return SM_OK;
 }
 
-// At both ends of the range the timer is disconnected, because a PWM with duty 0 still has pulses.
+// Sets the duty of a PWM output, 0 to 255.  At both ends the pin is disconnected from the timer, because a PWM with duty 0 still has pulses.
 static void set_duty(const AvrPwm *p, uint8_t duty)
 {
     volatile uint8_t *port;

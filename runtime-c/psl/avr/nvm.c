@@ -81,7 +81,7 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
     return r;
 }
 
-// Interrupts are off from the check whether a write may begin until it has begun.
+// Begins to write a byte to the EEPROM and returns true, unless another write is in progress.  Interrupts are off between this check and the write.
 bool avr_eeprom_begin_write(uint16_t at, uint8_t byte)
 {
     const uint8_t flags = SREG;

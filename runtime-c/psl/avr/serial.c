@@ -52,7 +52,7 @@ SmResult pal_serial_open(PalSerial *line, const char *name, uint32_t bits_per_se
     return SM_OK;
 }
 
-// A byte at 1200 bits per second takes 8 ms.  No timeout is needed, because the chip never stops sending.
+// Waits without a timeout: a byte at 1200 bits per second takes 8 ms, and the chip never stops sending.
 SmResult pal_serial_send(PalSerial line, const void *bytes, size_t n, size_t *sent, uint64_t timeout)
 {
     const uint8_t *from = bytes;

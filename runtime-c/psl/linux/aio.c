@@ -116,6 +116,7 @@ static SmResult open_channel(AioEntry *e, const char *const *what)
     return SM_E_MISSING;
 }
 
+// Opens the files of a channel for a new entry of the table. SM_E_BUSY: another entry uses the channel.
 static SmResult open_entry(AioEntry *e, uint16_t number, PalAioMode mode)
 {
     static const char *const inputs[] = {"in_voltage", "in_current", NULL}, *const outputs[] = {"out_voltage", "out_current", NULL};

@@ -20,6 +20,7 @@ static bool used[PAL_LOCKS];
 static uint32_t lock_words[PAL_LOCKS];
 static __thread uint32_t own_id;  // the caller's thread id; 0: not yet requested
 
+// Called in a child process after fork.
 static void forget_own_id(void)
 {
     own_id = 0;

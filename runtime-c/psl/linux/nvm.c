@@ -167,7 +167,7 @@ static SmResult open_existing(NvmEntry *e, int64_t *size)
     return flock(e->fd, LOCK_EX | LOCK_NB) == 0 && is_current(e->fd, e->path) ? SM_OK : SM_E_BUSY;
 }
 
-// Fills in a new entry.
+// Opens the file of a new entry, and creates or extends it to `size` bytes.
 static SmResult open_entry(NvmEntry *e, const char *path, uint32_t size)
 {
     const NvmChange nothing = {0, 0, NULL};
@@ -203,7 +203,7 @@ SmResult pal_nvm_open(PalNvm *memory, const char *name, uint32_t size)
     return r;
 }
 
-// O_NONBLOCK: opening a pipe does not wait for its other end.
+// Reads the first n bytes of a file.  O_NONBLOCK: opening a pipe does not wait for its other end.
 SmResult pal_nvm_load(const char *name, void *bytes, uint32_t n)
 {
     int64_t size;
@@ -253,6 +253,7 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n)
     return r == SM_OK ? psl_result_of_errno(read_all(entries[memory.id - 1].fd, bytes, n, at)) : r;
 }
 
+// Writes n bytes; erases them if `bytes` is NULL.
 static SmResult change_bytes(PalNvm memory, uint32_t at, const void *bytes, uint32_t n)
 {
     const NvmChange c = {at, n, bytes};

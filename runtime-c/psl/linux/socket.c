@@ -127,6 +127,7 @@ static int new_socket(int type)
     return socket(AF_INET, type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
 }
 
+// Sets a socket option to 1.
 static SmResult set_option(int fd, int level, int option)
 {
     int on = 1;
@@ -239,7 +240,8 @@ static int lock_folder(const char *path)
     return fd;
 }
 
-// The mode is set before the path exists, so that no other user can ever connect: the file gets the mode of the unbound socket (unix(7)).
+// Binds a socket to a path and listens.  The mode is set before the path exists, so that no other user can ever connect: the file gets the mode of
+// the unbound socket (unix(7)).
 static SmResult bind_to_path(int fd, const struct sockaddr_un *a)
 {
     SmResult r = remove_stale_socket(a);
@@ -255,7 +257,8 @@ static SmResult bind_to_path(int fd, const struct sockaddr_un *a)
     return r;
 }
 
-// Of several programs that find a stale socket, the first one that locks the folder replaces it, and the others find that it listens.
+// Like bind_to_path, with the folder locked: of several programs that find a stale socket, the first to lock replaces it. The others then find that
+// a program listens.
 static SmResult listen_at_path(int fd, const struct sockaddr_un *a)
 {
     const int folder = lock_folder(a->sun_path);
@@ -362,7 +365,7 @@ SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to)
     return r == SM_E_TIMEOUT ? finish_open(stream, id, fd, CONNECTING, SM_OK) : finish_open(stream, id, fd, STREAM, r);
 }
 
-// Only the connecting thread changes the kind of its entry, from CONNECTING to STREAM.
+// Checks whether a connection is established.  Only the connecting thread changes the kind of its entry, from CONNECTING to STREAM.
 SmResult pal_socket_connected(PalSocket stream)
 {
     int fd;
@@ -378,7 +381,7 @@ SmResult pal_socket_connected(PalSocket stream)
     return r;
 }
 
-// The system doubles the room, for its own records, and raises it to its least.
+// Limits the unsent bytes and the time without acknowledgement.  Linux doubles `room`, for its own records, and raises it to a minimum.
 SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience)
 {
     const unsigned milliseconds = (unsigned)(patience / PAL_MILLISECOND);
@@ -396,8 +399,8 @@ SmResult pal_socket_limit(PalSocket stream, size_t room, uint64_t patience)
     return SM_OK;
 }
 
-// Ignores a peer whose connection broke before it was accepted, and waits for the next one.  A stream from a path has no TCP_NODELAY.
-// A deadline of 0 saves the system call that would wait.
+// Accepts a connection.  Ignores a peer whose connection broke before it was accepted, and waits for the next one.  A stream from a path has no
+// TCP_NODELAY. A deadline of 0 saves the system call that would wait.
 static SmResult accept_one(int listening, int *fd, struct sockaddr_in *a, uint64_t deadline)
 {
     for (;;) {

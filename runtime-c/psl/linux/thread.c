@@ -32,6 +32,7 @@ static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
 static pthread_once_t once = PTHREAD_ONCE_INIT;
 
+// Initialises the condition variable, on which joining threads wait, with the clock of the PAL.
 static void init_condition(void)
 {
     pthread_condattr_t kind;
@@ -54,6 +55,7 @@ static void prefault_stack(size_t stack)
     (void)mlockall(MCL_CURRENT);
 }
 
+// The function of every thread: runs the function of the plan, then records that it has ended.
 static void *thread_main(void *of)
 {
     ThreadEntry *e = of;

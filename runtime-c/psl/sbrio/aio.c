@@ -24,7 +24,7 @@ static bool is_open(const SbrioPin *row)
     return false;
 }
 
-// Fills in an entry, with the tables locked.
+// Opens a channel in a free entry of the table; *id: its handle number. Called with the tables locked.
 static SmResult open_entry(const SbrioPin *row, PalAioMode mode, uint8_t *id)
 {
     SmResult r;

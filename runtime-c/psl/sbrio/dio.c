@@ -36,7 +36,7 @@ static SmResult open_pin(const SbrioPin *row, bool level)
     return r;
 }
 
-// Fills in an entry, with the tables locked.
+// Opens a pin in a free entry of the table; *id: its handle number. Called with the tables locked.
 static SmResult open_entry(const SbrioPin *row, PalDioMode mode, bool level, uint8_t *id)
 {
     SmResult r;

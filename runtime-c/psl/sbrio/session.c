@@ -86,6 +86,7 @@ SmResult sbrio_find(bool digital, uint16_t number, const SbrioPin **row)
 
 // ---- opening and closing ----
 
+// Opens the session with the FPGA, without starting its program.
 static SmResult open_session(void)
 {
     SmResult r = result_of(NiFpga_Initialize());
@@ -99,7 +100,7 @@ static SmResult open_session(void)
     return r;
 }
 
-// The VI continues to run, so that outputs keep the safe values that the caller has set.
+// Closes the session with the FPGA. Its program (the VI) continues to run, so that outputs keep the safe values that the caller has set.
 static void close_session(void)
 {
     if (get_state() != LOST)
@@ -108,8 +109,8 @@ static void close_session(void)
     set_state(CLOSED);
 }
 
-// An application ends with open pins.  exit() calls what was registered last first, so this is registered after NI's library was loaded, and
-// runs before the library's own functions for the end of the program.
+// Closes the session at the end of the program, because an application ends with open pins.  exit() calls what was registered last first, so this is
+// registered after NI's library was loaded, and runs before the library's own functions for the end of the program.
 static void close_at_exit(void)
 {
     psl_lock_tables();

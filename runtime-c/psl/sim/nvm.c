@@ -31,6 +31,7 @@ static struct {
     uint32_t after, bytes;
 } cut;
 
+// Closes all memories and forgets a planned power cut, as at power on.
 static void close_all(void)
 {
     memset(used, 0, sizeof used);
@@ -48,6 +49,7 @@ void sim_nvm_reset(void)
     }
 }
 
+// Sets the stuck bits of a memory to their stuck values, after each write.
 static void apply_stuck_bits(size_t medium)
 {
     uint8_t *b = &media[medium].bytes[media[medium].stuck_at];

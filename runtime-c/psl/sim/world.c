@@ -27,6 +27,7 @@ void sim_reset(void)
     sim_watchdog_reset();
 }
 
+// After `after` more calls of this kind, one call fails with `result`; with `permanent`, all later ones too.
 static void plan_fault(SimCall call, uint32_t after, SmResult result, bool permanent)
 {
     calls[call].after = after;
