@@ -114,6 +114,7 @@ typedef struct SearchResult {
     const SearchScenario *chosen;     // together they reach every goal with SEARCH_REACHED
     uint32_t chosens;
     uint64_t delta_t;         // that of the scenarios
+    uint32_t refuted;         // goals that were proved impossible and that a scenario reaches, each by a wrong proof: 0
     uint64_t steps;           // how many have run
     bool stopped;             // go_on returned false
     bool memory_reached;      // `memory` was too small for all snapshots: some were evicted

@@ -77,6 +77,7 @@ static void store_chosen(Chooser *c, Scenario *s, uint32_t end, const uint8_t *r
             continue;
         c->covered[i] = true;
         goal[out.goals++] = k->goal[i].place;
+        k->r->refuted += f->outcome == SEARCH_IMPOSSIBLE;
         f->outcome = SEARCH_REACHED;
         f->scenario = c->chosen.n;
     }

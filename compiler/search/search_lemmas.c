@@ -47,11 +47,12 @@ static void add_lemma(Prover *p, RegionLemma l)
 static void relate_condition(Prover *p, uint32_t group, IrRef condition)
 {
     const RegionLemma above = {.kind = LEMMA_TRUE_ABOVE, .a = group, .condition = condition}, below = {.kind = LEMMA_FALSE_BELOW, .a = group, .condition = condition, .bound = 1};
+    const SmStat stat = p->value.at[p->group[group].x].stat;
     RegionLemma all = above, none = below;
 
     all.bound = 0.99999999;                       // an average of less than 100000 samples is below it, unless all are true
     none.bound = 1e-8;
-    switch (p->value.at[p->group[group].x].stat) {
+    switch (stat) {
     case SM_STAT_MIN: case SM_STAT_RUN_TIME: add_lemma(p, above); break;
     case SM_STAT_MAX: add_lemma(p, below); break;
     case SM_STAT_NEWEST: case SM_STAT_RUN_STEPS:
@@ -66,6 +67,8 @@ static void relate_condition(Prover *p, uint32_t group, IrRef condition)
     }
     p->group[group].least = 0;
     p->group[group].nan = false;
+    if (!(SM_STATS_OF_RUNS >> stat & 1))
+        p->group[group].most = 1;                 // each sample is 0 or 1
     region_add_condition(p, &p->sample, condition);
 }
 

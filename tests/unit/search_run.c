@@ -118,6 +118,7 @@ static void check_machine_of(const char *name, unsigned impossible)
     test_count(count(r, SEARCH_NOT_FOUND) == 0, name);
     test_count(count(r, SEARCH_IMPOSSIBLE) == impossible, name);
     test_count(count(r, SEARCH_REACHED) > 10 && count(r, SEARCH_REACHED) + impossible == c->place.n - 1, name);
+    test_count(r->refuted == 0, name);
     test_count(r->steps <= EFFORT, name);
     check_scenarios(&s, p, r);
     session_free(&s);
@@ -506,6 +507,7 @@ int main(void)
     check_machine_of("stuck", 0);
     check_machine_of("impossible", 15);
     check_machine_of("bounds", 8);
+    check_machine_of("proofs", 27);
     check_determinism();
     check_stop();
     check_effort();
