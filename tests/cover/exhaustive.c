@@ -221,6 +221,8 @@ static const char *place_text(Arena *arena, const Cover *c, uint32_t i)
 
 static const char *compare(Arena *arena, const Cover *run, const SearchResult *found, bool is_whole)
 {
+    if (found->refuted)
+        return format_in(arena, "%u goals that are proved impossible are reached by the search", (unsigned)found->refuted);
     for (uint32_t i = 1; i < run->place.n; i++) {
         met.places++;
         met.impossible += found->find[i].outcome == SEARCH_IMPOSSIBLE;
