@@ -133,7 +133,8 @@ HintResult hint_report_state_word(HintCase *c)
     const char *name = p->tok.text->text, *text;
     Diag *d;
 
-    if (p->kind != FILE_RQ || strcmp(c->e->name->text, "state") != 0 || is_at_word_after_value(p) || strcmp(name, "in") == 0)
+    if (p->kind != FILE_RQ || strcmp(c->e->name->text, "state") != 0 || is_at_word_after_value(p) || parser_is_steps(p) ||
+        strcmp(name, "in") == 0)
         return HINT_NONE;
     text = is_at_state_operand(p, c->e) ? name : format_in(p->arena, "S == %s", name);
     d = parser_report(p, DIAG_foreign_word, c->e->span, "state");
