@@ -18,7 +18,7 @@ static SmF64 read_value(SmvmBytes image, const SmvmParameterEntry *e, uint8_t wh
     return sm_cell_to_f64(e->location.type, smvm_cell(image, smvm_parameter_number(e, which), e->bytes));
 }
 
-// Reads the machine's parameter number `number`, counted from 0; returns false if there is none.
+// Reads the machine's parameter number `number`, counted from 0; returns false if the machine has fewer.
 static bool read_entry(const SmvmMachine *m, uint32_t number, SmvmParameterEntry *e)
 {
     SmvmReader r = smvm_parameters(m);
