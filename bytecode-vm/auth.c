@@ -53,6 +53,7 @@ static void double_key(uint8_t *key)
     key[0] = (uint8_t)(key[0] << 1 ^ (out & 0x87));
 }
 
+// Combines the state v with a block of bytes by exclusive or.
 static void xor_block(uint32_t *v, const uint8_t *bytes)
 {
     for (uint8_t i = 0; i < BLOCK; i++)

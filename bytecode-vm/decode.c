@@ -81,6 +81,7 @@ static void decode_operation(DecodeState *d, uint8_t op)
         smvm_defer_operation(d, op, d->y);
 }
 
+// Translates the image's next instruction into words of the fast interpreter.
 static void decode_instruction(DecodeState *d)
 {
     uint8_t op = smvm_u8(d->m->image, d->at++);
@@ -149,6 +150,7 @@ static uint32_t decode_function(DecodeState *d, uint32_t index)
     return d->start == d->end ? END_WORD : first;
 }
 
+// Translates the functions of state s, which are numbered from 3 * s - 2.
 static void decode_state(DecodeState *d, uint32_t s)
 {
     uint32_t entry, step;

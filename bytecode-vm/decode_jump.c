@@ -37,6 +37,7 @@ static const JumpVariants conditions[16] = {
     {0, 0, 0, 0},
 };
 
+// Emits the fast interpreter's jump operation and its target.
 void smvm_emit_jump(DecodeState *d, unsigned op, uint32_t target)
 {
     smvm_emit_op(d, op);
@@ -139,6 +140,7 @@ static void decode_jump_truth(DecodeState *d, bool when, uint32_t target)
         emit_jump_on_truth(d, when, smvm_compute_x(d), target);
 }
 
+// Translates a jump. `counted`: the instruction contains the number that X is compared with; otherwise X is compared with Y.
 void smvm_decode_jump(DecodeState *d, uint8_t op)
 {
     bool counted = (smvm_shape(op) & SMVM_SHAPE_N) != 0;

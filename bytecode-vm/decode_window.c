@@ -4,6 +4,7 @@
 
 typedef struct DecodedWindow { uint32_t index, n, kind; } DecodedWindow;
 
+// Unpacks entry w of the machine's table of rolling windows.
 static DecodedWindow read_window(const DecodeState *d, uint32_t w)
 {
     const uint32_t entry = smvm_window(d->m->image, d->m->windows_at, w);
@@ -15,6 +16,7 @@ static DecodedWindow read_window(const DecodeState *d, uint32_t w)
     return v;
 }
 
+// Emits the words that describe a rolling window to the fast interpreter.
 static void emit_window(DecodeState *d, const DecodedWindow *w)
 {
     if (d->out != NULL)
@@ -66,6 +68,7 @@ static unsigned statistic_op(const DecodedWindow *w, uint32_t stat, bool and_sto
     return find_specialized_use(w, &type) == FOR_NONE || family[and_store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[and_store][stat] + type;
 }
 
+// Translates the addition of X to a rolling window. A value in memory that has the window's type is sampled from there.
 void smvm_decode_sample(DecodeState *d)
 {
     const DecodedWindow w = read_window(d, d->n[0]);

@@ -9,6 +9,7 @@
 // Returns where the next word is stored; NULL in the pass that counts words.
 SmvmWord *smvm_next_word(DecodeState *d) { return d->out != NULL ? &d->out->code[d->words] : NULL; }
 
+// Emits an operation: the address of its code if there are labels, else its number. Without output, only counts the word.
 void smvm_emit_op(DecodeState *d, unsigned op)
 {
     if (d->out != NULL && d->label != NULL)
@@ -18,6 +19,7 @@ void smvm_emit_op(DecodeState *d, unsigned op)
     d->words++;
 }
 
+// Emits u as one word. Without output, only counts the word.
 void smvm_emit_integer(DecodeState *d, uint64_t u)
 {
     if (d->out != NULL)
@@ -25,6 +27,7 @@ void smvm_emit_integer(DecodeState *d, uint64_t u)
     d->words++;
 }
 
+// Emits f as one word. Without output, only counts the word.
 static void emit_f64(DecodeState *d, SmF64 f)
 {
     if (d->out != NULL)

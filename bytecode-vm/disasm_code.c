@@ -30,6 +30,7 @@ static void print_mnemonic(DisasmOutput *o, uint8_t op)
     }
 }
 
+// Prints the relation in the low four bits of m, the sum of the outcomes it accepts: 1 less, 2 equal, 4 greater, 8 unordered (NaN).
 static void print_relation(DisasmOutput *o, uint32_t m)
 {
     static const char *const before[] = {"never x ? ", "x < ", "x == ", "x <= ", "x > ", "x <> ", "x >= ", "x <=> ", "not x <=> ",

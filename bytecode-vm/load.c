@@ -289,6 +289,7 @@ static SmvmAt add_window_bytes(const SmvmMachine *m, SmvmAt w, SmvmAt n)
 
 SMVM_NOINLINE static SmvmAt stored_bits_bytes(const SmvmMachine *m) { return (SmvmAt)(m->outputs > 64 ? (m->outputs - 64u + 7) >> 3 : 0); }
 
+// Returns where the windows begin in a machine's memory: after the SmVm and the table of pointers to windows.
 static SmvmAt windows_start(const SmvmMachine *m)
 {
     return (SmvmAt)(round_up_8(sizeof(SmVm)) + round_up_8((SmvmAt)(m->windows * sizeof(uint64_t *))));
@@ -341,6 +342,7 @@ static void set_window_pointers(SmVm *vm, const SmvmMachine *m)
     vm->local = at;
 }
 
+// Writes the initial values that the image lists to the machine's locals.
 static void set_locals(SmVm *vm, const SmvmMachine *m)
 {
     SmvmAt at = m->init_at;

@@ -217,6 +217,7 @@ static bool number_try_add(Number *x, int32_t a, int32_t b)
     return true;
 }
 
+// X = a * b if the exact product is certain to fit and is not a negative zero; otherwise returns false and changes nothing.
 static bool number_try_mul(Number *x, int32_t a, int32_t b)
 {
     if (sm_clip_i32(a, INT16_MIN, INT16_MAX) != a || sm_clip_i32(b, INT16_MIN, INT16_MAX) != b
@@ -226,6 +227,7 @@ static bool number_try_mul(Number *x, int32_t a, int32_t b)
     return true;
 }
 
+// Computes X op b in integers; returns false if the result needs floating point.
 static bool number_try_integer_binary(Number *x, uint8_t op, int32_t b)
 {
     const int32_t a = x->as.whole;
@@ -240,6 +242,7 @@ static bool number_try_integer_binary(Number *x, uint8_t op, int32_t b)
     }
 }
 
+// Computes op of X in integers; returns false if the result needs floating point.
 static bool number_try_integer_unary(Number *x, uint8_t op)
 {
     const int32_t a = x->as.whole;

@@ -12,11 +12,13 @@
 
 // ---- reading ----
 
+// Reads one of a parameter's numbers (`which`: its lowest value, its highest value, ...) from the image.
 static SmF64 read_value(SmvmBytes image, const SmvmParameterEntry *e, uint8_t which)
 {
     return sm_cell_to_f64(e->location.type, smvm_cell(image, smvm_parameter_number(e, which), e->bytes));
 }
 
+// Reads the machine's parameter number `number`, counted from 0; returns false if the machine has fewer.
 static bool read_entry(const SmvmMachine *m, uint32_t number, SmvmParameterEntry *e)
 {
     SmvmReader r = smvm_parameters(m);
@@ -64,6 +66,7 @@ bool smvm_find_parameter(const SmvmMachine *m, const char *name, uint32_t size, 
 
 // ---- setting ----
 
+// Returns why x is not allowed as a value of the parameter, or that it is allowed.
 static SmRefusal judge_value(const SmvmMachine *m, const SmvmParameterEntry *e, SmF64 x)
 {
     const SmParameterRange range = {e->location.type, read_value(m->image, e, SMVM_PARAMETER_LOWEST),

@@ -16,6 +16,7 @@ static uint32_t load_number(const uint8_t *at, uint8_t bytes)
     return number;
 }
 
+// Adds the low `bytes` bytes of a number to the authentication code, low byte first.
 static void add_number(SmvmMac *m, uint32_t number, uint8_t bytes)
 {
     for (; bytes > 0; bytes--, number >>= 8)

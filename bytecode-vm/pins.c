@@ -122,6 +122,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 
 static bool is_finite(const SmF64 *x) { return (sm_bits(*x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
 
+// Whether the pin's element lies within the state vector.
 static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
 {
     const SmvmAt size = (SmvmAt)(8 * p->sv_size);

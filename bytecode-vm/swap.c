@@ -170,6 +170,7 @@ static int compare_texts(SmvmBytes image_a, const SwapName *a, SmvmBytes image_b
     return 0;
 }
 
+// Orders names by kind, then by number.
 static int compare_numbers(const SwapName *a, const SwapName *b)
 {
     if (a->kind != b->kind)

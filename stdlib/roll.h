@@ -1034,6 +1034,7 @@ SM_ROLL_NOINLINE void sm_roll_small_init(SmRollSmall *s, const uint64_t *w, size
     s->next = (size_t)sm_roll_next(w);
 }
 
+// Adds a sample to a rolling window of values. `cell`: the sample's bytes, in the window's type.
 static inline void sm_roll_sample_cell(uint64_t *w, uint32_t n, uint32_t kind, unsigned char *cell)
 {
     SmRollSmall s;

@@ -48,6 +48,7 @@ static uint32_t magnitude_of(uint32_t key) { return (is_negative(key) ? ~key : k
 static uint8_t exponent_of(uint32_t key) { return magnitude_of(key) >> 23 != 0 ? (uint8_t)(magnitude_of(key) >> 23) : 1; }
 static uint32_t digits_of(uint32_t key) { return (magnitude_of(key) & 0x7FFFFFu) | (magnitude_of(key) >> 23 != 0 ? 0x800000u : 0); }
 
+// Returns the largest exponent of n keys, but at least 1.
 static uint8_t largest_exponent(const unsigned char *keys, uint8_t n)
 {
     uint8_t most = 1, i, e;

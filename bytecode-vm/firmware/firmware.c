@@ -54,6 +54,7 @@ static bool is_armed(void)
 
 static void open_arming(void) { (void)pal_dio_open(&arming, FIRMWARE_ARM_PIN, PAL_DIO_PULL_UP, true); }
 
+// Returns the chip's pin for a pin number of the image, or SMVM_NO_PIN for the arming pin, which no image can use.
 static uint8_t physical_pin_of(uint16_t number, uint8_t kind)
 {
     const uint8_t pin = avr_physical_pin(number, kind);
@@ -86,6 +87,7 @@ static struct { uint32_t low, high; } now_g;           // G in milliseconds.  Tw
 // Converts milliseconds to nanoseconds: multiplies by 125, 125 and 64, byte by byte.  This takes half the flash of gcc's multiplication.
 typedef char firmware_multiplies_by_a_million[UINT32_C(125) * 125 * 64 == PAL_MILLISECOND ? 1 : -1];
 
+// Multiplies `time`, 8 bytes in milliseconds with the low byte first, by 125 * 125 * 64 = 1000000.
 static void to_nanoseconds(uint8_t *time)
 {
     uint16_t digit = 0;
@@ -219,6 +221,7 @@ static bool is_safe(void)
     return safe;
 }
 
+// Returns SM_OK if images can be changed now: the board is not armed and its machines are in safe states.
 static SmResult may_update(void *context)
 {
     (void)context;
@@ -275,6 +278,7 @@ SMVM_NOINLINE static SmResult check_permit(const uint8_t *begin, uint8_t n)
     return smvm_permit_check(begin, n, sm_link_load(store.choice.newest, 4), key);
 }
 
+// Makes the store accept only images that are signed with the board's key.
 static void use_key(void)
 {
     uint8_t key[SMVM_KEY];
@@ -288,6 +292,7 @@ static SmResult check_permit(const uint8_t *begin, uint8_t n) { return (void)beg
 static void use_key(void) {}
 #endif
 
+// Checks a permit to begin an update. If it is good, runs the built-in image, so that the store's slot can be overwritten.
 static SmResult leave_slot(void *context, const uint8_t *begin, uint8_t n)
 {
     const SmResult r = check_permit(begin, n);

@@ -164,6 +164,7 @@ static void read_pin(const SmIoPin *row, uint8_t *element)
         smvm_store(x, row->type, element);
 }
 
+// Writes an output pin from its state-vector element.
 static void write_pin(const SmIoPin *row, const uint8_t *element)
 {
     (void)sm_pin_write_raw(row, row->hold, is_digital(row) ? *element : sm_pin_to_raw(row, smvm_load(row->type, element)));

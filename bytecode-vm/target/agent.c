@@ -31,6 +31,7 @@ static uint8_t *answer_of(const Agent *a) { return a->frame + ANSWER_AT; }
 // put_u8 and the other put_ functions append to the answer.
 static void put_u8(Agent *a, uint8_t value) { a->frame[ANSWER_AT + a->length++] = value; }
 
+// Appends the low `bytes` bytes of a value to the answer, low byte first.
 static void put_uint(Agent *a, uint32_t value, uint8_t bytes)
 {
     for (; bytes > 0; bytes--, value >>= 8)
@@ -250,6 +251,7 @@ static const AgentHandler handlers[] SM_FLASH = {
     {LINK_READ, 5, false, answer_read},         {LINK_RESTART, 0, true, answer_restart},        {LINK_EVENTS, 4, false, answer_events},
 };
 
+// Runs the handler of a request, after checking that the board permits updates (if the handler requires that) and the body's length.
 static SmResult run_handler(const AgentHandler *h, Agent *a)
 {
     const AgentBoard *board = a->board;
@@ -258,6 +260,7 @@ static SmResult run_handler(const AgentHandler *h, Agent *a)
     return a->n < h->min_body ? SM_E_ARGUMENT : may != SM_OK ? may : h->run(a);
 }
 
+// Runs the handler that the table lists for the message.
 static SmResult dispatch_request(Agent *a, uint8_t message)
 {
     for (uint8_t i = 0; i < sizeof handlers / sizeof *handlers; i++) {

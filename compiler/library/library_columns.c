@@ -57,6 +57,7 @@ static SmcResult find_cells(const SmcSession *s, const ColumnRun *run)
     return r;
 }
 
+// Whether the caller has passed an array for everything that it asks to read or write.
 static bool has_arrays(const ColumnRun *run)
 {
     return (run->rows == 0 || run->g) && (run->inputs == 0 || (run->input && run->from)) && (run->outputs == 0 || (run->output && run->to));
@@ -83,6 +84,7 @@ static bool run_row(const ColumnRun *run, uint64_t row)
     return true;
 }
 
+// Runs one step for each row. *run->done counts the finished rows, also when the session is cancelled.
 static SmcResult run_rows(SmcSession *s, void *argument)
 {
     const ColumnRun *run = argument;

@@ -59,6 +59,7 @@ static void free_arenas(LibraryResults *of)
     arena_free(&of->next_shown_arena);
 }
 
+// Frees everything that belongs to the last compilation: open engines, memory of the results, images.
 void library_drop_results(SmcSession *s)
 {
     for (uint32_t i = 0; s->of.bench && i < s->of.sources; i++)
@@ -123,6 +124,7 @@ void library_update_shown(SmcSession *s, const Diags *emitted, uint32_t script, 
 
 typedef struct KindCount { uint32_t of[SMC_KIND_DATA + 1], all; } KindCount;
 
+// Counts the session's sources by kind and in all, without the removed ones.
 static KindCount count_kinds(const SmcSession *s)
 {
     KindCount n = {{0}, 0};
@@ -235,6 +237,7 @@ static void assign_scripts(SmcSession *s, bool has_one_machine)
     }
 }
 
+// Copies the session's sources as the inputs of the next compilation.
 static void list_inputs(SmcSession *s)
 {
     const KindCount n = count_kinds(s);
@@ -357,6 +360,7 @@ int32_t smc_app_file_kind(const SmcSession *s, uint32_t file)
 
 // ---- output files ----
 
+// Returns the source's file name without folders and without the part from the last dot on.
 static const char *stem_of(SmcSession *s, const Source *src)
 {
     const char *name = library_base_name(src->name), *dot = strrchr(name, '.');
@@ -376,6 +380,7 @@ static void set_c_options(SmcSession *s, CompileSource *in, CompileEmit emit)
     in->c.runtime = s->option[SMC_OPTION_RUNTIME] != 0;
 }
 
+// Returns the pin map of the first source that has one, or NULL.
 static const IoMap *first_pins(const LibraryResults *of)
 {
     for (size_t i = 0; i < of->in.n; i++)
@@ -405,6 +410,7 @@ static const char *reason_against_output(const SmcSession *s, CompileEmit emit)
     return NULL;
 }
 
+// Returns the file name of an output: the name that the compiler has given it, or the source's stem with a suffix.
 static const char *output_name(SmcSession *s, const Artefact *a, CompileEmit emit)
 {
     static const char *const dump[] = {"", "", "", "", ".ir", ".ast", ".tokens"};       // by CompileEmit

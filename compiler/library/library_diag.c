@@ -6,6 +6,7 @@
 #include "compiler/library/library.h"
 #include "compiler/version.h"
 
+// Returns diagnostic number `diag`, or NULL if it does not exist or nothing is compiled.
 static const Diag *diag_of(const SmcSession *s, uint32_t diag)
 {
     const Diags *d = library_is_open(s) && s->of.is_compiled ? &s->of.shown : NULL;
@@ -111,6 +112,7 @@ const char *smc_diag_edit(const SmcSession *s, uint32_t diag, uint32_t edit)
 
 // ---- places ----
 
+// Sets *span to the source text of a part of the diagnostic (SMC_PART_...), or returns false. `item`: which note or edit.
 static bool find_span(const SmcSession *s, uint32_t diag, int32_t part, uint32_t item, Span *span)
 {
     const Diag *d = diag_of(s, diag);

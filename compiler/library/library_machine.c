@@ -13,6 +13,7 @@
 // they are 64 GB apart.
 static uint32_t handle_tag(const SmcSession *s) { return (uint32_t)((uintptr_t)s >> 4); }
 
+// Returns where machine m is, or would be inserted, in the session's machines, which are sorted by id (binary search).
 static uint32_t position_of(const SmcSession *s, SmcMachine m)
 {
     uint32_t from = 0, end = s->machines;
@@ -27,6 +28,7 @@ static uint32_t position_of(const SmcSession *s, SmcMachine m)
     return from;
 }
 
+// Returns the session's machine with handle m, or NULL if it is closed or of another session.
 LibraryMachine *library_machine(const SmcSession *s, SmcMachine m)
 {
     uint32_t at;
@@ -144,6 +146,7 @@ static bool read_names(SmcSession *s, LibraryMachine *m)
 
 // ---- opening ----
 
+// Clears the machine's state vector and starts the machine in `state`.
 SmcResult library_start_machine(LibraryMachine *m, uint32_t state)
 {
     const SmvmVector vector = {m->vector, m->m.sv_size, m->m.layout};

@@ -5,6 +5,7 @@
 
 // ---- the states in which a section runs ----
 
+// Sets excepted[n] for the number n of each state that an `except` annotation lists.
 static void read_excepted(Sema *s, const AstAnnotation *except, bool *excepted)
 {
     for (size_t i = 0; i < except->names->at.n; i++) {
@@ -102,6 +103,7 @@ void check_target_is_excepted(Sema *s, const AstStmt *in, const State *to)
 
 // ---- .entry that leaves its state ----
 
+// Whether the statements, or statements nested in them, contain a transition.
 static bool has_transition(const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++)

@@ -10,6 +10,7 @@ static Span span_from_to(const Source *src, uint32_t at, uint32_t end)
 
 static uint32_t span_end(Span s) { return s.at + s.len; }
 
+// Describes an `allow` annotation, which suppresses a warning in the source text `covers`.
 static Allow make_allow(const AstAnnotation *a, Span covers)
 {
     Allow out = {a->name->text, a->reason, a->span, covers};
@@ -17,6 +18,7 @@ static Allow make_allow(const AstAnnotation *a, Span covers)
     return out;
 }
 
+// Adds the suppression to the machine that is being built and to the diagnostics.
 static void register_allow(Sema *s, Allow a)
 {
     vec_push(s->arena, &s->building->allow, a);
@@ -25,6 +27,7 @@ static void register_allow(Sema *s, Allow a)
 
 // ---- declarations ----
 
+// Returns the text of a declaration from its type to its last annotation.
 static Span decl_span(const AstDecl *decl)
 {
     Span all = span_join(decl->type_span, decl->name_span);

@@ -13,6 +13,7 @@ static const char *const suffix[] = {[FILE_SV] = ".sv", [FILE_SM] = ".sm", [FILE
 
 typedef struct FileListing { AppFiles *out; Map seen[FILE_KINDS]; } FileListing;
 
+// Adds a file that the application names to the list, once for each kind and name.
 static void add_file(FileListing *l, FileKind kind, const AstWord *name)
 {
     AppFile *f = &l->out->at[l->out->n];

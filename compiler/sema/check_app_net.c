@@ -26,6 +26,7 @@ static void check_other_writers(AppCheck *k, const Element *e, Span span, const 
         diag_report(k->c->diags, DIAG_net_two_writers, span, e->name->text, what, statistic);
 }
 
+// Reports elements that the channel writes and that something else writes too.
 static void check_writers_of_channel(AppCheck *k, const NetChannel *c)
 {
     const char *message = format_in(k->c->arena, "the message '%s'", c->name->text);

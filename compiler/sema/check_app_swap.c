@@ -39,6 +39,7 @@ static bool read_address(const char *text, AppSwapAt *out)
     return true;
 }
 
+// Classifies the name in `swap at`: a serial line (/dev/...), a network address (with a colon and no slash) or a path.
 static AppPlace classify_place(const char *name)
 {
     if (strncmp(name, "/dev/", 5) == 0)

@@ -4,6 +4,7 @@
 
 // ---- one declaration ----
 
+// Returns the binding of the machine instance for a name of the machine, or NULL.
 static const AstBinding *find_by_name(const MachineInstance *instance, Str name)
 {
     for (size_t i = 0; name && i < instance->bindings; i++)

@@ -11,6 +11,7 @@ static bool has_value(const AstDataSetting *s, const char *word) { return s->val
 
 // ---- columns ----
 
+// Describes a data column. Without annotations its scale is 1 and its offset 0.
 static void set_column(const AstDataLine *in, Var *var, ScriptColumn *out)
 {
     *out = (ScriptColumn){var, in->column, in->column_span, false, sm_from_i32(1), sm_from_i32(0)};

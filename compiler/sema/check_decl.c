@@ -189,6 +189,7 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
     return e;
 }
 
+// Adds an element to a state vector that is declared in the machine's own file.
 static Element *add_element(Declarations *k, const AstDecl *decl)
 {
     Element *e = ARENA_NEW(k->s->arena, Element);

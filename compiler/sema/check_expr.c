@@ -148,6 +148,7 @@ const char *sema_quote_source(Sema *s, Span span)
     return format_in(s->arena, "%.*s%s", (int)n, text, n < span.len ? " ..." : "");
 }
 
+// Returns the source text from position `from` to the end of `to`.
 static Span span_between(uint32_t from, Span to)
 {
     Span span = {to.src, from, to.at + to.len - from};

@@ -102,6 +102,7 @@ static bool check_address(NetCheck *k, const AstWord *word, uint8_t *ip, uint16_
     return false;
 }
 
+// Checks the endpoints (named network addresses) that the network file declares.
 static void check_endpoints(NetCheck *k)
 {
     for (size_t i = 0; i < k->ast->endpoints.n; i++) {
@@ -185,6 +186,7 @@ static void add_writer(NetCheck *k, const Element *e, Span span, const char *wha
 
 // ---- annotations of a channel ----
 
+// Returns the named element; reports it if its type is not an integer.
 static const Element *check_integer(NetCheck *k, const AstWord *word, const char *what)
 {
     const Element *e = app_find_element(&k->a, word);
@@ -393,6 +395,7 @@ static void add_region(NetCheck *k, const AstNetPart *part, NetChannel *out)
         diag_label(k->d, d, DIAG_label_did_you_mean, format_in(k->c->arena, "[%s]", near));
 }
 
+// Continues a CRC-32 with the characters of a text.
 static uint32_t crc_text(uint32_t crc, const char *s)
 {
     for (; *s; s++)

@@ -82,6 +82,7 @@ const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl)
     return p;
 }
 
+// Sets the parameter's default value to x, and reports x if it is outside the parameter's range.
 void check_default(Sema *s, Var *v, SmF64 x)
 {
     const SmParameterRange range = {v->type, v->parameter->lo, v->parameter->hi};
@@ -95,6 +96,7 @@ void check_default(Sema *s, Var *v, SmF64 x)
 
 // ---- what cannot depend on a parameter ----
 
+// Reports a parameter in an initial value, and records the local for propose_definitions.
 void report_parameter_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     const DependentLocal dependent = {s->local, diag_report(s->diags, DIAG_parameter_in_initial, e->span, s->local->name->text, v->name->text)};
@@ -125,6 +127,7 @@ void report_parameter_assigned(Sema *s, const Var *v, Str name, Span span)
 
 // ---- a definition instead of a local ----
 
+// Returns the declaration of the local, found by the position of its name, or NULL.
 static const AstDecl *find_declaration(const AstFile *sm, const Var *local)
 {
     for (size_t i = 0; i < sm->sections.n; i++)
@@ -209,6 +212,7 @@ bool program_has_parameters(const Program *p)
     return false;
 }
 
+// Returns the program's parameter of this name, or NULL.
 const Var *program_parameter(const Program *p, Str name)
 {
     const Var *v = map_find(&p->by_name, name);

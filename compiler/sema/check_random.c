@@ -42,6 +42,7 @@ static void number_calls_in(Sema *s, const AstExpr *e)
         number_calls_in(s, e->args->at[i]);
 }
 
+// Numbers the calls of random functions in the script's definitions.
 void number_random_definitions(Sema *s, const AstFile *ss)
 {
     for (size_t i = 0; i < ss->sections.n; i++)

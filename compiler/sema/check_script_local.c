@@ -31,6 +31,7 @@ static void note_first_declaration(Sema *s, Diag *d, Str name)
         diag_note(s->diags, d, state->span, DIAG_note_declared_here, name->text);
 }
 
+// Declares the script's local number n. Its index follows those of the machine's variables.
 static void declare_local(Sema *s, Script *script, size_t n, const AstDecl *decl)
 {
     Var *v = sema_new_var(s, VAR_LOCAL, decl);

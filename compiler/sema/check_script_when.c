@@ -8,6 +8,7 @@
 
 // ---- expressions ----
 
+// Returns an expression that reads the variable.
 static Expr *new_variable(Sema *s, Var *v, Span span)
 {
     Expr *e = expr_new(s, EX_VAR, span, 0);
@@ -257,6 +258,7 @@ static const char *format_units(const Sema *s, SmF64 units)
     return format_in(s->arena, "%s %s", const_text(s->arena, units), time_unit_name(s->p->time_unit));
 }
 
+// Reports an `at` time that no step reaches. delta_t: time between steps.
 static void check_at(Sema *s, const Expr *guard, uint64_t delta_t)
 {
     const SmF64 at = guard->number, above = next_step(at, delta_t);
@@ -269,6 +271,7 @@ static void check_at(Sema *s, const Expr *guard, uint64_t delta_t)
                format_in(s->arena, "%s and %s", format_units(s, sm_sub(above, sm_from_u64(delta_t))), format_units(s, above)));
 }
 
+// Reports an `every` time that is not a positive multiple of the time between steps.
 static void check_every(Sema *s, const Expr *guard, uint64_t delta_t)
 {
     const SmF64 highest = sm_from_u64(UINT64_C(1) << 63);
@@ -279,6 +282,7 @@ static void check_every(Sema *s, const Expr *guard, uint64_t delta_t)
     diag_report(s->diags, DIAG_every_multiple, guard->span, sema_quote_source(s, guard->span), format_units(s, sm_from_u64(delta_t)));
 }
 
+// Warns of a range of times in which no step runs.
 static void warn_of_empty_range(Sema *s, const Expr *guard, uint64_t delta_t)
 {
     if (!sm_lt(next_step(guard->arg[0]->number, delta_t), guard->arg[2]->number))

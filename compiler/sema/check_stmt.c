@@ -14,6 +14,7 @@ static Stmt *stmt_new(Sema *s, StmtKind kind, const AstStmt *in)
     return out;
 }
 
+// Checks the assigned value, and records in `out` which operators it contains and whether it varies.
 static void check_value(Sema *s, const AstStmt *in, Stmt *out)
 {
     s->operators = 0;

@@ -40,6 +40,7 @@ const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str 
     return NULL;
 }
 
+// Returns the source text of the `unit` annotation, or an empty span.
 static Span unit_span(const AstAnnotations *all)
 {
     for (size_t i = 0; i < all->n; i++)

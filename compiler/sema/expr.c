@@ -77,6 +77,7 @@ static SmF64 eval_binary(SmOperator op, SmF64 a, SmF64 b)
     return sm_from_i32(0);                                  // not reached: the others are not binary operators
 }
 
+// Evaluates a chain of comparisons such as a < b <= c.
 static SmF64 eval_chain(const Expr *e, const SmF64 *value)
 {
     bool is_true = true;

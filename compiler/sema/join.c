@@ -14,6 +14,7 @@ typedef struct Join {
 
 static Str dotted_name(Join *k, Str machine, Str name) { return str_c(k->c->strings, format_in(k->c->arena, "%s.%s", machine->text, name->text)); }
 
+// Adds a copy of the variable, with a new name, to the joined program.
 static Var *add_variable(Join *k, const Var *from, Str name)
 {
     Var *v = arena_copy(k->c->arena, from, sizeof *from);
@@ -25,6 +26,7 @@ static Var *add_variable(Join *k, const Var *from, Str name)
     return v;
 }
 
+// Adds one variable for each element of the application's state vector. The machines share them.
 static void add_elements(Join *k)
 {
     const StateVec *sv = k->app->sv;
@@ -44,6 +46,7 @@ static void add_elements(Join *k)
 
 // ---- machines ----
 
+// Adds the states of a machine, with new numbers and names of the form machine.state.
 static void add_states(Join *k, Member *m)
 {
     m->first = (uint32_t)k->p->state.n;
@@ -56,11 +59,13 @@ static void add_states(Join *k, Member *m)
     }
 }
 
+// Returns the joined program's variable for v of a machine: the shared one of an element, else a new one.
 static Var *add_variable_of(Join *k, const Member *m, const Var *v)
 {
     return v->element ? k->element[v->element->index] : add_variable(k, v, dotted_name(k, m->name, v->name));
 }
 
+// Maps each variable of the machine to one of the joined program, in m->var.
 static void add_variables_of(Join *k, Member *m)
 {
     const Program *p = m->program;
@@ -82,6 +87,7 @@ static void add_variables_of(Join *k, Member *m)
     }
 }
 
+// Copies the machine's requirement marks, with the joined program's states in them.
 static void add_marks(Join *k, const Member *m)
 {
     for (size_t i = 0; i < m->program->mark.n; i++) {

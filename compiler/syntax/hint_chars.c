@@ -31,6 +31,7 @@ static size_t find_lookalike(uint32_t code)
     return i;
 }
 
+// Whether the code point is an ASCII, typographic or angle quotation mark.
 static bool is_quote(uint32_t code)
 {
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;

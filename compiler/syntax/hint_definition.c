@@ -74,6 +74,7 @@ static const Span *find_argument(const char *text, uint32_t at, uint32_t len, co
     return NULL;
 }
 
+// Whether the text is one name or number, and not an expression that would need parentheses.
 static bool is_one_operand(const char *text, uint32_t len)
 {
     uint32_t n = 0;

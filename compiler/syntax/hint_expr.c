@@ -58,6 +58,7 @@ HintResult hint_read_if_call(HintCase *c)
 
 // ---- after a name ----
 
+// Returns the number of the built-in function, or SM_FN_COUNT if no function has that name.
 static int find_function(Str name)
 {
     int i = 0;

@@ -117,6 +117,7 @@ static bool move_to_next_line(HintLine *l)
     return true;
 }
 
+// Whether the line contains nothing but blanks and a comment.
 static bool is_empty_line(const HintLine *l)
 {
     const uint32_t p = skip_spaces(l, l->from);

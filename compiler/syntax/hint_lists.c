@@ -148,6 +148,7 @@ static bool read_list(Membership *m, uint32_t at, bool is_enclosed)
 
 // ---- what to write instead ----
 
+// Whether the name is S, state, State or ends in .S: probably an element that contains the number of a state.
 static bool is_state_element(const char *name)
 {
     const size_t n = strlen(name);
@@ -155,6 +156,7 @@ static bool is_state_element(const char *name)
     return strcmp(name, "S") == 0 || strcmp(name, "state") == 0 || strcmp(name, "State") == 0 || (n > 2 && strcmp(name + n - 2, ".S") == 0);
 }
 
+// Whether every member of the list is a number.
 static bool are_numbers(const Membership *m)
 {
     bool numbers = true;
@@ -192,6 +194,7 @@ static bool needs_parens(const Membership *m)
            is_word_at(text, after, end_of_name(text, after), "and") || text[after] == '&';
 }
 
+// Adds the label that proposes to compare `left` with each value.
 static void label_each(Diags *diags, Diag *d, const char *left)
 {
     diag_label(diags, d, DIAG_label_compare_each, format_in(diags->arena, "%s == a or %s == b", left, left));
@@ -403,6 +406,7 @@ static bool is_number(const char *text, size_t n)
     return digits;
 }
 
+// Whether text[from..end) is the name of a type.
 static bool is_type(const char *text, uint32_t from, uint32_t end)
 {
     bool found = false;

@@ -64,6 +64,7 @@ static int find_join(const Lexer *l, uint32_t p, uint32_t *len)
     return s[p] == '&' ? SIDE_BIT_AND : SIDE_BIT_OR;
 }
 
+// Whether a comparison operator is at position p.
 static bool is_comparison_at(const char *s, uint32_t p)
 {
     return s[p] == '<' || s[p] == '>' || (s[p] == '=' && (s[p + 1] == '=' || (p > 0 && s[p - 1] == '!')));

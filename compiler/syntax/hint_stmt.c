@@ -164,6 +164,7 @@ HintResult hint_report_missing_colon(HintCase *c)
 
 static bool is_label_name(const AstExpr *e) { return e->kind == AST_NAME && hint_is_label(e->name->text) && !e->name->declared; }
 
+// Reports a label such as `entry` that lacks its dot, and proposes to insert the dot.
 static Diag *report_label_without_dot(Parser *p, AstExpr *e)
 {
     Diag *d = parser_report(p, DIAG_label_without_dot, e->span, e->name->text);

@@ -35,6 +35,7 @@ static bool is_spelling_at(const HintText *row, const char *s, bool first)
     return !lex_is_letter(*s) || (first && !lexer_is_word(s[row->len]) && !(s[row->len] & 0x80));
 }
 
+// Links the rows of the table of hints by the first character of their spelling, in the order of the table.
 void hint_init(Lexer *l)
 {
     for (size_t row = LEX_HINTS; row > 0; row--) {

@@ -14,6 +14,7 @@ static const struct { const char *name; TimeUnit unit; } times[] = {
     {"min", TIME_MIN}, {"mins", TIME_MIN}, {"minute", TIME_MIN}, {"minutes", TIME_MIN},
     {"h", TIME_H}, {"hour", TIME_H}, {"hours", TIME_H}};
 
+// Returns the unit of time that the word names, or TIME_NONE.
 static TimeUnit find_unit(const char *word)
 {
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)

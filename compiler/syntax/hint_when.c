@@ -20,6 +20,7 @@ enum { TIMES_MAX = 16 };
 // The times of a list, as in `at 1 s, 2 s:`; hi is NULL if they are no ranges.
 typedef struct Times { size_t n, units; const AstExpr *lo[TIMES_MAX], *hi[TIMES_MAX]; } Times;
 
+// Adds a time range from lo to hi. t->units counts the ranges whose lo has a unit.
 static void add_time(Times *t, const AstExpr *lo, const AstExpr *hi)
 {
     t->lo[t->n] = lo;

@@ -43,6 +43,7 @@ static int find_annotation_row(Str word, AstAnnotationTarget target)
     return found;
 }
 
+// Whether the annotation of this row can follow a state's header but not an element.
 static bool is_for_states_only(int row)
 {
     return row < AST_ANNOTATION_COUNT && may_follow_target(row, AST_ON_STATE) && !may_follow_target(row, AST_ON_ELEMENT);
@@ -291,6 +292,7 @@ static bool is_part_of_flag(const Token *t)
                                     t->kind != TOK_ANNOTATION);
 }
 
+// Parses the name of a warning in an `allow` annotation.
 static void parse_flag(Parser *p, AstAnnotation *a)
 {
     uint32_t at = p->tok.at;
@@ -307,6 +309,7 @@ static void parse_flag(Parser *p, AstAnnotation *a)
         report_unknown_flag(p, a);
 }
 
+// Parses the quoted reason of an `allow` annotation; reports one that is missing or blank.
 static void parse_reason(Parser *p, AstAnnotation *a)
 {
     if (p->tok.kind == TOK_RPAREN || (p->tok.kind == TOK_TEXT && strspn(p->tok.text->text, " \t") == p->tok.text->len)) {
@@ -320,6 +323,7 @@ static void parse_reason(Parser *p, AstAnnotation *a)
     expect_token(p, TOK_TEXT, "a reason between quotes");
 }
 
+// Parses the parentheses of an `allow` annotation: the name of a warning and the reason.
 static void parse_finding(Parser *p, AstAnnotation *a)
 {
     if (!expect_token(p, TOK_LPAREN, "'('"))

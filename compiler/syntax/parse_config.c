@@ -20,6 +20,7 @@ void parser_report_pin_section(Parser *p, const AstSection *s)
 
 // ---- one pin ----
 
+// Whether the token is the direction of a pin: `i` (input) or `o` (output).
 static bool is_direction(const Token *t)
 {
     return t->kind == TOK_NAME && t->text->len == 1 && (t->text->text[0] == 'i' || t->text->text[0] == 'o');

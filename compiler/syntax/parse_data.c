@@ -38,6 +38,7 @@ bool parser_at_data(const Parser *p)
 
 // ---- parts of a line ----
 
+// Reports that `expected` is missing after `after`.
 static void fail_expected(Parser *p, const char *after, const char *expected)
 {
     if (p->tok.kind == TOK_ERROR)
@@ -109,6 +110,7 @@ static void parse_column(Parser *p, AstDataLine *line)
     parse_text(p, "'='", "the name of a column in quotes", &line->column, &line->column_span);
 }
 
+// Skips the word if it follows in the same line; returns whether it did.
 static bool accept_word(Parser *p, const char *word)
 {
     if (p->tok.kind != TOK_NAME || p->tok.first || strcmp(p->tok.text->text, word) != 0)

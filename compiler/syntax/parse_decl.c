@@ -95,6 +95,7 @@ static void parse_initial_value(Parser *p, AstDecl *d)
     d->value = begins_value(p) ? parse_expr(p, false) : parse_value_of(p, false);
 }
 
+// Whether the current token does not belong to the declaration d any more.
 static bool ends_decl(const Parser *p, const AstSection *s, const AstDecl *d)
 {
     if (p->tok.kind == TOK_HEADER || p->tok.kind == TOK_END || p->tok.first)

@@ -37,6 +37,7 @@ void bc_write_varint(Buf *out, uint32_t v)
     buf_put(out, from, (size_t)(end - from));
 }
 
+// Writes the low 24 bits of v, low byte first.
 void bc_write_u24(Buf *out, uint32_t v)
 {
     for (int i = 0; i < 3; i++)
@@ -61,6 +62,7 @@ static void assign_parameter_offsets(BcMachine *m)
     m->locals = (m->locals + 7) / 8 * 8;
 }
 
+// Assigns byte offsets: parameters first, then the other locals and the temporary slots, from the widest type to the narrowest.
 static void assign_local_offsets(Arena *arena, BcMachine *m)
 {
     const IrMachine *ir = m->ir;
@@ -127,6 +129,7 @@ static uint8_t *write_number(uint8_t *end, uint32_t op, uint32_t n)
     return end;
 }
 
+// Writes, in front of `end`, a load of constant o into X or Y (`op`: the register's load of a local); returns its first byte.
 static uint8_t *write_const(uint8_t *end, uint32_t op, const BcOperand *o)
 {
     const SmF64 x = sm_from_bits(o->bits);
@@ -138,6 +141,7 @@ static uint8_t *write_const(uint8_t *end, uint32_t op, const BcOperand *o)
     return write_number(end, op + (bc_is_f32(x) ? SMVM_ldx_f32 : SMVM_ldx_f64), o->index);
 }
 
+// Writes, in front of `end`, a load or store (`op`) of a state-vector element or local; returns its first byte.
 static uint8_t *write_var(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (m->ir->var.at[o->var].space) {
@@ -149,6 +153,7 @@ static uint8_t *write_var(uint8_t *end, const BcMachine *m, uint32_t op, const B
     return end;
 }
 
+// Writes, in front of `end`, the load or store `op` with operand o of any kind; returns its first byte.
 static uint8_t *write_load_or_store(uint8_t *end, const BcMachine *m, uint32_t op, const BcOperand *o)
 {
     switch (o->kind) {
@@ -160,6 +165,7 @@ static uint8_t *write_load_or_store(uint8_t *end, const BcMachine *m, uint32_t o
     return write_const(end, op, o);
 }
 
+// Writes a store of X in front of `end`. A state-vector element that is an output is named by its output number, counted from 1.
 static uint8_t *write_store(uint8_t *end, const BcMachine *m, const BcOperand *o)
 {
     return o->output ? write_number(end, SMVM_out, o->output - 1) : write_load_or_store(end, m, SMVM_st_local, o);

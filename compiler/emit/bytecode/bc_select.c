@@ -122,6 +122,7 @@ static bool match_whole_const(const BcSelect *s, IrRef r, int32_t *n)
     return bc_ins(s, r)->op == IR_const && bc_try_whole(bc_const_value(bc_ins(s, r)), n);
 }
 
+// X = a + n, by an instruction that contains n.
 static void emit_add_number(BcSelect *s, IrRef a, int32_t n)
 {
     bc_bring_to_x(s, a);
@@ -132,6 +133,7 @@ static void emit_add_number(BcSelect *s, IrRef a, int32_t n)
         bc_emit_changing_x(s, SMVM_addi, (uint32_t)n);
 }
 
+// X = a + b. A whole constant, on either side, becomes part of the instruction.
 static void compute_add(BcSelect *s, IrRef a, IrRef b)
 {
     int32_t n;
@@ -157,6 +159,7 @@ static void compute_swapped_sub(BcSelect *s, IrRef a, IrRef b)
     bc_emit_changing_x(s, SMVM_add, 0);
 }
 
+// X = a - b. A whole constant b becomes part of the instruction.
 static void compute_sub(BcSelect *s, IrRef a, IrRef b)
 {
     int32_t n;
@@ -259,6 +262,7 @@ static bool emit_zero_normalization(BcSelect *s, IrRef r, SmType to)
     return true;
 }
 
+// Converts i->a to i->type in X. Conversions inside i->a that cannot change the result are skipped.
 static void compute_cvt(BcSelect *s, const IrIns *i)
 {
     const IrRef r = i->type == SM_BOOL ? bc_skip_exact_cvts(s, bc_skip_truth_cvts(s, i->a)) : bc_skip_store_cvts(s, i->a, i->type);
@@ -343,6 +347,7 @@ static void select_store(BcSelect *s, const IrIns *i, const BcValue *at)
     bc_store_x(s, d, same && !s->value[r].minus_zero);           // where X is -0, the variable contains 0
 }
 
+// Adds the value of i->a as a sample to the rolling window i->var.
 static void select_sample(BcSelect *s, const IrIns *i)
 {
     const IrRef r = bc_skip_exact_cvts(s, i->a);

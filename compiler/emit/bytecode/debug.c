@@ -95,12 +95,14 @@ typedef struct BcNames {
     uint32_t first;           // offset of the first name from the start of the section
 } BcNames;
 
+// Appends the text to `names`, and its position to `tables`.
 static void add_name(BcNames *n, const char *text, size_t len)
 {
     bc_write_u24(n->tables, n->first + (uint32_t)n->names.n);
     write_name(&n->names, text, len);
 }
 
+// Writes the debug table's rows of the variables, in the order of sorted_variables.
 static void write_variables(Arena *arena, BcNames *n, const BcMachine *m)
 {
     const uint64_t *order = sorted_variables(arena, m);
@@ -140,6 +142,7 @@ static Buf *find_sample_names(Arena *arena, const BcMachine *m, uint32_t *count)
     return name;
 }
 
+// Writes the debug table's rows of the rolling windows. name[w] is empty for a window without a name.
 static void write_samples(BcNames *n, const BcMachine *m, const Buf *name)
 {
     for (uint32_t w = 0; w < m->ir->window.n; w++) {

@@ -31,6 +31,7 @@ static void add_section(ImageWriter *w, uint8_t id, uint8_t version, const Buf *
 
 // ---- IDENTITY: FNV-1a, 64 bits, over the source text of the machines ----
 
+// Adds to the image a 64-bit FNV hash of the machines' source texts and of their state vectors' layouts, which identifies them.
 static void add_identity(ImageWriter *w, IrMachine *const *m, size_t n)
 {
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
@@ -53,6 +54,7 @@ enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_SAFE_OR_HOLD = 0x80 };
 
 enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // forms of a pin's number; stored where a location has its type
 
+// Whether x is a whole number that fits, signed, in the offset bits of a 24-bit location.
 static bool fits_whole_number(SmF64 x)
 {
     const int32_t most = (int32_t)(SMVM_LOCATION_OFFSETS / 2);
@@ -60,6 +62,7 @@ static bool fits_whole_number(SmF64 x)
     return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_truncate_i32(x)), x);
 }
 
+// Writes x as a whole number of 24 bits, an f32 or an f64: the first of these that is exact.
 static void write_number(Buf *b, SmF64 x)
 {
     if (fits_whole_number(x)) {
@@ -133,6 +136,7 @@ static void write_function_ends(Buf *b, const BcMachine *m, uint8_t width)
     }
 }
 
+// Writes the rolling windows by their numbers in the bytecode. of[n]: the IR's index of window number n.
 static void write_windows(ImageWriter *w, Buf *b, const BcMachine *m)
 {
     uint32_t *of = ARENA_ARRAY(w->arena, uint32_t, m->ir->window.n);
@@ -161,6 +165,7 @@ static void find_used_vector_range(const BcMachine *m, uint32_t *from, uint32_t 
     }
 }
 
+// Writes the machine's windows, output locations, ends of functions and constants. `width`: bytes of one function's end.
 static void write_tables(ImageWriter *w, Buf *b, const BcMachine *m, uint8_t width)
 {
     write_windows(w, b, m);
@@ -191,6 +196,7 @@ static void add_machine(ImageWriter *w, const BcMachine *m, size_t code_size)
     add_section(w, SMVM_S_MACHINE, SMVM_V_MACHINE, &b);
 }
 
+// Adds the initial values, other than 0, of the locals that are not parameters.
 static void add_init(ImageWriter *w, const BcMachine *m)
 {
     Buf b;
@@ -210,12 +216,14 @@ static void add_init(ImageWriter *w, const BcMachine *m)
 
 // ---- PARAMETERS ----
 
+// Writes a variable's value, given as bits, in the size of its type, low byte first.
 static void write_cell(Buf *b, SmType type, uint64_t cell)
 {
     for (uint32_t i = 0; i < sm_type_info[type].bytes; i++)
         buf_char(b, (char)(cell >> 8 * i & 0xff));
 }
 
+// Writes the length as a varint, then the text with its final 0.
 static void write_text(Buf *b, const char *text)
 {
     bc_write_varint(b, (uint32_t)strlen(text));

@@ -8,6 +8,7 @@
 
 // ---- conditions ----
 
+// Emits a jump to `label`, and records it as the label's last jump: its index plus 1.
 static void emit_jump(BcSelect *s, uint32_t op, uint32_t n, uint32_t label)
 {
     BcIns *i = bc_emit(s, (uint8_t)op);
@@ -108,6 +109,7 @@ static bool only_ends_function(const IrBlk *b) { return b->ins.n == 0 && ends_fu
 static uint32_t line_of(Span span) { return span.src ? source_position(span.src, span.at).line : 0; }
 static bool is_same_line(Span a, Span b) { return (a.src == b.src && a.at == b.at) || line_of(a) == line_of(b); }
 
+// Returns the current function's record of the exit j (`end`, or `goto` to one state), cleared when the function first uses it.
 static BcExit *find_or_add_exit(BcSelect *s, const IrJump *j)
 {
     const uint32_t index = j->kind == IR_GOTO ? j->state : 0;
@@ -122,6 +124,7 @@ static BcExit *find_or_add_exit(BcSelect *s, const IrJump *j)
     return e;
 }
 
+// Emits the goto or end of j, and records its index plus 1 in the exit's `at`.
 static void emit_exit(BcSelect *s, const IrJump *j)
 {
     if (j->span.src)
@@ -185,6 +188,7 @@ static void select_jmp(BcSelect *s, IrBlkRef to, IrBlkRef next)
     bc_forget_registers(s);
 }
 
+// Jumps on the value of cond: to `otherwise` if `then` is the next block in the code, else to `then` and after that to `otherwise`.
 static void select_br(BcSelect *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise, IrBlkRef next)
 {
     const bool on = then != next;
@@ -196,6 +200,7 @@ static void select_br(BcSelect *s, IrRef cond, IrBlkRef then, IrBlkRef otherwise
         select_jmp(s, otherwise, next);
 }
 
+// Emits the end of a block. A branch on a constant becomes an unconditional jump.
 static void select_jump(BcSelect *s, const IrJump *j, IrBlkRef next)
 {
     const IrIns *cond = j->kind == IR_BR ? bc_ins(s, j->cond) : NULL;
@@ -213,6 +218,7 @@ static void select_jump(BcSelect *s, const IrJump *j, IrBlkRef next)
     }
 }
 
+// Emits a block. `next`: the block that follows in the code.
 static void select_block(BcSelect *s, IrBlkRef block, IrBlkRef next)
 {
     const IrBlk *b = &s->f->blk.at[block];
@@ -328,6 +334,7 @@ void bc_select_function(BcSelect *s, const IrFn *f, BcFn *out)
 // Whether a function only returns.  It then needs no code.
 static bool does_nothing(const IrFn *f) { return f->blk.at[0].ins.n == 0 && f->blk.at[0].jump.kind == IR_RET; }
 
+// Numbers the windows in the order in which the machine's sample function samples them.
 static void assign_window_numbers(BcSelect *s)
 {
     const IrFn *f = s->m->ir->sample;

@@ -16,6 +16,7 @@ static BcRef add_operand(BcSelect *s, BcOperandKind kind, uint32_t type)
     return (BcRef)(s->m->operand.n - 1);
 }
 
+// Returns the operand for a variable, which is added at its first use.
 BcRef bc_var_operand(BcSelect *s, uint32_t var)
 {
     BcRef *r = &s->m->of_var[var];
@@ -27,6 +28,7 @@ BcRef bc_var_operand(BcSelect *s, uint32_t var)
     return *r;
 }
 
+// Returns the operand for a statistic of a rolling window, which is added at its first use.
 BcRef bc_stat_operand(BcSelect *s, uint32_t window, SmStat stat)
 {
     BcRef *r = &s->m->of_stat[window * SM_STAT_COUNT + stat];
@@ -82,6 +84,7 @@ static size_t find_const_slot(const BcMachine *m, const BcRef *table, size_t cap
     return i;
 }
 
+// Doubles the hash table of constants.
 static void grow_consts(BcSelect *s)
 {
     BcMachine *m = s->m;
@@ -96,6 +99,7 @@ static void grow_consts(BcSelect *s)
     m->const_cap = cap;
 }
 
+// Returns the operand for constant x. Constants with equal bits share one.
 BcRef bc_const_operand(BcSelect *s, SmF64 x)
 {
     const uint64_t bits = sm_bits(x);
@@ -121,6 +125,7 @@ BcRef bc_operand_of(BcSelect *s, const IrIns *i)
 
 // ---- slots ----
 
+// Returns a temporary slot of a pool: a free one if the pool has one, else a new one.
 BcRef bc_slot_alloc(BcSelect *s, uint32_t pool)
 {
     BcRef r;

@@ -17,6 +17,7 @@ static void add_source(BcRegister *h, BcRef o)
     h->from[i] = o;
 }
 
+// Removes o from the operands whose value the register holds.
 static void remove_source(BcRegister *h, BcRef o)
 {
     for (int i = 0; i < BC_REGISTER_SOURCES; i++)
@@ -29,6 +30,7 @@ void bc_forget_registers(BcSelect *s) { s->x = s->y = empty_register(); }
 
 // ---- instructions ----
 
+// Appends an instruction. The pointer is valid until the next one is appended.
 BcIns *bc_emit(BcSelect *s, uint8_t op)
 {
     const BcIns i = {.op = op, .operand_ref = BC_NONE, .span = s->span};
@@ -93,6 +95,7 @@ void bc_load_x(BcSelect *s, BcRef o)
     s->x.from[0] = o;
 }
 
+// Loads operand o into Y, unless Y holds it already.
 void bc_load_y(BcSelect *s, BcRef o)
 {
     if (bc_register_has(&s->y, o))
@@ -121,6 +124,7 @@ void bc_record_x(BcSelect *s, IrRef r)
     s->x.value = r;
 }
 
+// Gives a state-vector element without an output number the next one, counted from 1.
 static void assign_output_number(BcSelect *s, BcOperand *o)
 {
     if (o->kind != BC_VAR || o->output > 0 || s->m->ir->var.at[o->var].space != IR_ELEMENT)
@@ -156,6 +160,7 @@ uint32_t bc_label_new(BcSelect *s)
     return (uint32_t)(s->out->label.n - 1);
 }
 
+// Places the label at the next instruction.
 void bc_label_place(BcSelect *s, uint32_t label)
 {
     BcLabel *l = &s->out->label.at[label];

@@ -48,6 +48,7 @@ bool bc_is_exact(const BcSelect *s, IrRef r, SmType type)
 // Whether a conversion leaves its operand's number unchanged.
 static bool is_exact_cvt(const BcSelect *s, const IrIns *cvt) { return bc_is_exact(s, cvt->a, cvt->type); }
 
+// Returns the value that r is an exact conversion of, through all conversions that have not been emitted yet.
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r)
 {
     while (bc_is_waiting_cvt(s, r) && is_exact_cvt(s, bc_ins(s, r)))
@@ -84,6 +85,7 @@ IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type)
 
 static bool is_pure_operation(IrOp op) { return !ir_op_info[op].effect && op != IR_const && op != IR_load; }
 
+// Counts `times` more uses of value r. `at`: position of the use in its block.
 static void add_use(BcSelect *s, IrRef r, uint32_t at, uint32_t times)
 {
     BcValue *v = &s->value[r];
@@ -136,6 +138,7 @@ static void count_block_uses(BcSelect *s, const IrBlk *b, bool deep_known)
 
 // ---- the sign of a zero ----
 
+// Whether r is a constant above 0.
 static bool is_positive(const BcSelect *s, IrRef r)
 {
     return bc_ins(s, r)->op == IR_const && sm_lt(sm_from_i32(0), bc_const_value(bc_ins(s, r)));

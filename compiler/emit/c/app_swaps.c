@@ -2,6 +2,7 @@
 // Writes the tables of runtime-c/swap.h, for machines that can be swapped while the application runs.
 #include "compiler/emit/c/app_emitter.h"
 
+// Whether any machine of the application can be exchanged while it runs.
 bool app_has_swaps(const App *app)
 {
     for (size_t i = 0; i < app->machine.n; i++)
@@ -125,6 +126,7 @@ static void mark_outputs(const Program *p, bool *written)
             written[p->var.at[v]->element->index] = true;
 }
 
+// Marks in `written`, by index, the elements that channels write: fields of received messages, statistics and ages of messages.
 static void mark_messages(const Network *net, bool *written)
 {
     for (size_t c = 0; c < net->channel.n; c++) {

@@ -26,6 +26,7 @@ const char *c_type_of(const CUnit *u, SmType type)
 
 // ---- the state vector ----
 
+// Writes a member for the bytes from `from` to `to`, which no element occupies.
 static void write_padding(Arena *a, Buf *out, uint32_t from, uint32_t to)
 {
     if (from < to)

@@ -99,6 +99,7 @@ static int find_snippet(const char *name, size_t n)
     return -1;
 }
 
+// Records that the snippet `user` names the snippet `dep` (indexes in `snippet`).
 static void add_dependency(int user, int dep)
 {
     Snippet *s = &snippet[user];
@@ -112,6 +113,7 @@ static void add_dependency(int user, int dep)
     s->dep[s->deps++] = dep;
 }
 
+// Records every snippet whose name occurs in the text of the snippet `user`.
 static void find_dependencies(int user)
 {
     for (const char *p = snippet[user].text, *end; *p != '\0'; p = end) {

@@ -81,6 +81,7 @@ static void write_task_prototypes(const AppEmitter *e, const AppTask *t, uint64_
         buf_printf(e->out, "SmResult %s_safe(const SmTick *tick);\n", t->name->text);
 }
 
+// Declares the task functions that the user writes.
 static void write_user_prototypes(const AppEmitter *e)
 {
     for (size_t x = 0; x < e->app->executor.n; x++)

@@ -260,6 +260,7 @@ void emit_c_state_vector(Arena *arena, const StateVec *sv, const EmitCOptions *o
 
 // ---- an image as a constant, for programs without files, such as Arduino sketches ----
 
+// Writes the image's bytes as C initializers, 16 on a line.
 void emit_c_bytes(const Buf *image, Buf *out)
 {
     const unsigned char *at = (const unsigned char *)image->at;

@@ -92,6 +92,7 @@ static const char *count_name(NetCount count)
     return names[count];
 }
 
+// Appends the value as one hexadecimal literal, which two halves of 32 bits form.
 static void write_bits(uint64_t bits, Buf *out)
 {
     buf_printf(out, ", 0x%08lx%08lxu", (unsigned long)(bits >> 32), (unsigned long)(bits & 0xffffffffu));
@@ -173,6 +174,7 @@ static void write_channel_row(const NetChannel *c, unsigned n, Buf *out)
     buf_printf(out, "\n     .value = value%u, .bytes = bytes%u},\n", n, n);
 }
 
+// Writes the tables of the channels that send, or of those that receive.
 static void write_direction(const NetUnit *u, bool is_send, Buf *out)
 {
     const char *what = is_send ? "send" : "receive";

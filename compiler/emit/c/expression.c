@@ -231,6 +231,7 @@ static void write_binary(CFn *fn, const IrIns *i, const char *text, int own, int
     c_close_parens(fn, opened);
 }
 
+// Writes `&&` or `||`. `prec`: precedence of the surrounding expression, which decides about parentheses.
 static void write_logic(CFn *fn, const IrIns *i, int prec)
 {
     const int own = i->op == IR_and ? PREC_AND : PREC_OR;

@@ -36,6 +36,7 @@ static void add_to_dominator_tree(CDominators *t, uint32_t x, uint32_t parent)
 // Whether block a dominates block b.
 bool flow_dominates(const CFlow *w, uint32_t a, uint32_t b) { return nearest_common_dominator(&w->dominators, a, b) == a; }
 
+// Whether any instruction of the block does more than compute a value.
 static bool has_effect(const IrFn *f, const IrBlk *b)
 {
     for (size_t i = 0; i < b->ins.n; i++)

@@ -33,6 +33,7 @@ void lower_find_facts(CFn *fn, const Env *begin)
 
 // ---- counting uses ----
 
+// Counts a use of r. Constants are not counted: they are written at each use.
 static void count_use(CFn *fn, IrRef r)
 {
     if (r != IR_NONE && !c_is_const(fn, r))

@@ -62,6 +62,7 @@ static void write_state_block(CUnit *u, size_t i, BlockKind k, CStateBlocks *s, 
     s->has[k] = true;
 }
 
+// Writes a C function for each entry, step and exit block; returns what the step function must know of them, by state.
 static CStateBlocks *write_blocks(CUnit *u, Buf *out)
 {
     CStateBlocks *s = ARENA_ARRAY(u->arena, CStateBlocks, u->m->state.n);
@@ -86,6 +87,7 @@ static void write_arguments(const CSignature *s, Buf *out)
 
 // ---- init ----
 
+// Writes the assignments of initial values to the machine's locals.
 static void write_initial_values(CUnit *u, Buf *out)
 {
     for (size_t v = 0; v < u->m->var.n; v++) {
@@ -125,6 +127,7 @@ typedef struct CRun {
     CSignature as;                // the signature of the function without `first`
 } CRun;
 
+// Returns what the states' blocks need in common: whether any exists, is an entry block, returns a state, or uses m or sv.
 static CRun describe_run(const CUnit *u, const CStateBlocks *s)
 {
     CRun run = { false, false, { false, false, false } };

@@ -292,6 +292,7 @@ static const char *choose_window_name(const CUnit *u, size_t w, uint32_t var)
                           : format_in(u->arena, "%s_last_%lu", u->names.var[var], (unsigned long)u->m->window.at[w].size);
 }
 
+// Names the struct members that store ring buffers. Windows that share a ring buffer share its member.
 static void assign_ring_names(CUnit *u, NameSet *s)
 {
     u->ring = ARENA_ARRAY(u->arena, const char *, u->m->window.n);
@@ -302,6 +303,7 @@ static void assign_ring_names(CUnit *u, NameSet *s)
     }
 }
 
+// Chooses a free C name for each rolling window.
 static void assign_window_names(CUnit *u, NameSet *s)
 {
     const uint32_t *var = find_sampled_variables(u);

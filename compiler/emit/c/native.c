@@ -158,6 +158,7 @@ static void write_operand(CUnit *u, SourceSlice t, int prec, Buf *out)
     buf_str(out, parens ? ")" : "");
 }
 
+// Writes the call of an f64 function as a call, with native syntax in its arguments only.
 static void write_unchanged_call(CUnit *u, const F64Primitive *p, SourceSlice t, Buf *out)
 {
     buf_printf(out, "%s(", p->name);
@@ -241,6 +242,7 @@ static const char *write_comment(const char *p, Buf *out)
     return p + n;
 }
 
+// Copies C code, and replaces calls of f64 functions by C's operators on double.
 static void write_with_native_syntax(CUnit *u, const char *from, const char *to, Buf *out)
 {
     for (const char *p = from; p < to;) {
