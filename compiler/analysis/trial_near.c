@@ -174,18 +174,21 @@ static const char *closest_text(Arena *arena, const NearPart *part)
     return format_in(arena, "; the closest was %s", part->pair.a->kind == EX_NUMBER ? b : a);
 }
 
-// Adds a note for each sensor of the comparison that has no @range.
-static void note_ranges(const TrialNear *near, Diag *d, const NearPart *part)
+// Adds a note for each sensor of the comparison that has no @range, unless d has the note already.  noted: by Var.index.
+static void note_ranges(const TrialNear *near, Diag *d, const NearPart *part, bool *noted)
 {
     const InputDepsTable *deps = input_deps_of(near->t->a);
     const InputDeps by = input_deps_of_expr(deps, part->e);
 
-    for (uint32_t i = 0; i < by.n; i++)
-        if (!by.sensor[i]->range)
-            diag_note(near->t->a->diags, d, by.sensor[i]->span, DIAG_note_gap_range, by.sensor[i]->name->text);
+    for (uint32_t i = 0; i < by.n; i++) {
+        const Var *v = by.sensor[i];
+        if (!v->range && !noted[v->index])
+            diag_note(near->t->a->diags, d, v->span, DIAG_note_gap_range, v->name->text);
+        noted[v->index] = true;
+    }
 }
 
-static void note_guard(const TrialNear *near, Diag *d, const State *to, const Condition *unmet)
+static void note_guard(const TrialNear *near, Diag *d, const State *to, const Condition *unmet, bool *noted)
 {
     Arena *arena = near->t->a->arena;
     const NearGuard *g = &near->guard[unmet->stmt->number];
@@ -199,7 +202,7 @@ static void note_guard(const TrialNear *near, Diag *d, const State *to, const Co
             continue;
         diag_note(near->t->a->diags, d, part->span, DIAG_note_gap_guard, name, source_text(arena, part->span),
                   part->wanted ? "true" : "false", closest_text(arena, part));
-        note_ranges(near, d, part);
+        note_ranges(near, d, part, noted);
         return;
     }
     diag_note(near->t->a->diags, d, unmet->stmt->value->span, sampled ? DIAG_note_gap_duration : DIAG_note_gap_together, name,
@@ -209,7 +212,7 @@ static void note_guard(const TrialNear *near, Diag *d, const State *to, const Co
 void trial_near_note(const TrialNear *near, Diag *d)
 {
     const Trials *t = near->t;
-    bool *noted = ARENA_ARRAY(t->a->arena, bool, t->a->p->state.n + 1u);
+    bool *noted = ARENA_ARRAY(t->a->arena, bool, t->a->p->state.n + 1u), *of_sensor = ARENA_ARRAY(t->a->arena, bool, t->a->p->var.n);
     int notes = 0;
 
     for (size_t i = 0; i < t->a->transition.n && notes < NOTES_MAX; i++) {
@@ -220,7 +223,7 @@ void trial_near_note(const TrialNear *near, Diag *d)
         unmet = find_unmet(near, x->when);
         if (!unmet)
             continue;
-        note_guard(near, d, x->to, unmet);
+        note_guard(near, d, x->to, unmet, of_sensor);
         noted[x->to->number] = true;
         notes++;
     }

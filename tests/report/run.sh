@@ -31,7 +31,7 @@ page() {
     expect "report $name" ends_with "$want" "$smc" report "$@" -o "$out/$name.html"
     expect "no table of $name is empty" sh -c "! tr -d '\n' <'$out/$name.html' | grep -q '<tbody></tbody>'"
     expect "wellformed $name" awk -f "$here/wellformed.awk" "$out/$name.html"
-    case $1 in "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; *) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; esac
+    case $1 in "$out"/*) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; *) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; esac
     twin=
     for argument; do
         case $argument in
