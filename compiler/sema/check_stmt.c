@@ -123,6 +123,8 @@ bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
     if (v && !s->in_script)
         v->written = true;
     out->var = v;
+    if (!good && v == s->p->s && state_named_by(s, in->value))         // S = Vent in a script
+        return false;
     check_value(s, in, out);
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
     if (good && s->in_script && out->value && expr_is_constant(out->value) && sm_is_nan(expr_constant_value(out->value)))

@@ -82,6 +82,8 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
         ascii = "->";
         len++;
     }
+    if (like < NO_LOOKALIKE && lookalikes[like].kind == TOK_ARROW && !l->stores && hint_follows_value(l, l->first))
+        ascii = ": ->";                         // x > 5 → Vent
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
@@ -172,6 +174,22 @@ static uint32_t find_remark_start(const Lexer *l, uint32_t end)
            l->last == TOK_COMMA ? from : 0;
 }
 
+// Whether the quote at l->at is the first argument of a function that prints, as in print("on").
+static bool is_printed(const Lexer *l)
+{
+    static const char *const functions[] = {"print", "printf", "println", "log", "disp", "puts", "echo"};
+    const char *s = l->src->text;
+    uint32_t end = l->at, from;
+
+    if (end == 0 || s[--end] != '(')
+        return false;
+    for (from = end; from > 0 && lexer_is_word(s[from - 1]); from--) {}
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
+        if (end - from == strlen(functions[i]) && memcmp(s + from, functions[i], end - from) == 0)
+            return true;
+    return false;
+}
+
 static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, uint32_t closing)
 {
     const Span whole = lexer_span(l, l->at, end + closing - l->at);
@@ -179,7 +197,9 @@ static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, ui
     const char *text = lexer_text(l, from, end);
     const bool is_word = lex_is_identifier(l->src->text + from, end - from);
 
-    if (remark) {
+    if (is_printed(l)) {
+        diag_label(l->diags, d, DIAG_label_print_in_script);
+    } else if (remark) {
         text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
         diag_label(l->diags, d, DIAG_label_quoted_remark);
         diag_edit(l->diags, d, lexer_span(l, remark, end + closing - remark), text);

@@ -138,6 +138,19 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
     return HINT_SKIPPED;
 }
 
+// Reports the % of `x > 50%`, after which no operand follows, and skips it.
+HintResult hint_read_percent(Lexer *l, Token *t)
+{
+    const uint32_t p = hint_skip_spaces(l, t->at + 1), end = lexer_skip_word(l, p);
+    const bool at_word = (end - p == 3 && memcmp(l->src->text + p, "and", 3) == 0) || (end - p == 2 && memcmp(l->src->text + p, "or", 2) == 0);
+
+    if (l->first || l->last != TOK_NUMBER || (!hint_ends_line(l, p) && !at_word && !strchr(":{}),<>=", lexer_byte(l, p))))
+        return HINT_NONE;
+    diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, 1), "%"), DIAG_label_percentage);
+    l->at++;
+    return HINT_SKIPPED;
+}
+
 // Reads `-- …` or `% …` as a comment if the text after it cannot continue an expression: it is prose, or for a % one name that is not
 // declared.
 HintResult hint_read_remark(Lexer *l, Token *t)

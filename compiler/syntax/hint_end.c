@@ -102,7 +102,17 @@ HintResult hint_report_item_on_line(HintCase *c)
 }
 
 // Reports a second statement on a line after the words `and then`, as in x = true and then -> Idle.
-HintResult hint_report_and_then_on_line(HintCase *c) { return hint_is_and_then(c->p) ? hint_report_shared_line(c) : HINT_NONE; }
+HintResult hint_report_and_then_on_line(HintCase *c)
+{
+    Diag *d;
+
+    if (!hint_is_and_then(c->p))
+        return HINT_NONE;
+    d = hint_report_general(c);
+    if (!hint_label_line_sharing(c->p, d, c->p->last.at + c->p->last.len))
+        diag_label(c->p->diags, d, DIAG_label_and_then);
+    return HINT_READ;
+}
 
 // Reports parentheses after an annotation that has no argument: @stop().
 HintResult hint_report_annotation_call(HintCase *c)
@@ -165,18 +175,37 @@ HintResult hint_report_condition_of_stop(HintCase *c)
     return HINT_READ;
 }
 
+// Returns the name of the state that the last token and the current one mean together: Tank_Vent or TankVent; NULL if neither is a state.
+static const char *find_joined_state(const Parser *p)
+{
+    static const char *const between[] = {"_", ""};
+
+    for (size_t i = 0; i < sizeof between / sizeof *between; i++) {
+        const char *header = format_in(p->arena, "\n[%s%s%s]", p->last.text->text, between[i], p->tok.text->text);
+        if (strstr(p->lex.src->text, header))
+            return format_in(p->arena, "%s%s%s", p->last.text->text, between[i], p->tok.text->text);
+    }
+    return NULL;
+}
+
 // Reports a state's name of two words, as in -> Tank Vent.
 HintResult hint_report_state_of_words(HintCase *c)
 {
     Parser *p = c->p;
-    const char *text = p->lex.src->text;
+    const char *text = p->lex.src->text, *name;
     uint32_t arrow = p->last.at;
+    Diag *d;
 
     while (arrow > 0 && (text[arrow - 1] == ' ' || text[arrow - 1] == '\t'))
         arrow--;
     if (arrow < 2 || strncmp(text + arrow - 2, "->", 2) != 0 || (!p->ahead.first && p->ahead.kind != TOK_RBRACE && p->ahead.kind != TOK_END))
         return HINT_NONE;
-    diag_label(p->diags, hint_report_general(c), DIAG_label_state_of_words, p->last.text->text, p->tok.text->text);
+    d = hint_report_general(c);
+    name = find_joined_state(p);
+    if (name)
+        diag_label(p->diags, d, DIAG_label_write, name);
+    else
+        diag_label(p->diags, d, DIAG_label_state_of_words, p->last.text->text, p->tok.text->text);
     return HINT_READ;
 }
 

@@ -273,6 +273,11 @@ HintResult hint_report_membership(HintCase *c)
 
     if (!in)
         return HINT_NONE;
+    if (p->ahead.kind == TOK_ERROR && !p->ahead.first) {       // x in 3..5, reported as a number
+        c->e->kind = AST_ERROR;
+        p->failed = true;
+        return HINT_SKIPPED;
+    }
     m.left = name_of_left(p->arena, left->span, left->kind == AST_NAME && left->name->declared);
     m.left_is_operand = follows_arithmetic(text, left->span.at);
     d = parser_report(p, DIAG_foreign_word, (Span){p->lex.src, p->tok.at, in - p->tok.at},

@@ -50,6 +50,26 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
         hint_label_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop), lexer_span(l, at, stop - at));
 }
 
+// Reports a number with several points: 1.2.3, or a range as in x in 3..5.
+static void report_points(Lexer *l, uint32_t at, uint32_t stop)
+{
+    const char *s = l->src->text;
+    const uint32_t dots = at + (uint32_t)strspn(s + at, "0123456789");
+    Diag *d = diag_report(l->diags, DIAG_number_point, lexer_span(l, at, stop - at), lexer_text(l, at, stop));
+    uint32_t end = at, in, from;
+
+    if (s[dots] != '.' || s[dots + 1] != '.' || !lex_is_digit(lexer_byte(l, dots + 2)))
+        return;
+    while (end > 0 && is_space_tab_or_return(s[end - 1]))
+        end--;
+    for (in = end; in > 0 && lexer_is_word(s[in - 1]); in--) {}
+    for (end = in; end > 0 && is_space_tab_or_return(s[end - 1]); end--) {}
+    for (from = end; from > 0 && lexer_is_word(s[from - 1]); from--) {}
+    diag_label(l->diags, d, DIAG_label_write,
+               format_in(l->diags->arena, "%s <= %s <= %s", lexer_text(l, at, dots), s[in] == 'i' && end > from ? lexer_text(l, from, end) : "x",
+                         lexer_text(l, dots + 2, stop)));
+}
+
 // Reports a malformed number such as 5psi, 1__0, 0x, 1e or 1.2.3, which is well formed up to `end`. Returns the end of the whole word.
 static uint32_t report_malformed_number(Lexer *l, uint32_t at, uint32_t end)
 {
@@ -67,7 +87,7 @@ static uint32_t report_malformed_number(Lexer *l, uint32_t at, uint32_t end)
         d = diag_report(l->diags, DIAG_number_run_on, lexer_span(l, at, stop - at), lexer_text(l, at, end), lexer_text(l, end, stop));
         diag_label(l->diags, d, DIAG_label_write, format_in(l->diags->arena, "%s%s", lexer_text(l, at, end), lexer_text(l, end + 1, stop)));
     } else if (c == '.')
-        diag_report(l->diags, DIAG_number_point, lexer_span(l, at, stop - at), whole);
+        report_points(l, at, stop);
     else if (lexer_is_hex_prefix(l, at) && end == at + 1)
         diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a hexadecimal digit", "0x");
     else if ((c | 0x20) == 'e' && end + 1 == stop)

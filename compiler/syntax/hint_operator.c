@@ -190,11 +190,49 @@ static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, co
                         native, needs_space && lexer_is_word(lexer_byte(l, t->at + t->len)) ? " " : ""));
 }
 
+// Returns held(c, 2 s) for the arguments of a timer, as in TON(IN := c, PT := T#2s), which begin at `at`; NULL if they are no such arguments.
+static const char *format_timer(const Lexer *l, uint32_t at)
+{
+    const char *s = l->src->text;
+    const uint32_t from = hint_skip_spaces(l, at), end = from + (uint32_t)strcspn(s + from, ",)\n");
+    const char *time = strstr(s + end, "T#");
+    const uint32_t line = end + (uint32_t)strcspn(s + end, "\n");
+    uint32_t number, unit;
+
+    if (s[end] != ',' || !time || time > s + line)
+        return NULL;
+    number = (uint32_t)(time - s) + 2;
+    unit = number + (uint32_t)strspn(s + number, "0123456789.");
+    return format_in(l->diags->arena, "held(%s, %s %s)", lexer_text(l, from, end), lexer_text(l, number, unit),
+                     lexer_text(l, unit, lexer_skip_word(l, unit)));
+}
+
+// Reports the := of an argument, as in TON(IN := c, PT := T#2s), and skips the other arguments: a # in them begins no comment.
+static void report_named_argument(Lexer *l, Token *t)
+{
+    const char *s = l->src->text, *timer = format_timer(l, t->at + t->len);
+    uint32_t end = t->at, depth = 1;
+    Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), ":=");
+
+    for (; s[end] && s[end] != '\n'; end++) {
+        depth += s[end] == '(';
+        if (s[end] == ')' && --depth == 0)
+            break;
+    }
+    if (timer)
+        diag_label(l->diags, d, DIAG_label_write, timer);
+    else
+        diag_label(l->diags, d, DIAG_label_argument_names);
+    lexer_finish_token(l, t, TOK_ERROR, end);
+}
+
 // Reports the operator t, which this language does not have. `native` is the equivalent of this language; if it is NULL, `label` explains
 // what to write instead.
 void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *native, const char *label)
 {
-    if (native && is_bit_operator(l, t)) {
+    if (strcmp(spelling, ":=") == 0 && l->parens > 0) {
+        report_named_argument(l, t);
+    } else if (native && is_bit_operator(l, t)) {
         diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
         t->kind = *spelling == '~' ? TOK_MINUS : TOK_STAR;
     } else if (native) {

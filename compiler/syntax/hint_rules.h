@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files with hints for the parser: hint_search.c searches hints.def; hint_expr.c (expressions), hint_stmt.c
-// (statements), hint_end.c (text after a statement, declarations), hint_lists.c (lists and arrays), hint_when.c (times), hint_definition.c
-// and hint_requirement.c contain the rules.
+// (statements), hint_end.c (text after a statement, declarations), hint_lists.c (lists and arrays), hint_when.c (times), hint_prose.c (verbs,
+// durations), hint_type.c (types of other languages), hint_definition.c and hint_requirement.c contain the rules.
 #ifndef SMC_HINT_RULES_H
 #define SMC_HINT_RULES_H
 
@@ -36,7 +36,18 @@ bool hint_line_is_guard(const Parser *p);
 
 bool hint_is_and_then(const Parser *p);                 // whether the current `and` joins two statements, as in x = 1 and then -> Idle
 
+// ---- the rest of the line ----
+
+// Returns the word or number after spaces at *at, and moves *at to its end; returns "" if neither follows.
+const char *hint_read_word(const Parser *p, uint32_t *at);
+// Returns the advice for `x > 5 for 3 s` and `x > 5 for 3 samples`. The current token is `for`; e is the condition.
+const char *hint_format_held(const Parser *p, const AstExpr *e);
+
 // ---- diagnostics that several rules share ----
+
+// Labels d, which reports two names in a row, with what the prose means: close valve, k mod 2, c for 2 s. The first is e, the second the current
+// token. Returns false if the meaning is unknown.
+bool hint_label_prose(Parser *p, Diag *d, const AstExpr *e);
 
 void hint_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
 // Reports the = or =! at `sign` in a condition, and suggests == or !=. `left`: its left operand, or NULL.

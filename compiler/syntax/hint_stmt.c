@@ -10,7 +10,7 @@
 // ---- the rest of the line ----
 
 // Returns the word or number after spaces at *at, and moves *at to its end; returns "" if neither follows.
-static const char *read_word_at(const Parser *p, uint32_t *at)
+const char *hint_read_word(const Parser *p, uint32_t *at)
 {
     const char *text = p->lex.src->text;
     uint32_t from, end;
@@ -23,22 +23,35 @@ static const char *read_word_at(const Parser *p, uint32_t *at)
     return parser_text(p, (Span){p->lex.src, from, end - from});
 }
 
+// Returns the value at *at, with its unit if that is a time, and moves *at to its end.
+static const char *read_value_at(const Parser *p, uint32_t *at)
+{
+    const char *value = hint_read_word(p, at);
+    uint32_t end = *at;
+    const char *unit = hint_read_word(p, &end);
+
+    if (!lex_is_digit(*value) || time_unit_find(unit) == TIME_NONE)
+        return value;
+    *at = end;
+    return format_in(p->arena, "%s %s", value, unit);
+}
+
 // Returns the advice to write a <= x <= b for `x between a and b`. The current token is `between`; e is x.
 static const char *format_between(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
-    const char *lo = read_word_at(p, &at);
-    const bool known = strcmp(read_word_at(p, &at), "and") == 0;
-    const char *hi = known ? read_word_at(p, &at) : "";
+    const char *lo = read_value_at(p, &at);
+    const bool known = strcmp(hint_read_word(p, &at), "and") == 0;
+    const char *hi = known ? read_value_at(p, &at) : "";
 
     return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
 
 // Returns the advice for `x > 5 for 3 s` and `x > 5 for 3 samples`. The current token is `for`; e is the condition.
-static const char *format_held(const Parser *p, const AstExpr *e)
+const char *hint_format_held(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
-    const char *n = read_word_at(p, &at), *unit = read_word_at(p, &at), *known = hint_find_synonym(HINT_UNITS, unit);
+    const char *n = hint_read_word(p, &at), *unit = hint_read_word(p, &at), *known = hint_find_synonym(HINT_UNITS, unit);
     const bool is_number = lex_is_digit(*n), is_time = time_unit_find(known ? known : unit) != TIME_NONE;
 
     return format_in(p->arena, "held(%s, %s %s)", parser_text(p, e->span), is_number ? n : "500", is_time ? known ? known : unit : is_number ? "steps" : "ms");
@@ -72,7 +85,7 @@ HintResult hint_report_no_statement(HintCase *c)
     d = parser_fail(p, DIAG_no_statement, e->span, e->name->text);
     if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, format_between(p, e));
-    else
+    else if (!hint_label_prose(p, d, e))
         diag_label(p->diags, d, DIAG_label_statements);
     e->kind = AST_ERROR;
     return HINT_SKIPPED;
@@ -134,12 +147,18 @@ HintResult hint_report_prose_in_guard(HintCase *c)
     if (hint_is_word(&p->tok, "between"))
         diag_label(p->diags, d, DIAG_label_text, format_between(p, c->e));
     else if (hint_is_word(&p->tok, "for"))
-        diag_label(p->diags, d, DIAG_label_write, format_held(p, c->e));
+        diag_label(p->diags, d, DIAG_label_write, hint_format_held(p, c->e));
     return HINT_SKIPPED;
 }
 
-// Whether the current token is an arrow spelled =>, as in p > 5 => Idle. The lexer has then already reported the missing colon.
-static bool is_foreign_arrow(const Parser *p) { return p->tok.kind == TOK_ARROW && p->lex.src->text[p->tok.at] == '='; }
+// Whether the current token is an arrow spelled => or as one character, as in p > 5 => Idle. The lexer has then already reported the missing
+// colon.
+static bool is_foreign_arrow(const Parser *p)
+{
+    const char first = p->lex.src->text[p->tok.at];
+
+    return p->tok.kind == TOK_ARROW && (first == '=' || (first & 0x80));
+}
 
 // Proposes to insert a colon after the guard, unless more statements follow: then it is unclear which of them the guard controls.
 static void propose_colon(Parser *p, Diag *d)
@@ -425,7 +444,7 @@ HintResult hint_report_decl_in_state(HintCase *c)
     Diag *d = parser_fail(p, DIAG_decl_in_state, parser_token_span(p));
     const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
     uint32_t at = p->ahead.at;
-    const char *type = word ? read_word_at(p, &at) : p->tok.text->text, *name = read_word_at(p, &at);
+    const char *type = word ? hint_read_word(p, &at) : p->tok.text->text, *name = hint_read_word(p, &at);
     const char *value = find_decl_value(p, at), *initial = "= 0";
 
     if (hint_find_synonym(HINT_TYPES, type))
@@ -463,16 +482,33 @@ static const char *format_wait(const Parser *p)
 {
     static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 ms { ... }";
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
-    const char *number = p->ahead.first ? "" : read_word_at(p, &at), *unit = hint_is_word(&p->tok, "delay") ? " ms" : "", *word;
+    const char *number = p->ahead.first ? "" : hint_read_word(p, &at), *unit = hint_is_word(&p->tok, "delay") ? " ms" : "", *word;
 
     if (!lex_is_digit(*number))
         return general;
     if (hint_is_word(&p->tok, "sleep"))
         unit = " s";
-    word = read_word_at(p, &at);
+    word = hint_read_word(p, &at);
     if (time_unit_find(word) != TIME_NONE)
         unit = format_in(p->arena, " %s", word);
     return format_in(p->arena, "put what follows in braces: T >= %s%s { ... }", number, unit);
+}
+
+// Returns the advice for switch (mode), with the name that is compared.
+static const char *format_switch(const Parser *p)
+{
+    uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
+    const char *name = p->ahead.first ? "" : hint_read_word(p, &at);
+
+    return lex_is_identifier(name, strlen(name)) ? format_in(p->arena, "write it as if %s == 1 ... else if %s == 2 ... else", name, name)
+                                                 : "write it as if ... else if ... else";
+}
+
+// Skips `i in 1..3` of a loop without parentheses, because the loop is already reported.
+static void skip_counter_of_loop(Parser *p)
+{
+    if (!p->ahead.first && p->ahead.kind == TOK_NAME)
+        p->lex.at += (uint32_t)strcspn(p->lex.src->text + p->lex.at, "(:{#}\r\n");
 }
 
 // Skips the parentheses of for (...; ...; ...), because the loop is already reported.
@@ -522,8 +558,16 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     case HINT_SKIP: case HINT_WAIT:
         break;
     }
+    if (hint_is_word(&p->tok, "case") && p->in_switch) {        // reported at `switch`
+        p->failed = true;
+        parser_advance(p);
+        return HINT_SKIPPED;
+    }
     d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
-    diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : text);
+    diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : hint_is_word(&p->tok, "switch") ? format_switch(p) : text);
+    p->in_switch = p->in_switch || hint_is_word(&p->tok, "switch");
+    if (hint_is_word(&p->tok, "for"))
+        skip_counter_of_loop(p);
     skip_header_of_loop(p);
     parser_advance(p);
     return HINT_SKIPPED;

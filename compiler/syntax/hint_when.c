@@ -229,6 +229,30 @@ static HintResult report_time_word(Parser *p, const char *guard, bool certain)
     return HINT_SKIPPED;
 }
 
+// Reports a guard by time in a machine, as in `after 2 s:`. Only `after` is certain: it is one for the time in the state in other languages, too.
+static HintResult report_when_in_machine(Parser *p, AstWhen when)
+{
+    const Span word = parser_token_span(p);
+    Diag *d = parser_report(p, DIAG_when_in_machine, word, p->tok.text->text);
+    const char *lo, *hi = "", *text;
+
+    parser_advance(p);
+    lo = parser_text(p, parse_number(p)->span);
+    if (when == AST_FROM && parser_is_word(p, "to") && p->ahead.kind == TOK_NUMBER) {
+        parser_advance(p);
+        hi = parser_text(p, parse_number(p)->span);
+    }
+    text = *hi ? format_in(p->arena, "%s <= T < %s", lo, hi) : format_in(p->arena, "T >= %s", lo);
+    if (when == AST_EVERY)
+        diag_label(p->diags, d, DIAG_label_every_in_machine, lo);
+    else
+        diag_label(p->diags, d, DIAG_label_write, text);
+    if (when == AST_AFTER && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE))
+        diag_edit(p->diags, d, parser_span_since(p, word.at), text);
+    p->failed = true;
+    return HINT_SKIPPED;
+}
+
 HintResult hint_report_time_word(HintCase *c)
 {
     Parser *p = c->p;
@@ -236,10 +260,8 @@ HintResult hint_report_time_word(HintCase *c)
     for (size_t i = 0; p->kind == FILE_SS && i < sizeof time_words / sizeof *time_words; i++)
         if (hint_is_word(&p->tok, time_words[i].word))
             return report_time_word(p, time_words[i].guard, time_words[i].certain);
-    if (p->kind == FILE_SM && parser_find_when(&p->tok) != AST_WHENS) {
-        parser_fail(p, DIAG_when_in_machine, parser_token_span(p), p->tok.text->text);
-        return HINT_SKIPPED;
-    }
+    if (p->kind == FILE_SM && parser_find_when(&p->tok) != AST_WHENS)
+        return report_when_in_machine(p, parser_find_when(&p->tok));
     return HINT_NONE;
 }
 

@@ -86,9 +86,23 @@ static const char *name_of_type(const Parser *p, const AstDecl *d)
 
 static void parse_initial_value(Parser *p, AstDecl *d)
 {
-    if (p->tok.kind != TOK_ASSIGN) {
+    const char *type = name_of_type(p, d);
+    TokenKind kind = p->tok.kind;
+
+    if (kind != TOK_ASSIGN && d->type == SM_TYPE_COUNT && !hint_find_synonym(HINT_TYPES, parser_text(p, d->type_span))) {
+        p->failed = true;                      // the type is reported, and may be no type at all
+        return;
+    }
+    if (kind != TOK_ASSIGN) {
+        const bool has_value = !p->tok.first && (kind == TOK_NUMBER || kind == TOK_TRUE || kind == TOK_FALSE);
         Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
-        diag_label(p->diags, x, DIAG_label_local_value, name_of_type(p, d), d->name->text, d->type == SM_BOOL ? "false" : "0");
+        if (has_value) {
+            diag_label(p->diags, x, DIAG_label_write,
+                       format_in(p->arena, "%s %s = %s", type, d->name->text, parser_text(p, parser_token_span(p))));
+            diag_edit(p->diags, x, (Span){p->lex.src, p->tok.at, 0}, "= ");
+        } else {
+            diag_label(p->diags, x, DIAG_label_local_value, type, d->name->text, d->type == SM_BOOL ? "false" : "0");
+        }
         return;
     }
     parser_advance(p);
@@ -111,7 +125,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
         parser_fail(p, DIAG_element_with_value, parser_token_span(p), d->name->text);
     else if (p->tok.kind == TOK_COMMA)
-        parser_fail(p, DIAG_decl_comma, parser_token_span(p));
+        diag_label(p->diags, parser_fail(p, DIAG_decl_comma, parser_token_span(p)), DIAG_label_decl_each);
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)
         return;                                    // probably a declaration whose type is misspelt: the caller parses it
     else if (s->kind != AST_LOCAL && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_LPAREN || p->tok.kind == TOK_MINUS))

@@ -158,6 +158,7 @@ static AstExpr *parse_steps(Parser *p, AstExpr *a)
 
 static AstExpr *parse_call(Parser *p)
 {
+    bool has_error = false;                            // in an argument, reported by the lexer
     AstExpr *e = new_expr(p, AST_CALL, parser_token_span(p));
     Span open;
 
@@ -171,6 +172,7 @@ static AstExpr *parse_call(Parser *p)
     while (p->tok.kind != TOK_RPAREN) {                // if there are no arguments, the checker reports how many are required
         AstExpr *a = parse_steps(p, parse_enclosed(p));
         vec_push(p->arena, e->args, a);
+        has_error = has_error || p->last.kind == TOK_ERROR;
         if (a->depth >= e->depth)
             e->depth = a->depth + 1;
         if (p->failed || p->tok.kind != TOK_COMMA)
@@ -181,7 +183,7 @@ static AstExpr *parse_call(Parser *p)
     }
     expect_close(p, open);
     e->span = parser_span_since(p, e->span.at);
-    if (p->failed)                                     // an error node, because the intended number of arguments is unknown
+    if (p->failed || has_error)                        // an error node, because the intended number of arguments is unknown
         e->kind = AST_ERROR;
     if (e->depth <= AST_DEPTH_MAX)
         return e;

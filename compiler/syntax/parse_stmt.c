@@ -192,6 +192,8 @@ static void parse_transition(Parser *p, AstStmts *into)
         s->name_span = parser_token_span(p);
         parser_advance(p);
         s->span = parser_span_since(p, s->span.at);
+        if (p->tok.kind == TOK_NAME && !p->tok.first && (p->ahead.first || p->ahead.kind == TOK_RBRACE || p->ahead.kind == TOK_END))
+            s->kind = AST_STMT_ERROR;           // -> Tank Vent: which state is meant is unknown
         if (in_script(p))
             diag_label(p->diags, parser_report(p, DIAG_script_transition, s->span), DIAG_label_script_transition, s->name->text, s->name->text);
         return;
@@ -406,10 +408,20 @@ static void parse_colon_body(Parser *p, const AstStmt *s, AstStmts *into, bool *
     *span = parser_span_since(p, into->n ? into->at[0]->span.at : colon.at);
 }
 
+// Whether a ? follows the last token.
+static bool is_before_choice(const Parser *p)
+{
+    const char *text = p->lex.src->text + p->last.at + p->last.len;
+
+    return text[strspn(text, " \t")] == '?';
+}
+
 // Reports an expression that is neither a statement nor, because it has no body, a guard. With `if` before it, reports the missing body.
 static void report_lone_value(Parser *p, AstExpr *e)
 {
-    if (p->has_if)
+    if (is_before_choice(p))
+        p->failed = true;                     // c ? a : b, which the lexer has reported
+    else if (p->has_if)
         diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
         e->alone = true;                      // the checker, which knows the declarations, reports it

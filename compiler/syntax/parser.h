@@ -37,6 +37,7 @@ typedef struct Parser {
     HintIndex hints;
     bool is_guard;                // the current expression is a condition, in which the user means == by =
     Span assign_operator;         // the operator of the last assignment
+    bool in_switch;               // a `switch` is reported: its cases need no further report
     AstAnnotationTarget pin_target;   // the kind of the current pin: from its section and direction
     uint32_t indented;            // lines before this position belong to a condition whose missing braces are reported
 } Parser;

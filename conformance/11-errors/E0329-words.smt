@@ -30,8 +30,9 @@ bool b
     loop p                          #! E0329 there are no loops: .step runs
     until p                         #! E0329 there are no loops: write 'if 
     unless p                        #! E0329 write the opposite condition: 
-    switch p                        #! E0329 write it as if ... else if ...
     case p                          #! E0329 write it as if ... else if ...
+    switch p                        #! E0329 write it as if p == 1 ... else
+    case p
     return p                        #! E0329 put what follows into an 'else
     break                           #! E0329 leave it out: there are no loops
     wait 200                        #! E0329 T >= 200

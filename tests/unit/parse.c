@@ -136,7 +136,7 @@ static void test_recovery(void)
         {"x = * 2\ny = )", "E0312 E0312"}, {"if x > {\ny = 1\n}\nelse: y = 2", "E0312"}, {"if x > : y = 1\nelse: y = 2", "E0312"},
         {"if x >\n{ y = 1 }\nelse { z = 2 }", "E0312"}, {"a: x = 1 y\nelse: z = 2", "E0330"},
         {"a:\nx = 1\ny = 2\nelse:\nz = 3", "E0316 E0316"}, {"a {\nb:\n}\nc = 1", "E0316"}, {"foo bar {\nx = 1\n}\nelse { y = 2 }", "E0328"},
-        {"while (a) {\nx = 1\n}\nx = 2", "E0329"}, {"switch x {\ncase 1: y = 2\n}", "E0329 E0329"}, {"(a: x = 1\ny = 2", "E0313"},
+        {"while (a) {\nx = 1\n}\nx = 2", "E0329"}, {"switch x {\ncase 1: y = 2\n}", "E0329"}, {"(a: x = 1\ny = 2", "E0313"},
         {"x = (1 +\ny = 2\nz = 3", "E0313"}, {"x = f(1,\n-> A\ny = 2", "E0312"}, {"a { x = 1", "E0321"}, {"a { b {\nx = 1 }\n.exit y = 1", "E0321"},
         {"}\n}\nx = 1", "E0322 E0322"}, {"else: x = 1\nelse: y = 1", "E0318"}, {"else if a: x = 1\nelse: y = 1", "E0318"},
         {"{ x = 1\n}\nelse: y = 2", "E0320 E0318"}, {"-> \n-> 3\n-> A B", "E0323 E0323 E0330"}, {"x = 1 -> A", "E0330"},
@@ -167,7 +167,7 @@ static void test_wrong_lists(void)
     wrong(FILE_SV, "[A]\nF64 x @read_only\nF64 y @alias z\n.step\nx = 1\n", "E0363 E0363 E0307 E0352");
     wrong(FILE_SS, "[options]\ndelta_t = 5\ndelta_t -5\ndelta_t\ninit_state 3\nfoo bar\nlock\n5", "E0373 E0374 E0374 E0374 E0371 E0372 E0370");
     wrong(FILE_SS, "[all_states]\nx = 1\ny = 2\na: b: x = 1\na { }\na { @stop x = 1 }\n[local]\n x y z\n[B]\n.step\nx = 1\n",
-          "E0380 E0384 E0330 E0351 E0355 E0386 E0380");
+          "E0380 E0384 E0330 E0351 E0386 E0380");
     wrong(FILE_SS, "[A]\na { @stop\nx = 1\ny = 1 }\nelse: x = 1\n-> A\n", "E0385 E0383");
     wrong(FILE_SM, "some text\n'quoted' && more;\n[A]\n", "E0301");
     wrong(FILE_SM, "[A\n[B c]\n[1]\n[if]\n[options]\n[all_states]\nits\n", "E0119 E0120 E0305 E0306 E0310");

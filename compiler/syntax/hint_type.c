@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hints about declarations that this language has in another form, or does not have: enum Mode {A, B}, i : INT := 0, let a = 3.
+#include <stdlib.h>
+#include <string.h>
+
+#include "compiler/syntax/hint_rules.h"
+#include "compiler/syntax/hint_words.h"
+#include "compiler/syntax/lexer.h"
+
+enum { WORD_MAX = 31, VALUES_SHOWN = 8 };
+
+// Returns the name of the type that another language writes as `word`, whose case does not matter; "F64" if it is unknown.
+static const char *find_type(const char *word)
+{
+    char lower[WORD_MAX + 1];
+    const char *type = hint_find_synonym(HINT_TYPES, word);
+    const size_t n = strlen(word);
+
+    if (!type && n <= WORD_MAX) {
+        for (size_t i = 0; i <= n; i++)
+            lower[i] = (char)(word[i] >= 'A' && word[i] <= 'Z' ? word[i] - 'A' + 'a' : word[i]);
+        type = hint_find_synonym(HINT_TYPES, lower);
+    }
+    return type ? type : "F64";
+}
+
+// Skips the tokens before `end`, without reading those that are not read yet.
+static void skip_to(Parser *p, uint32_t end)
+{
+    while (p->lex.at < end)
+        if (p->lex.src->text[p->lex.at] == '\n')
+            lexer_end_line(&p->lex);
+        else
+            p->lex.at++;
+    while (p->tok.at < end && p->tok.kind != TOK_END)
+        parser_advance(p);
+}
+
+// Returns the offset after the braces that open after the current token, and after a name and a ';' behind them; 0 if no braces open.
+static uint32_t end_of_braces(const Parser *p)
+{
+    const char *text = p->lex.src->text;
+    const uint32_t open = p->tok.at + (uint32_t)strcspn(text + p->tok.at, "{[#\n;="), close = open + (uint32_t)strcspn(text + open, "}[");
+    uint32_t at = close + 1;
+
+    if (text[open] != '{' || text[close] != '}')
+        return 0;
+    hint_read_word(p, &at);
+    return at + (text[at] == ';');
+}
+
+// Skips to `end`, the end of the braces of a declaration; if that is 0, skips its first word and lets the caller skip the line.
+static void skip_braces(Parser *p, uint32_t end)
+{
+    if (end) {
+        skip_to(p, end);
+        return;
+    }
+    p->failed = true;
+    parser_advance(p);
+}
+
+// Returns the start of the next name of an enum at or after `at`: skips spaces, commas and comments.
+static uint32_t skip_between_values(const char *text, uint32_t at)
+{
+    for (;;) {
+        at += (uint32_t)strspn(text + at, " \t\r\n,");
+        if (text[at] != '#')
+            return at;
+        at += (uint32_t)strcspn(text + at, "\n");
+    }
+}
+
+// Returns the definitions for the names in the braces of an enum, as in "A = 0, B = 1". A value follows the one before it, as in C.
+static const char *format_values(const Parser *p, uint32_t end)
+{
+    const char *text = p->lex.src->text;
+    uint32_t at = skip_between_values(text, p->tok.at + (uint32_t)strcspn(text + p->tok.at, "{") + 1);
+    unsigned value = 0;
+    Buf out;
+
+    buf_init(&out, p->arena);
+    for (int i = 0; i < VALUES_SHOWN && at < end && lex_is_letter(text[at]); i++, value++) {
+        const uint32_t from = at, stop = lexer_skip_word(&p->lex, at);
+        at = stop + (uint32_t)strspn(text + stop, " \t=");
+        if (lex_is_digit(text[at]))
+            value = (unsigned)strtoul(text + at, NULL, 0);
+        buf_printf(&out, "%s%.*s = %u", i ? ", " : "", (int)(stop - from), text + from, value);
+        at = skip_between_values(text, at + (uint32_t)strcspn(text + at, ",}#"));
+    }
+    return buf_text(&out);
+}
+
+// Reports enum Mode {A, B} and skips it.
+HintResult hint_report_enum(HintCase *c)
+{
+    Parser *p = c->p;
+    const uint32_t end = end_of_braces(p);
+    const char *values = end ? format_values(p, end) : "";
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
+
+    diag_label(p->diags, d, DIAG_label_enum, *values ? values : "A = 0, B = 1");
+    skip_braces(p, end);
+    return HINT_SKIPPED;
+}
+
+// Reports struct P { ... } and skips it.
+HintResult hint_report_struct(HintCase *c)
+{
+    Parser *p = c->p;
+    const uint32_t end = end_of_braces(p);
+
+    diag_label(p->diags, parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text), DIAG_label_no_structures);
+    skip_braces(p, end);
+    return HINT_SKIPPED;
+}
+
+// Reports a declaration of IEC 61131, as i : INT := 0, and skips its line. The current token is the name.
+HintResult hint_report_iec_decl(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text, *name = p->tok.text->text, *type, *value = "";
+    const Span span = parser_token_span(p);
+    uint32_t at = p->ahead.at + 1;
+    Diag *d;
+
+    if (p->ahead.first)
+        return HINT_NONE;
+    type = find_type(hint_read_word(p, &at));
+    at += (uint32_t)strspn(text + at, " \t:=");
+    if (text[at - 1] == '=')
+        value = "0";
+    else if (text[at] != ';' && text[at] != '\n')
+        value = hint_read_word(p, &at);
+    d = parser_report(p, DIAG_decl_without_type, span, name);
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, *value ? "%s %s = %s" : "%s %s", type, name, value));
+    skip_to(p, at + (uint32_t)strcspn(text + at, "\n"));
+    return HINT_SKIPPED;
+}
+
+// Reports a declaration with a word in place of the type, as in let a = 3.
+HintResult hint_report_untyped_decl(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    uint32_t end = p->ahead.at + (uint32_t)strcspn(text + p->ahead.at, "#;\r\n");
+    Diag *d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
+
+    while (text[end - 1] == ' ' || text[end - 1] == '\t')
+        end--;
+    text = format_in(p->arena, "%.*s", (int)(end - p->ahead.at), text + p->ahead.at);
+    diag_label(p->diags, d, DIAG_label_type_instead, text, text);
+    parser_advance(p);                          // the word is the first of its line: parser_skip_line stops before such a token
+    return HINT_SKIPPED;
+}
