@@ -59,6 +59,9 @@ void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Prog
 // Reports values of a script whose units do not fit each other.  Nothing in `arena` is needed afterwards.
 void analyse_units_of_script(Arena *arena, Diags *diags, const Script *script);
 
+// Reports asserts of a script that no behaviour of the machine can make false.
+void analyse_asserts_of_script(Diags *diags, const Script *script);
+
 // ---- for analyses ----
 
 #define ANALYSIS(name, group, sentence) void analyse_##name(Analysis *a);
