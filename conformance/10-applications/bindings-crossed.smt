@@ -30,7 +30,7 @@ F64  to
 [all_states]
 G == 0: to = 5
 G == 0: @assert from == 6 and to == 5 and third == 6
-G == 0: @assert m.from == to and m.to == from and n.from == to and n.to == third
+G == 0: @assert m.from == to and m.to == from and n.from == to and n.to == third      #! W0752 tests nothing
 G == 10: to = 9
 G == 10: @assert from == 10 and third == 10
 G == 10: @stop
