@@ -107,6 +107,7 @@ Span comment_else_line(Span first)
     return (Span){first.src, (uint32_t)(text - first.src->text), 0};
 }
 
+// Whether the '#' at index `at` of the line has two blanks after it, so that the text of the comment is indented.
 static bool is_indented(const char *line, uint32_t len, uint32_t at)
 {
     return at + 2 < len && is_space_tab_or_return(line[at + 1]) && is_space_tab_or_return(line[at + 2]);

@@ -98,6 +98,7 @@ static const char *describe_increment(Arena *arena, const Stmt *s)
     return NULL;
 }
 
+// The assignment in words: an increment or decrement as such, else "sets x to value". A number stored in a boolean reads as true or false.
 static const char *describe_assignment(Arena *arena, const Stmt *s)
 {
     const char *changed = describe_increment(arena, s);

@@ -13,6 +13,7 @@ static bool belongs_to_transition(const Condition *when)
     return branch && branch->n > 0 && branch->at[branch->n - 1]->kind == ST_TRANSITION;
 }
 
+// Adds one assignment to the lines in the box of n. Consecutive actions of one block show its name (.entry, .step, .exit) once.
 static void add_action(Diagram *d, DiagramNode *n, const char *block, const char *text)
 {
     const bool repeats = n->action.n > 0 && n->action.at[n->action.n - 1].block_name == block;

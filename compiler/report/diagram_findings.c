@@ -9,6 +9,7 @@
 typedef struct FindingRange { uint32_t at, end, order; DiagramFindings *finding; } FindingRange;
 typedef VEC(FindingRange) FindingRanges;
 
+// Adds the source range of a state or transition, with the list `finding` that gets the findings inside this range.
 static void add_range(Arena *arena, FindingRanges *out, Span span, DiagramFindings *finding)
 {
     FindingRange p = {span.at, span.at + span.len, (uint32_t)out->n, finding};

@@ -196,6 +196,8 @@ static void sort_links_by_end(const Layout *l, const LayoutLinks *from, bool dow
         }
 }
 
+// Lists each item's links to the layer above and to the layer below, as ranges of one array: those of item i begin at first[i], and end before
+// first[i + 1].
 static void build_link_lists(Layout *l)
 {
     uint32_t *next = ARENA_ARRAY(l->arena, uint32_t, l->item.n + 1);

@@ -6,6 +6,7 @@
 
 // ---- reachability ----
 
+// Whether t can be taken: its statement and the state that contains it are reachable. In a diagram of differences all transitions count as possible.
 static bool is_possible(const Diagram *d, const Transition *t)
 {
     return d->o->changes || (d->a->stmt[t->stmt->number].reached && d->node[t->from->number - 1].reached);
@@ -96,6 +97,7 @@ static DiagramLines fit_guard(const Analysis *a, const Transition *t)
     return diagram_text_is_truncated(&line) ? wrap_guard(a, t, CONDITIONS_SHOWN) : line;
 }
 
+// Adds transition w to edge e. A transition of [all_states] has one copy for each state, and is possible when any copy is reachable.
 static void add_guard(const Analysis *a, DiagramEdge *e, const WrittenTransition *w)
 {
     const Transition *t = w->copy.at[0];
@@ -138,6 +140,7 @@ static DiagramEdge *find_or_add_edge(Diagram *d, size_t *last, uint32_t from, co
     return &d->edge.at[last[to] - 1];
 }
 
+// Whether the transition starts at the node: the same [all_states] section, or the same state and no section.
 static bool is_of_node(const WrittenTransition *t, const DiagramNode *n)
 {
     return t->all == n->all && (t->all || t->copy.at[0]->from == n->state);
@@ -172,6 +175,7 @@ typedef struct PairCounts {
     uint32_t *of;                 // by Transition.number: its pair
 } PairCounts;
 
+// The index of the edge that draws each transition, by the number of the transition.
 static const uint32_t *edges_of_transitions(const Diagram *d)
 {
     uint32_t *of = ARENA_ARRAY(d->a->arena, uint32_t, d->a->transition.n);
@@ -237,6 +241,7 @@ static void count_pairs_of_edges(Diagram *d)
     }
 }
 
+// Sets how often each edge was taken: from counts for pairs of states where the options give these, else from counts for each transition.
 static void count_edges(Diagram *d)
 {
     if (d->o->counts->by_pair)
@@ -356,6 +361,8 @@ static void show_change(Diagram *d, DiagramGuard *g)
     }
 }
 
+// For a diagram of differences: marks states and transitions as added, removed or changed. An edge with transitions of different marks counts as
+// changed.
 static void show_changes(Diagram *d)
 {
     for (size_t n = 0; n < d->states; n++) {

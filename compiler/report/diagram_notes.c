@@ -11,6 +11,7 @@ enum { MARGIN = 16, NUMBER_W = 22, LINE = 15, LINES = 3, LEAST_W = 420 };
 
 static int32_t note_text_width(const Diagram *d) { return (d->w > LEAST_W ? d->w : LEAST_W) - 2 * MARGIN - NUMBER_W; }
 
+// Appends the note to the list below the picture, wrapped to its width; only the first line shows the number.
 static void add_note(const Diagram *d, DiagramNotes *n, uint32_t number, const char *text)
 {
     const DiagramLines lines = diagram_text_wrap(d->a->arena, text, GUARD_SIZE, note_text_width(d), LINES);

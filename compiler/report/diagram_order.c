@@ -30,6 +30,7 @@ static void append_connected(Layout *l, bool *visited, uint32_t start)
     }
 }
 
+// The first order of all layers: depth first from each state with no link from above, so that connected items lie side by side.
 static void set_initial_order(Layout *l)
 {
     bool *visited = ARENA_ARRAY(l->arena, bool, l->item.n);
@@ -137,6 +138,7 @@ static bool has_few_links(const Layout *l, uint32_t i)
     return l->above.first[i + 1] - l->above.first[i] <= DEGREE && l->below.first[i + 1] - l->below.first[i] <= DEGREE;
 }
 
+// One pass that exchanges adjacent items of a layer wherever fewer links cross afterwards; items with many links stay.
 static void swap_neighbours(Layout *l)
 {
     for (uint32_t y = 0; y < l->layers; y++)

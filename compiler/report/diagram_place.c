@@ -107,6 +107,7 @@ static void align_item(Columns *c, uint32_t item, int64_t *used)
     }
 }
 
+// Joins items of consecutive layers into vertical columns; each item starts as a column of its own. `from_below` selects the direction of the pass.
 static void align_columns(Columns *c)
 {
     const uint32_t n = c->l->layers;
@@ -131,6 +132,7 @@ typedef struct Separations {
     Separation *at;
 } Separations;
 
+// Width of the item from its centre to its right or left edge, as the current pass sees it: a mirrored pass exchanges the sides.
 static int32_t half_width(const Columns *c, uint32_t item, bool right)
 {
     const LayoutItem *i = &c->l->item.at[item];
@@ -213,6 +215,7 @@ static void place_columns(Columns *c)
 
 typedef struct Extent { int64_t low, high; } Extent;
 
+// The smallest and largest x that any item covers.
 static Extent columns_extent(const Columns *c)
 {
     Extent e = {INT64_MAX, INT64_MIN};

@@ -12,6 +12,7 @@ enum {
     LONGEST = 6                   // maximum number of ranks that a line can cross
 };
 
+// Draws the edge as a stub: a short arrow to the name of the target, with no line across the picture.
 static void turn_into_stub(Diagram *d, uint32_t edge)
 {
     DiagramEdge *e = &d->edge.at[edge];
@@ -84,6 +85,7 @@ static void search_cycles_from(BackEdgeSearch *s, uint32_t start)
     }
 }
 
+// Depth-first search from each state. Edges that close a cycle or lead to the initial state are drawn upwards; all others point down.
 static void break_cycles(Layout *l)
 {
     BackEdgeSearch s = {l, ARENA_ARRAY(l->arena, char, l->d->nodes), {NULL, 0, 0}};

@@ -19,6 +19,7 @@ enum {                            // lengths in pixels
 // Whether the edge is drawn beside its state: a stub (a short arrow to the other state's name) or a loop.
 static bool is_drawn_beside_state(const DiagramEdge *e) { return e->form != EDGE_LINE; }
 
+// Width of the box with the target's name at the end of a stub; 0 for a loop, which has no such box.
 static int32_t stub_name_width(const Diagram *d, const DiagramEdge *e)
 {
     return e->form == EDGE_LOOP ? 0 : d->node[e->to].name_w * GUARD_SIZE / NAME_SIZE + 1 + 2 * STUB_SIDE;
@@ -28,6 +29,7 @@ static int32_t stub_height(const DiagramEdge *e) { return e->label.h > STUB_H ? 
 
 typedef struct StubRows { int32_t name_w, label_w, h; } StubRows;
 
+// The widest name, the widest label and the total height of the loops and stubs beside state n.
 static StubRows measure_stub_columns(const Diagram *d, const DiagramNode *n)
 {
     StubRows r = {0, 0, -STUB_GAP};
@@ -74,6 +76,7 @@ void layout_size_node(Diagram *d, uint32_t node, uint32_t lines, LayoutItem *out
         out->left += FROM_AT + n->from_w;
 }
 
+// Places the loops and stubs of state n in rows to the right of its box, centred on it; the labels start at a common x.
 static void place_stubs(Diagram *d, const DiagramNode *n)
 {
     const StubRows r = measure_stub_columns(d, n);
@@ -135,6 +138,8 @@ static void find_ports(const Layout *l, int32_t *top, int32_t *bottom)
 
 // ---- layers from top to bottom ----
 
+// Sets the y and height of each layer. The gap below a layer grows with the longest horizontal distance of its links, so that they do not get too
+// flat. `top`, `bottom`: x of both ends of each link.
 static void place_layers(Layout *l, const int32_t *top, const int32_t *bottom)
 {
     int32_t *far = ARENA_ARRAY(l->arena, int32_t, l->layers), y = MARGIN + START_H;
@@ -157,6 +162,7 @@ static void place_layers(Layout *l, const int32_t *top, const int32_t *bottom)
     }
 }
 
+// Shifts all items to begin at the left margin, sets the boxes of states and labels, and sets the size of the picture.
 static void set_item_boxes(Layout *l)
 {
     int32_t left = INT32_MAX, right = INT32_MIN;

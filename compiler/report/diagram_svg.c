@@ -61,6 +61,7 @@ static const char common_style[] =
     ".smc-graph .g-edge:hover .g-line{stroke-width:3}\n"
     ".smc-graph .g-bang{font-weight:bold;font-size:9px;text-anchor:middle}\n";
 
+// Writes the selectors of a comma-separated list, each with a prefix that limits the style to elements of the diagram.
 static void write_selector(Buf *out, const char *selector)
 {
     buf_str(out, ".smc-graph ");
@@ -175,6 +176,7 @@ static void write_outline(Buf *out, const char *class, const DiagramNode *n, Box
         write_rectangle(out, class, (Box){b.x + in, b.y + in, b.w - 2 * in, b.h - 2 * in}, n->state->is_safe ? name_h / 2 : name_h / 5);
 }
 
+// The tooltip of an [all_states] box.
 static void write_section_title(Buf *out, const DiagramNode *n)
 {
     buf_str(out, "<title>[all_states]: ");
@@ -182,6 +184,7 @@ static void write_section_title(Buf *out, const DiagramNode *n)
     buf_printf(out, "%s</title>", n->reached ? "" : ", unreachable");
 }
 
+// The tooltip of a state: name, properties, number of visits when scripts were counted, and states from which a stub leads to it.
 static void write_state_title(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     buf_str(out, "<title>");
@@ -233,6 +236,7 @@ static void write_state(Buf *out, const Diagram *d, const DiagramNode *n)
     buf_str(out, "</g>\n");
 }
 
+// The box of an [all_states] section, drawn as a stack of boxes because it stands for several states.
 static void write_section(Buf *out, const Diagram *d, const DiagramNode *n)
 {
     const Box b = n->box;
@@ -259,6 +263,7 @@ static void write_start_arrow(Buf *out, const DiagramNode *n)
 
 // ---- transitions ----
 
+// The tooltip of an edge: both states, and the condition of each transition that the edge draws.
 static void write_edge_title(Buf *out, const Diagram *d, const DiagramEdge *e)
 {
     buf_str(out, "<title>");
@@ -328,6 +333,7 @@ static void write_straight(Buf *out, const DiagramEdge *e, Point from, Point to)
     }
 }
 
+// Continues the current path with an S-shaped curve that is vertical at both ends.
 static void write_curve(Buf *out, Point from, Point to)
 {
     const long middle = (from.y + to.y) / 2;
@@ -404,6 +410,7 @@ static void write_edge(Buf *out, const Diagram *d, const DiagramEdge *e)
 
 // ---- the whole diagram ----
 
+// The title and description of the picture for screen readers.
 static void write_description(Buf *out, const Diagram *d)
 {
     unsigned long transitions = 0;
@@ -421,6 +428,7 @@ static void write_description(Buf *out, const Diagram *d)
 // A drawn diagram: the SVG elements of the picture, and its size including the notes.
 typedef struct DrawnDiagram { Diagram *d; DiagramNotes notes; Buf elements; DiagramSize size; } DrawnDiagram;
 
+// Lays the diagram out and writes all its elements once; the callers wrap them in one picture, or in several that each show a part.
 static void draw_diagram(const Analysis *a, const DiagramOptions *o, DrawnDiagram *out)
 {
     Diagram *d = out->d = diagram_build(a, o);
@@ -490,6 +498,7 @@ static Box box_between(Point a, Point b)
     return (Box){x, y, (a.x < b.x ? b.x : a.x) - x + 1, (a.y < b.y ? b.y : a.y) - y + 1};
 }
 
+// Whether the label or a segment of the edge is visible in this part of the picture. A segment counts as its bounding box.
 static bool edge_meets(const DiagramEdge *e, Box part)
 {
     enum { SLIVER = 40 };                                // pixels: a line that leaves the part so near its top or bottom shows nothing

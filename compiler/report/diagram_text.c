@@ -93,6 +93,7 @@ static uint32_t break_cost(const char *text, size_t i)
 // additional cost of a break at this position, because of the brackets around it.
 typedef struct BestBreak { size_t end; uint32_t cost, brackets; } BestBreak;
 
+// For each character: what a line break at it costs in addition, because of the brackets that are open there.
 static void set_bracket_costs(const char *text, BestBreak *best)
 {
     uint64_t calls = 0;           // a bit for each open bracket, lowest for the innermost: it encloses the arguments of a call

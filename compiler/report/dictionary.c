@@ -134,6 +134,7 @@ static void write_c_struct(const NetChannel *c, const char *type, Buf *out)
     buf_printf(out, "} %s;\n", type);
 }
 
+// Writes the check of one decoded field against its declared range.
 static void write_c_range(const char *name, const Range *r, Buf *out)
 {
     buf_printf(out, "    if (!((double)m->v_%s >= %s", name, number_text(out, r->lo));
@@ -289,6 +290,7 @@ static const struct { const char *name; unsigned bits; } xtce_header[] = {
     {"magic", 16}, {"version", 8}, {"sealed", 8}, {"hash", 32}, {"run", 32}, {"number", 32}, {"crc", 32}};
 enum { XTCE_HEADER = sizeof xtce_header / sizeof *xtce_header };
 
+// The message as an XTCE packet: its link, its fields in order, and the hash in the header by which a receiver recognizes it.
 static void write_xtce_container(const NetChannel *c, Buf *out)
 {
     buf_printf(out, "      <SequenceContainer name=\"%s\">\n        <AncillaryDataSet>\n", c->name->text);

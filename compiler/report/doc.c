@@ -131,6 +131,7 @@ const char *doc_replace_links(Arena *arena, const char *text)
 
 // ---- cells ----
 
+// Appends a cell; the table is a flat list of cells, row by row. `most`: the number that a full bar stands for (CELL_BAR only).
 static void add_cell(DocTable *t, DocCellKind kind, const char *text, uint64_t number, uint64_t most)
 {
     DocCell c = {kind, text ? text : "", number, most, NULL, NULL};

@@ -101,6 +101,7 @@ static void write_line_link(Buf *out, uint32_t line)
 
 // ---- tables ----
 
+// A horizontal bar for n of `most`, followed by n in digits.
 static void write_bar(Buf *out, uint64_t n, uint64_t most)
 {
     const unsigned long share = most ? (unsigned long)(n * 100 / most) : 0;
@@ -150,6 +151,7 @@ static const char *cell_class(const DocTable *t, size_t i)
     return c->kind == CELL_NUMBER || c->kind == CELL_TARGET || c->kind == CELL_LINE ? " class=\"n\"" : c->kind == CELL_BAR ? " class=\"b\"" : "";
 }
 
+// A table of names and values as a description list, with no heads of columns.
 static void write_facts(Buf *out, const DocTable *t)
 {
     buf_str(out, "<dl>\n");
@@ -268,6 +270,7 @@ static void write_excerpt(Buf *out, const DocPart *p)
     }
 }
 
+// The numbered lines of a source file, comments in their own colour; each line is a target (#L12) of links from other sections.
 static void write_source(Buf *out, const Source *src)
 {
     buf_str(out, "<pre class=\"source\">");
@@ -323,6 +326,7 @@ static void write_element(Buf *out, const char *open, const char *text, bool has
     buf_str(out, close);
 }
 
+// The picture with its caption. `print`: the same picture cut into pages, which the style sheet shows only on paper.
 static void write_figure(Buf *out, const DocPart *p)
 {
     static const char *const class[] = {"", " class=\"diagram\"", " class=\"diagram low\"", " class=\"diagram tall\"", " class=\"diagram large\""};

@@ -94,6 +94,7 @@ static void write_parts(Buf *out, const DocSection *s, DocKind kind, const char 
     buf_str(out, any ? "}" : "");
 }
 
+// The paragraphs and quotes of a section, as member "text" with a list of strings; nothing for a section without these.
 static void write_texts(Buf *out, const DocSection *s)
 {
     bool any = false;
@@ -109,6 +110,7 @@ static void write_texts(Buf *out, const DocSection *s)
     buf_str(out, any ? "]" : "");
 }
 
+// Whether the section has anything but source text and pictures, which the JSON file leaves out.
 static bool has_data(const DocSection *s)
 {
     for (size_t i = 0; i < s->part.n; i++)

@@ -72,6 +72,7 @@ static void write_wrapped(Buf *out, const char *text)
 
 // ---- tables ----
 
+// The cell as text of one line: line breaks become "; ".
 static const char *cell_string(const DocTable *t, size_t i)
 {
     const DocCell *c = &t->cell.at[i];
@@ -132,6 +133,7 @@ static size_t *measure_columns(const DocTable *t, const char **text)
     return wide;
 }
 
+// The row of column titles. `used` leaves out columns whose cells are all empty; `wide`: widths in characters.
 static void write_head(Buf *out, const DocTable *t, const bool *used, const size_t *wide)
 {
     for (size_t i = 0; i < t->columns; i++)
@@ -234,6 +236,7 @@ static void write_part(Buf *out, const DocPart *p)
     }
 }
 
+// Whether the section has anything but pictures and source text, which the text report leaves out.
 static bool has_text(const DocSection *s)
 {
     for (size_t i = 0; i < s->part.n; i++)

@@ -38,6 +38,7 @@ static bool is_name_character(uint8_t c)
     return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.' || c == '-';
 }
 
+// Reads a length (16 bits) and as many characters. Characters that no name can have become '?'.
 static const char *read_name(LogCursor *c)
 {
     const uint16_t n = read_u16(c);
@@ -61,6 +62,7 @@ static uint32_t read_count(LogCursor *c, uint32_t n, uint32_t least)
     return c->wrong ? 0 : n;
 }
 
+// Reads n names; each takes at least 2 bytes, so a count that the remaining bytes cannot hold is refused.
 static LogNames read_names(LogCursor *c, uint32_t n)
 {
     LogNames names = {NULL, read_count(c, n, 2)};
@@ -84,6 +86,7 @@ static uint32_t read_regions(LogCursor *c)
     return elements;
 }
 
+// Reads type and name of each state-vector element. The sizes must add up to the packed record, and the number to that of the regions.
 static void read_elements(LogCursor *c, LogDescription *d)
 {
     const uint32_t expected = read_regions(c);
@@ -116,6 +119,7 @@ static void read_machines(LogCursor *c, LogDescription *d)
     }
 }
 
+// Reads the names of the kinds of events.
 static void read_kinds(LogCursor *c, LogDescription *d)
 {
     d->kinds = read_count(c, read_u16(c), 3);

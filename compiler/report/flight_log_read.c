@@ -69,6 +69,7 @@ static bool try_add_description(LogReader *r, uint32_t pos, uint32_t length)
     return true;
 }
 
+// First pass: finds all intact blocks that describe a session. Bytes that begin no such block are skipped one by one.
 static void find_descriptions(LogReader *r)
 {
     uint32_t pos = 0, length;
@@ -86,6 +87,7 @@ static void find_descriptions(LogReader *r)
 
 // ---- sessions ----
 
+// Whether b is a repeated copy of description a.
 static bool is_same_session(const LogDescription *a, const LogDescription *b)
 {
     return a->start == b->start && a->layout == b->layout && a->packed == b->packed;
@@ -147,6 +149,7 @@ static void add_swaps(LogReader *r, LogSession *s, const LogItem *events)
     }
 }
 
+// Adds the names of the states of an image that was swapped in during the session.
 static void add_names(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
     LogImage image;
@@ -155,6 +158,7 @@ static void add_names(LogReader *r, LogSession *s, uint32_t pos, uint32_t length
         vec_push(r->arena, &s->image, image);
 }
 
+// Adds the block at `pos` to the session: a record, events or a gap. `length`: bytes of its contents.
 static void add_item(LogReader *r, LogSession *s, uint32_t pos, uint32_t length)
 {
     LogItem item = {ITEM_RECORD, 0, r->bytes + pos + LOG_HEAD};
@@ -228,6 +232,7 @@ static void record_damage(LogReader *r, uint32_t pos)
         r->log->torn = pos - r->intact_end;
 }
 
+// Second pass: reads each intact block into its session; bytes between intact blocks are recorded as damage.
 static void read_blocks(LogReader *r)
 {
     uint32_t pos = 0;

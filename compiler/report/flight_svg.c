@@ -53,6 +53,7 @@ static void init_time_axis(FlightDrawing *d)
 
 // ---- elements ----
 
+// Adds a value to the range that a slot of time (one column of the plot) shows. `first`: the slot is still empty.
 static void add_value(TraceBucket *b, double x, bool first)
 {
     if (first || b->first != b->first)
@@ -87,6 +88,7 @@ static void fill_series(FlightDrawing *d, TraceSeries *series, const LogElement 
         series->changes = series->changes || series->at[k].lo != series->at[0].first || series->at[k].hi != series->at[0].first;
 }
 
+// Adds an element of the log as a series of the plot, with a variable made up for it, because the plot expects a program.
 static void add_series(FlightDrawing *d, const LogElement *e)
 {
     TraceSeries *series = ARENA_NEW(d->f->arena, TraceSeries);
@@ -117,6 +119,7 @@ static uint32_t drawn_state(const FlightDrawing *d, const char *name)
     return 0;
 }
 
+// Adds a state to the made-up program of the plot; its number is its position in the list.
 static void add_state(FlightDrawing *d, const char *name)
 {
     State *s = ARENA_NEW(d->f->arena, State);
@@ -156,6 +159,7 @@ static uint32_t state_of_event(const FlightDrawing *d, const LogEvent *e)
     return m == d->f->machine ? e->b : drawn_state(d, log_state_name(d->f->arena, m, e->b));
 }
 
+// Adds the entry of a state at `time`. All visits are counted, the first TRACE_VISITS_MAX are drawn.
 static void add_visit(FlightDrawing *d, uint32_t state, uint64_t time)
 {
     TraceVisit v = {NULL, slot_of_time(d, time), time, position_of_time(d, time)};

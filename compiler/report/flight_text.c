@@ -69,6 +69,7 @@ static void write_state_change(const Flight *f, const LogSession *s, const LogEv
 // Returns the sentence of result -a.
 static const char *result_text(uint32_t a) { return a <= 0x7FFFFFFF ? sm_result_text((SmResult)-(int32_t)a) : "?"; }
 
+// Event of a task: a failure with its result, or (a = 0) the recovery after b failures.
 static void write_fault(const Flight *f, const char *task, const LogEvent *e, Buf *out)
 {
     if (e->a == 0)
@@ -86,6 +87,7 @@ static void write_unknown_event(const LogDescription *d, const LogEvent *e, Buf 
                (unsigned long)e->b);
 }
 
+// Event at the end of a swapped image's trial period. b identifies the image; a is how the trial ended.
 static void write_trial_end(const Flight *f, const LogDescription *d, const LogEvent *e, Buf *out)
 {
     static const char *const ends[] = {"?", "was confirmed", "was not confirmed in time", "entered a state marked @abort"};

@@ -56,6 +56,7 @@ static const char *dependence_text(const Report *r, const AbortRow *row)
 // What the condition of a transition waits for before it is true, which the number of steps does not include.
 typedef enum Waiting { WAITS_FOR_NOTHING, WAITS_FOR_WINDOW, WAITS_FOR_HELD } Waiting;
 
+// What the expression waits for: a duration (`held`), a full window of samples, or nothing; the largest of its parts.
 static Waiting waiting_of_expression(const Expr *e)
 {
     Waiting most = e->kind != EX_ROLL ? WAITS_FOR_NOTHING : 1u << e->stat & SM_STATS_OF_TIMES ? WAITS_FOR_HELD : WAITS_FOR_WINDOW;
@@ -67,6 +68,7 @@ static Waiting waiting_of_expression(const Expr *e)
     return most;
 }
 
+// What the conditions of the path's first transition wait for: the longest wait of any of them, enclosing ones included.
 static Waiting waiting_of(const AbortPath *path)
 {
     Waiting most = WAITS_FOR_NOTHING;
@@ -89,6 +91,7 @@ static Waiting waiting_of_row(const AbortRow *row)
     return most;
 }
 
+// Adds the steps until an abort state, with the time they take where the step has a fixed length; empty for 0.
 static void add_steps_cell(const Report *r, DocTable *t, uint32_t steps, Waiting waiting)
 {
     static const char *const after[] = {"", ", after its window", ", after `held`"};
@@ -187,6 +190,7 @@ static bool is_same_row(const PathRow *row, const AbortPath *path, const char *r
            strcmp(row->reads, reads) == 0;
 }
 
+// One row per transition that leads to an abort state. Copies of an [all_states] transition that read the same inputs share a row.
 static PathRows path_rows(const Report *r, const AbortMatrix *x)
 {
     PathRows rows = {NULL, 0, 0};

@@ -26,6 +26,7 @@ static const char *longest_step_time(const Report *r, const Cost *cycles)
                      r->analysis.p->state.at[cycles->worst_state - 1]->name->text);
 }
 
+// The three source lines that cost most in a step of the state, with the units of each.
 static const char *expensive_lines_text(const Report *r, const StateCost *s)
 {
     enum { SHOWN = 3 };
@@ -39,6 +40,7 @@ static const char *expensive_lines_text(const Report *r, const StateCost *s)
     return buf_text(&b);
 }
 
+// The costs of a step in each state, for the first step and later ones, as bars relative to the longest step; then the lines that cost most.
 static void add_steps(const Report *r, Doc *d)
 {
     const Cost *c = &r->cost;
@@ -72,6 +74,7 @@ static const char *line_text(const Report *r, uint32_t line)     // line 0: shar
     return format_in(r->arena, "%.*s", (int)len, text);
 }
 
+// The lines that the longest step of the machine executes, in order; cut off after SHOWN.
 static void add_longest_step(const Report *r, Doc *d)
 {
     enum { SHOWN = 60 };

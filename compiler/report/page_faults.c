@@ -13,6 +13,7 @@ static const char *const tone[] = {"good", "note", "bad"};        // by ReportDa
 
 static const char *line_id(const Report *r, uint32_t number) { return format_in(r->arena, "fault-%lu", (unsigned long)number); }
 
+// Table of inputs by kinds of fault. Each cell shows the outcome; its number links to the line below that explains the fault.
 static void add_matrix(const Report *r, Doc *d)
 {
     const ReportFaults *f = r->faults;
@@ -38,6 +39,7 @@ static void add_matrix(const Report *r, Doc *d)
     }
 }
 
+// Explains each kind of sensor fault in a sentence.
 static void add_kinds(const Report *r, Doc *d)
 {
     DocTable *t = DOC_ADD_TABLE(d, "kinds", kind_columns);
@@ -49,6 +51,7 @@ static void add_kinds(const Report *r, Doc *d)
     }
 }
 
+// Adds row i of the explained faults; cells of the matrix link to it.
 static void add_line(const Report *r, DocTable *t, uint32_t i)
 {
     const ReportFaultLine *l = &r->faults->line.at[i];

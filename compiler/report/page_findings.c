@@ -10,6 +10,7 @@ FindingCount report_count_findings(const Report *r)
     return (FindingCount){r->analysis.diags->list.n, r->analysis.diags->allowed.n};
 }
 
+// The group of warnings that the finding belongs to; empty for an error.
 static const char *group_name(const Diag *diag)
 {
     static const char *const name[] = {"on by default", "-Wextra", "-Wflight"};

@@ -50,6 +50,7 @@ static void add_channels(const Report *r, Doc *d)
     }
 }
 
+// What a receiver reads from the field while no message arrives.
 static const char *silent_text(const Report *r, const NetChannel *c, const NetField *f)
 {
     const SmType type = f->element->type;

@@ -12,11 +12,13 @@ static const DocColumn change_columns[] = {{"line", "Line"}, {"text", "As writte
 
 typedef struct StateScore { uint32_t noticed, changes; } StateScore;
 
+// Whether the change enters the score: one that has not run, or that is proved to make no difference, does not.
 static bool counts_for_score(const Mutant *m)
 {
     return m->verdict == MUTANT_NOTICED || m->verdict == MUTANT_GENERATED || m->verdict == MUTANT_UNNOTICED;
 }
 
+// Changes in this state, and how many of them a script noticed. State 0: changes that belong to several states or to none.
 static StateScore score_of(const Report *r, uint32_t state)
 {
     StateScore s = {0, 0};
@@ -68,6 +70,7 @@ static const char *written_line(const Report *r, Span span)
     return format_in(r->arena, "%.*s", (int)n, text);
 }
 
+// A change that no script notices: where, what was changed, and inputs that would show the difference.
 static void add_change_row(const Report *r, DocTable *t, const Mutant *m)
 {
     Mutant without_danger = *m;                        // the heading names it

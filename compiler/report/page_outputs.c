@@ -38,6 +38,7 @@ typedef struct OutputFlow {
 
 // ---- values ----
 
+// Adds the value to the sorted set. A full set counts as computed instead. Returns whether the set grew.
 static bool add_constant(OutputValues *to, uint64_t cell)
 {
     uint8_t at;
@@ -69,7 +70,8 @@ static bool join_values(OutputValues *to, const OutputValues *from)
     return grew;
 }
 
-static bool join_all(const OutputFlow *f, OutputValues *to, const OutputValues *from)
+// Joins the values of each output at another point of the program into `to`; returns whether any set grew.
+static bool join_outputs(const OutputFlow *f, OutputValues *to, const OutputValues *from)
 {
     bool grew = false;
 
@@ -78,7 +80,7 @@ static bool join_all(const OutputFlow *f, OutputValues *to, const OutputValues *
     return grew;
 }
 
-static OutputValues *copy_all(const OutputFlow *f, const OutputValues *from)
+static OutputValues *copy_outputs(const OutputFlow *f, const OutputValues *from)
 {
     return memcpy(ARENA_ARRAY(f->r->arena, OutputValues, f->outputs + 1u), from, f->outputs * sizeof *from);
 }
@@ -87,7 +89,8 @@ static OutputValues *copy_all(const OutputFlow *f, const OutputValues *from)
 
 static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now);
 
-static void assign(OutputFlow *f, const Stmt *s, OutputValues *now)
+// The output now has the constant that the assignment stores, or a computed value. Assignments to other variables are ignored.
+static void apply_assignment(OutputFlow *f, const Stmt *s, OutputValues *now)
 {
     const uint32_t column = f->column[s->var->index];
     const Fact value = f->r->analysis.stmt[s->number].value;
@@ -104,26 +107,26 @@ static void assign(OutputFlow *f, const Stmt *s, OutputValues *now)
 // Leaves the state: executes its .exit, and adds the values to those with which the target begins.
 static void leave(OutputFlow *f, const Stmt *s, const OutputValues *now)
 {
-    OutputValues *left = copy_all(f, now);
+    OutputValues *left = copy_outputs(f, now);
 
     run_statements(f, &f->state->block[BLOCK_EXIT], left);
     for (uint32_t i = 0; i < f->outputs; i++)
         left[i].assigned = false;
     f->grew |= !f->reached[s->target->number];
     f->reached[s->target->number] = true;
-    f->grew |= join_all(f, f->begin[s->target->number], left);
+    f->grew |= join_outputs(f, f->begin[s->target->number], left);
 }
 
 // Executes both branches that the facts allow.  Returns whether control can reach the end of the conditional.
 static bool run_branches(OutputFlow *f, const Stmt *s, OutputValues *now)
 {
     const StmtFact *fact = &f->r->analysis.stmt[s->number];
-    OutputValues *other = copy_all(f, now);
+    OutputValues *other = copy_outputs(f, now);
     const bool then = fact->then && run_statements(f, &s->then, now);
     const bool otherwise = fact->otherwise && run_statements(f, &s->otherwise, other);
 
     if (then && otherwise)
-        join_all(f, now, other);
+        join_outputs(f, now, other);
     else if (otherwise)
         memcpy(now, other, f->outputs * sizeof *now);
     return then || otherwise;
@@ -138,7 +141,7 @@ static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now)
         if (!f->r->analysis.stmt[s->number].reached)
             return false;
         if (s->kind == ST_ASSIGN)
-            assign(f, s, now);
+            apply_assignment(f, s, now);
         else if (s->kind == ST_TRANSITION)
             return leave(f, s, now), false;
         else if (!run_branches(f, s, now))
@@ -150,7 +153,7 @@ static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now)
 // Runs the first step in a state, and then steps until no new values occur.
 static void run_state(OutputFlow *f, const State *s)
 {
-    OutputValues *now = copy_all(f, f->begin[s->number]), *end = f->end[s->number];
+    OutputValues *now = copy_outputs(f, f->begin[s->number]), *end = f->end[s->number];
 
     f->state = s;
     if (!run_statements(f, &s->block[BLOCK_ENTRY], now))
@@ -158,9 +161,10 @@ static void run_state(OutputFlow *f, const State *s)
     do {
         if (!run_statements(f, &s->block[BLOCK_STEP], now))
             return;
-    } while (join_all(f, end, now));
+    } while (join_outputs(f, end, now));
 }
 
+// Numbers the outputs: elements that the machine writes, except time and state. column[v]: number of variable v, UINT32_MAX for others.
 static void find_outputs(OutputFlow *f)
 {
     f->output = ARENA_ARRAY(f->r->arena, const Var *, f->p->var.n + 1u);
@@ -175,6 +179,7 @@ static void find_outputs(OutputFlow *f)
     }
 }
 
+// Repeats all reached states until no set of values grows. The sets are bounded, so this ends.
 static void compute_flow(OutputFlow *f)
 {
     const size_t states = f->p->state.n + 1u;
@@ -219,6 +224,7 @@ static const char *values_text(const OutputFlow *f, const Var *v, const OutputVa
     return buf_text(&out);
 }
 
+// The values of the output at the end of a step in state s, as text of the table.
 static const char *cell_text(const OutputFlow *f, const State *s, uint32_t output)
 {
     const OutputValues *values = &f->end[s->number][output];

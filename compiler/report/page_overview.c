@@ -158,6 +158,7 @@ static bool is_legible_in(DiagramSize s, int64_t w, int64_t h)
     return (int64_t)s.w * LEGIBLE <= w * 100 && (int64_t)s.h * LEGIBLE <= h * 100;
 }
 
+// How the diagram is shown on paper: the first form in which its text stays legible.
 static DocFigure choose_figure(DiagramSize s)
 {
     if (is_legible_in(s, PAPER_W, LOW))

@@ -27,6 +27,7 @@ static void add_entry(Buf *list, const char *entry)
         buf_printf(list, "%s%s", list->n ? ", " : "", entry);
 }
 
+// Where the program implements the requirement: files and lines of the marks that name it.
 static const char *marks_text(const Report *r, Str id)
 {
     const Program *p = r->requirements->program;
@@ -55,6 +56,7 @@ static void add_asserts(const Report *r, const ReportRun *run, Str id, Buf *out)
         }
 }
 
+// The asserts of all scripts that name the requirement.
 static const char *asserts_text(const Report *r, Str id)
 {
     Buf out;
@@ -66,6 +68,7 @@ static const char *asserts_text(const Report *r, Str id)
     return buf_text(&out);
 }
 
+// The scripts that judged the requirement, by name; only their number when there are more than NAMED_MOST.
 static const char *scripts_text(const Report *r, size_t requirement)
 {
     enum { NAMED_MOST = 3 };
@@ -124,6 +127,7 @@ static void add_faults_cell(const Report *r, DocTable *t, size_t requirement)
         doc_add_plain_cell(t, text);
 }
 
+// For each requirement: the rule, its result in scripts and its proof.
 static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
 {
     const Requirements *all = r->requirements;
@@ -141,6 +145,7 @@ static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
     }
 }
 
+// For each requirement: where it is written, implemented, asserted and judged.
 static void add_places(const Report *r, Doc *d, const RequirementTotal *total)
 {
     const Requirements *all = r->requirements;

@@ -264,6 +264,7 @@ static void add_uncovered(const Report *r, Doc *d, const Diagram *diagram)
     doc_add_paragraph(d, buf_text(&b));
 }
 
+// States and transitions that no script reached, as a list and a diagram.
 static void add_not_covered(Report *r, Doc *d)
 {
     const Coverage c = report_measure_coverage(r);
@@ -284,6 +285,7 @@ static void add_not_covered(Report *r, Doc *d)
 static const DocColumn cover_columns[] = {{"kind", "Places"}, {"covered", "Covered"}, {"possible", "Of"}, {"impossible", "Impossible"}};
 static const DocColumn gap_columns[] = {{"line", "Line"}, {"text", "Not covered"}};
 
+// For each kind of coverage point: how many were covered, can be covered, and cannot.
 static void add_cover_totals(const Report *r, Doc *d)
 {
     DocTable *t = DOC_ADD_TABLE(d, "places", cover_columns);
@@ -323,6 +325,7 @@ static void add_cover(const Report *r, Doc *d)
 
 static const DocColumn assert_columns[] = {{"line", "Line"}, {"text", "Text"}, {"requirement", "Requirement"}, {"result", "Result"}};
 
+// What became of the assert in this run. `number`: its index in the script.
 static const char *assert_result(const ReportRun *run, const ScriptAssert *a, uint32_t number)
 {
     if (run->result.failed == a)
@@ -408,6 +411,7 @@ static void add_rows(const Report *r, Doc *d, const ReportRun *run)
     doc_add_paragraph(d, format_in(r->arena, "Recorded data: %s.", buf_text(&rows)));
 }
 
+// The first states that the run entered: step, time and how long each lasted.
 static void add_visits(const Report *r, Doc *d, const ReportRun *run)
 {
     enum { SHOWN = 20 };

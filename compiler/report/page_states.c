@@ -59,6 +59,7 @@ static Predecessors *list_predecessors(const Report *r, const WrittenTransitions
     return of;
 }
 
+// The sentence that lists the states from which this state is entered.
 static void add_predecessors(const Report *r, Doc *d, const Predecessors *s)
 {
     Buf b;
@@ -135,6 +136,7 @@ static void add_sections_of_state(const Report *r, Doc *d, const State *s)
 
 // ---- a state ----
 
+// The statements of .entry, .step and .exit in words; statements of [all_states] sections are listed with their section.
 static void add_blocks(const Report *r, Doc *d, const State *s)
 {
     static const char *const label[BLOCK_COUNT] = {"On entry, the machine", "In each step, the machine", "On exit, the machine"};

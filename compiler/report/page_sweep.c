@@ -8,6 +8,7 @@ static const DocColumn margin_columns[] = {{"parameter", "Parameter"}, {"verdict
 static const DocColumn span_columns[] = {{"from", "From"}, {"to", "To"}, {"fails", "What fails"}};
 static const DocColumn boundary_columns[] = {{"check", "Check"}, {"meaning", "Meaning"}, {"passes", "Passes at"}, {"fails", "Fails at"}};
 
+// For each parameter: how far its value can change before a check fails.
 static void add_margins(const Report *r, Doc *d)
 {
     DocTable *t = DOC_ADD_TABLE(d, "margins", margin_columns);
@@ -24,6 +25,7 @@ static void add_margins(const Report *r, Doc *d)
     }
 }
 
+// The values that were tried for one parameter: checks that fail in each span, and the boundaries between spans.
 static void add_parameter(const Report *r, Doc *d, const ReportSweepOf *s)
 {
     DocTable *t;

@@ -5,6 +5,7 @@
 #include "compiler/report/page_text.h"
 #include "compiler/report/traceability.h"
 
+// From requirements to the machine: each mark with the part of the program that it covers.
 static void add_marks(const Traceability *t, Doc *d)
 {
     static const DocColumn columns[] = {{"id", "Requirement"}, {"part", "Implemented in"}, {"line", "Line"}};
@@ -21,6 +22,7 @@ static void add_marks(const Traceability *t, Doc *d)
         }
 }
 
+// From the machine to requirements: each state, transition and output with the requirements that apply to it.
 static void add_parts(const Traceability *t, Doc *d)
 {
     static const DocColumn columns[] = {{"state", "State"}, {"kind", "Kind"}, {"part", "Part"}, {"text", "Condition or statement"},

@@ -21,6 +21,7 @@ typedef struct VarUses {
     const char *place;            // the state or section whose statements are being recorded
 } VarUses;
 
+// Appends the state (or section) that uses a variable. `last`: the one appended last, which is not repeated.
 static void add_place(Buf *list, const char **last, const char *place)
 {
     if (*last == place)
@@ -29,6 +30,7 @@ static void add_place(Buf *list, const char **last, const char *place)
     *last = place;
 }
 
+// Notes that the current state reads the variable of this expression; the caller visits all subexpressions.
 static void record_read(Expr *e, void *context)
 {
     VarUses *u = context;
@@ -51,6 +53,7 @@ static void record_statements(VarUses *u, const Stmts *stmts)
     }
 }
 
+// For each variable, the states and [all_states] sections that read and write it.
 static VarUse *find_variable_uses(const Report *r)
 {
     const Program *p = r->analysis.p;
@@ -99,6 +102,7 @@ static const char *role_text(const Program *p, const Var *v)
 
 static const char *unit_of(const Measure *unit) { return unit ? unit->text : ""; }
 
+// The range "lo to hi".
 static const char *numbers_text(Arena *arena, SmF64 lo, SmF64 hi)
 {
     return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(lo))),

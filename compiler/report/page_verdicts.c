@@ -24,6 +24,7 @@ static void add_count(Buf *out, size_t n, const char *what)
         buf_printf(out, "%s%lu %s", out->n ? ", " : "", (unsigned long)n, what);
 }
 
+// Verdict on requirements in scripts: failed when one is violated, open when one is undecided or was never judged.
 static void add_requirements(const Report *r, DocTable *t)
 {
     const size_t n = r->requirements ? r->requirements->at.n : 0;
@@ -142,6 +143,7 @@ static void add_faults(const Report *r, DocTable *t)
                 out.n ? format_in(r->arena, "of input and kind: %s", buf_text(&out)) : "the machine has no input");
 }
 
+// Verdict on parameters: failed when a check fails at the present value, open when no check depends on some parameter.
 static void add_sweep(const Report *r, DocTable *t)
 {
     unsigned long failing = 0, limited = 0;
@@ -195,6 +197,7 @@ typedef struct Blockers {
     size_t n;
 } Blockers;
 
+// Adds a row to the table of failures: what fails, and how. Rows beyond BLOCKERS_MOST are only counted.
 static void add_blocker(Blockers *b, const char *what, const char *how)
 {
     if (++b->n > BLOCKERS_MOST)

@@ -101,6 +101,7 @@ typedef struct PlotRow {
 
 static bool is_finite(double x) { return x - x == 0; }
 
+// Widens the range of values that the row shows to include x; NaN and infinities are ignored.
 static void extend_row(PlotRow *r, double x)
 {
     if (!is_finite(x))
@@ -143,6 +144,7 @@ static long y_of_value(const PlotRow *r, double x)
     return r->top + PLOT_ROW - (long)((double)PLOT_ROW * (!(share > 0) ? 0 : share > 1 ? 1 : share));
 }
 
+// Whether a script compares v with recorded values, which are drawn with it.
 static bool has_recorded(const Trace *t, const Var *v)
 {
     for (size_t i = 0; i < t->recorded.n; i++)
@@ -171,6 +173,7 @@ static void draw_title(Plot *p, const Var *v, long top)
     buf_str(p->out, "</text>\n");
 }
 
+// Horizontal grid lines at round values, with labels at the left; none where doubles are too coarse for such a step.
 static void draw_grid(Plot *p, const PlotRow *r)
 {
     const double step = plot_round_step(r->lo, r->hi, 4);
@@ -190,6 +193,7 @@ static void draw_grid(Plot *p, const PlotRow *r)
 
 typedef struct Pen { Buf *out; long x, y; bool down; } Pen;
 
+// Begins a new segment of the path at (x, y) unless one is open.
 static void pen_lower(Pen *pen, long x, long y)
 {
     if (pen->down)
@@ -226,6 +230,7 @@ static void pen_line_to(Pen *pen, long x, long y)
     pen->y = y;
 }
 
+// One path through all buckets; each shows its first, lowest, highest and last value. A bucket of NaN interrupts the path.
 static void draw_curve(Plot *p, const char *class_name, const PlotRow *r, const TraceSeries *s)
 {
     const TraceBucket *b = s->at;
@@ -248,6 +253,7 @@ static void draw_curve(Plot *p, const char *class_name, const PlotRow *r, const 
     buf_str(p->out, "\"/>\n");
 }
 
+// Marks the beginnings of visits of states on the curve; none in a plot with very many visits.
 static void draw_circles(Plot *p, const PlotRow *r)
 {
     enum { MOST = 100 };
@@ -263,6 +269,7 @@ static void draw_circles(Plot *p, const PlotRow *r)
     }
 }
 
+// The plot of one number over time: title, grid, curve, and recorded values where a script has these.
 static void draw_row(Plot *p, const TraceSeries *s, long top)
 {
     const PlotRow r = measure_row(p->t, s, top + PLOT_TITLE);
@@ -283,6 +290,7 @@ static void draw_row(Plot *p, const TraceSeries *s, long top)
 
 // ---- a strip of a bool ----
 
+// A rectangle over the buckets `from` to before `to`: a span in which a boolean is true.
 static void draw_strip_part(Plot *p, const char *class_name, size_t from, size_t to, long top, long high)
 {
     const uint64_t end = to * p->t->per < p->t->steps ? to * p->t->per : p->t->steps;
@@ -310,6 +318,7 @@ static void draw_strip_parts(Plot *p, const TraceSeries *s, const char *on, long
     }
 }
 
+// The plot of one boolean over time: a bar where it is true. Recorded values share the strip, in its lower half.
 static void draw_strip(Plot *p, const TraceSeries *s, long top)
 {
     const long high = has_recorded(p->t, s->v) ? PLOT_STRIP / 2 : PLOT_STRIP;
@@ -341,6 +350,7 @@ static long draw_rows(Plot *p, bool strips, bool draw, long y)
     return y;
 }
 
+// The label of the time axis: the given one, or the unit and comment of G.
 static const char *describe_axis(const Plot *p)
 {
     const Var *g = p->t->p->g;

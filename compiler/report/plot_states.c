@@ -19,6 +19,7 @@ const char *plot_patterns(Arena *arena)
     return format_in(arena, "<svg class=\"plot\" aria-hidden=\"true\" style=\"position:absolute;width:0;height:0\">%s</svg>\n", plot_defs);
 }
 
+// A rectangle in the colour of the state. States beyond the number of colours have a hatch on top.
 static void draw_swatch(Plot *p, const State *s, long x, long y, long wide, long high)
 {
     const unsigned n = s->number - 1u, pattern = (n + n / COLOURS) % PATTERNS;
@@ -49,6 +50,7 @@ static void draw_name(Plot *p, const State *s, long x, long wide)
         plot_draw_text(p, "name", "middle", x + wide / 2, PLOT_BAND - 65, text);
 }
 
+// Visit i as a part of the band at the top, and as a tint over the plots unless these would be too many.
 static void draw_band(Plot *p, size_t i)
 {
     const Trace *t = p->t;

@@ -93,6 +93,7 @@ void trace_begin_recorded(Trace *t, const ScriptData *d)
     }
 }
 
+// Adds the recorded values of the latest step, one for each recorded series.
 void trace_add_recorded(Trace *t, const double *value)
 {
     for (size_t i = 0; t->steps > 0 && i < t->recorded.n; i++)
@@ -111,6 +112,7 @@ static void count_transition(Trace *t, uint32_t from, uint32_t to)
         }
 }
 
+// Records that the machine entered `state` at time g. All visits are counted, only the first TRACE_VISITS_MAX are kept.
 static void record_visit(Trace *t, const State *state, uint64_t g)
 {
     TraceVisit v = {state, t->steps, g, (double)t->steps};
@@ -122,6 +124,7 @@ static void record_visit(Trace *t, const State *state, uint64_t g)
         vec_push(t->arena, &t->visit, v);
 }
 
+// Adds one step to the trace. `cell`: values of all variables after the step.
 static void record_step(Trace *t, const uint64_t *cell)
 {
     const uint64_t number = cell[t->p->s->index], g = cell[t->p->g->index];
@@ -150,6 +153,7 @@ typedef struct TraceEngine {
     Trace *trace;
 } TraceEngine;
 
+// Copies the message of the traced engine, so that callers find it in this one.
 static EngineStatus forward_error(Engine *e, EngineStatus status)
 {
     e->error = ((TraceEngine *)e->self)->inner->error;

@@ -26,6 +26,7 @@ static uint32_t index_of(Traceability *t, Str id)
     return *number;
 }
 
+// Adds the index unless the list has it.
 static void add_index(Arena *arena, TraceIndices *list, uint32_t index)
 {
     for (size_t i = 0; i < list->n; i++)
@@ -51,6 +52,7 @@ const char *traceability_ids(const Traceability *t, const TraceIndices *list)
 
 // ---- marks ----
 
+// The [all_states] section whose text contains the span, or NULL.
 static const AllStates *section_of(const Program *p, Span span)
 {
     for (size_t i = 0; i < p->all_states.n; i++) {
@@ -67,6 +69,7 @@ static const Stmt *effect_of(const Stmt *s)
     return s->kind == ST_IF && s->then.n == 1 && s->otherwise.n == 0 ? effect_of(s->then.at[0]) : s;
 }
 
+// The part of the program that the mark covers, as a name: a state, a section, a transition or a statement.
 static const char *mark_name(const Traceability *t, const RequirementMark *m)
 {
     const AllStates *all = section_of(t->program, m->span);
@@ -121,6 +124,7 @@ static void add_contents(Traceability *t, TracedPart *part, const State *state, 
     }
 }
 
+// Adds a state or an [all_states] section as a part of its own; without a mark it takes the requirements of its contents.
 static void add_header(Traceability *t, const State *state, const AllStates *all)
 {
     TracedPart part = {.kind = all ? TRACED_ALL_STATES : TRACED_STATE, .state = state, .text = "", .span = all ? all->span : state->span};
@@ -134,6 +138,8 @@ static void add_header(Traceability *t, const State *state, const AllStates *all
 
 typedef struct PartWalk { Traceability *t; const State *state; const AllStates *all; } PartWalk;
 
+// Adds a transition or an assignment to an output as a part, with the requirements of its own marks, of enclosing conditions and of its state. `by`
+// tells which of these is nearest.
 static void add_statement(const StmtLocation *at, void *context)
 {
     PartWalk *w = context;
@@ -213,6 +219,7 @@ static void add_assert(Traceability *t, const ScriptAssert *a, const ScriptItem 
     vec_push(t->arena, &t->assert, out);
 }
 
+// Adds how often the latest script judged, violated or left undecided each requirement.
 static void add_judged_requirements(Traceability *t, const ScriptResult *r)
 {
     for (uint32_t i = 0; t->what && r->requirement && i < t->what->at.n; i++) {
@@ -254,6 +261,7 @@ void traceability_set_proof(Traceability *t, Str id, const char *proof)
 
 // ---- results ----
 
+// Whether an assert of the requirement ended with this result.
 static bool has_assert(const Traceability *t, const TracedRequirement *q, const char *result)
 {
     for (size_t i = 0; i < q->assert.n; i++)

@@ -10,6 +10,7 @@
 
 // ---- summary ----
 
+// Appends "n what"; nothing for 0. `separator` is what precedes the next count.
 static void write_count(Buf *out, uint32_t n, const char *what, const char **separator)
 {
     if (n == 0)
@@ -153,6 +154,7 @@ static void write_place(Buf *out, Span s)
     buf_printf(out, ",\"line\":%lu", (unsigned long)source_position(s.src, s.at).line);
 }
 
+// Appends a member to a JSON object that has at least one member.
 static void write_member(Buf *out, const char *key, const char *text)
 {
     buf_printf(out, ",\"%s\":", key);
