@@ -71,7 +71,7 @@ static int read_options(CoverRun *r, CoverSettings *s)
         return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
     if (c->given[OPT_MEMORY] && (!cli_read_count(c->value[OPT_MEMORY], &s->memory) || s->memory > SIZE_MAX >> 20))
         return cli_usage_error(c, TEXT_number_from_1, "--memory", c->value[OPT_MEMORY]);
-    if (c->given[OPT_SEED] && !cli_read_whole(c->value[OPT_SEED], &s->seed))
+    if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &s->seed) || s->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     return EXIT_OK;
 }

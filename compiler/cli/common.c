@@ -352,9 +352,10 @@ bool cli_read_whole(const char *text, uint64_t *number)
     const char *digit = text;
 
     for (*number = 0; *digit >= '0' && *digit <= '9'; digit++) {
-        if (*number > (UINT64_MAX - 9) / 10)
+        const uint64_t value = (uint64_t)(*digit - '0');
+        if (*number > (UINT64_MAX - value) / 10)
             return false;
-        *number = *number * 10 + (uint64_t)(*digit - '0');
+        *number = *number * 10 + value;
     }
     return *digit == '\0' && digit > text;
 }
