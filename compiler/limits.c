@@ -93,8 +93,8 @@ static void check_call(const LimitCheck *x, const IrIns *i, const Board *b)
         diag_label(x->diags, d, DIAG_label_board_has_function, others);
 }
 
-// Checks one function of the machine; NULL: it has no code.
-static void check_calls(const LimitCheck *x, const IrFn *f, const Board *b)
+// Checks whether the board's firmware has every builtin function that f calls; NULL: f has no code.
+static void check_builtin_calls(const LimitCheck *x, const IrFn *f, const Board *b)
 {
     for (size_t k = 0; f && k < f->blk.n; k++)
         for (size_t i = 0; i < f->blk.at[k].ins.n; i++)
@@ -110,10 +110,10 @@ static void check_board_bytes(const LimitCheck *x, const char *what, uint32_t ne
 
 static void check_board(const LimitCheck *x, const LimitSubject *m, const Cost *cost, const Board *b)
 {
-    check_calls(x, m->ir->sample, b);
+    check_builtin_calls(x, m->ir->sample, b);
     for (size_t i = 0; i < m->ir->state.n; i++)
         for (int k = 0; k < BLOCK_COUNT; k++)
-            check_calls(x, m->ir->state.at[i].block[k], b);
+            check_builtin_calls(x, m->ir->state.at[i].block[k], b);
     check_board_bytes(x, "for its image", m->length, b->image, b);
     check_board_bytes(x, "of RAM", m->p->sv->size + cost->locals + cost->windows_small, b->ram, b);
 }

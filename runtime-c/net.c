@@ -275,7 +275,7 @@ static void update_channel_due(SmNetChannel *c, uint64_t now)
     c->sent_any = true;
 }
 
-// Loads the values of all messages that are due, and stores the counts.
+// Loads the values of all messages that are due from the state vector, and stores the counts of errors in it.
 static SmResult load_due(SmNet *net, uint64_t now)
 {
     const SmResult r = sm_enter(net->sv);

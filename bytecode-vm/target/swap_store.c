@@ -233,7 +233,7 @@ static SmSwapReason load_image(const SmSwapStore *s, SmSwappable *w, const Store
     return smvm_slot_load(second, first, &c, m);
 }
 
-// Lets the machine in a slot start.
+// Makes `slot` the one whose machine runs from the next step on.
 static void choose_slot(SmSwappable *w, uint8_t slot)
 {
     w->running = slot;

@@ -151,7 +151,8 @@ Source *cli_read_source(Cli *c, const char *path);
 int cli_read_inputs(Cli *c, CompileInput *in);
 // Reads the files that the application in->at[0] names, and sets in->app. One that cannot be read is reported when the application is checked.
 void cli_load_app(Cli *c, CompileInput *in);
-// Reads --bind for the only machine of `machines` that the call compiles; *out is NULL without it. EXIT_OK, or the exit code after a message.
+// Reads --bind, which is an error if the command line does not have exactly one machine (`machines`: how many); *out is NULL without --bind.
+// EXIT_OK, or the exit code after a message.
 int cli_read_bindings(Cli *c, size_t machines, const MachineInstance **out);
 // Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is not a number.
 bool cli_compile_options(Cli *c, CompileOptions *o);

@@ -119,8 +119,8 @@ bool test_coverage_is_wanted(const Cli *c);                         // whether a
 bool test_is_coverage_data(const char *path);                      // whether an argument is a file of counts (.cov)
 int test_coverage_check_options(Cli *c);                            // EXIT_OK, or EXIT_USAGE after a message
 bool test_coverage_demands_requirements(const Cli *c, double *percent);       // whether --min-coverage has requirements
-// Begins to measure p and adds an engine to the set.  Reads the files of counts that the call names.  *coverage is NULL if nothing is measured.
-// EXIT_OK, or the exit code after a message.
+// Begins to measure p and adds an engine to the set.  Reads the files of counts that the command line names.  *coverage is NULL if nothing is
+// measured.  EXIT_OK, or the exit code after a message.
 int test_coverage_open(TestRun *t, const Program *p, EngineSet *engines, TestCoverage **coverage);
 // After the scripts: writes the files that options name, prints the report, and adds a result for --min-coverage.  `coverage` may be NULL.
 int test_coverage_finish(TestRun *t, TestCoverage *coverage, const char *machine);

@@ -343,7 +343,8 @@ uint32_t smc_model_transition_line(const SmcSession *s, uint32_t machine, uint32
 // The conditions around it, as diagrams show them: "pressure > 800 and not (valveOpen)"; "" if it is unconditional.  At most the four innermost.
 const char *smc_model_transition_guard(const SmcSession *s, uint32_t machine, uint32_t transition);
 
-// The variables, without T.  A machine that smc_machine_open starts has the same ones with the same numbers, except for constants, which follow.
+// The variables, without T (the time in the state).  A machine that smc_machine_open starts numbers them the same way, but has the constants
+// after all others.
 uint32_t smc_model_variable_count(const SmcSession *s, uint32_t machine);
 const char *smc_model_variable_name(const SmcSession *s, uint32_t machine, uint32_t variable);
 int32_t smc_model_variable_type(const SmcSession *s, uint32_t machine, uint32_t variable);           // SMC_TYPE_…; -1: no such variable

@@ -57,8 +57,8 @@ typedef struct ProveStep {
 // Which windows of the machine the model does not follow, among those that the requirement does not read: they have any possible value in each step.
 // Then the model has more runs than the machine, but fewer variables.
 typedef enum ProveLoosening {
-    PROVE_EXACT,              // none
-    PROVE_COMPARED,           // none; and samples are compared with constants of the requirement (prove_threshold.c)
+    PROVE_EXACT,              // nothing is loosened
+    PROVE_COMPARED,           // exact, with more variables: whether each sample is above a constant of the requirement (prove_threshold.c)
     PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; it follows those of prev, rising and falling
     PROVE_LOOSE_ALL,
     PROVE_RELATED,            // all; and the differences of variables are followed (prove_relate.h)

@@ -236,8 +236,8 @@ static Fact compare_difference(IrOp op, Fact d, bool nan)
     return fact_of_bool(nan || !always, !never);
 }
 
-// Returns what is known about temporary r with the differences.
-static Fact improve_fact(Relation *w, IrRef r, unsigned depth)
+// Returns what is known about temporary r, also from the known differences of variables.
+static Fact fact_by_differences(Relation *w, IrRef r, unsigned depth)
 {
     const IrIns *i = ins_of(w, r);
     const unsigned operands = ir_op_info[i->op].operands;
@@ -246,8 +246,8 @@ static Fact improve_fact(Relation *w, IrRef r, unsigned depth)
     if (depth == 0 || w->budget == 0 || operands == 0 || i->op == IR_store || i->op == IR_sample || i->op == IR_load || i->op == IR_stat)
         return *fact_of(w, r);
     w->budget--;
-    a = improve_fact(w, i->a, depth - 1);
-    b = operands == 2 ? improve_fact(w, i->b, depth - 1) : a;
+    a = fact_by_differences(w, i->a, depth - 1);
+    b = operands == 2 ? fact_by_differences(w, i->b, depth - 1) : a;
     now = fact_meet(*fact_of(w, r), fact_of_result(i, &a, &b, ins_of(w, i->a)->type));
     if (i->op == IR_sub && i->type == SM_F64) {
         Fact d = find_difference(w, i->a, i->b, depth - 1);
@@ -328,7 +328,7 @@ bool prove_relate(const ProveFlow *flow, const Env **end)
     run_block(&w, b);
     if (b->jump.kind == IR_BR) {
         w.budget = BUDGET;
-        if (improve_fact(&w, b->jump.cond, DEPTH_MOST).hi < 1)
+        if (fact_by_differences(&w, b->jump.cond, DEPTH_MOST).hi < 1)
             return false;
         add_condition(&w, b->jump.cond, true, DEPTH_MOST);
     }

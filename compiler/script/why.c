@@ -268,7 +268,7 @@ static void explain_path(Answer *a)
 
 // ---- where values come from ----
 
-// Returns the joined variable for one of the machine of the question.
+// Returns the variable of the run that holds variable v of the machine in question: in an application, all machines run as one joined program.
 static const Var *run_variable(const Answer *a, const Var *v)
 {
     const Joint *j = a->r.s->program->joint;

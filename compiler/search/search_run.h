@@ -141,7 +141,7 @@ typedef struct SearchNode {
 
 typedef struct SearchRun {
     Arena *arena, work;       // `arena` has the result, `work` what only the search needs
-    Arena flats;              // memory of the current `flat`
+    Arena flats;              // memory of the current machine with probes (`flat`, below)
     Arena legs;               // memory of the parts of the current detour (search_go_around)
     const Cover *c;
     const Program *p;

@@ -71,7 +71,8 @@ static void add_wish_for_input(SearchRun *k, uint32_t input, Rel rel, double x)
     }
 }
 
-static void add_wishes_for_time(SearchRun *k, uint32_t var, Rel rel, double x)
+// Waits until T or G (`var`) satisfies `var rel x`; two steps are enough for it to differ from x.
+static void wait_for_time(SearchRun *k, uint32_t var, Rel rel, double x)
 {
     const double now = (double)flat_cells(k->plain, k->scratch)[var], step = (double)k->delta_t;
 
@@ -331,7 +332,7 @@ static void add_wishes_for_load(SearchRun *k, uint32_t var, Rel rel, double x, i
     if (k->var[var].input != SEARCH_NONE)
         add_wish_for_input(k, k->var[var].input, rel, x);
     else if (var == k->m->t || var == k->m->g)
-        add_wishes_for_time(k, var, rel, x);
+        wait_for_time(k, var, rel, x);
     else if (var != k->m->s)
         add_wishes_for_var(k, var, rel, x, depth);
 }

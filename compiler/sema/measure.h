@@ -49,7 +49,7 @@ bool measure_is_same_kind(const Measure *a, const Measure *b);         // m and 
 bool measure_is_same_scale(const Measure *a, const Measure *b);          // of units that measure the same: equal, so no factor or zero differs
 bool measure_is_number(const Measure *u);                            // whether u measures nothing, as rad, percent and m/m do
 bool measure_is_temperature(const Measure *u);                       // whether u is a temperature alone, not a product or quotient with one
-bool measure_is_g(const Measure *u);                                 // gn itself
+bool measure_is_g(const Measure *u);                                 // whether u is gn, the acceleration of gravity, alone
 
 // Returns a text for a message: as written, else the product of the units from which it was computed.
 const char *measure_text(Arena *arena, const Measure *u);

@@ -324,7 +324,7 @@ static bool report_bracketed_members(Diags *diags, const Source *src, uint32_t a
 
 // ---- S == A, B ----
 
-// Whether the value after the members ends a condition, so that the members are no statements.
+// Whether a list such as `A, B`, which ends at position `at`, ends a condition: then its members are values, not statements of their own.
 static bool is_end_of_condition(const char *text, uint32_t at)
 {
     at = skip_blanks(text, at);

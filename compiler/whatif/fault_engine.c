@@ -35,7 +35,7 @@ struct FaultEngine {
     uint64_t begin;           // the first step in which the faults are active
     uint64_t held[FAULTS_MOST];       // by fault: the last reading before it began
     ScriptRandom call[FAULTS_MOST];
-    ScriptRandoms calls;      // the calls of the noise; `at` is moved back, so that their numbers follow those of the script's calls
+    ScriptRandoms calls;      // the calls that draw the noise; random.first numbers them after the calls of the script
     RefRandom random;
     bool differs;
     EngineWrite *write;       // memory for the writes of a step

@@ -26,11 +26,11 @@ typedef struct BcValue {
     BcRef slot;               // the operand that stores the value; BC_LATER for a constant or a load whose operand is created when first needed
 } BcValue;
 
-// The known contents of register X or Y: the value, and operands with the same number.
+// The known contents of register X or Y: the temporary, and operands that have the same value now.
 enum { BC_REGISTER_SOURCES = 3 };
 typedef struct BcRegister {
     IrRef value;              // the temporary that it contains; IR_NONE: unknown
-    BcRef from[BC_REGISTER_SOURCES];  // operands with the same number; BC_NONE: an empty entry
+    BcRef from[BC_REGISTER_SOURCES];  // operands that have the same value; BC_NONE: an empty entry
 } BcRegister;
 
 // An exit of the function that jumps can target: the instruction `end`, or `goto` with a state.  All jumps to one exit share its label.

@@ -110,7 +110,7 @@ static void write_field(const NetField *f, Buf *out)
     buf_printf(out, "},   // %s\n", f->element->name->text);
 }
 
-// Writes an element that the runtime writes or reads: the name of a table, and its rows.
+// Writes the constant `table`, which says where in the state vector an element is; nothing without an element.
 static void write_place(const char *table, const Element *e, Buf *out)
 {
     if (e)

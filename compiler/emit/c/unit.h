@@ -60,7 +60,7 @@ typedef struct CUnit {
     struct CVarUse *var_use;      // by variable: how the current function uses it
     uint32_t *window_stats_read;  // by window: a bit for each statistic that the code reads
     uint32_t *window_zeros_differ;// by window: a bit for each statistic of which some use has another result for -0 than for 0
-    uint32_t *window_sample;      // by window: position of its next sample in the current block; UINT32_MAX: none (lower.c)
+    uint32_t *window_sample;      // by window: index in the current block of the next instruction that samples it; UINT32_MAX: none (lower.c)
     uint32_t stamps;              // number of functions and blocks so far; see CFn.stamp
     FactMachine *facts;           // possible values of variables
     bool soft;                    // an F64 is an SmF64, not a double (soft.c)
