@@ -16,7 +16,8 @@ names_compiler() { ! AVR_CC=no-avr-gcc sh tests/avr/emulate.sh "$MAKE" "$B" "$CC
 
 # switch_on MCU: `make emulate` in a group of processes of its own, as a shell starts it; sets $port
 switch_on() {
-    setsid env --default-signal=INT $MAKE -s --no-print-directory emulate B="$B" CC="$CC" MCU=$1 >"$D/said" 2>&1 &
+    : >"$D/said"                               # what the last board said is not what this one says
+    setsid env --default-signal=INT $MAKE -s --no-print-directory emulate B="$B" CC="$CC" MCU=$1 >>"$D/said" 2>&1 &
     group=$!
     for _ in $(seq 600); do
         grep -q 'Ctrl-C switches the board off' "$D/said" && break
