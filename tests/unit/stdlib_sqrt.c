@@ -61,7 +61,7 @@ static void test_nearly_ties(void)
                 continue;                                                              // not an F64
             // The lowest 12 bits of the quotient by 2^52 are exact; the others follow from a product that is rounded.
             const uint64_t about = (uint64_t)(root * root * 4503599627370496.0) & ~(uint64_t)1;
-            const uint64_t digits = about + (uint64_t)(((int64_t)((low >> 52) - about) << 52) >> 52);
+            const uint64_t digits = about + (uint64_t)((int64_t)(((low >> 52) - about) << 52) >> 52);
             CHECK(is_nearest_root(digits << 8, nearest) && sm_sqrt_digits(digits << 8) == nearest);
             for (int exponent = -1020; exponent <= 1020; exponent += 60) {
                 const SmF64 x = ldexp((double)digits, exponent - 52);
