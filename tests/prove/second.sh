@@ -21,19 +21,5 @@ for machine in $(awk '{print $3}' "$here/expected.txt" | uniq); do
     requirements=$(grep -l "^$(head -n 1 "$out/ids") " "$here"/*.rq)
     "$smc" prove "$root/$machine" "$requirements" --format=json -w "$@"
 done >"$out/verdicts"
-awk -v hard=6 -v most_changes=5 '
-    FNR == NR { kind[$1] = $2; all[$2]++; next }
-    match($0, /^{"id":"[A-Z]_[PVH][0-9]*"/) {
-        id = substr($0, 8, RLENGTH - 8); of = kind[id]
-        match($0, /"verdict":"[a-z]*"/); verdict = substr($0, RSTART + 11, RLENGTH - 12)
-        right = of == "V" ? verdict == "violated" : verdict == "proved" || verdict == "vacuous"
-        judged++; found[of] += right
-        if (verdict == "undecided") print "undecided: " id
-        else if (!right) { print id " is not " verdict; wrong++ }
-        if (match($0, /"changes":[0-9]*/) && substr($0, RSTART + 10, RLENGTH - 10) + 0 > most_changes) { print id ": too many changes"; wrong++ }
-    }
-    END {
-        if (judged != 40) { print judged + 0 " of 40 judged"; wrong++ }
-        printf "verdicts on a second set of requirements: P %d of %d, V %d of %d, H %d of %d, wrong %d\n", found["P"], all["P"], found["V"], all["V"], found["H"], all["H"], wrong
-        exit wrong || found["P"] < 15 || found["V"] < 15 || found["H"] < hard
-    }' "$here/expected.txt" "$out/verdicts"
+awk -v id=1 -v all=40 -v proved=15 -v violated=15 -v hard=6 -v most_changes=5 -v set="a second set of requirements" \
+    -f "$(dirname "$0")/verdicts.awk" "$here/expected.txt" "$out/verdicts"

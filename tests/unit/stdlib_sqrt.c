@@ -2,6 +2,7 @@
 // The square root where the processor has none: every binade, random numbers, and those whose roots are nearest to halfway between two F64
 // values, against the definition of rounding in exact integers; a million random bit patterns against the C library.
 #include <math.h>
+#include <string.h>
 
 #include "stdlib/f64.h"
 #undef SM_SQRT_INSTRUCTION
@@ -98,8 +99,21 @@ static void test_against_libm(void)
     }
 }
 
-int main(void)
+// Every upper half of the argument, with the smallest and the largest lower half: what is left of the argument after the upper half enters the
+// result linearly, so the errors of all others are between the errors of these two.
+static void test_all_upper_halves(void)
 {
+    for (uint64_t high = (uint64_t)1 << 30; high < (uint64_t)1 << 32; high++) {
+        const uint64_t n = high << 30, last = n + (1u << 30) - 0x100;
+        CHECK(is_nearest_root(n, sm_sqrt_digits(n)) && is_nearest_root(last, sm_sqrt_digits(last)));
+    }
+}
+
+// With the argument `all`, also runs the test that takes a minute.
+int main(int argc, char **argv)
+{
+    if (argc > 1 && strcmp(argv[1], "all") == 0)
+        test_all_upper_halves();
     test_sqrt_digits();
     test_nearly_ties();
     test_all_binades();
