@@ -138,7 +138,8 @@ static bool aborts_on(const Trials *t, const AbortRow *r, const Expr *guard)
     return any;
 }
 
-// Whether the state has an abort, of whatever form, that depends on a sensor or an input of the path.
+// Whether the state has an abort, of whatever form, that depends on a sensor of the path.  A path without sensors counts as one that it has:
+// report_states_without judges buttons.
 static bool aborts_on_same_inputs(const AbortRow *r, const AbortPath *path)
 {
     for (size_t k = 0; k < r->path.n; k++) {

@@ -3,6 +3,7 @@
 
 #include "compiler/analysis/input_deps.h"
 #include "compiler/analysis/trial_checks.h"
+#include "compiler/ir/comparison.h"
 #include "stdlib/math.h"
 
 enum { NOTES_MAX = 4 };               // the most states that are explained
@@ -38,7 +39,7 @@ static bool has_window(const Expr *e)
     return has;
 }
 
-static bool is_relation(SmOperator op) { return op >= SM_OP_EQ && op <= SM_OP_GE; }
+static bool is_relation(SmOperator op) { return (COMPARISONS >> op & 1) != 0; }
 
 static bool is_condition(const Expr *e)
 {
@@ -96,11 +97,7 @@ TrialNear *trial_near_new(const Trials *t)
 
 // ---- recording ----
 
-static bool is_true(SmOperator op, double a, double b)
-{
-    return op == SM_OP_EQ ? a == b : op == SM_OP_NE ? a != b : op == SM_OP_LT ? a < b : op == SM_OP_LE ? a <= b : op == SM_OP_GT ? a > b : a >= b;
-}
-
+// Records whether the part is as the guard needs it after this step, and how close the sides of its comparison are.
 static void record_part(const TrialNear *near, NearPart *part)
 {
     double a, b, distance;
@@ -112,7 +109,7 @@ static void record_part(const TrialNear *near, NearPart *part)
     a = expr_eval(part->pair.a, near->value);
     b = expr_eval(part->pair.b, near->value);
     distance = sm_abs(a - b);
-    part->met |= is_true(part->pair.op, a, b) == part->wanted;
+    part->met |= ir_compare(ir_op_of_operator(part->pair.op), a, b) == part->wanted;
     if (distance >= 0 && (part->distance < 0 || distance < part->distance)) {
         part->distance = distance;
         part->at = a;
@@ -188,6 +185,8 @@ static void note_ranges(const TrialNear *near, Diag *d, const NearPart *part, bo
     }
 }
 
+// Adds a note about the first part of the guard that was never as the transition needs it; without such a part, that the parts never were so
+// together, or not for long enough.  noted: as in note_ranges.
 static void note_guard(const TrialNear *near, Diag *d, const State *to, const Condition *unmet, bool *noted)
 {
     Arena *arena = near->t->a->arena;

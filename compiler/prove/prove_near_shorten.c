@@ -73,7 +73,8 @@ static bool try_earlier(NearSearch *k, Scenario *s, ScenarioChange *change, Scen
     return true;
 }
 
-// Halves, quarters and so on of each wait are left out.  Changes of different steps stay in different steps.
+// Leaves out as much of each wait as it can: first the whole wait, then half of it, a quarter and so on, each as often as the requirement is
+// still violated.  Changes of different steps stay in different steps.
 static void shorten_waits(NearSearch *k, Scenario *s, ScenarioChange *change, ScenarioChange *earlier)
 {
     for (size_t i = 0; i < s->changes && k->steps < k->limit; i++) {
