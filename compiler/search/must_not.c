@@ -48,6 +48,7 @@ double must_not_distance(const Expr *e, bool wanted, const uint64_t *cell)
 
 // ---- pairs ----
 
+// What the conditions of a transition read: a window; a variable other than G, S and T (`reads`).
 typedef struct Reading { const Program *p; bool has_window, reads; } Reading;
 
 static void check_usable_expr(Expr *e, void *context)

@@ -15,11 +15,12 @@ enum {
     LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)
 };
 
+// A run that reached a goal, as a scenario that can be chosen.
 typedef struct Candidate {
     Scenario s;
-    uint32_t end;             // number of the state after it
-    uint8_t *reached;         // a set of goals
-    bool used;
+    uint32_t end;             // State.number of the state after its last step
+    uint8_t *reached;         // set of the goals that its replay has reached, one bit for each
+    bool used;                // it has been chosen
 } Candidate;
 
 static bool is_in_set(const uint8_t *set, uint32_t i) { return set[i / 8] >> i % 8 & 1; }
@@ -333,7 +334,7 @@ void search_choose(SearchRun *k)
     while ((best = choose_best(&c, all, n, &want)) != NULL) {
         best->used = true;
         choose_scenario(&c, best, &want);
-        if (find_unreached(&c, want.at, want.n).n)     // what results of it can reach less than it does
+        if (find_unreached(&c, want.at, want.n).n)     // the simplified scenarios can reach less than `best` does
             store_chosen(&c, &best->s, best->end, best->reached);
     }
     improve_longest(&c);

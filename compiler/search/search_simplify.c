@@ -12,7 +12,7 @@
 #define UNUSUAL_SIZE 1e15     // no sensor has values of this magnitude
 
 enum {
-    MOST_ROUNDS = 3,
+    MOST_ROUNDS = 3,          // how often all edits are tried, as long as they leave more than one change
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
     // skip_wait tries to replace a wait of more than LONG_WAIT steps before a change by a wait of 1 to SHORTEST_WAITS steps.  What follows the change
     // can then be delayed by up to MOST_DELAY steps.
@@ -20,7 +20,7 @@ enum {
     SHORTEST_WAITS = 2,
     MOST_DELAY = 3,
     MANY_CHANGES = 12,        // a scenario with more changes is first simplified by the edits that take few replays
-    MOST_JOINS = 64           // a shorter beginning is tried for the last transitions of a run, at most this many
+    MOST_JOINS = 64           // how many of a run's last transitions are tried as the end of a beginning that is replaced by a shorter one
 };
 
 // ---- attempts ----
