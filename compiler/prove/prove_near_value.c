@@ -4,8 +4,8 @@
 #include "stdlib/convert.h"
 
 enum {
-    MOST_DEPTH = 12,          // of a solution
-    MOST_VALUES = 120         // of a step
+    MOST_DEPTH = 12,          // of the recursion that solves an expression for an input
+    MOST_VALUES = 120         // the most values that are listed for a step
 };
 
 // ---- comparisons ----
@@ -180,7 +180,7 @@ static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, b
 
 // ---- solutions ----
 
-// A comparison that is solved: for what its inputs are given values.
+// The comparison that is being solved for its inputs, with the fields that its values get (NearValue).
 typedef struct Solution { NearSearch *k; uint32_t state, samples; bool is_required; } Solution;
 
 static void solve_for_inputs(const Solution *s, const Expr *e, double target, int depth);
