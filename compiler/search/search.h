@@ -26,8 +26,8 @@
 
 // ---- goals of the caller ----
 
-// Goals of the caller, whose function `step` judges them after each step, from the variables and from the *situation*.  This is the goals' memory, such
-// as whether some earlier step had a condition.  The search saves and restores the situation together with the machine's state.
+// Goals of the caller, whose function `step` judges them after each step, from the variables and from the *situation*.  This is the goals' memory,
+// such as whether some earlier step had a condition.  The search saves and restores the situation together with the machine's state.
 typedef struct SearchWatch {
     void *self;               // the caller's data, passed to both functions
     uint32_t goals;
