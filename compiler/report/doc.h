@@ -2,8 +2,8 @@
 // The content of a report, independent of its output format: sections of paragraphs, tables, lists and figures.  The sections of a report
 // build it; doc_html.c, doc_text.c and doc_json.c each write the whole document.
 //
-// A text has markup: `code` in backticks, and ^Name^ for a state.  So only the compiler's own words may be passed as a text.  What the author of
-// a machine wrote has no markup; pass it where a function accepts plain text or code.
+// A parameter or field `text` has markup: `code` in backticks, and ^Name^ for a state.  So it must be the compiler's own words.  What the author of
+// a machine wrote has no markup; pass it where a function accepts plain text (`plain`) or code.
 #ifndef SMC_DOC_H
 #define SMC_DOC_H
 
@@ -29,16 +29,16 @@ typedef enum DocCellKind {
 typedef struct DocCell {
     DocCellKind kind;
     const char *text;
-    uint64_t number, most;
+    uint64_t number, most;    // NUMBER, TARGET, BAR, LINE: the number; BAR: the number of a full bar
     const char *link;         // SECTION: its id; TARGET: its own id; BADGE: the id that it links to, or NULL
-    const char *tone;         // BADGE: as in DocPart
+    const char *tone;         // BADGE: its colour, as DocPart.tone
 } DocCell;
 
 typedef struct DocColumn { const char *key, *title; } DocColumn;
 
 typedef struct DocTable {
     Arena *arena;
-    const char *key;          // its name in JSON, unique in its section
+    const char *key;          // the table's name in JSON, unique in its section
     const DocColumn *column;
     size_t columns;
     bool facts;               // pairs of name and value: shown without column titles
@@ -58,7 +58,7 @@ typedef struct DocLine {
 
 typedef struct DocList {
     Arena *arena;
-    const char *key;
+    const char *key;          // the list's name in JSON, unique in its section
     const char *label;        // precedes the list, such as "On entry, the machine"; or NULL
     VEC(DocLine) line;
 } DocList;

@@ -18,7 +18,7 @@ typedef struct VarUse { const char *last_read, *last_written; Buf readers, write
 typedef struct VarUses {
     Arena *arena;
     VarUse *of;                   // by Var.index: where the variable is used
-    const char *place;            // the state or section whose statements are being recorded
+    const char *place;            // name of the state or section whose statements are being recorded
 } VarUses;
 
 // Appends the state (or section) that uses a variable. `last`: the one appended last, which is not repeated.
