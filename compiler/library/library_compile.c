@@ -498,7 +498,7 @@ static SmcResult emit_outputs(SmcSession *s, void *argument)
         out = list_outputs(s, &made, emit);
         r = has_duplicate_output(s, &out) ? SMC_E_STATE : SMC_OK;
     }
-    library_update_shown(s, &diags, 0, NULL);                 // the last allocation
+    library_update_shown(s, &diags, 0, NULL);                 // the last call that can run out of memory: from here on results are stored
     library_keep_layer(s, &of->output_arena);
     of->emitted = diags;
     of->output = out.at;

@@ -151,7 +151,7 @@ void library_begin_layer(SmcSession *s)
     arena_free(&c->tree);
     arena_free(&c->work);
     arena_free(&c->scratch);
-    c->built = NULL;                              // the passes of the layer would change it in place
+    c->built = NULL;                              // a layer that needs the IR builds its own: its passes change it in place
     s->below = *c;
     s->has_layer = true;
     arena_init(&c->arena, library_compiler_alloc, s, &s->oom);
