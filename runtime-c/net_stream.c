@@ -7,7 +7,7 @@
 enum { FREE, CONNECTING, OPEN };          // SmNetPeer.state
 
 #define PATIENCE ((uint64_t)5 * PAL_SECOND)       // a sender closes the connection of a peer that acknowledges nothing for this long
-enum { MESSAGES_WAITING = 4 };            // messages that the platform stores for a peer that does not receive, about
+enum { MESSAGES_WAITING = 4 };            // about how many messages the platform may store for a peer that does not receive
 
 static bool is_sender(const SmNetChannel *c) { return c->period != 0; }
 static bool is_local_failure(SmResult r) { return r != SM_OK && r != SM_E_TIMEOUT && r != SM_E_UNREACHABLE && r != SM_E_CLOSED; }

@@ -41,7 +41,7 @@ typedef struct SbrioPin {
     bool output;
     uint8_t type;             // SbrioType; SBRIO_Bool: a digital pin
     uint8_t pull;             // SbrioPull
-    uint32_t address;         // of the control or indicator
+    uint32_t address;         // the generated constant that identifies the control or indicator
     double scale, zero;       // analog: volts (or amperes) = value * scale + zero; scale is not 0, and both are finite
 } SbrioPin;
 
