@@ -17,9 +17,9 @@ typedef struct MutateRun {
     VEC(const Script *) script;
     const char *machine;      // the name of its file, without folders
     MutateScripts scripts;    // by_mutant is NULL without --scripts
-    uint32_t tried;
-    bool is_searched;         // --generate has begun
-    double least;             // --min-score
+    uint32_t tried;           // number of mutants that have run
+    bool is_searched;         // the search of --generate has begun
+    double least;             // the value of --min-score, in percent
 } MutateRun;
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};

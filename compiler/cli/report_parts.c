@@ -426,7 +426,7 @@ int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *
 
     for (size_t i = 0; i < sizeof part / sizeof *part; i++)
         clock.parts += c->given[part[i]];
-    // Those that are done soon come first, and leave their time to the others.
+    // Parts that usually end early come first, and leave the rest of their share of the time to the others.
     if (c->given[OPT_SWEEP]) {
         begin_part(&clock);
         run_sweeps(c, r, p, &clock);
