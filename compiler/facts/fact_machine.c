@@ -18,10 +18,10 @@ enum {
 
 typedef struct FactIteration {
     FactMachine *fm;
-    FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
+    FactBegin (*to)[BLOCK_COUNT];     // the table into which facts are merged: fm->begin, or in the last round a new table that then replaces it
     bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
-    Worklist queue;                   // the states to visit, if any_start
-    SweepList sweep;                  // the states to visit, else
+    Worklist queue;                   // the states to visit next, if any_start
+    SweepList sweep;                  // the states to visit next, if not any_start
     uint32_t state;                   // the state that is visited
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     bool any_start;                   // the machine may be started in any state
