@@ -201,7 +201,7 @@ static bool match_divisor(const CFn *fn, const IrIns *i, double *d)
     return *d >= 2 && *d <= 2147483647.0 && (double)(int32_t)*d == *d && (i->op == IR_div || ((int32_t)*d & ((int32_t)*d - 1)) == 0);
 }
 
-// If r is such a quotient and is written as a subexpression, fills *q and returns true.
+// If r is a quotient that a 32-bit division can compute, and is written as a subexpression, fills *q and returns true.
 static bool match_quotient(const CFn *fn, IrRef r, Quotient *q)
 {
     const IrIns *i = c_ins(fn, r), *a;

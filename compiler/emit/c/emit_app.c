@@ -373,7 +373,7 @@ static void write_tasks(const AppEmitter *e)
 
 // ---- executors ----
 
-// Writes the rate group of a task of a gate, which runs at each tick.
+// Writes the rate group of one of the executor's two gate tasks, which swap machines (runtime-c/swap.h) and run at each tick.
 static void write_gate_rate(const AppEmitter *e, const AppExecutor *x, unsigned task)
 {
     if (app_has_gate(x))

@@ -261,7 +261,7 @@ static void write_run(CUnit *u, const CStateBlocks *s, const CRun *run, Buf *out
 typedef struct CStepParts {
     CRun run;
     const CSignature *sample;     // NULL: no windows to sample
-    bool first;                   // the step must know whether it is a state's first
+    bool first;                   // the step function must know whether the step is the first one in its state
 } CStepParts;
 
 // Writes the check that time has advanced, and the start of a state's first step.  Emitted code compares `left`, how far G can still advance,

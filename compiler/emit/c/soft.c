@@ -77,7 +77,7 @@ void soft_write_compare(CFn *fn, const IrIns *i, bool negated)
 
 // A comparison of a variable with a constant.
 typedef struct ByteCompare {
-    IrRef operand;            // the value of the variable: `load`, or its conversion from F32 to F64
+    IrRef operand;            // the operand that is the variable's value: `load`, or the conversion of `load` from F32 to F64
     IrRef load, constant;
     IrOp op;                  // the comparison, written with the variable as left operand
 } ByteCompare;
