@@ -62,7 +62,7 @@ const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var)
     return e ? e->child[child_index(place, 0)].fact : NULL;
 }
 
-// Returns the fact about the variable: the stored one, or else that of its type.
+// Returns the fact about the variable: the stored fact, or else what its type says.
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
 {
     const Fact *fact = env_find(s, e, var);

@@ -9,7 +9,7 @@
 
 typedef struct Env Env;
 
-typedef struct EnvSide {              // one of the two groups of variables: private ones, or all others. A place is an index in the group
+typedef struct EnvSide {              // one of the two groups of variables: private ones, or all others.  A place is an index in the group
     const SmType *type;               // by place: the variable's type
     unsigned levels;                  // number of levels of the tree of the group; the leaves are level 0
 } EnvSide;
@@ -25,11 +25,11 @@ typedef struct EnvShape {
     struct EnvTable *unique;          // stores equal subtrees only once; NULL: equal subtrees may be stored several times
 } EnvShape;
 
-EnvShape env_shape(Arena *arena, const IrMachine *m);     // all variables of a machine
+EnvShape env_shape(Arena *arena, const IrMachine *m);     // returns the shape of environments of all variables of a machine
 // Returns the shape of environments of n variables (at least 1) of these types.
 EnvShape env_shape_of_types(Arena *arena, const SmType *type, uint32_t n);
 
-Fact env_get(const EnvShape *s, const Env *e, uint32_t var);
+Fact env_get(const EnvShape *s, const Env *e, uint32_t var);         // returns the stored fact about the variable, or else what its type says
 // Returns the stored fact about the variable; NULL if it is known only by its type.
 const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var);
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);

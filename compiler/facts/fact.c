@@ -566,13 +566,13 @@ bool fact_fits(Fact a, SmType type)
     return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
 }
 
-// Returns the smallest number above x that is whole if a is whole.
+// Returns the next number above x that a value with fact a can have: the next whole number if a.whole, else the next F64.
 double fact_next_above(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_floor(x) + 1 : next_up(x);
 }
 
-// Returns the largest number below x that is whole if a is whole.
+// Returns the next number below x that a value with fact a can have: the next whole number if a.whole, else the next F64.
 double fact_next_below(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_ceil(x) - 1 : -next_up(-x);

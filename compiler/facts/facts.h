@@ -23,9 +23,9 @@ typedef struct FactExit {             // the end of a block
 } FactExit;
 
 typedef struct FactFlow {             // valid until the next function is analysed
-    Fact *of;                         // by temporary: its possible values; undefined for temporaries in unreached blocks
-    bool *reached;                    // by block: whether the facts allow a path to it
-    FactExit *exit;                   // by block: the facts at its end; undefined for unreached blocks
+    Fact *of;                         // by temporary: the possible values of the temporary; undefined in unreached blocks
+    bool *reached;                    // by block: whether the facts allow a path to the block
+    FactExit *exit;                   // by block: the facts at the end of the block; undefined for unreached blocks
 } FactFlow;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
@@ -44,9 +44,9 @@ const Env *facts_at_begin_of_sample(const FactMachine *fm);
 
 // Returns the facts in function f, which begins with the facts `begin`.
 FactFlow facts_of_function(FactMachine *fm, const IrFn *f, const Env *begin);
-// Returns the flow of a function of a state, which must have one: that of its last visit where this began with the same facts.
+// Returns the facts in a function that the state must have.  Reuses the recorded facts of the function's last visit if it began with the same facts.
 FactFlow facts_of_block(FactMachine *fm, size_t state, int block);
-// Forgets the flows of these visits.  Call it when functions of the machine have changed.
+// Forgets the recorded visits.  Call it when functions of the machine have changed.
 void facts_forget_visits(FactMachine *fm);
 
 Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact that is true of all samples of the window
@@ -88,12 +88,12 @@ typedef struct FactEffect {
 
 typedef struct FactEnd {              // an IR_RET or IR_GOTO that the last visit of a function has reached
     const IrJump *jump;
-    bool is_as_before;                // it has the same facts as the previous end of the list
+    bool is_as_before;                // the facts at this end are those at the previous end of the list
     uint32_t updates;                 // how many facts about private variables differ from those at the beginning, unless is_as_before
 } FactEnd;
 
-typedef struct FactFn {               // what an iteration stores about a function, so that the next visit needs less work
-    FactSlot *slot;                   // by slot: its variable; NULL: not visited yet, or too many variables for slots
+typedef struct FactFn {               // the record of the last visit of a function, so that the next visit needs less work
+    FactSlot *slot;                   // by slot: the variable of the slot; NULL: not visited yet, or too many variables for slots
     uint32_t slots;
     FactEffect *effect;               // by block; NULL: visits are not repeated (FactMachine.has_variable_locals)
     Fact *begin;                      // by slot: the fact at the beginning of the function in the last visit
@@ -128,7 +128,7 @@ struct FactMachine {
     const IrMachine *m;
     EnvShape shape;
     Arena local;                      // the environments of slots in the current function
-    Fact slot_begin[FACT_SLOTS];      // by slot of the current function: the facts at its beginning
+    Fact slot_begin[FACT_SLOTS];      // by slot of the current function: the fact at the beginning of the function
     const Env *assumed;               // the facts that are assumed of elements, or NULL
     bool has_variable_locals;         // the machine writes private locals; else all functions begin with the facts `constants`
     const Env *constants;             // `assumed`, and the values of locals that no code writes
@@ -137,14 +137,14 @@ struct FactMachine {
     Fact *window;                     // by window: the fact that is true of all its samples
     uint32_t *epoch, *stored;         // by variable: value of `epochs` at the last block visit that stored to it; position of that store
     uint32_t epochs;                  // number of block visits so far
-    uint32_t functions, edges;        // number of functions analysed so far, and of their edges
+    uint32_t functions, edges;        // number of functions analysed so far; number of edges followed in them
     FactSlotOf *slot_of;              // by variable: its slot in the function that was analysed last
     FactSlot slot[FACT_SLOTS];        // the slots of the current function
     VEC(FactUpdate) load, update;     // the facts that the effect of the current block will contain (FactEffect)
     FactRefined *refined;             // by slot, or by variable where a function has too many for slots
     uint32_t *refined_slot;           // the slots about which the current edge adds facts
     Fact zero;                        // the fact of the number 0 in a U64
-    size_t temps, blocks;             // capacity of the following tables, which every call of facts_flow uses
+    size_t temps, blocks;             // capacity of the following tables, in temporaries and in blocks; every call of facts_flow uses them
     Fact *of;
     FactHome *home;
     bool *reached;
