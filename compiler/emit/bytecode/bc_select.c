@@ -54,7 +54,7 @@ void bc_bring_to_x(BcSelect *s, IrRef r)
     drop_use(s, r);
 }
 
-// Computes a waiting value before its use.
+// Computes waiting value r now, before the instruction that uses it.
 static void compute_waiting(BcSelect *s, IrRef r)
 {
     if (bc_ins(s, r)->op == IR_load)

@@ -14,10 +14,10 @@
 typedef struct BcValue {
     uint32_t uses;            // number of uses by live instructions and the block's jump
     uint32_t uses_left;       // uses that have not been selected yet
-    uint32_t last;            // 1 + position in the block at which the last instruction that uses it is computed
+    uint32_t last;            // 1 + position in the block at which the last instruction that uses the value is computed
     uint32_t next_store;      // for a store: 1 + position in the block of the next store to the same variable; UINT32_MAX: no later store
-    uint32_t depth;           // length of the longest chain of waiting operations in the expression that computes it
-    bool is_computed;         // the value has been computed at its own position: it is in X or in `slot`
+    uint32_t depth;           // length of the longest chain of waiting operations in the expression that computes the value
+    bool is_computed;         // the value has been computed at the instruction's own position, so it is in X or in `slot`
     bool waits;               // the value is computed where its only user needs it; a conversion that does not change the number, at each user
     bool early;               // for a load: must execute at its own position, because a store to the variable precedes the last use of the value
     bool negative;            // an integer that can be below zero
@@ -48,7 +48,7 @@ typedef struct BcSelect {
     const IrFn *f;
     BcFn *out;
     VEC(BcValue) values;      // the memory that `value` points to; its capacity suffices for the largest function so far
-    BcValue *value;           // by IR instruction of the current function: facts about it
+    BcValue *value;           // by IR instruction of the current function: facts about the instruction
     uint32_t *store_at;       // by variable: 1 + position in the block of the next store to the variable…
     uint32_t *store_in;       // …which is valid only if store_in of the variable equals `count`
     uint32_t count;           // number of the current call of count_block_uses, from 1; each block needs one or two calls
@@ -58,7 +58,7 @@ typedef struct BcSelect {
     Span span;                // source of the IR instruction being selected
     uint32_t *label;          // by block: the label at its start
     uint32_t first_inner_label;  // number of the first label that the conditional jump of the current block has created
-    IrBlkRef *final_target;   // by block: itself, or its final target if it only jumps
+    IrBlkRef *final_target;   // by block: the block itself; for a block that only jumps, the block where its chain of such jumps ends
     BcExit *exit;             // by state: the exit `goto` this state; [0]: the exit `end`
     VEC(uint32_t) exits;      // the indices in `exit` that the current function uses
     uint32_t fn;              // number of the current function, from 1
@@ -102,11 +102,11 @@ static inline bool bc_register_has(const BcRegister *h, BcRef o) { return o != B
 BcIns *bc_emit(BcSelect *s, uint8_t op);
 void bc_forget_registers(BcSelect *s);                  // forgets the contents of X and Y
 void bc_load_x(BcSelect *s, BcRef o);                   // loads operand o into X; emits nothing if X contains its value already
-void bc_load_y(BcSelect *s, BcRef o);                   // the same for the register Y
+void bc_load_y(BcSelect *s, BcRef o);                   // loads operand o into Y; emits nothing if Y contains its value already
 void bc_save_x(BcSelect *s);                            // saves X to a slot if its value is needed later; call before X changes and before Y is
                                                         // loaded
 void bc_forget_y(BcSelect *s);                                 // records that Y is undefined
-void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction that changes X
+void bc_emit_changing_x(BcSelect *s, uint8_t op, uint32_t n);  // emits an instruction that changes X, with immediate operand n
 void bc_record_x(BcSelect *s, IrRef r);                       // records that X contains r; saves the value recorded before if it is still needed
 void bc_drop_cvt(BcSelect *s, uint32_t type);           // removes a conversion of X to `type` before a store to this type, which converts too
 void bc_store_x(BcSelect *s, BcRef d, bool same);       // stores X in d.  same: a load of d then returns exactly what X contains

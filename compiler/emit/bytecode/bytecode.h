@@ -34,7 +34,7 @@ typedef struct BcOperand {
     uint32_t type;            // SmType; for a slot also BC_RAW
     uint32_t var, index;
     uint64_t bits;
-    uint32_t output;          // for an element: 1 + its number among the outputs; 0: no instruction has stored it yet
+    uint32_t output;          // for an element: 1 + the element's number among the outputs; 0: no instruction has stored the element yet
 } BcOperand;
 
 typedef uint32_t BcRef;       // index into BcMachine.operand
@@ -66,7 +66,7 @@ typedef struct BcFn {
 typedef struct BcMachine {
     const IrMachine *ir;
     VEC(BcOperand) operand;
-    BcRef *of_var;            // by variable: index of its operand in `operand`; BC_NONE: not created yet
+    BcRef *of_var;            // by variable: index in `operand` of the variable's operand; BC_NONE: not created yet
     BcRef *of_stat;           // by window and statistic: index of the operand in `operand`; BC_NONE: not created yet
     BcRef *const_slot;        // hash table of the BC_CONST operands, with `const_cap` entries of which `consts` are used
     size_t const_cap, consts;
@@ -74,7 +74,7 @@ typedef struct BcMachine {
     VEC(uint64_t) f64s;
     VEC(uint32_t) output;     // by output number, from 0: the variable that is stored
     uint32_t slots[BC_POOLS]; // number of slots of each type
-    uint32_t *window_number;  // by index of an IR window: its number in the image, where windows are numbered in the order of sampling
+    uint32_t *window_number;  // by index of an IR window: the window's number in the image, which numbers windows in the order of sampling
     BcFn *fn;                 // the function that samples the windows, then entry, step and exit of each state, as in the image's table of functions
     size_t fns;
     // filled in by assemble.c:

@@ -91,7 +91,7 @@ static void write_name(Buf *b, const char *text, size_t len)
 }
 
 typedef struct BcNames {
-    Buf *tables, names;
+    Buf *tables, names;          // the tables of offsets of names; the names themselves
     uint32_t first;           // offset of the first name from the start of the section
 } BcNames;
 

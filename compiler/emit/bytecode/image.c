@@ -63,7 +63,7 @@ static bool fits_whole_number(SmF64 x)
     return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_truncate_i32(x)), x);
 }
 
-// Writes x as a whole number of 24 bits, an f32 or an f64: the first of these that is exact.
+// Writes x in the shortest encoding that is exact: a whole number of 20 bits, an f32 or an f64.
 static void write_number(Buf *b, SmF64 x)
 {
     if (fits_whole_number(x)) {
@@ -231,7 +231,7 @@ static void write_text(Buf *b, const char *text)
     buf_put(b, text, strlen(text) + 1);
 }
 
-// Returns the bits of an end of a parameter's range. A zero has the sign of `beyond`: both zeros are in the range (docs/bytecode.md, rule 37).
+// Returns the bits of an end of a parameter's range.  A zero has the sign of `beyond`: both zeros are in the range (docs/bytecode.md, rule 37).
 static uint64_t cell_of_end(SmType type, SmF64 end, SmF64 beyond)
 {
     return sm_cell_from_f64(type, is_zero(end) ? sm_mul(sm_from_i32(0), beyond) : end);
@@ -267,7 +267,7 @@ static bool is_safe(const IrState *s) { return s->is_safe; }
 static bool allows_swap(const IrState *s) { return s->allows_swap; }
 static bool is_abort(const IrState *s) { return s->is_abort; }
 
-// Adds section `id` with a bit for each state: whether has_mark is true of it. Adds no section if it is true of none.
+// Adds section `id` with a bit for each state: whether has_mark is true of it.  Adds no section if it is true of none.
 static void add_marks(ImageWriter *w, const IrMachine *m, uint8_t id, uint8_t version, bool (*has_mark)(const IrState *s))
 {
     uint8_t *bits = ARENA_ARRAY(w->arena, uint8_t, (m->state.n + 7) / 8);

@@ -85,7 +85,7 @@ IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type)
 
 static bool is_pure_operation(IrOp op) { return !ir_op_info[op].effect && op != IR_const && op != IR_load; }
 
-// Counts `times` more uses of value r. `at`: position in the block of the instruction that uses r.
+// Counts `times` more uses of value r.  `at`: position in the block of the instruction that uses r.
 static void add_use(BcSelect *s, IrRef r, uint32_t at, uint32_t times)
 {
     BcValue *v = &s->value[r];

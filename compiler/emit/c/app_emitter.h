@@ -33,7 +33,7 @@ bool app_has_task(const AppEmitter *e, AstAppTaskKind kind);
 bool app_has_swaps(const App *app);
 // Whether the executor has a gate, two tasks that swap machines at the beginning and end of a tick: it runs a machine that can be swapped.
 bool app_has_gate(const AppExecutor *x);
-// Returns the index of a machine among those that can be swapped.
+// Returns the index of machine m in the list of machines that can be swapped.
 unsigned app_swappable_index(const App *app, const AppMachine *m);
 bool app_has_storage(const AppEmitter *e);       // whether the images of confirmed swaps are stored in non-volatile memory
 // Whether hosts outside the application can connect to it and request swaps.

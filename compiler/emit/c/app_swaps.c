@@ -21,7 +21,7 @@ bool app_has_gate(const AppExecutor *x)
     return false;
 }
 
-// Returns the index of a machine among those that can be swapped.
+// Returns the index of machine m in the list of machines that can be swapped.
 unsigned app_swappable_index(const App *app, const AppMachine *m)
 {
     unsigned n = 0;
@@ -103,7 +103,7 @@ static void write_swap_link(const AppEmitter *e, unsigned swappables)
                (unsigned)e->app->machine.n);
 }
 
-// Returns the most bytes of the stored images of all machines: SM_SWAP_STORE_ROOM.  A memory contains two of them, and has at most 2^31 bytes.
+// Returns the most bytes of a stored set of images of all machines: SM_SWAP_STORE_ROOM. The memory contains two sets, and has at most 2^31 bytes.
 static unsigned storage_room(const AppEmitter *e, unsigned swappables)
 {
     const uint64_t size = swappables * ((uint64_t)e->app->swap_room + 9 + 64);

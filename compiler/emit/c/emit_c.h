@@ -41,8 +41,8 @@ void emit_c_net(Arena *arena, const Network *net, const EmitCOptions *o, Buf *he
 void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);
 void emit_c_bytes(const Buf *image, Buf *out);
 
-// Emits the library for `soft`: sm_soft.h, sm_soft.c, sm_soft_avr.S.  It is the same for all machines.  With runtime-c it is not needed,
-// because that includes it.
+// Emits the library of soft numbers (EmitCOptions.soft): sm_soft.h, sm_soft.c, sm_soft_avr.S. It is the same for all machines.  Not needed with
+// runtime-c, which includes the library.
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly);
 
 // Emits several machines, each the result of passes_for_c, and a main as one translation unit: a driver program that runs them on commands

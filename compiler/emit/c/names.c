@@ -292,7 +292,7 @@ static const char *choose_window_name(const CUnit *u, size_t w, uint32_t var)
                           : format_in(u->arena, "%s_last_%lu", u->names.var[var], (unsigned long)u->m->window.at[w].size);
 }
 
-// Names the struct members that store the number of samples and the next slot of windows. Windows of the same size share such a member.
+// Names the struct members that store the number of samples and the next slot of windows.  Windows of the same size share such a member.
 static void assign_ring_names(CUnit *u, NameSet *s)
 {
     u->ring = ARENA_ARRAY(u->arena, const char *, u->m->window.n);

@@ -38,7 +38,7 @@ typedef struct CVector {
     size_t n;
     uint32_t size, hash;          // size in bytes; hash of the layout
     const char *name;             // name of the .sv file or the machine
-    bool shared;                  // it comes from a .sv file, so several machines can use it
+    bool shared;                  // the state vector comes from a .sv file, so several machines can use it
 } CVector;
 
 // Names of what the flight runtime needs for a state vector: access functions, and enumerators of elements and regions.
@@ -55,7 +55,7 @@ typedef struct CUnit {
     CNames names;
     CVector sv;
     uint32_t *helper;             // by index in stdlib_text (stdlib_text.h): number of uses of that snippet of stdlib source
-    const char **window;          // by rolling window: name of the member of the machine's struct that stores its samples
+    const char **window;          // by rolling window: name of the member of the machine's struct that stores the window's samples
     const char **ring;            // by rolling window: name of the member that stores its sample count and next slot; windows of one size share it
     struct CVarUse *var_use;      // by variable: how the current function uses it
     uint32_t *window_stats_read;  // by window: a bit for each statistic that the code reads
@@ -144,7 +144,7 @@ void c_write_vector_struct(const CUnit *u, Buf *out);
 // Writes the check of the struct's size, for the source file: foreign function interfaces read the header, and most cannot evaluate it.
 void c_write_vector_check(const CUnit *u, Buf *out);
 bool c_has_parameters(const CUnit *u);
-void c_write_parameter_types(CUnit *u, Buf *out);        // parameters.c: these three write nothing for a machine without parameters
+void c_write_parameter_types(CUnit *u, Buf *out);        // in parameters.c.  This and the next two write nothing for a machine without parameters
 void c_write_parameter_prototypes(const CUnit *u, Buf *out);
 void c_write_parameters(CUnit *u, Buf *out);
 void c_write_machine_types(CUnit *u, Buf *out);
@@ -189,15 +189,15 @@ void c_write_vector_tables(const CUnit *u, const StateVec *sv, const CVectorName
 
 // The parameters and result of a block's function.
 typedef struct CSignature {
-    bool returns_state;           // it can make a transition: returns the state's number, or 0
-    bool m, sv;                   // it has the parameter m, the machine; sv, the state vector
+    bool returns_state;           // the function can make a transition: it returns the number of the next state, or 0
+    bool m, sv;                   // the function has a parameter m, the machine; sv, the state vector
 } CSignature;
 
 typedef struct CFunction {
     const IrFn *f;
     const Env *begin;             // facts at the start of the function
     const char *name;             // name of the C function
-    const char *comment;          // a whole comment line that precedes it
+    const char *comment;          // comment line that is written before the function
 } CFunction;
 
 // Writes the function as a static C function.
@@ -205,7 +205,7 @@ CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out);
 
 // ---- machine.c ----
 
-// Returns the C type for a state's number or 0. If numbers are soft: the shortest type that can represent the numbers of all states.
+// Returns the C type for a state's number or 0.  If numbers are soft: the shortest type that can represent the numbers of all states.
 const char *c_state_type(const CUnit *u);
 // Writes the functions of all blocks, then init, step, state, T and state_name.
 void c_write_machine(CUnit *u, Buf *out);

@@ -60,7 +60,7 @@ const char *c_window_declaration(const CUnit *u, size_t w)
     return format_in(u->arena, "%s[%s_WORDS_%s]", u->window[w], u->names.macro, u->window[w]);
 }
 
-// Returns the first window that shares the ring of window w, which all windows of its size use. A window of times has a ring of its own.
+// Returns the first window that shares the ring of window w, which all windows of its size use.  A window of times has a ring of its own.
 size_t c_ring_owner(const CUnit *u, size_t w)
 {
     size_t i = 0;
@@ -216,7 +216,7 @@ static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, "&m->%s)", u->ring[w]);
 }
 
-// Whether a statistic of window w may be a zero of the wrong sign, because no use distinguishes 0 from -0. Its function is then faster.
+// Whether a statistic of window w may be a zero of the wrong sign, because no use distinguishes 0 from -0.  Its function is then faster.
 static bool has_any_zero(const CUnit *u, size_t w, int stat)
 {
     const IrWindow *window = get_window(u, w);
