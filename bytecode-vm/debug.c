@@ -139,7 +139,7 @@ SmvmName smvm_name_of(const SmvmMachine *m, SmvmVariable is, const SmvmLocation 
     return there == is && (is == SMVM_IS_TIME || (p.type == location->type && p.offset == location->offset)) ? n : none;
 }
 
-// Sets l before the first line.  Returns false if the section has no lines.
+// Initialises l so that smvm_next_line reads the first line next.  Returns false if the section has no lines.
 static bool try_open_lines(const SmvmMachine *m, SmvmLines *l)
 {
     uint32_t offset;

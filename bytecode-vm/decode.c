@@ -212,7 +212,7 @@ uint32_t smvm_decoded_size(const SmvmMachine *m)
     return size > UINT32_MAX ? UINT32_MAX : (uint32_t)size;
 }
 
-// Decodes the code of the machine that runs at vm, into memory that the caller owns; *decoded is set to it.
+// Decodes the code of the machine that runs at vm, into memory that the caller owns; sets *decoded to the decoded form.
 SmResult smvm_decode(SmvmDecoded **decoded, void *memory, uint32_t size, const SmvmMachine *m, SmVm *vm, void *sv)
 {
     SmvmDecoded *out = memory;

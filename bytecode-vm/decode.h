@@ -7,21 +7,21 @@
 #include "bytecode-vm/image.h"
 #include "stdlib/convert.h"
 
-enum { DEFERRED = FAST_SOURCE_COUNT };                // DecodedValue.kind of X if its operation is not emitted yet
+enum { DEFERRED = FAST_SOURCE_COUNT };                // a value of DecodedValue.kind: X is the result of an operation that is not emitted yet
 
 // What the decoder knows about the contents of register X or Y of the bytecode.
 typedef struct DecodedValue {
     uint8_t kind;             // SmType or FAST_RAW: a value of that type in memory; FAST_C: the constant c; FAST_IN_F: the value is in F; DEFERRED
-    enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // where a value in memory comes from
+    enum { A_LOCAL, AN_ELEMENT, THE_TIME } is;        // for a value in memory: it is a local, an element or T
     uint32_t offset;          // a value in memory: offset of the local or element, in bytes
     SmF64 c;                  // FAST_C: the constant
 } DecodedValue;
 
 // A deferred operation whose result is X.
 typedef struct DeferredOp {
-    uint8_t op;               // the opcode of the operation on registers: SMVM_sub also stands for subi, and so on
+    uint8_t op;               // the opcode with two registers as operands: SMVM_sub also represents subi, SMVM_add addi
     uint32_t n, w;            // n: relations of set, type of cvt, or statistic; w: window
-    DecodedValue a, b;
+    DecodedValue a, b;        // the operands; b only if the operation has two
 } DeferredOp;
 
 typedef struct DecodeState {
@@ -34,17 +34,17 @@ typedef struct DecodeState {
     uint32_t n[2];            // operands of the current instruction
     DecodedValue x, y;        // the contents of registers X and Y
     DeferredOp deferred;      // valid if x is DEFERRED
-    uint32_t jumps;           // the last word that is an unresolved jump target, or 0
-    uint32_t gotos;           // the last GO whose target is not resolved yet, or 0
+    uint32_t jumps;           // index of the last word that is an unresolved jump target; 0: none.  Each such word has the index of the one before
+    uint32_t gotos;           // index of the last GO whose target is not resolved yet; 0: none
     uint32_t longest;         // size of the longest function, in bytes
-    enum { IN_SAMPLE, IN_ENTRY, IN_OTHERS } in;
+    enum { IN_SAMPLE, IN_ENTRY, IN_OTHERS } in;       // which function is decoded: the sample function, an .entry, or another one
 } DecodeState;
 
 // The destination of a store.
 typedef struct StoreTarget {
-    DecodedValue to;
+    DecodedValue to;          // the variable in memory
     bool output;              // `to` is an output; otherwise a local
-    uint32_t index;           // if `to` is an output: its number, counted from 0
+    uint32_t index;           // if `to` is an output: the output's number, counted from 0
 } StoreTarget;
 
 // ---- values ----
@@ -80,9 +80,9 @@ void smvm_emit_operand(DecodeState *d, const DecodedValue *v);  // emits the add
 void smvm_emit_target(DecodeState *d, uint32_t target);  // emits the target of a jump, given as an offset in the function
 
 void smvm_emit_load(DecodeState *d, const DecodedValue *x);         // emits code that loads x into F; nothing if x is there already
-// In these two, `family` is the first instruction of a family; the kind of y selects the instruction within it.
+// In these two, `family` is the first instruction of a family of instructions; the kind of y selects one instruction of the family.
 void smvm_emit_operation_on_f(DecodeState *d, FastOp family, const DecodedValue *y);         // emits an instruction with the operands F and y
-void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);  // x is in memory, y in memory or constant
+void smvm_emit_two_operands(DecodeState *d, FastOp family, const DecodedValue *x, const DecodedValue *y);   // x: in memory; y: not F
 
 // ---- X (decode_x.c) ----
 

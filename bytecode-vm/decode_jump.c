@@ -5,7 +5,7 @@
 // Returns the relations of y to x for which x is in one of the relations m to y: exchanges SMVM_LESS and SMVM_GREATER.
 static unsigned mirror_relation(unsigned m) { return (m & (SMVM_EQUAL | SMVM_UNORDERED)) | (m & SMVM_LESS) << 2 | (m & SMVM_GREATER) >> 2; }
 
-// Returns the one relation of x to y that is true.
+// Returns which relation of x to y is true: SMVM_LESS, SMVM_EQUAL, SMVM_GREATER or SMVM_UNORDERED.
 static unsigned relation_between(SmF64 x, SmF64 y)
 {
     if (sm_lt(x, y))
@@ -140,12 +140,12 @@ static void decode_jump_truth(DecodeState *d, bool when, uint32_t target)
         emit_jump_on_truth(d, when, smvm_compute_x(d), target);
 }
 
-// Translates a jump. `counted`: the instruction contains the number that X is compared with; otherwise X is compared with Y.
+// Translates a jump instruction.  One with an operand N (jxn) compares X with that number, others that compare do so with Y.
 void smvm_decode_jump(DecodeState *d, uint8_t op)
 {
-    bool counted = (smvm_shape(op) & SMVM_SHAPE_N) != 0;
-    uint32_t target = (uint32_t)(d->at + d->n[counted] - d->start);
-    DecodedValue y = counted ? smvm_constant_operand(sm_from_u32(d->n[0])) : d->y;
+    bool has_number = (smvm_shape(op) & SMVM_SHAPE_N) != 0;
+    uint32_t target = (uint32_t)(d->at + d->n[has_number] - d->start);
+    DecodedValue y = has_number ? smvm_constant_operand(sm_from_u32(d->n[0])) : d->y;
 
     if (op == SMVM_jmp)
         smvm_emit_jump(d, FAST_JMP_OP, target);

@@ -37,7 +37,7 @@ static void emit_store_op(DecodeState *d, FastOp family, FastOp noting, unsigned
     smvm_emit_operand(d, &to->to);
 }
 
-static void emit_store_constant(DecodeState *d, const StoreTarget *to, SmF64 c)  // its operand is c converted to the type of the destination
+static void emit_store_constant(DecodeState *d, const StoreTarget *to, SmF64 c)  // the operand is c, already converted to the type of `to`
 {
     unsigned kind = to->to.kind;
     uint64_t cell = kind == FAST_RAW ? sm_bits(smvm_raw(c)) : sm_cell_from_f64((SmType)kind, c);

@@ -40,7 +40,7 @@ static void emit_binary(DecodeState *d, uint8_t op, DecodedValue x, DecodedValue
     }
     if (is_in_f(&x)) {
         smvm_emit_operation_on_f(d, (FastOp)f->with, &y);
-    } else if (is_in_f(&y)) {                         // a subtraction: of the other operations, smvm_defer_operation makes the operand in F the first
+    } else if (is_in_f(&y)) {                         // a subtraction: in others, smvm_defer_operation has made the operand in F the first
         smvm_emit_operation_on_f(d, FAST_RSUB_I8_OP, &x);
     } else if (is_memory(&x) && is_constant(&y) && f->number != 0) {
         smvm_emit_two_operands(d, (FastOp)f->number, &x, &y);

@@ -94,7 +94,7 @@ static void print_initial_values(DisasmOutput *o)
     }
 }
 
-// Prints the place and the name of each parameter, and the cells of its range, default and value.
+// Prints the location and the name of each parameter, and the bits of the ends of its range, of its default and of its value, in hexadecimal.
 static void print_parameters(DisasmOutput *o)
 {
     static const char *const before[] = {" from 0x", " to 0x", ", default 0x", ", value 0x"};

@@ -12,17 +12,17 @@ typedef struct DisasmOutput {
     const SmvmMachine *m;     // the machine that is printed
     uint32_t column;          // how many characters the current line has
     SmvmLines lines;          // iterates over the source lines of the machine
-    bool more_lines;          // `lines` has not reached the end: it is at a line
+    bool more_lines;          // `lines` contains a line that has not been printed yet
 } DisasmOutput;
 
 // ---- text (disasm_text.c) ----
 
 void smvm_print(DisasmOutput *o, const char *s);
-void smvm_print_padding(DisasmOutput *o, uint32_t column);  // prints at least one space, and more up to this column
+void smvm_print_padding(DisasmOutput *o, uint32_t column);  // prints at least one space, and further ones up to this column
 void smvm_print_unsigned(DisasmOutput *o, uint64_t v);
 void smvm_print_signed(DisasmOutput *o, int32_t v);
 void smvm_print_hex(DisasmOutput *o, uint64_t v, uint8_t digits);
-void smvm_print_f64(DisasmOutput *o, SmF64 x);         // as a decimal if a short one is exact, else like C99's %a
+void smvm_print_f64(DisasmOutput *o, SmF64 x);         // prints x as a decimal if a short one is exact, else like C99's %a
 void smvm_print_name(DisasmOutput *o, SmvmName n);
 void smvm_print_location(DisasmOutput *o, const char *prefix, const SmvmLocation *p);
 void smvm_print_variable(DisasmOutput *o, SmvmVariable is, const SmvmLocation *p);

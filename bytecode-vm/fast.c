@@ -13,8 +13,8 @@
 #include "stdlib/math.h"
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // these would merge the jumps between instructions into one
-#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // these take a third of gcc's time for this file and gain nothing
+#pragma GCC optimize("no-gcse", "no-crossjumping", "no-tree-tail-merge")   // these optimisations would merge the jumps between instructions into one
+#pragma GCC optimize("no-tree-fre", "no-tree-pre")     // these optimisations take a third of gcc's time for this file and gain nothing
 #endif
 
 // ---- functions for each type K, used by the instructions of fast.h; `w` is the word of an operand ----
@@ -89,7 +89,7 @@ static inline SmF64 get_C(const SmvmWord *w, SmF64 f) { (void)f; return w->f; }
 
 // Stores the constant of word n + 1, which is already converted to ctype, at the address in word n.
 #define SET(ctype, n) do { const ctype v_ = (ctype)ip[(n) + 1].u; memcpy(ip[n].p, &v_, sizeof v_); } while (0)
-#define NOTE notes |= ip[1].u                          // notes that one of the first 64 outputs is stored: ip[1] has its bit
+#define NOTE notes |= ip[1].u                          // records that one of the first 64 outputs is stored: ip[1] has the output's bit
 
 // Whether x and y are in one of the relations m (image.h).
 static inline bool is_related(unsigned m, SmF64 x, SmF64 y)
@@ -118,7 +118,7 @@ static SmF64 compute_sqrt(SmF64 x) { return sm_sqrt(x); }
 #endif
 #define GO_IF(condition, n) if (condition) { ip = ip[1].to; NEXT(0); } NEXT(n)
 
-// Runs a step on a state vector other than that of the decoded form.  If d has no machine, only sets d->label (smvm_fast_labels).
+// Runs a step on a state vector other than d->sv, to which the decoded code points.  If d has no machine, only sets d->label (smvm_fast_labels).
 static SmResult step_other_vector(SmvmDecoded *d, void *sv, const void *const *label)
 {
     if (d->vm != NULL)

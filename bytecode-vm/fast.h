@@ -138,21 +138,21 @@ typedef union SmvmWord {
     void *p;                  // the address of an operand in memory
     const union SmvmWord *to; // the target of a jump
     SmF64 f;                  // a constant
-    int64_t i;
-    uint64_t u;
+    int64_t i;                      // a signed integer constant
+    uint64_t u;                     // an unsigned integer: a constant, a size, a bit mask …
 } SmvmWord;
 
 // A decoded machine.  Its functions are linked by jumps: the sample function continues with the first block that the state runs, `.entry`
 // with `.step`, and a transition with `.exit`.
 struct SmvmDecoded {
-    SmVm *vm;
+    SmVm *vm;                       // the machine, as smvm_init started it
     void *sv;                 // the state vector that addresses in the code point into
     const void *g;            // element G of that vector
     void *s;                  // the machine's element S
-    SmvmParts parts;          // the parts of the machine's memory
+    SmvmParts parts;               // where the windows, locals and stored bits are in the machine's memory
     uint64_t t;               // T, updated at the start of each step: instructions read it as an operand in memory
     SmvmWord *code;           // the words, which begin with the sample function
-    const SmvmWord **body;    // two for each state: where the code of its later steps starts, and that of its first step
+    const SmvmWord **body;    // [2 * state]: where the code of the state's later steps starts; [2 * state + 1]: that of its first step
     const void *const *label; // the result of smvm_fast_labels
     bool samples;             // a step begins at the second word of the code: it clears stored bits, runs the sample function, or both
 };

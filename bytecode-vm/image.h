@@ -14,7 +14,7 @@
 #define SMVM_MAGIC (0x6d73u | UINT32_C(0x620000))      // 's' 'm' 'b', as a number
 enum {
     SMVM_FORMAT = 2,                  // the version of the image format as a whole
-    SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,
+    SMVM_CRC_AT = 4, SMVM_LENGTH_AT = 8, SMVM_SECTIONS_AT = 11, SMVM_HEADER = 12,     // offsets in the header; bytes of the header
     SMVM_SECTION_ENTRY = 8,           // bytes of an entry of the section table: id u8, version u8, offset u24, length u24
     SMVM_MUST_KNOW = 0x80             // a section whose id has this bit cannot be skipped
 };
@@ -33,7 +33,7 @@ enum {
     SMVM_R_OK = 0
 };
 
-// The opcodes of opcodes.def; for a range of opcodes, the first of them.
+// The opcodes of opcodes.def; for a row with a range of opcodes, the first opcode of the range.
 typedef enum SmvmOp {
 #define SMVM_OP(name, first, last, shape, meaning) SMVM_##name = first,
 #include "bytecode-vm/opcodes.def"
@@ -43,7 +43,7 @@ typedef enum SmvmOp {
 
 enum { SMVM_RAW = SM_TYPE_COUNT };    // as the type of a local: an F64 that is stored unchanged, NaN included
 
-// Lists, each of which applies the macro M to all of it.  SMVM_EACH_TYPE: the types of values in memory, in the order of their numbers
+// Lists that apply the macro M to each of their items.  SMVM_EACH_TYPE: the types of values in memory, in the order of their numbers
 // (SmType).  SMVM_EACH_KIND: also RAW.  SMVM_EACH_RELATION: every set of relations that an opcode can have (jxy, jxn).
 #define SMVM_EACH_TYPE(M) M(I8) M(I16) M(I32) M(I64) M(U8) M(U16) M(U32) M(U64) M(F32) M(F64) M(BOOL)
 #define SMVM_EACH_KIND(M) SMVM_EACH_TYPE(M) M(RAW)
@@ -64,7 +64,7 @@ enum {
     SMVM_FN_OF_TWO = 16, SMVM_FN_MAX = 32
 };
 
-// Relations of X to the other operand.  The low bits of jxy and jxn, and the operand of set, are a sum of them.
+// Relations of X to the other operand.  The low bits of jxy and jxn, and the operand of set, are sums of these bits.
 enum { SMVM_LESS = 1, SMVM_EQUAL = 2, SMVM_GREATER = 4, SMVM_UNORDERED = 8, SMVM_ANY_RELATION = 15 };
 
 // The operands of an opcode, and its effect on the registers: see opcodes.def.
@@ -97,7 +97,7 @@ enum { SMVM_VARINT_1 = 0x60, SMVM_VARINT_2 = 0x78 };
 // name and of the source's name.  Next is the offset of each state's name (0: none).  Then each variable has SMVM_DEBUG_VARIABLE bytes:
 // its SmvmVariable, its location and its name's offset.
 enum { SMVM_DEBUG_NUMBERS = 4, SMVM_DEBUG_VARIABLE = 7 };
-// The longest name of samples.  A longer one is not written, because a part of it does not identify what is sampled.
+// The longest name of the samples of a window.  A longer name is not written, because a part of the name does not identify what is sampled.
 enum { SMVM_SAMPLE_NAME_MAX = 2000 };
 
 // ---- reading ----
@@ -173,19 +173,19 @@ static inline uint32_t smvm_ram_size_64(const SmvmMachine *m)
     return smvm_ram_size(m) - (uint32_t)SMVM_VM_BYTES - pointers + SMVM_VM_BYTES_64 + 8u * m->windows;
 }
 
-// Flags for the order of sections: a section requires some of them before it, forbids others, and sets its own.
+// Flags for the order of sections.  Each kind of section sets a flag, and requires or forbids that earlier sections have set others.
 enum { SMVM_HAS_MACHINE = 1, SMVM_HAS_CODE = 2, SMVM_HAS_INIT = 4, SMVM_HAS_SAFE = 8, SMVM_HAS_IO = 16, SMVM_HAS_PARAMETERS = 32 };
 
 typedef struct SmvmSectionKind {
     uint8_t id, version;
-    uint8_t requires, forbids, provides;  // sets of these flags: required and forbidden before it; set by it
-    uint8_t part;             // offset in SmvmMachine of the fields for the section's offset and size; 0: it has no such fields
+    uint8_t requires, forbids, provides;  // sets of these flags: required before the section, forbidden before it, and set by it
+    uint8_t part;             // offset in SmvmMachine of the two fields for the section's offset and size; 0: SmvmMachine has none for it
 } SmvmSectionKind;
 
-typedef struct SmvmSection {  // a section as its table entry describes it; not checked
+typedef struct SmvmSection {  // a section as its entry in the section table describes it; the verifier checks that separately
     uint8_t id;
-    SmvmAt at, size;
-    SmvmSectionKind kind;     // all zero if id or version is unknown
+    SmvmAt at, size;                 // offset in the image; number of bytes
+    SmvmSectionKind kind;     // properties of the section by its id and version; all zero if these are unknown
 } SmvmSection;
 
 void smvm_read_section(SmvmBytes image, uint8_t index, SmvmSection *s);
@@ -205,9 +205,9 @@ void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t);
 
 // Where the parts of a machine's memory are.  The memory is one block after SmVm.
 typedef struct SmvmParts {
-    uint64_t **window;        // by window: its words (stdlib/roll.h)
-    uint8_t *local;
-    uint8_t *stored;          // bits of the outputs from 64 on
+    uint64_t **window;        // by window: the words of the window (stdlib/roll.h)
+    uint8_t *local;                  // the locals
+    uint8_t *stored;          // a bit for each output from the 64th on (counted from 0): whether the last step stored it
     uint32_t stored_bytes;
 } SmvmParts;
 
@@ -221,13 +221,13 @@ SmvmLocation smvm_location(SmvmBytes image, SmvmAt at);      // reads the locati
 enum { SMVM_PARAMETER_LOWEST, SMVM_PARAMETER_HIGHEST, SMVM_PARAMETER_DEFAULT, SMVM_PARAMETER_VALUE, SMVM_PARAMETER_NUMBERS };
 typedef struct SmvmParameterEntry {
     SmvmLocation location;
-    uint8_t bytes;            // the size of its type
-    SmvmAt numbers;           // offset of the numbers in the image
-    SmvmAt name[2], size[2];  // offsets and lengths of its name and its unit
+    uint8_t bytes;            // size of the parameter's type
+    SmvmAt numbers;           // offset in the image of its SMVM_PARAMETER_NUMBERS numbers
+    SmvmAt name[2], size[2];  // offsets in the image and lengths of the parameter's name and unit
 } SmvmParameterEntry;
 
-SmvmReader smvm_parameters(const SmvmMachine *m);     // a reader before the first entry
-bool smvm_read_parameter(SmvmReader *r, SmvmParameterEntry *p);
+SmvmReader smvm_parameters(const SmvmMachine *m);     // returns a reader of the section, at its first entry
+bool smvm_read_parameter(SmvmReader *r, SmvmParameterEntry *p);    // reads the next entry; false at the end, or if the entry is not complete
 static inline SmvmAt smvm_parameter_number(const SmvmParameterEntry *p, uint8_t which) { return (SmvmAt)(p->numbers + (unsigned)which * p->bytes); }
 
 static inline uint32_t smvm_window(SmvmBytes image, SmvmAt windows_at, SmvmAt w)     // reads entry w of the table of windows
@@ -258,11 +258,11 @@ uint32_t smvm_shape(uint8_t opcode);                  // returns the SMVM_SHAPE_
 // Returns 0, or the rule that the IO section breaks, and sets *at to the offset of the error (pins.c).
 uint8_t smvm_check_pins(SmvmBytes image, SmvmAt *at);
 
-// Windows, for every interpreter (interp.c): the code of stdlib/roll.h is long, so only one copy is compiled.
 // Returns the value of elementary function n of x, or of x and y (function.c).
 SmF64 smvm_call(uint8_t n, SmF64 x, SmF64 y);
 
-// smvm_sample: adds x to a window of the machine at vm, which runs a step; for a window of times, x is its event.
+// Add x as a sample to window w of n slots, and read a statistic of w (stdlib/roll.h).  For a window of times, x is its event, at the time of the
+// step that vm runs.  All interpreters call these (interp.c): the code of roll.h is long, so only one copy is compiled.
 void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x);
 SmF64 smvm_statistic(const uint64_t *w, uint32_t n, uint32_t kind, SmStat stat);
 
@@ -279,7 +279,7 @@ bool smvm_is_marked(const SmvmMachine *m, uint8_t id, uint32_t state);
 typedef struct SmvmName { SmvmAt at; uint32_t size; } SmvmName;  // where a name is in the image; size 0: no name
 
 enum { SMVM_NAME_MACHINE = 2, SMVM_NAME_SOURCE = 3 };
-SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // `which`: SMVM_NAME_MACHINE or SMVM_NAME_SOURCE
+SmvmName smvm_name(const SmvmMachine *m, uint32_t which);        // returns the name of the machine or of its source; `which` is one of these
 SmvmName smvm_state_name(const SmvmMachine *m, uint32_t state);
 
 uint32_t smvm_variables(const SmvmMachine *m);                   // number of variables with names; they are sorted by SmvmVariable, type, offset

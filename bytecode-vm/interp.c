@@ -92,7 +92,7 @@ typedef struct Interpreter {
     uint8_t *sv, *locals;
     const SmvmTables *t;
 #if SMVM_SPECIALIZE
-    uint64_t stored;          // the bits of the first 64 outputs that this step has stored; written to the state at its end
+    uint64_t stored;          // bits of those of the first 64 outputs that this step has stored; written to SmVm.stored at the step's end
 #else
     Number x, y;
 #endif
@@ -158,7 +158,7 @@ SMVM_INLINE void store_at(const Number *x, uint8_t type, uint8_t *base, SmvmAt o
     }
 }
 
-// Returns the bit of one of the first 64 outputs.  Sets the bit of any other in memory, and returns 0.
+// Returns the bit of `output` if it is one of the first 64 outputs.  Otherwise sets the output's bit in memory, and returns 0.
 SMVM_INLINE uint64_t mark_output_stored(const Interpreter *r, uintptr_t output)
 {
     uint8_t *more;
@@ -282,7 +282,7 @@ INTERP_INLINE void load_time(const Interpreter *r, Number *x)
 // ---- instructions: each opcode has code of its own (interp.def) ----
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-crossjumping", "no-tree-tail-merge")           // these would merge the jumps between instructions
+#pragma GCC optimize("no-crossjumping", "no-tree-tail-merge")           // these optimisations would merge the jumps between instructions
 #endif
 
 // Reads the varint at *at and moves past it.
@@ -306,7 +306,7 @@ SMVM_INLINE SmvmAt finish_function(Interpreter *r, uint64_t stored, uintptr_t to
 }
 
 // READ_… reads the operands of an instruction and `next`, the opcode after them.  A byte with its top bit set is an opcode.  So if the byte
-// after the shortest operands has it, each operand is one byte.
+// after n bytes, where n is the number of operands, has its top bit set, each operand is one byte.
 #define READ_NONE next = fetch_byte(at++)
 #define READ_N                                                                                                                  \
     next = fetch_byte(at + 1);                                                                                                  \
@@ -378,9 +378,9 @@ static SmvmAt run_code(Interpreter *r, SmvmBytes at)
     uint8_t *const sv = r->sv, *const locals = r->locals;
     const SmvmBytes outputs = r->vm->image + r->t->outputs, f32s = r->vm->image + r->t->f32s, f64s = r->vm->image + r->t->f64s;
     uint64_t stored = r->stored;
-    Number x, y, z;           // z: an operand of an instruction that preserves Y
-    Number passed;            // X, for functions that are not inlined: so only this one has to be in memory
-    uintptr_t n = 0, j, next;     // as wide as an address: none needs a conversion
+    Number x, y, z;           // z: a second operand that must not overwrite Y
+    Number passed;            // a copy of X for functions that are not inlined: so that X itself need not be in memory
+    uintptr_t n = 0, j, next;     // operands and opcode, as wide as an address, so that address computations need no conversion
 #if SMVM_COMPUTED_GOTO
     static const void *const label[] = {
 #define RUN(name, opcode, read, ...) [opcode] = &&name##_,
@@ -411,7 +411,7 @@ static SmvmAt run_code(Interpreter *r, SmvmBytes at)
 #else
 // ---- instructions: opcodes share code, for small chips ----
 
-SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // skips the other bytes of a varint that starts with b
+SMVM_INLINE SmvmBytes skip_varint(SmvmBytes at, uint8_t b)      // returns the end of the varint whose first byte b precedes `at`
 {
     return b < SMVM_VARINT_1 ? at : b < SMVM_VARINT_2 ? at + 1 : at + 3;
 }
@@ -446,7 +446,7 @@ SMVM_NOINLINE static void load_number(Interpreter *r, uint8_t op, uint32_t n)
     }
 }
 
-// Runs any load but that of T, and addi and subi.  Bit 4 of a load selects the state vector instead of the locals.
+// Runs a load of anything but T, or addi or subi.  Bit 4 of a load's opcode selects the state vector instead of the locals.
 SMVM_NOINLINE static void load_register(Interpreter *r, uint8_t op, uint32_t n)
 {
     const uint8_t type = op & 0xf;

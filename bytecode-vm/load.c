@@ -177,7 +177,7 @@ static uint8_t read_numbers(SmvmMachine *m, SmvmReader *r)
     return m->states == 0 || m->width < 1 || m->width > 3 ? SMVM_R_STATES : 0;
 }
 
-// Sets *table to the current position, where a table of `count` entries begins, and skips it.  Returns false if it is not complete.
+// Sets *table to the current position, where a table of `count` entries begins, and skips the table.  Returns false if it is cut short.
 static bool skip_table(SmvmReader *r, SmvmAt *table, SmvmAt count, uint8_t bytes)
 {
     *table = r->at;
@@ -320,7 +320,7 @@ typedef char load_tables_are_part_of_a_machine[offsetof(SmvmMachine, width) - of
                                                offsetof(SmvmMachine, locals) - offsetof(SmvmMachine, windows_at) == offsetof(SmvmTables, more)
                                                ? 1 : -1];
 
-// Extracts the tables of m that a step needs, for the memory at vm.
+// Copies to *t the offsets of m's tables and elements that a step needs; vm is the memory in which m runs.
 void smvm_tables(const SmvmMachine *m, const SmVm *vm, SmvmTables *t)
 {
     memcpy(t, (const uint8_t *)m + offsetof(SmvmMachine, windows_at), offsetof(SmvmTables, width));

@@ -15,14 +15,14 @@ typedef enum SmvmFunctionKind { SMVM_SAMPLE_FUNCTION, SMVM_ENTRY_FUNCTION, SMVM_
 static inline uint32_t longest_max(uint32_t a, uint32_t b) { return a > b ? a : b; }
 
 typedef struct LongestPath {
-    struct { uint32_t at, cost; } pending[SMVM_JOINS];  // pending targets; the nearest is last
+    struct { uint32_t at, cost; } pending[SMVM_JOINS];  // targets of jumps so far: offset, cost of the longest path there; the nearest is last
     uint8_t pending_count;
     bool is_reachable;        // the next instruction is reachable
     bool is_summing;          // true: `pending` was too small for all targets, so `cost` is the sum over every instruction, an upper bound
     uint32_t cost;            // cost of the longest path to the next instruction
-    uint32_t end_cost, goto_cost;  // the longest path that ends with `end`, with `goto`; 0: no path
+    uint32_t end_cost, goto_cost;  // cost of the function's longest path that ends with `end`, and with `goto`; 0: no such path
     uint32_t sample_cost;     // cost of the sample function
-    uint32_t state_goto_cost, state_end_cost;         // the state's longest paths so far, with and without goto
+    uint32_t state_goto_cost, state_end_cost;         // cost of the longest paths through the state's functions so far: with a goto; without
     uint32_t max_state_cost;  // cost of the longest step of all states so far
 } LongestPath;
 
@@ -34,7 +34,7 @@ static inline void longest_begin(LongestPath *w)      // called at the start of 
     w->cost = w->end_cost = w->goto_cost = 0;
 }
 
-static inline void longest_at_instruction(LongestPath *w, uint32_t at)          // called before each instruction; `at`: its offset
+static inline void longest_at_instruction(LongestPath *w, uint32_t at)          // called before each instruction; `at`: the instruction's offset
 {
     while (w->pending_count > 0 && w->pending[w->pending_count - 1].at == at) {
         w->pending_count--;

@@ -136,7 +136,7 @@ static uint64_t hash_bytes(uint64_t hash, SmvmBytes image, SmvmAt at, SmvmAt n)
     return hash;
 }
 
-// Adds PARAMETERS, with the default of each parameter in place of its value.
+// Adds the section PARAMETERS to the hash, with the default of each parameter in place of its value.
 static uint64_t hash_parameters(uint64_t hash, SmvmBytes image, const SmvmSection *s)
 {
     SmvmReader r = {image, s->at, (SmvmAt)(s->at + s->size), 0};

@@ -23,7 +23,7 @@ static bool read_count(SmvmPins *p, SmvmAt most, SmvmAt *n)
     return there;
 }
 
-// Sets p before the first pin of an image.  Returns false if the image has no pins.
+// Initialises p, so that smvm_next_pin reads the first pin of the image.  Returns false if the image has no pins.
 bool smvm_pins(SmvmBytes image, SmvmPins *p)
 {
     SmvmAt at;

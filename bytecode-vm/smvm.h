@@ -59,7 +59,7 @@ uint8_t smvm_verify(SmvmBytes image, uint32_t size, SmvmVerdict *v);
 // Reads a part of an image sequentially.
 typedef struct SmvmReader {
     SmvmBytes image;
-    SmvmAt at, end;
+    SmvmAt at, end;              // offsets in the image: the next byte; the end of the part
     SmvmAt n;                 // the varint read last
 } SmvmReader;
 
@@ -76,11 +76,11 @@ typedef struct SmvmMachine {
     SmvmAt locals, outputs;
     SmvmAt g, s;              // byte offsets of G and S in the state vector
     SmvmAt width;             // bytes of an entry in the table of functions
-    SmvmAt machine_at, machine_size;
+    SmvmAt machine_at, machine_size;    // the MACHINE section
     SmvmAt code_at, code_size, init_at, init_size, debug_at, debug_size;       // size 0: the section is absent
     SmvmAt safe_at, safe_size;        // a bit for each state: whether it is marked @safe; safe_at 0: the machine marks no state
 #if SMVM_PARAMETERS
-    SmvmAt parameters_at, parameters_size;    // its parameters (smvm_parameter); size 0: no parameters
+    SmvmAt parameters_at, parameters_size;    // the section PARAMETERS (smvm_parameter); size 0: the machine has no parameters
 #endif
     SmvmBytes image;
     uint32_t layout;          // layout hash of the state vector that the machine was compiled for
@@ -127,13 +127,13 @@ static inline uint8_t smvm_pin_kind(const SmvmPin *p) { return (uint8_t)(p->kind
 
 // An iterator over the pins of an image.
 typedef struct SmvmPins {
-    SmvmReader in;
+    SmvmReader in;               // reads the section IO
     uint32_t layout;          // layout hash of the state vector that the pins belong to
     SmvmAt sv_size;           // size of that state vector, in units of 8 bytes; at most the largest SmvmAt / 8
     SmvmAt left;              // the number of pins not read yet
 } SmvmPins;
 
-// Sets p before the first pin of an image.  Returns false if the image has no pins.
+// Initialises p, so that smvm_next_pin reads the first pin of the image.  Returns false if the image has no pins.
 bool smvm_pins(SmvmBytes image, SmvmPins *p);
 
 // Reads the next pin, in the order of the .io file.  Returns false at the end.
@@ -241,7 +241,7 @@ bool smvm_state_is_abort(const SmvmMachine *m, uint32_t state);
 typedef struct SmvmParameter {
     uint8_t type;             // SmType
     SmvmAt offset;            // among the locals, in bytes
-    SmvmAt name_at, name_size, unit_at, unit_size;        // offsets of its texts in the image, and their lengths; unit_size 0: no unit
+    SmvmAt name_at, name_size, unit_at, unit_size;        // offsets in the image and lengths of the name and the unit; unit_size 0: no unit
     SmF64 lowest, highest;    // the range of the parameter
     SmF64 standard, value;    // the default value, and the value with which the machine starts
 } SmvmParameter;

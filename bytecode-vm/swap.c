@@ -15,19 +15,19 @@ typedef struct SwapName {
     SmvmName name;
     uint32_t hash;            // hash of the name
     uint32_t number;          // number of the state or window; or offset of the local among the locals
-    uint32_t source;          // for a variable that `to` keeps: its `number` in `from`
-    uint32_t numbers;         // of a parameter: offset of its range in the image
+    uint32_t source;          // for a name of `to` that is kept: its `number` in `from`
+    uint32_t numbers;         // for a parameter: offset in the image of the ends of its range
     uint8_t kind, fate;       // SmvmSwapKind or SWAP_PARAMETER; SmvmSwapFate
     uint8_t type;             // SmType of the local
 } SwapName;
 
 enum { SWAP_PARAMETER = SMVM_SWAP_SAMPLE + 1 };       // the kind of a parameter, which the list shows as a local
 
-// In memory: SmvmSwap, the names of `to`, those of `from`, and for each state of `from` its number in `to`.
+// A plan.  Its memory contains, in this order: SmvmSwap, the names of `to`, the names of `from`, and for each state of `from` its number in `to`.
 struct SmvmSwap {
     SmvmMachine from, to;
     uint32_t to_names, from_names;    // how many names each machine has; from_names, after the comparison: how many names only `from` has
-    uint32_t map_at;                  // offset of the map of states
+    uint32_t map_at;                  // offset of the numbers of states from the start of the plan
 };
 
 typedef char swap_plan_keeps_names_aligned[sizeof(SmvmSwap) % sizeof(uint32_t) == 0 && sizeof(SwapName) % sizeof(uint32_t) == 0 ? 1 : -1];
@@ -178,7 +178,7 @@ static int compare_numbers(const SwapName *a, const SwapName *b)
     return a->number < b->number ? -1 : a->number > b->number;
 }
 
-// Whether a comes before b: by name, if `image` has the names, and then by number; or by number alone.
+// Whether a comes before b.  `by_name`: in the order of the names, which `image` contains, then by kind and number; else by kind and number alone.
 static bool is_before(SmvmBytes image, bool by_name, const SwapName *a, const SwapName *b)
 {
     const int order = by_name ? compare_texts(image, a, image, b) : 0;
@@ -228,8 +228,8 @@ static bool is_compatible(const SmvmSwap *plan, const SwapName *from, const Swap
            || smvm_window_size(window_entry(&plan->from, from->number)) == smvm_window_size(window_entry(&plan->to, to->number));
 }
 
-// Sets the fate of every name, given both tables in the order of names.  Of several equal names in `from` the first counts; of several equal
-// states in `to`, too.
+// Sets the fate of every name.  Both tables must be in the order of names.  Of several equal names in `from`, or of several equal states in `to`,
+// only the first is matched.
 static void match_names(SmvmSwap *plan, SwapName *to, SwapName *from)
 {
     uint32_t *const map = state_map(plan);
@@ -316,7 +316,7 @@ uint32_t smvm_swap_state(const SmvmSwap *plan, uint32_t state)
     return state < 1 || state > plan->from.states ? 0 : state_map(plan)[state - 1];
 }
 
-// Reads item i of the list: states, locals and samples of `to`, then those that only `from` has.  Returns false at the end.
+// Reads item i of the list of what a swap does with each name: the names of `to`, then those that only `from` has.  Returns false at the end.
 bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item)
 {
     const SwapName *n = names_of(plan) + i;
@@ -340,7 +340,7 @@ static void refill_window(const uint64_t *from, uint32_t from_kind, const SmVm *
 
     memset(to, 0, sm_roll_bytes(n, to_kind));
     if ((from_kind & SM_ROLL_TYPE) == SM_ROLL_TIMES || (to_kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)
-        return;                                        // times are only taken over by a window of the same kind, which the caller copies
+        return;                                        // times are only kept in a window of the same kind, which the caller copies as a whole
     for (uint32_t i = 0; i < count + more; i++)
         smvm_sample(vm, to, n, to_kind, sm_roll_value(from_kind, sm_roll_slot_key(from + 1, n, from_kind, (SmRollSize)(i < count ? i : i - count))));
 }
@@ -357,7 +357,7 @@ static void copy_window(const SmvmSwap *plan, const SmVm *from, uint32_t source,
         refill_window(old, smvm_window_kind(old_entry), to, window, smvm_window_kind(entry), n);
 }
 
-// Copies the value of a local; that of a parameter only if it is in the range of the new one.
+// Copies the value of a local from `from` to `to`; the value of a parameter only if it is in the range of the new parameter.
 static void copy_local(const SmvmSwap *plan, const SmVm *from, SmVm *to, const SwapName *n)
 {
     const uint8_t *value = (const uint8_t *)from + from->local + n->source;

@@ -24,7 +24,7 @@ extern "C" {
 #pragma GCC visibility push(default)
 #endif
 
-// Like smvm_init, but neither reads nor writes the state vector: smvm_write_state, or smvm_swap_continue, does so later.
+// Like smvm_init, but neither reads nor writes the state vector.  The caller later calls smvm_write_state or smvm_swap_continue, which store S.
 SmResult smvm_prepare(void *memory, uint32_t size, const SmvmMachine *m, const SmvmVector *sv, uint32_t state);
 
 // What one machine takes over from another, in memory of the caller.  Valid while both images are; it needs neither SmvmMachine.
@@ -58,7 +58,7 @@ typedef enum SmvmSwapFate {
     SMVM_SWAP_KEPT,           // both machines have the variable
     SMVM_SWAP_ADDED,          // only `to` has the variable: a local begins at its initial value, a window empty
     SMVM_SWAP_REMOVED,        // only `from` has the variable
-    SMVM_SWAP_CHANGED         // both have the variable, with different types; it begins as if only `to` had it
+    SMVM_SWAP_CHANGED         // both have the variable, with different types: its value is not kept, as for SMVM_SWAP_ADDED
 } SmvmSwapFate;
 
 typedef struct SmvmSwapItem {
@@ -68,7 +68,8 @@ typedef struct SmvmSwapItem {
     uint32_t length;          // of the name, in bytes
 } SmvmSwapItem;
 
-// Item i of the list: states, locals and samples of `to`, then those that only `from` has.  Returns false at the end.
+// Reads item i of the list of what a swap does with each name: states, locals and samples of `to`, then those that only `from` has.  Returns false at
+// the end.
 bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item);
 
 #ifdef SMVM_LIBRARY

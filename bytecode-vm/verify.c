@@ -20,7 +20,7 @@ enum {
     K = SMVM_SHAPE_K, W = SMVM_SHAPE_W, T = SMVM_SHAPE_T, M = SMVM_SHAPE_M, J = SMVM_SHAPE_J, X = SMVM_SHAPE_X, Y = SMVM_SHAPE_Y,
     GX = SMVM_SHAPE_GX
 };
-#define GY SMVM_SHAPE_GY                              // GY and the next two are no enumerators: they may be too large for an int
+#define GY SMVM_SHAPE_GY                              // GY, FY and Z are no enumerators, because their values may be too large for an int
 #define FY SMVM_SHAPE_FY
 #define Z SMVM_SHAPE_Z
 
@@ -62,19 +62,19 @@ uint16_t smvm_packed_shape(uint8_t opcode)
 
 // ---- the pass ----
 
-enum { HAS_X = 1, HAS_Y = 2 };                        // registers that contain a number
+enum { HAS_X = 1, HAS_Y = 2 };       // bits of Verifier.defined: the register contains a number
 
 // The state of the pass over an image.  The check_ functions return 0, or the number of the rule that is broken at `where`.
 typedef struct Verifier {
-    SmvmReader in;            // the current position, and the end of the current function
+    SmvmReader in;            // reads the image: the current position, and the end of the current function
     SmvmAt where;             // offset of the data being checked
-    SmvmAt furthest_target;   // the furthest target of the function's jumps
+    SmvmAt furthest_target;   // offset of the furthest target of the function's jumps so far
     SmvmAt windows_sampled;   // how many windows the sample function has sampled so far
     uint8_t stat;             // the statistic that the current instruction reads
     uint8_t defined;          // the registers that contain a number: HAS_X, HAS_Y
     bool is_ended;            // control cannot continue after the last instruction
     uint8_t kind;             // kind of the current function (SmvmFunctionKind)
-    SmvmMachine m;
+    SmvmMachine m;                   // the machine that is checked
 #if SMVM_PARAMETERS
     SmvmAt read_only_from, read_only_to;      // the part of the locals that no code writes, from the first parameter to the last
 #endif
@@ -240,7 +240,7 @@ SMVM_NOINLINE static bool is_at_most(const Verifier *c, const SmvmParameterEntry
     const uint8_t sign = type < SM_U8 || type == SM_F32 || type == SM_F64 ? 0x80 : 0;
     const SmvmAt at_a = smvm_parameter_number(p, a), at_b = smvm_parameter_number(p, b);
     uint8_t flip = sign;
-    bool reversed = false;            // both are negative floats: the one of the larger magnitude is below the other
+    bool reversed = false;            // both numbers are negative floats: the one with the larger magnitude is the smaller number
 
     for (uint8_t i = p->bytes; i-- > 0; flip = 0) {
         const uint8_t x = smvm_u8(c->in.image, (SmvmAt)(at_a + i)) ^ flip, y = smvm_u8(c->in.image, (SmvmAt)(at_b + i)) ^ flip;
@@ -436,7 +436,7 @@ enum { READS = SMVM_SHAPE_X >> 8, WRITES = SMVM_SHAPE_GX >> 8, CLOBBERS_Y = (int
 typedef char verify_register_bits_match_packed_shapes[READS == HAS_X << 4 && READS << 1 == SMVM_SHAPE_Y >> 8 && WRITES == HAS_X << 6 &&
                                                  (int)(SMVM_SHAPE_GY >> 8) == HAS_Y << 6 ? 1 : -1];
 
-// Checks an instruction with its operands, and follows its effect on X and Y.  Returns 0, or the rule that is broken.
+// Checks an instruction with its operands, and updates c->defined by its effect on X and Y. Returns 0, or the rule that is broken.
 static uint8_t check_instruction(Verifier *c, uint8_t op)
 {
     const uint16_t shape = smvm_packed_shape(op);

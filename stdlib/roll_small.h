@@ -19,7 +19,7 @@
 typedef struct SmRollSmall {
     unsigned char *slot, *sorted;      // sorted: the samples in order; NULL: no median is needed
     size_t n, count, next;             // number of slots, number of samples, slot of the next sample
-    uint8_t type, bytes;               // SmType of a sample, and its size
+    uint8_t type, bytes;               // SmType of a sample; bytes of a sample
 } SmRollSmall;
 
 // The index of byte i of a key, where i counts from the least significant byte.
@@ -115,7 +115,7 @@ static inline unsigned char *sm_roll_find_position(const SmRollSmall *s, const u
     return at;
 }
 
-// Inserts a key among the ordered ones; if the window is full, removes the oldest.
+// Inserts a key among the ordered keys; if the window is full, removes the key of the oldest sample.
 SM_ROLL_NOINLINE void sm_roll_small_insert(const SmRollSmall *s, const unsigned char *key)
 {
     unsigned char *from = sm_roll_small_at(s, s->sorted, s->count), *to = sm_roll_find_position(s, key);

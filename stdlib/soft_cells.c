@@ -42,7 +42,7 @@ static uint32_t load_key(const unsigned char *keys, uint8_t i)
     return key;
 }
 
-// These take a key apart: its sign is that of the number, whose other bits are flipped if it is negative.
+// These return the sign and magnitude of the number with this key: the bits of the number, all but the sign bit flipped if it is negative.
 static bool is_negative(uint32_t key) { return key >> 31 != 0; }
 static uint32_t magnitude_of(uint32_t key) { return (is_negative(key) ? ~key : key) & 0x7FFFFFFFu; }
 static uint8_t exponent_of(uint32_t key) { return magnitude_of(key) >> 23 != 0 ? (uint8_t)(magnitude_of(key) >> 23) : 1; }

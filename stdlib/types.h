@@ -27,7 +27,7 @@ typedef enum SmType {
 
 typedef struct SmTypeInfo {
     const char *spelling;   // as written by the user
-    const char *ctype;      // its C type in emitted C
+    const char *ctype;      // the C type that represents the type in emitted C
     uint8_t bytes;          // size and alignment in memory and on the wire
     SmKind kind;
 } SmTypeInfo;
@@ -51,10 +51,10 @@ typedef struct SmOpInfo {
 
 extern const SmOpInfo sm_op_info[SM_OP_COUNT];         // indexed by SmOperator
 
-// The statistics of a rolling window.  Programs read those after the range only by prev, rising, falling, held and rate.
+// The statistics of a rolling window. No builtin returns those from SM_STAT_OLDEST on: prev, rising, falling, held and rate are computed from them.
 typedef enum SmStat {
     SM_STAT_AVG, SM_STAT_MEDIAN, SM_STAT_MIN, SM_STAT_MAX, SM_STAT_RANGE,
-    SM_STAT_OLDEST, SM_STAT_NEWEST,       // samples
+    SM_STAT_OLDEST, SM_STAT_NEWEST,       // the oldest sample; the newest sample
     SM_STAT_CHANGE,                       // the newest minus the oldest sample; 0 if there is only one
     SM_STAT_ELAPSED,                      // of a window of times: the newest minus the oldest
     SM_STAT_RUN_STEPS, SM_STAT_RUN_TIME,  // of a run of true samples: how many, at most the size; the time from the first to the newest
@@ -78,7 +78,7 @@ typedef enum SmBuiltin {
 typedef struct SmBuiltinInfo {
     const char *name;
     const char *sentence;   // describes the result, for messages and docs
-    uint8_t arguments;      // number of its arguments; a roll function has 2
+    uint8_t arguments;      // the number of arguments, or the least number; a roll function has 2
     uint8_t most;           // the most arguments: SM_LIST_MAX for a function of a list of values, else `arguments`
     bool is_roll;
     bool is_sampled;        // prev and similar

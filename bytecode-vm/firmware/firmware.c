@@ -200,7 +200,7 @@ static void run_built_in(void)
     SmvmVerdict why;
 
     if (smvm_verify((SmvmBytes)(uint16_t)built_in, sizeof built_in, &why) != 0 || run_image((SmvmBytes)(uint16_t)built_in, PERIOD) != SM_OK)
-        board.built_in_size = 0;           // so that the agent does not report it as running
+        board.built_in_size = 0;           // so that the agent does not report the built-in image as running
 }
 
 // ---- callbacks for the agent ----

@@ -31,8 +31,8 @@ typedef struct SmvmRunner {
     // The remaining fields belong to the runner.
     uint8_t machines;         // number of machines that run; 0: nothing runs
     uint16_t rows, rows_end;  // start and end of the rows of open pins in `memory`, as byte offsets
-    SmvmBytes image;
-    SmVm *vm[SMVM_RUNNER_MACHINES];
+    SmvmBytes image;                        // the image that runs
+    SmVm *vm[SMVM_RUNNER_MACHINES];         // by machine: its memory, inside `memory`
     uint16_t g[SMVM_RUNNER_MACHINES];                  // by machine: offset of element G in the state vector
 } SmvmRunner;
 
@@ -40,8 +40,8 @@ typedef struct SmvmRunner {
 // SM_E_MISSING: it uses a pin that does not exist.  SM_E_LAYOUT: its machines and pins belong to different state vectors.
 SmResult smvm_runner_fits(const SmvmRunner *r, SmvmBytes image);
 
-// Sets all machines to their initial states and opens all pins, outputs at their safe values.  Returns the errors above, or that of the
-// first pin that could not be opened; then nothing runs and no pin is open.
+// Sets all machines to their initial states and opens all pins, outputs at their safe values.  Returns an error of smvm_runner_fits, or the error of
+// the first pin that could not be opened; then nothing runs and no pin is open.
 SmResult smvm_runner_open(SmvmRunner *r, SmvmBytes image);
 
 // Reads the input pins, steps each machine and writes the output pins.  g points to the time of the step, a U64.

@@ -239,7 +239,7 @@ static SmResult answer_events(Agent *a)
 
 typedef struct AgentHandler {
     uint8_t message;
-    uint8_t min_body;         // the shortest body of its request, in bytes
+    uint8_t min_body;         // bytes of the shortest valid body of the request
     bool guarded;             // the request changes the board or keeps it busy: allowed only while may_update returns SM_OK
     SmResult (*run)(Agent *a);
 } AgentHandler;

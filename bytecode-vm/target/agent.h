@@ -48,13 +48,13 @@ typedef struct Agent {
     Store *store;
     const AgentBoard *board;
     SmEvents *events;         // the board's events, for hosts that request them; or NULL
-    uint8_t *frame;           // LINK_ROOM(body) bytes: the request, then its answer
+    uint8_t *frame;           // buffer of LINK_ROOM(body) bytes: first the request, then its answer
     uint8_t body;             // the largest body of a request or an answer
     uint8_t block;            // the number of payload bytes that a host should send in each DATA: the most that fit, in whole write units
-    LinkReceiver in;
-    uint8_t n;                // size of the body of the current request
-    uint8_t length;           // size of the body of its answer, without the result
-    bool restart;             // a host asked for a restart
+    LinkReceiver in;            // assembles received bytes to frames
+    uint8_t n;                // bytes of the body of the current request
+    uint8_t length;           // bytes of the body of the answer, without the result
+    bool restart;             // a host asked for a restart: the caller restarts the board after it has sent the answer
 } Agent;
 
 // Initialises *a.  `body` is at least 28, for an answer with one event (32 on a board with a key), and at most LINK_BODY_MAX.  Sets a->block to

@@ -145,7 +145,7 @@ const SmMachineType smvm_machine_type = {
     target_state_number, target_publish,
 };
 
-// Verifies an image.  Returns how much memory a machine of it needs here, or 0 if it is rejected or has no such machine.
+// Verifies an image.  Returns how many bytes of SmvmTarget.memory this machine of the image needs; 0 if the image is rejected or has no such machine.
 uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine)
 {
     SmvmVerdict why;

@@ -29,21 +29,21 @@ extern const SmvmDecoder smvm_decoder;
 
 typedef struct SmvmTarget {
     SmvmBytes image;          // for SMVM_FETCH (config.h); must not change while the machine runs
-    uint32_t size;            // bytes; an image may be shorter
+    uint32_t size;            // bytes available at `image`; the image may be shorter
     uint32_t machine;         // number of the machine in the image, counted from 0
     void *memory;             // for this machine only, aligned as an array of uint64_t
-    uint32_t memory_size;     // bytes; smvm_target_memory or SMVM_WORDS compute how many it needs
+    uint32_t memory_size;     // bytes of `memory`; smvm_target_memory or SMVM_WORDS compute how many the machine needs
     const SmvmDecoder *decoder;       // &smvm_decoder; NULL: run from the image
-    void *decoded;            // with a decoder: memory for the decoded form, with the same alignment
-    uint32_t decoded_size;    // bytes; smvm_decoded_size computes how many it needs
+    void *decoded;            // with a decoder: memory for the decoded form, aligned like `memory`
+    uint32_t decoded_size;    // bytes of `decoded`; smvm_decoded_size computes how many are needed
     // The remaining fields belong to the runtime; all zero initially.
     SmvmVerdict why;          // the error in an image that the verifier rejected: why.rule, why.at
     SmVm *vm;                 // NULL: init has not succeeded, so the machine cannot step
-    SmvmDecoded *fast;
+    SmvmDecoded *fast;              // the decoded form; NULL: the machine runs from the image
     const uint8_t *more;      // a bit for each output from the 64th on (counted from 0): whether the last step stored it
-    uint32_t states, outputs;
-    SmvmAt outputs_at;
-    SmRange accessed, state_number;
+    uint32_t states, outputs;       // numbers of states and outputs
+    SmvmAt outputs_at;              // offset in the image of the table of outputs
+    SmRange accessed, state_number; // bytes of the state vector: those that the machine accesses; those of S
 } SmvmTarget;
 
 // The machine type for images; `self` is an SmvmTarget.  Errors of its functions:
@@ -53,7 +53,7 @@ typedef struct SmvmTarget {
 // States have names if the image was built with -g and is in memory that pointers can address.
 extern const SmMachineType smvm_machine_type;
 
-// Verifies an image.  Returns how much `memory` a machine of it needs here, or 0 if it is rejected or has no such machine.
+// Verifies an image.  Returns how many bytes of SmvmTarget.memory this machine of the image needs; 0 if the image is rejected or has no such machine.
 uint32_t smvm_target_memory(SmvmBytes image, uint32_t size, uint32_t machine);
 
 // The size that smvm_target_memory returns, but in words of 8 bytes and as a constant expression, for the size of an array.  `windows` and

@@ -36,7 +36,7 @@ static void *allocate(SmvmSlot *s, uint32_t bytes)
     return at;
 }
 
-// The image is verified in the slot, where nothing changes it any more.
+// Copies the image of the change into the slot's memory, and verifies the copy, because nothing changes it any more.
 static SmSwapReason copy_image(SmvmSlot *to, const SmvmSlot *from, const SmSwapChange *change, const SmMachine *m)
 {
     uint8_t *image;
@@ -170,7 +170,7 @@ static SmSwapReason prepare_slot(void *to, const void *from, const SmSwapChange 
     return parts[part](to, from, change, m);
 }
 
-// Nothing is exchanged, so the plans are not needed, and an image that has been exchanged once fits again.
+// Runs the parts of the preparation except plans, because nothing is exchanged: without plans, an image that was exchanged before fits again.
 SmSwapReason smvm_slot_load(SmvmSlot *to, const SmvmSlot *from, const SmSwapChange *image, const SmMachine *m)
 {
     SmSwapChange c = *image;
@@ -219,7 +219,8 @@ static uint32_t first_safe_state(const SmvmMachine *m)
     return state;
 }
 
-// The old machine is started again, because its memory has what it had before the exchange (swapping.md 12.20).
+// Lets the old machine in slot `to` continue where the new one in `from` is, as far as it can (swapping.md 12.20). First starts it again, because
+// its memory still has its values from before the exchange. Returns false if it begins in its first @safe state instead.
 static bool give_back_slot(const void *from, void *to, const SmMachine *m)
 {
     const SmvmSlot *f = from;

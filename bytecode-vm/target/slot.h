@@ -29,13 +29,13 @@ typedef struct SmvmSlot {
     uint32_t size;            // of `memory`, in bytes
     uint32_t longest;         // the most instructions of a step; 0: any number
     // The fields below belong to the runtime; initially all zero.
-    SmvmMachine m;
+    SmvmMachine m;              // properties of the machine in the slot
     uint32_t identity;        // checksum of the image; 0: the slot has no image
-    uint32_t used;            // bytes of `memory` that are in use
+    uint32_t used;            // bytes of `memory` that are allocated so far
     uint32_t first;           // number of the state in which the machine starts
     SmvmBytes built_in;       // the image with which the application was built
     uint32_t built_in_size;
-    SmvmSwap *plan, *back;    // what this slot copies from the other one, and the other one from this; NULL: nothing
+    SmvmSwap *plan, *back;    // what is copied when this slot replaces the other one, and when the other replaces this one; NULL: nothing
 } SmvmSlot;
 
 // For SmSwappable.type; its slots are SmvmSlots.

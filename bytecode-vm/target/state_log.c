@@ -24,7 +24,7 @@ static bool load_record(const StateLog *l, uint8_t index, LinkTransition *t)
 
 static uint8_t index_after(const StateLog *l, uint8_t index) { return (uint8_t)(index + 1u) == l->records ? 0 : (uint8_t)(index + 1u); }
 
-// Sets `next` and `number` to those after the latest record.
+// Sets l->next to the index after the latest record, and l->number to the sequence number after that record's.
 static void find_latest_record(StateLog *l)
 {
     bool found = false;
@@ -58,7 +58,7 @@ static void count_lost(StateLog *l, uint32_t lost)
     l->lost = lost >= (uint8_t)(LINK_LOST_MAX - l->lost) ? LINK_LOST_MAX : (uint8_t)(l->lost + lost);
 }
 
-// Begins a record, if the event is a transition.  `lost`: how many events before it were lost.
+// Begins a record, if the event is a transition.  `lost`: number of events lost before `e`.
 void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost)
 {
     LinkTransition t;

@@ -26,14 +26,14 @@ extern "C" {
 enum { STATE_LOG_CREDIT = 64, STATE_LOG_LEAST = 8 };   // STATE_LOG_LEAST: a memory with room for fewer records stores nothing
 
 typedef struct StateLog {
-    SmvmBytes image;
+    SmvmBytes image;            // the image whose transitions are recorded
     uint8_t records;          // how many records fit; 0: none is stored
-    uint8_t next;             // index of the record that is written next
+    uint8_t next;             // index in the ring of the record that is written next
     uint8_t number;           // sequence number of that record
-    uint8_t credit;           // how many more records may be written now
+    uint8_t credit;           // how many more records may be written now, to limit wear
     uint8_t lost;             // transitions that were not stored since the last record
-    uint8_t written;          // bytes of `record` that are written; LINK_TRANSITION: all
-    uint8_t record[LINK_TRANSITION];
+    uint8_t written;          // bytes of `record` that the memory has; LINK_TRANSITION: all, so that the log is idle
+    uint8_t record[LINK_TRANSITION];        // the record that is being written
 } StateLog;
 
 // Opens the log of an image in a slot of this size, after the newest record that it contains.
@@ -41,7 +41,7 @@ void smvm_state_log_open(StateLog *l, SmvmBytes image, SmvmAt slot_size);
 
 static inline bool smvm_state_log_is_idle(const StateLog *l) { return l->written == LINK_TRANSITION; }
 
-// Begins a record, if the event is a transition.  `lost`: how many events before it were lost.  The log must be idle.
+// Begins a record, if the event is a transition.  `lost`: number of events lost before `e`.  The log must be idle.
 void smvm_state_log_add(StateLog *l, const SmEvent *e, uint32_t lost);
 
 // Stores the next byte to write in *byte, and its offset from the start of the image in *at.  Returns false if the log is idle.

@@ -9,7 +9,7 @@
 #include "runtime-c/link/link.h"
 #include "stdlib/crc32.h"
 
-enum { VERSION = 1, CHECKED = STORE_RECORD - 4 };      // version of a record; how many of its bytes the CRC covers
+enum { VERSION = 1, CHECKED = STORE_RECORD - 4 };      // version of the format of records; number of bytes of a record that its CRC covers
 
 typedef char store_choice_is_a_record[sizeof(StoreChoice) == STORE_RECORD ? 1 : -1];
 
@@ -317,7 +317,7 @@ SMVM_NOINLINE static SmResult forget_previous(Store *s)
     return write_choice(s);
 }
 
-// Begins an update; `session` is the host's number for it, not 0.
+// Begins an update; `session` is the host's number for the update, not 0.
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum)
 {
     SmResult r;

@@ -30,7 +30,7 @@ extern "C" {
 
 enum {
     STORE_TRIES = 3,          // how many times an image on trial is started before the previous image runs again
-    STORE_START = 4,          // units of a trial's count that a start takes: one at once, the others when the image has run for a while
+    STORE_START = 4,          // units of a trial's count that a start uses up: one at once, the others when the image has run for a while
     STORE_RECORD = 32,        // bytes of a selector record, before rounding up to the erase unit of the memory
     STORE_UNIT = 32           // the largest supported write unit
 };
@@ -45,12 +45,12 @@ typedef struct StorePlan {
 // A record of the selector, byte for byte as on the medium.  Integers are little-endian.
 typedef struct StoreChoice {
     uint8_t number[4];        // the record's sequence number: one more than that of the record before
-    uint8_t version;
+    uint8_t version;                // of the format of records
     uint8_t active;           // the image that runs: a slot or STORE_BUILT_IN
     uint8_t previous;         // the image that runs again if the trial fails
     uint8_t tries;            // remaining units of a trial, STORE_START for each start
     uint8_t confirmed;        // 1: the active image is not on trial, because a host confirmed it or it is a fallback; 0: on trial
-    uint8_t ended;            // why the trial of the image with checksum_previous ended: STORE_STARTS_USED …; 0: it has not ended
+    uint8_t ended;            // why the trial of the image with checksum_previous ended: STORE_STARTS_USED …; 0: no trial has ended
     uint8_t zeros[2];
     uint8_t checksum[4];      // checksum of the active image; a slot whose image has another checksum does not run
     uint8_t checksum_previous[4];  // checksum of the previous image, or of the image whose trial has ended if `ended` is nonzero
@@ -62,9 +62,9 @@ typedef struct StoreChoice {
 typedef struct Store {
     PalNvm nvm;
     StorePlan plan;
-    SmvmAt record_size, slot_size, slot_at[2];
-    SmvmAt erase;             // erase unit of the memory, see PalNvmInfo; write is at least 1
-    uint8_t write, blank;     // write unit of the memory; value of an erased byte
+    SmvmAt record_size, slot_size, slot_at[2];    // bytes of a record and of a slot; offsets of the slots in the memory
+    SmvmAt erase;             // erase unit of the memory in bytes, see PalNvmInfo
+    uint8_t write, blank;     // write unit of the memory in bytes; value of an erased byte
     StoreChoice choice;       // the newest valid record
     uint8_t running;          // the image that the caller runs: a slot or STORE_BUILT_IN
     // Checks an image's authentication code with the board's key (smvm_auth_check).  Returns whether it is correct; sets *number to the
@@ -100,17 +100,17 @@ void smvm_store_run_built_in(Store *s);
 
 // ---- an update, step by step; each step may be repeated ----
 
-// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_ARGUMENT: `length` is less than that
-// of any image.  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is on trial.
+// Whether an update can begin once a slot is free (with one slot: after smvm_store_run_built_in).  SM_E_ARGUMENT: no image is as
+// short as `length`.  SM_E_SPACE: `length` is more than a slot has.  SM_E_BUSY: the chosen image is on trial.
 SmResult smvm_store_may_begin(const Store *s, SmvmAt length);
 
-// Begins an update; `session` is the host's number for it, not 0.  A repeated call with the same arguments changes nothing and returns SM_OK.
+// Begins an update; `session` is the host's number for the update, not 0.  A repeated call with the same arguments changes nothing and returns SM_OK.
 // SM_E_ARGUMENT: `session` is 0, or `length` is less than that of any image.  SM_E_SPACE: longer than a slot.  SM_E_BUSY: the chosen image is
 // on trial and must first be confirmed or erased; or every slot is chosen or running.
 SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t checksum);
 
 // Writes n bytes at offset `at`: s->next, or less to repeat bytes written before.  `at` must be a multiple of s->write, and n too except at
-// the end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: these are neither the next bytes nor the same as before.
+// the end.  SM_E_HANDLE: no such session.  SM_E_ARGUMENT: these bytes neither continue nor repeat what was written.
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n);
 
 // Reads the image back and verifies it in place.  SM_E_HANDLE: no such session.  SM_E_DEVICE: the image differs from what was sent.
@@ -141,7 +141,7 @@ static inline bool smvm_store_has_key(const Store *s) { return SMVM_STORE_KEY &&
 
 typedef enum StoreState { STORE_EMPTY, STORE_INTACT, STORE_TRIAL, STORE_CONFIRMED } StoreState;
 
-uint16_t smvm_store_period(const Store *s, uint8_t slot);      // milliseconds between steps of its image; 0: none was set
+uint16_t smvm_store_period(const Store *s, uint8_t slot);      // milliseconds between steps of the slot's image; 0: none was set
 
 StoreState smvm_store_state(const Store *s, uint8_t slot);
 

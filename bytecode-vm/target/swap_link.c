@@ -22,8 +22,8 @@ enum { DATA_HEAD = 5, EVENT = 19, RESULT_AT = 1 + LINK_HEAD, ANSWER_AT = RESULT_
 typedef struct LinkExchange {
     SmSwapLink *link;
     const uint8_t *body;
-    uint16_t n;               // bytes of body
-    uint8_t *answer;          // after the result
+    uint16_t n;               // number of bytes of `body`
+    uint8_t *answer;          // where the answer's body is written, after the result
     uint16_t length;          // number of bytes in `answer`
 } LinkExchange;
 
@@ -58,7 +58,7 @@ static SmResult answer_app(LinkExchange *x)
     return SM_OK;
 }
 
-// Returns the index of a machine among those that can be swapped; SmSwaps.machines if it cannot be.
+// Returns the index of machine m in the list of machines that can be swapped; s->machines if m cannot be swapped.
 static uint16_t find_swappable(const SmSwaps *s, const SmMachine *m)
 {
     uint16_t i = 0;
@@ -239,7 +239,8 @@ static SmResult answer_begin(LinkExchange *x)
     return SM_OK;
 }
 
-// Bytes that have been received are compared; `received` never exceeds `length`, which never exceeds the buffer.
+// Stores n bytes of the transfer at offset `at`.  Compares them instead if these bytes have been received before.  `received` never exceeds `length`,
+// which never exceeds the buffer.
 static SmResult store_data(SmSwapLink *l, uint32_t at, const uint8_t *bytes, uint32_t n)
 {
     if (at > l->length || n > l->length - at || at > l->received)
@@ -290,7 +291,7 @@ static bool is_terminated(const uint8_t *text, uint8_t n)
     return i + 1 == n;
 }
 
-// Reads a name with its length.  An empty one has no bytes; *name is NULL then.  Any other ends with the only zero byte in it.
+// Reads a length and a name.  An empty name has no bytes, and sets *name to NULL. Any other name must end with a zero byte and contain no other one.
 static bool read_name(SwapReader *r, const char **name)
 {
     const uint8_t *n = next_bytes(r, 1), *text = n ? next_bytes(r, *n) : NULL;
@@ -347,7 +348,7 @@ static SmResult use_number(SmSwapLink *l)
     SmvmMac m;
     SmResult r;
 
-    if (l->is_number_used)                                // the host repeated END because the swap could not begin at the first
+    if (l->is_number_used)                                // the host repeats END, because the swap could not begin when END first came
         return SM_OK;
     smvm_mac_begin(&m, l->key);
     for (uint32_t i = 0; i < end; i++)

@@ -38,7 +38,7 @@ extern "C" {
 // Bytes of the buffer for a swap of n machines, with images of up to `image` bytes each.
 #define SM_SWAP_ROOM(n, image) (2u + (n) * ((image) + 6u + 2u * SM_SWAP_NAME) + SM_SWAP_SIGNATURE)
 
-enum { SM_SWAP_CLIENTS = 4 };
+enum { SM_SWAP_CLIENTS = 4 };       // the most connections at once
 #define SM_SWAP_SILENT (10 * (uint64_t)PAL_SECOND)
 
 typedef enum SmSwapPlace { SM_SWAP_AT_PATH = 1, SM_SWAP_AT_ADDRESS, SM_SWAP_AT_LINE } SmSwapPlace;
@@ -46,35 +46,36 @@ typedef enum SmSwapPlace { SM_SWAP_AT_PATH = 1, SM_SWAP_AT_ADDRESS, SM_SWAP_AT_L
 // A connection to a host.
 typedef struct SmSwapClient {
     bool is_open;
-    PalSocket stream;         // or, at SM_SWAP_AT_LINE, the line of the link
+    PalSocket stream;         // the connection; unused at SM_SWAP_AT_LINE, where SmSwapLink.line is used
     uint64_t heard;           // PAL clock time of the last intact frame; before the first one, of the start of the connection
-    LinkReceiver in;
+    LinkReceiver in;            // assembles received bytes to frames
     uint8_t received[LINK_ROOM(LINK_BODY_MAX)];
     uint8_t answer[LINK_ROOM(LINK_BODY_MAX)];
-    uint16_t sent, length;    // of `answer`: bytes sent, and in total
+    uint16_t sent, length;    // number of bytes of `answer`: sent so far; in total
 } SmSwapClient;
 
+// How far the transfer of a swap from a host is: none, bytes are arriving, or END has come.
 typedef enum SmSwapTransfer { SM_SWAP_NO_TRANSFER, SM_SWAP_RECEIVING, SM_SWAP_SENT } SmSwapTransfer;
 
 typedef struct SmSwapLink {
     SmSwapService service;    // the first field: SM_SWAP_LINK_SERVICE
     SmSwaps *swaps;           // all its slots are SmvmSlots
     SmSwapPlace place;
-    const char *name;         // the path, or the serial line
-    PalAddress address;       // at SM_SWAP_AT_ADDRESS
+    const char *name;         // path of the socket, or name of the serial line
+    PalAddress address;       // the address and port at SM_SWAP_AT_ADDRESS
     uint32_t speed;           // bits per second at SM_SWAP_AT_LINE
     const char *key_file;     // 32 hexadecimal digits, read at the start; NULL: swaps need no signature
     const char *number_memory;// with a key: the name of the non-volatile memory that stores `newest`
     const SmMachine *machine; // all machines of the application
     uint16_t machines;
     SmSwapChange *change;     // one for each machine that can be swapped
-    uint8_t *buffer;          // for one swap
+    uint8_t *buffer;          // memory for the bytes of one swap
     uint32_t room;            // size of `buffer` in bytes
     // The fields below belong to the module; initially all zero.
     const char *app_name;
     const SmApp *app;
     SmEvents *events;
-    uint32_t refused;         // bit r: a refusal with result -r is in the events since `refused_since`
+    uint32_t refused;         // bit r: a refusal with result -r has been logged as an event since `refused_since`
     uint64_t refused_since;   // PAL clock time
     PalSocket listening;
     PalSerial line;
@@ -84,11 +85,11 @@ typedef struct SmSwapLink {
     uint32_t newest;          // with a key: the highest number of a signed swap so far; a swap with this number or a lower one is refused
     uint8_t record;           // the record in `memory` that the next number goes to
     SmSwapClient client[SM_SWAP_CLIENTS];
-    uint8_t next;             // the client that is served first
+    uint8_t next;             // index of the client that is served first in the next call
     SmSwapTransfer transfer;
-    uint16_t session;
+    uint16_t session;               // the host's number of the current transfer
     uint32_t length, checksum, received;  // of the current transfer; `received`: bytes so far
-    uint64_t heard;           // PAL clock time of its last request
+    uint64_t heard;           // PAL clock time of the last request of the current transfer
     uint32_t number;          // SmSwapStatus.number of the last swap that came over the link; 0: none
     uint32_t swap_checksum;   // the checksum of the received swap
     uint32_t swap_number;     // with a key: the number with which the swap was signed

@@ -35,7 +35,7 @@ static void check_bytes(SetCheck *k, const uint8_t *bytes, uint32_t n)
     }
 }
 
-// `head` has the fields from NUMBER_AT to LENGTH_AT.
+// Begins the CRC and the code of a set with the fields from NUMBER_AT to LENGTH_AT of its head.
 static void begin_check(SetCheck *k, const SmSwapStore *s, const uint8_t *head)
 {
     k->crc = SM_CRC32_START;
@@ -194,7 +194,7 @@ typedef struct StoredImage {
     uint32_t at, size;        // where the image begins in the nonvolatile memory, and its length in bytes
 } StoredImage;
 
-// Reads the machine at *at, and moves *at after it.  Returns false at the end of the set.
+// Reads the entry of a machine at address *at of the set, and moves *at to the next entry.  Returns false at the end of the set.
 static bool read_stored(const SmSwapStore *s, uint32_t *at, StoredImage *out)
 {
     const uint32_t end = s->current.at + s->current.length;
@@ -212,7 +212,7 @@ static bool read_stored(const SmSwapStore *s, uint32_t *at, StoredImage *out)
     return out->size <= end - out->at;
 }
 
-// Puts a stored image into the second slot, through the memory of the first one, which is unused while the built-in image is in it.
+// Puts a stored image into the second slot.  Reads the image into the memory of the first slot, which the built-in image does not need.
 static SmSwapReason load_image(const SmSwapStore *s, SmSwappable *w, const StoredImage *i, uint32_t *checksum)
 {
     SmMachine *const m = w->machine;
@@ -252,8 +252,8 @@ static void load_machine(const SmSwapStore *s, const SmSwaps *swaps, SmSwappable
         emit_stored(swaps, w, checksum, why);
 }
 
-// Removes stored images that would be second writers of an element, because the application has got another writer of it, or because the
-// image of the machine that gave it up does not run.  To remove one can make another one a second writer, so this repeats until none is.
+// Removes stored images that would be second writers of an element: because the application now has another writer of the element, or because the
+// stored image of the machine that no longer writes the element does not run.  A removal can make another image a second writer, so this repeats.
 static void remove_second_writers(const SmSwaps *swaps)
 {
     bool again;
@@ -407,7 +407,7 @@ static SmResult write_set(const SmSwapStore *s, const SmSwaps *swaps, const SmSw
     return r;
 }
 
-// Makes a set current that has been written.  If that fails, its head is destroyed: the write that failed may have stored all of it.
+// Writes the head of a set, which makes the set the current one.  If that fails, destroys the head, because the write may have stored all of it.
 static SmResult write_head(const SmSwapStore *s, const SmSwapSet *set, const uint8_t *head)
 {
     const uint32_t at = set->number % 2 * HEAD_STRIDE;

@@ -30,11 +30,11 @@ extern "C" {
 // Bytes of a set of n machines, with images of up to `image` bytes each.
 #define SM_SWAP_STORE_ROOM(n, image) ((n) * ((image) + 9u + SM_SWAP_NAME))
 
-// A set in the memory.
+// A set of images in the non-volatile memory.
 typedef struct SmSwapSet {
     uint32_t number;          // sequence number, modulo 2^32
-    uint32_t at, length;      // address and length in bytes
-    bool is_intact;
+    uint32_t at, length;      // address in the memory, and length in bytes
+    bool is_intact;             // the checksums of head and set are right, and with a key the code
 } SmSwapSet;
 
 typedef struct SmSwapStore {
@@ -43,7 +43,7 @@ typedef struct SmSwapStore {
     uint32_t room;            // most bytes of a set
     const uint8_t *key;       // SMVM_KEY bytes, valid when the storage opens; NULL: sets have no code
     // The fields below belong to the module; initially all zero.
-    PalNvm nvm;
+    PalNvm nvm;                 // the opened memory
     SmSwapSet current;        // the newest intact set
 } SmSwapStore;
 

@@ -13,8 +13,8 @@ static uint32_t add_one_step(uint32_t steps) { return steps == ABORT_NOT_BOUNDED
 typedef struct BoundSearch {
     Analysis *a;
     AbortBound out;
-    uint32_t *unbound;            // by state: transitions out of it whose target is not yet known to be bound
-    bool *may_wait;               // by state: the machine may stay in it for more than a step
+    uint32_t *unbound;            // by state: number of transitions out of the state whose target is not yet known to be bound
+    bool *may_wait;               // by state: the machine may stay in the state for more than a step
     uint32_t *first, *into;       // the transitions into a state are into[first[i]] … into[first[i + 1] - 1], as indices in
                                   // Analysis.transition; i is the state's index
     VEC(const State *) found;     // the @abort states and the states found to be bound, in the order in which the search visits them
@@ -62,8 +62,8 @@ static void add_bound_state(BoundSearch *b, const State *s, uint32_t steps)
     vec_push(b->a->arena, &b->found, s);
 }
 
-// Called once for each state `to` that is bound or an @abort state: updates `unbound` of every state with a transition to it.  A state
-// becomes bound when its `unbound` becomes 0.
+// Called once for each state `to` that is bound or an @abort state: subtracts 1 from `unbound` of a state for each of its transitions to `to`.
+// A state becomes bound when its `unbound` becomes 0.
 static void visit_transitions_into(BoundSearch *b, const State *to)
 {
     for (uint32_t k = b->first[state_index(to)]; k < b->first[to->number]; k++) {

@@ -17,36 +17,36 @@
 
 // One transition out of a state from which every path ends in an @abort state.
 typedef struct AbortPath {
-    const Transition *first;      // the transition; its condition is first->when, its position first->stmt->span
-    const char *guard;            // the text of the transition's condition (condition_text); "" if it is unconditional
+    const Transition *first;      // the transition, with its condition (first->when) and its source position (first->stmt->span)
+    const char *guard;            // text of the condition of `first` (condition_text); "" if the transition is unconditional
     uint32_t steps;               // the most steps from the step in which the guard is true to the first step in an @abort state; 1:
                                   // the transition itself leads to an @abort state
     const Var **sensor;           // the sensors that the guard of `first` depends on, also through windows and locals
     size_t sensors;
     bool by_time;                 // the guard of `first` depends on T or G
-    bool by_input;                // its guard depends on an input that is not a sensor: a bool, or a command (an integer that is only
+    bool by_input;                // the guard of `first` depends on an input that is not a sensor: a bool, or a command (an integer that is only
                                   // compared by == or !=)
-    bool by_command;              // its guard depends on a command; where no element is marked @command, the same as by_input
+    bool by_command;              // the guard of `first` depends on a command; where no element is marked @command, the same as by_input
     bool possible;                // the facts allow the transition to be taken
 } AbortPath;
 
 typedef enum AbortVerdict {
-    ABORT_ITSELF,                 // an @abort state
+    ABORT_ITSELF,                 // the state is an @abort state
     ABORT_UNREACHED,              // the machine never reaches the state
-    ABORT_NO_PATH,                // no transition out of it starts a path that always ends in an @abort state
-    ABORT_LATER,                  // it aborts only through states that may wait
-    ABORT_BY_COMMAND,             // it aborts only if a person gives a command
-    ABORT_ONE_SENSOR,             // it cannot abort if one sensor fails: `single` or `blind`
-    ABORT_OK
+    ABORT_NO_PATH,                // no transition out of the state starts a path that always ends in an @abort state
+    ABORT_LATER,                  // the machine aborts from this state only through states in which it may wait
+    ABORT_BY_COMMAND,             // the machine aborts from this state only if a person gives a command
+    ABORT_ONE_SENSOR,             // the machine cannot abort from this state if one sensor fails: `single` or `blind`
+    ABORT_OK                      // the machine can abort from this state, also if one sensor fails
 } AbortVerdict;
 
 typedef struct AbortRow {
     const State *state;
     AbortVerdict verdict;
-    VEC(AbortPath) path;          // in file order
-    uint32_t steps;               // the highest AbortPath.steps of the paths that take a bounded number of steps; 0: there is none
+    VEC(AbortPath) path;          // the paths from the state, in file order
+    uint32_t steps;               // the highest AbortPath.steps of the paths that take a bounded number of steps; 0: no path does
     const Var *single;            // if this sensor sticks at `stuck`, which can be a healthy reading, no path remains; or NULL
-    SmF64 stuck;
+    SmF64 stuck;                  // the reading of `single`
     const Var *blind;             // if this sensor reads `blind_at`, no path remains; or NULL
     const char *blind_at;         // "0", "more than 40", "0 or less than -5"
     const Var *latch;             // a variable whose old value prevents an abort when the state is entered again; or NULL
@@ -78,7 +78,7 @@ const AbortPath *abort_path_that_reads(const AbortRow *r, const Var *v);
 
 // Indexed by state (State.number - 1).
 typedef struct AbortBound {
-    bool *bound;                  // by state: it is an @abort state, or all its transitions lead to bound states
+    bool *bound;                  // by state: the state is an @abort state, or each of its transitions leads to an @abort state or a bound state
     uint32_t *steps;              // of a bound state: the most steps until the machine is in the @abort state, or ABORT_NOT_BOUNDED
     const State **next;           // of a bound state that is not an @abort state: the next state on the longest path
 } AbortBound;

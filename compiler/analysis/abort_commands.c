@@ -12,8 +12,8 @@
 #include "compiler/analysis/trial_checks.h"
 
 enum {
-    OTHERS_LEAST = 3,             // states that must abort on the input before one that does not is reported
-    OTHERS_FOR_EACH = 3           // and if several do not: this many for each of them
+    OTHERS_LEAST = 3,             // a state that does not abort on the input is reported only if at least this many others do
+    OTHERS_FOR_EACH = 3           // and at least this many for each state that does not
 };
 
 static bool reads(const Expr *e, const Var *v)
@@ -53,7 +53,7 @@ const AbortPath *abort_path_that_reads(const AbortRow *r, const Var *input)
     return NULL;
 }
 
-// Whether the state counts: the machine reaches it, and it neither is where aborts end nor safe.
+// Whether a missing abort in the state can be a mistake: the machine reaches the state, which is neither an @abort state nor @safe.
 static bool can_need_abort(const AbortRow *r)
 {
     return r->verdict != ABORT_ITSELF && r->verdict != ABORT_UNREACHED && !r->state->is_safe;
@@ -138,8 +138,8 @@ static bool aborts_on(const Trials *t, const AbortRow *r, const Expr *guard)
     return any;
 }
 
-// Whether the state has an abort, of whatever form, that depends on a sensor of the path.  A path without sensors counts as one that it has:
-// report_states_without judges buttons.
+// Whether the state has an abort, by any guard, that depends on a sensor of `path`.  Also true if `path` depends on no sensor, because
+// report_states_without judges paths that depend on buttons.
 static bool aborts_on_same_inputs(const AbortRow *r, const AbortPath *path)
 {
     for (size_t k = 0; k < r->path.n; k++) {
@@ -152,8 +152,8 @@ static bool aborts_on_same_inputs(const AbortRow *r, const AbortPath *path)
     return path->sensors == 0;
 }
 
-// Whether all states from which transitions lead into the state, and all states to which it leads that are no aborts, abort on the guard.  Some
-// state must be on either side.
+// Whether all predecessors of the state, and all its successors, abort on the guard; @abort states are not considered.  False if the state has no
+// predecessor or no successor.
 static bool is_between_aborts_on(const Trials *t, const AbortMatrix *x, const AbortRow *r, const Expr *guard)
 {
     size_t before = 0, after = 0;
@@ -172,7 +172,7 @@ static bool is_between_aborts_on(const Trials *t, const AbortMatrix *x, const Ab
     return before > 0 && after > 0;
 }
 
-// Reports the abort paths of `before`, a state from which a transition leads to that of r, that r lacks.
+// Reports abort paths that the state of `before` has and the state of r lacks.  A transition leads from `before` to r.
 static void report_missing_guards(Trials *t, const AbortMatrix *x, const AbortRow *r, const AbortRow *before)
 {
     Analysis *a = t->a;

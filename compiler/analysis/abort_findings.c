@@ -4,7 +4,7 @@
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
-enum { PATHS_SHOWN = 3, STATES_FOLLOWED = 50 };       // notes in one finding; the longest path that is followed to its end
+enum { PATHS_SHOWN = 3, STATES_FOLLOWED = 50 };       // the most notes in one finding; the most states of a path that are followed to its end
 
 // Returns the @abort state at the end of the longest path from s.
 static const State *follow_to_abort_state(const AbortMatrix *x, const State *s)

@@ -16,7 +16,7 @@ enum {
 
 typedef struct LatchSearch {
     Trials *t;
-    AbortBound bound;
+    AbortBound bound;             // the states that always lead to an @abort state
     void *at;                     // the current situation of a run
     double *in;                   // the inputs of the run
 } LatchSearch;

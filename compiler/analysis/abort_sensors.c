@@ -12,19 +12,19 @@
 enum {
     ENTRIES_TRIED = 4,            // situations at the entry of a state (TrialEntry) from which trials start
     LATCH_ENTRIES_TRIED = 8,      // how many situations at the entry of a state find_latch compares with each other
-    TRIALS_PER_ENTRY = 80,        // after this many trials from a situation without an abort, no trial is assumed to abort
+    TRIALS_PER_ENTRY = 80,        // if so many trials from a situation do not abort, no trial from it is assumed to abort
     INPUT_CHANGES = 4,            // how often the inputs change in one trial
     WORK_MAX = 1600000             // instructions spent on one state and sensor
 };
 
 typedef struct AbortTrials {
     Trials *t;
-    const AbortBound *b;
+    const AbortBound *b;          // the states that always lead to an @abort state
     const InputDepsTable *deps;
     void *at;                     // the current situation
     double *in;                   // the inputs of the next step
-    bool commands;                // trials also draw command inputs; false: these keep their values, except bools without a mark where
-                                  // commands are marked
+    bool commands;                // trials also change commands at random.  If false, commands keep their values; but if some element is
+                                  // marked @command, bools without the mark are no commands here and do change
     const SensorFailure *failed;  // the failed sensor, or NULL
     bool left_at_once;            // some trial left the state within two steps, and did not abort
     bool left;                    // some trial left the state later, but before windows were full, and did not abort
@@ -78,8 +78,8 @@ static TrialEnd hold_inputs_in_state(AbortTrials *k, uint32_t state)
     return f;
 }
 
-// In the first trials, sets sensors to an end of their range: all of them to the upper end, all to the lower, then each one alone.  A guard on a
-// second sensor, as in max(a, b) > 60, is so tried whatever random readings do.
+// In the first trials, sets sensors to an end of their range: all of them to the upper end, all to the lower, then each one alone.  So a guard
+// on a second sensor, as in max(a, b) > 60, is tried even if random readings never make it true.
 static void set_to_ends(AbortTrials *k, int trial)
 {
     const Trials *t = k->t;

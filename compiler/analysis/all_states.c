@@ -4,7 +4,7 @@
 // in which they are true, unless these are all.
 #include "compiler/analysis/analysis.h"
 
-// Whether d calls a part of the code useless.
+// Whether finding d says that a part of the code has no effect.
 static bool is_about_code(const Diag *d)
 {
     const char *name = diag_info[d->code].flag;
@@ -12,7 +12,7 @@ static bool is_about_code(const Diag *d)
     return name && diag_find_flag(name)->copies == DIAG_COPIES_CODE;
 }
 
-// Returns in how many states that the machine can reach the section at this position runs.
+// Returns the number of reachable states in which the section [all_states] that contains the source position `at` runs.
 static size_t count_states_at(const Analysis *a, uint32_t at)
 {
     size_t n = 0;

@@ -19,10 +19,10 @@
 // The facts about a statement.
 typedef struct StmtFact {
     bool reached;                 // a run may execute the statement
-    bool then, otherwise;         // IF: its guard can be true; its guard can be false
-    Fact value;                   // ASSIGN: the stored value before conversion to the variable's type; IF: its guard, as a bool
+    bool then, otherwise;         // for a conditional: the guard can be true; the guard can be false
+    Fact value;                   // for an assignment: the value before conversion to the variable's type; for a conditional: the guard
     bool has_env;                 // `env` is known (env_of_stmt)
-    uint32_t state;               // the index of its state
+    uint32_t state;               // index of the state that contains the statement
     BlockKind block;
     const Env *env;               // private to env_of_stmt: the facts where the guard (IF) is evaluated, or the transition is executed
 } StmtFact;

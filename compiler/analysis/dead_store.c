@@ -7,9 +7,9 @@ enum { STATES_MAX = 100, BLOCKS_MAX = 10000000 };
 
 typedef struct DeadStores {
     Analysis *a;
-    size_t *first;                // by state: index of its first transition in Analysis.transition; the last entry is the list's length
-    uint32_t *seen, searches;     // by state: the number of the last search that visited it; the number of searches so far
-    uint32_t *walked, walks;      // by block of a function: the number of the last walk that reached it; the number of walks so far
+    size_t *first;                // by state: index of the state's first transition in Analysis.transition; the last entry is the list's length
+    uint32_t *seen, searches;     // by state: number of the last search that visited the state; number of searches so far
+    uint32_t *walked, walks;      // by block of a function: number of the last walk that reached the block; number of walks so far
     size_t work;                  // blocks that may still be walked
 } DeadStores;
 
@@ -101,7 +101,7 @@ static const IrIns *find_store_in_state(DeadStores *k, size_t state, int block, 
 // The states that a search visits, each once, in order.
 typedef struct StateQueue { size_t state[STATES_MAX], n; } StateQueue;
 
-// Adds a state to those that the search for a read of the stored value has still to visit.
+// Adds a state to the queue of the search, unless the search has visited it or the queue is full.
 static void enqueue_state(DeadStores *k, StateQueue *q, size_t state)
 {
     if (q->n < STATES_MAX && k->seen[state] != k->searches)
@@ -139,7 +139,7 @@ static bool enqueue_targets_and_check_return(DeadStores *k, const IrFn *f, IrBlk
 }
 
 typedef enum OverwriteTime { IN_SAME_STEP, IN_NEXT_STEP, IN_LATER_STATE } OverwriteTime;
-typedef struct Overwrite { const IrIns *store; OverwriteTime when; size_t state; } Overwrite;      // state: where the store is
+typedef struct Overwrite { const IrIns *store; OverwriteTime when; size_t state; } Overwrite;      // state: index of the state that contains `store`
 
 // Finds the store that overwrites a dead one: for an element, in the same step; for a local, also later.  `store` is NULL if the
 // variable is never stored again.
@@ -175,8 +175,7 @@ static Overwrite find_overwrite(DeadStores *k, const DeadStore *dead)
     return o;
 }
 
-// Whether var is stored on every path from ins.at[at] of block blk to the end of f, or after it.  `after`: whether var is always stored
-// after f returns.
+// Whether every path from ins.at[at] of block blk on stores var, in f or after f returns.  `after`: whether every path stores var after f returns.
 static bool is_always_stored(DeadStores *k, const IrFn *f, IrBlkRef blk, size_t at, uint32_t var, bool after)
 {
     const uint32_t yes = ++k->walks;

@@ -17,7 +17,7 @@ static bool find_operand_fact(const Expr *e, Fact *f)
     return true;
 }
 
-// Whether the types make every comparison of e true, or (not `holds`) one of them false.
+// Whether the types decide that e is true (`holds`: all its comparisons are) or false (one of its comparisons is).
 static bool is_comparison_decided(const Expr *e, bool holds)
 {
     const uint32_t n = comparison_count(e);

@@ -29,10 +29,10 @@ static Operand operand_of(const Analysis *a, const Expr *e)
 }
 
 typedef struct TypedComparison {
-    Operand a, b;             // the operands; if one of them is a constant, it is b
+    Operand a, b;             // the operands; if one operand is a constant, it is b
     SmOperator op;
-    const Expr *whole;        // the comparison, or the chain that it is part of
-    const Expr *within;       // the `and` that it is one operand of; or NULL
+    const Expr *whole;        // the expression that is the comparison, or the chain of comparisons (as a < b < c) that contains it
+    const Expr *within;       // the `and` of which `whole` is an operand; or NULL
     Truth truth;
 } TypedComparison;
 
@@ -114,7 +114,7 @@ static void report_equality_with_unrepresentable(const Analysis *a, const TypedC
 static void report_decided_by_types(const Analysis *a, const TypedComparison *p)
 {
     const Expr *e = p->a.e;
-    const SmF64 zero = sm_from_i32(0);                        // adding it turns -0 into 0
+    const SmF64 zero = sm_from_i32(0);                        // adding `zero` turns -0 into 0
     const char *lo = const_text(a->arena, sm_add(p->a.fact.lo, zero)), *hi = const_text(a->arena, sm_add(p->a.fact.hi, zero));
 
     if (e->kind == EX_VAR && !e->var->parameter) {

@@ -15,12 +15,12 @@
 typedef struct PossibleZero PossibleZero;
 struct PossibleZero {                    // a divisor that can be 0 according to the facts
     Span span;
-    const PossibleZero *next;            // the next such divisor of the same statement
+    const PossibleZero *next;            // the next divisor of the same statement that can be 0
 };
 
 typedef struct Divisions {
     Analysis *a;
-    const PossibleZero **possible;       // possible[Stmt.number] lists its divisors that can be 0; [0] those in samples
+    const PossibleZero **possible;       // by Stmt.number: list of the statement's divisors that can be 0; [0]: of those in samples of windows
     const Stmt *stmt;                    // the current statement; NULL: the sample of a window is checked
 } Divisions;
 

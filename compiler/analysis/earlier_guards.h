@@ -9,7 +9,7 @@ enum { EARLIER_MAX = 16 };            // how many earlier guards a guard is comp
 // An earlier guard that has the same outcome (true or false) on every path to the current position.  The other outcome is excluded.
 typedef struct EarlierGuard {
     const Stmt *stmt;
-    bool holds;                       // the excluded outcome
+    bool holds;               // the excluded outcome
     bool leaves;                      // the branch of the excluded outcome leaves the state; false for enclosing guards
 } EarlierGuard;
 

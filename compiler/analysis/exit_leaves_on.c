@@ -10,11 +10,11 @@ typedef struct ExitCheck {
     Trials *t;
     const State *state;
     const Var *v;                 // the output
-    const Stmt *on;               // a statement of the state that switches it on, or NULL
-    const Stmt *off;              // the last one that switches it off beside a transition, or NULL
-    const State *to;              // where the transition beside `off` leads
-    const Stmt *leaves;           // the first transition that leaves it on, or NULL
-    bool is_unclear;              // the state also switches it off and stays, or assigns it otherwise
+    const Stmt *on;               // the last statement found in the state that switches the output on; NULL: none
+    const Stmt *off;              // the last statement found that switches the output off before a transition out of the state; NULL: none
+    const State *to;              // the target of the transition after `off`
+    const Stmt *leaves;           // the first transition that leaves the output on; NULL: none
+    bool is_unclear;              // the state may switch the output off and stay, or assign a value that may be on or off
 } ExitCheck;
 
 // Whether the block assigns v anywhere.
@@ -28,7 +28,7 @@ static bool assigns_variable(const Stmts *list, const Var *v)
     return false;
 }
 
-// Whether the state that a transition leads to decides about the output itself.
+// Whether some block of `to`, the target of a transition, assigns the output.
 static bool target_assigns(const State *to, const Var *v)
 {
     for (int b = 0; b < BLOCK_COUNT; b++)
@@ -37,7 +37,7 @@ static bool target_assigns(const State *to, const Var *v)
     return false;
 }
 
-// Notes an assignment to the output, in the order of the statements; *off is the last one if it switches the output off.
+// Records assignment s to the output, a statement of `list`. Sets *off to s if s switches the output off, else to NULL.
 static void add_assignment(ExitCheck *x, const Stmt *s, const Stmts *list, const Stmt **off)
 {
     const StmtFact *f = &x->t->a->stmt[s->number];
@@ -52,7 +52,7 @@ static void add_assignment(ExitCheck *x, const Stmt *s, const Stmts *list, const
         x->is_unclear = true;
 }
 
-// Notes a transition out of the state: one before which the output was switched off, or one that leaves it on.
+// Records transition s out of the state. `off`: the statement before it that switched the output off; NULL: the transition leaves the output on.
 static void add_transition(ExitCheck *x, const Stmt *s, const Stmt *off)
 {
     if (!x->t->a->stmt[s->number].reached || s->target == x->state)
@@ -65,9 +65,9 @@ static void add_transition(ExitCheck *x, const Stmt *s, const Stmt *off)
     }
 }
 
-// Follows the statements in the order in which they are executed.  off: the statement that has switched the output off on the way here, or NULL.
+// Visits the statements in the order of their execution. `off`: the last assignment to the output before them, if it switches the output off.
 // Recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
-static void follow(ExitCheck *x, const Stmts *list, const Stmt *off)
+static void visit_in_order(ExitCheck *x, const Stmts *list, const Stmt *off)
 {
     for (size_t i = 0; i < list->n; i++) {
         const Stmt *s = list->at[i];
@@ -77,8 +77,8 @@ static void follow(ExitCheck *x, const Stmts *list, const Stmt *off)
             add_transition(x, s, off);
         if (s->kind != ST_IF)
             continue;
-        follow(x, &s->then, off);
-        follow(x, &s->otherwise, off);
+        visit_in_order(x, &s->then, off);
+        visit_in_order(x, &s->otherwise, off);
     }
 }
 
@@ -101,8 +101,8 @@ void check_exit_leaves_on(Trials *t)
             ExitCheck x = {.t = t, .state = s, .v = t->var[v]};
             if (assigns_variable(&s->block[BLOCK_EXIT], x.v))
                 continue;
-            follow(&x, &s->block[BLOCK_ENTRY], NULL);
-            follow(&x, &s->block[BLOCK_STEP], NULL);
+            visit_in_order(&x, &s->block[BLOCK_ENTRY], NULL);
+            visit_in_order(&x, &s->block[BLOCK_STEP], NULL);
             if (x.on && x.off && x.leaves && !x.is_unclear)
                 report_exit(&x);
         }

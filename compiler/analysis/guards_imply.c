@@ -7,13 +7,13 @@ enum { PAIRS_MAX = 64 };              // limit on the pairs of subexpressions co
 
 typedef struct ImplySearch {
     const uint32_t *window_of;        // the machine's IrMachine.window_of, for expr_equal
-    unsigned budget;                  // pairs of parts that may still be compared
+    unsigned budget;                  // pairs of subexpressions that may still be compared
 } ImplySearch;
 
 // ---- comparisons ----
 
-// One side of a comparison: `base + plus`, or the number `plus` alone.  Adding the same constant to two bases preserves their order,
-// also after rounding.
+// One side of a comparison: the expression `base` plus the number `plus`, or `plus` alone.  Adding the same constant to two bases preserves their
+// order, also after rounding.
 typedef struct Side {
     const Expr *base;                 // NULL: the side is the number `plus`
     SmF64 plus;

@@ -5,7 +5,7 @@
 #include "compiler/analysis/decided_comparison.h"
 #include "stdlib/f64.h"
 
-enum { ENTRIES_MAX = 64 };        // how many earlier guards and assignments are checked
+enum { ENTRIES_MAX = 64 };        // at most this many entries of a list of KnownGuards are checked, the innermost first
 
 // ---- the walk ----
 

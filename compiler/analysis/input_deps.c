@@ -8,9 +8,9 @@ typedef VEC(uint32_t) NodeNumbers;
 
 typedef struct DepGraph {
     InputDepsTable *s;
-    NodeNumbers *readers;         // by node: the nodes that depend on it
+    NodeNumbers *readers;         // by node: the nodes that depend on this node
     NodeNumbers waiting;          // a stack of nodes whose readers are to be visited
-    bool *waits;                  // by node: whether it is in `waiting`
+    bool *waits;                  // by node: whether the node is in `waiting`
 } DepGraph;
 
 static uint32_t node_of_guard(const InputDepsTable *s, const Stmt *stmt) { return (uint32_t)s->a->p->var.n + stmt->number; }
@@ -25,7 +25,7 @@ static bool is_only_read(const InputDepsTable *s, const Var *v)
 // Whether v is a numeric element that the machine only reads, and not a command, G or S.
 bool is_sensor(const InputDepsTable *s, const Var *v) { return is_only_read(s, v) && v->type != SM_BOOL && !s->command[v->index]; }
 
-typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: all reads; those in == or != with a constant
+typedef struct UseCount { uint32_t *reads, *equalities; } UseCount;     // by Var.index: number of reads; number of those in == or != with a constant
 
 // Counts the reads of a variable, and its comparisons with constants by == and !=.
 static void count_use(Expr *e, void *context)

@@ -11,11 +11,11 @@ enum { INPUT_DEPS_MAX = 6 };      // sensors tracked per value; a value that rea
 typedef struct InputDeps {
     const Var *sensor[INPUT_DEPS_MAX]; // in order of Var.index
     uint32_t n;
-    bool more;                    // it also depends on more sensors than INPUT_DEPS_MAX
-    bool time;                    // it depends on T or G
-    bool input;                   // it depends on an element that the machine only reads and that is not a sensor
-    bool command;                 // it depends on such an element that a person operates: one marked @command, or any where none is marked
-    bool other;                   // it depends on an element that the machine writes, on S, or on a local that a script writes
+    bool more;                    // the value depends on more than INPUT_DEPS_MAX sensors; the others are not listed
+    bool time;                    // the value depends on T or G
+    bool input;                   // the value depends on an element that the machine only reads and that is not a sensor
+    bool command;                 // the value depends on such an element that a person operates: one marked @command, or any if no element is marked
+    bool other;                   // the value depends on an element that the machine writes, on S, or on a local that a script writes
 } InputDeps;
 
 typedef struct InputDepsTable {
@@ -24,9 +24,10 @@ typedef struct InputDepsTable {
     bool *command;                // by Var.index: marked @command; without marks_commands, an integer that is only ever compared with constants
                                   // by == or !=
     InputDeps *deps;              // first by Var.index, then by Stmt.number of conditionals (the guard with its enclosing guards)
-    const Stmt **store;           // by Var.index: its first assignment in the file; or NULL
+    const Stmt **store;           // by Var.index: the variable's first assignment in the file; or NULL
 } InputDepsTable;
 
+// Computes the inputs of all variables and guards of the machine.
 const InputDepsTable *input_deps_of(Analysis *a);
 
 // Whether v is a numeric element that the machine only reads, and not a command, G or S.

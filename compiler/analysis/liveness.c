@@ -20,23 +20,23 @@ typedef VEC(Access) Accesses;
 
 struct Liveness {
     Analysis *a;
-    size_t words;                 // words of a set: one bit for each variable of the IR that is written
-    uint32_t *bit;                // by IR variable: its bit in the sets; IR_NONE: the machine never writes it
+    size_t words;                 // number of 64-bit words of a set, which has a bit for each IR variable that the machine writes
+    uint32_t *bit;                // by IR variable: number of its bit in the sets; IR_NONE: the machine never writes the variable
     uint64_t *read_after_step;    // the set of variables that other code or windows read after each step
     uint64_t **begin[BLOCK_COUNT];    // by state: the set of variables live where the block starts, or would start if it is missing
-    StateNumbers *before, *after;     // by state: the states with a transition into it, and the targets of its own transitions
-    Accesses *access[BLOCK_COUNT];    // by state: the loads and stores of its block, in order
-    size_t blocks;                // the number of blocks that `live` has room for
-    uint64_t *live;               // by block of the current function: the set of variables live at its start
+    StateNumbers *before, *after;     // by state: the states with a transition into the state; the targets of its own transitions
+    Accesses *access[BLOCK_COUNT];    // by state: the loads and stores of the state's block, in the order of execution
+    size_t blocks;                // the number of basic blocks that `live` has room for
+    uint64_t *live;               // by basic block of the current function: the set of variables live at its start
     size_t state;                 // the current state
     BlockKind block;
-    void (*report)(Analysis *a, const DeadStore *dead, void *context);    // NULL while sets still grow
+    void (*report)(Analysis *a, const DeadStore *dead, void *context);    // called for each dead store; NULL while the sets still grow
     void *context;
 };
 
 static uint64_t *new_set(Liveness *l) { return ARENA_ARRAY(l->a->arena, uint64_t, l->words); }
 
-// Adds a variable to the set of those that are read later.
+// Adds a variable to a set of live variables, whose values are read later.
 static void mark_live(Liveness *l, uint64_t *set, uint32_t var)
 {
     if (l->bit[var] != IR_NONE)
@@ -159,7 +159,7 @@ static void compute_live_at_begins(Liveness *l)
 
 // ---- preparation ----
 
-// Gives each variable that the machine writes a bit in the sets.
+// Assigns a bit of the sets to each variable that the machine writes.
 static void assign_bits_to_variables(Liveness *l)
 {
     const IrMachine *m = l->a->m;

@@ -14,11 +14,11 @@ enum {
 
 typedef struct LeftOnSearch {
     Trials *t;
-    void *at;
-    double *in;
+    void *at;                     // the current situation of the run
+    double *in;                   // the inputs of the run, by input
     const Var *output[OUTPUTS_NAMED];   // the outputs found on in the current state
-    const Stmt *on[OUTPUTS_NAMED];      // the statement that switched each on
-    const Transition *via[OUTPUTS_NAMED];
+    const Stmt *on[OUTPUTS_NAMED];      // by entry of `output`: the statement that switched the output on
+    const Transition *via[OUTPUTS_NAMED];         // by entry of `output`: the transition into the state
     uint32_t outputs;
 } LeftOnSearch;
 

@@ -21,30 +21,30 @@
 #include "stdlib/math.h"
 
 enum {
-    ENTRIES_TRIED = 6,            // the most situations that are tried at the entry of a state
-    ENTRIES_FIRST = 2,            // how many of them are tried with each reading of the sensor, whatever the effort
-    OTHERS_FIRST = 12,            // readings of the other sensors with which a failure is tried
-    OTHERS = 32,                  // random readings of the other sensors with which an effect must be confirmed
-    OTHERS_OF_ONE = 12,           // before OTHERS: readings tried for each other sensor alone, while the rest are unchanged
+    ENTRIES_TRIED = 6,            // the most situations at the entry of a state from which failures are tried
+    ENTRIES_FIRST = 2,            // how many of these situations are tried with each reading of the sensor, even if the effort is used up
+    OTHERS_FIRST = 12,            // number of choices of the other sensors' readings with which a failure is tried
+    OTHERS = 32,                  // number of random choices of the other sensors' readings with which an effect must be confirmed
+    OTHERS_OF_ONE = 12,           // before the random choices: readings tried for each other sensor alone, while the rest are unchanged
     QUIET_LEAST = 4,              // a report requires that the healthy machine is quiet with at least this many of these readings
-    MOTION_SHARE = 2,             // a motion has this part of the effort that failures of a sensor at rest have
-    SHARE_OF_REST = 3,            // a situation, with one choice of the other readings, has this part of the effort that remains
+    MOTION_SHARE = 2,             // failures while readings move may use 1 / MOTION_SHARE of the effort for failures while they are constant
+    SHARE_OF_REST = 3,            // a situation, with one choice of the other readings, may use 1 / SHARE_OF_REST of the effort that remains
     STEPS_AFTER_GUESS = 400       // steps that an exact run may take longer than the run with leaps that it confirms
 };
-// Noise of the other sensors while an effect is confirmed, in turn, in distances to their next reading: none, that of a good sensor and
-// that of a poor one.
+// Noise of the other sensors while an effect is confirmed, used in turn: none, that of a good sensor, that of a poor one.  In units of the distance
+// from a reading to the next one that a comparison distinguishes.
 static const double noise_of_others[] = {0, 0.02, 0.3};
-// The most IR instructions for a sensor in a state, and for all of them: 10 ms, and a quarter of a second.
+// The most IR instructions for one sensor in one state (about 10 ms), and for all sensors and states (a quarter of a second).
 static const uint64_t effort = 4000000, effort_in_all = 100000000;
 
 typedef struct FailureSearch {
     FailureTrial run;
     void *saved;                  // a copy of run.begin, while other readings are tried
     double *other;                // replaces run.in while other readings are tried
-    uint32_t tries;               // number of attempts with other inputs
-    uint64_t effort;              // instructions for one sensor in one state
-    unsigned kinds;               // set of FailureKind: the failures of this sensor
-    unsigned tried;               // those that have been tried in this state by a run that was not cut
+    uint32_t tries;               // number of choices of the other sensors' readings that are tried
+    uint64_t effort;              // the most IR instructions for one sensor in one state
+    unsigned kinds;               // bit set of FailureKind: the failures that the sensor can have
+    unsigned tried;               // bit set of FailureKind: the failures that a run in this state has followed to its end
     bool lasted;                  // the machine has stayed in the state until it was in a steady state
 } FailureSearch;
 
@@ -306,8 +306,8 @@ static void try_readings(FailureSearch *k, FailureCase *c, uint32_t n, bool is_f
     }
 }
 
-// Tries the failures of a sensor with one motion of its readings.  Proceeds in the same measure to further situations and to further
-// readings of the other sensors, so that neither waits for the other.
+// Tries the failures of a sensor with one motion of its readings.  Visits the pairs of a situation and a choice of the other sensors' readings along
+// the diagonals of their table, so that both vary from the beginning.
 static void try_motion(FailureSearch *k, const FailureCases *l, FailureCase *c)
 {
     const IrRun *run = k->run.t->run;
@@ -351,7 +351,7 @@ static void try_sensor(FailureSearch *k, const TrialState *s, uint32_t sensor)
 // Whether failures of the input are tried in the state.
 static bool tries_failures_of(const Trials *t, size_t state, uint32_t input) { return !t->input[input].command && t->state[state].relevant[input]; }
 
-// Finds what the machine goes on doing because one sensor has failed.
+// Finds outputs that switch on, and @abort states that end, because one sensor has failed.
 void check_output_on_zero(Trials *t)
 {
     FailureSearch k = {.run = failure_trial_new(t)};

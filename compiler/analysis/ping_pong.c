@@ -15,7 +15,7 @@
 enum {
     ENTRIES_TRIED = 6,            // how many situations at the entry of a state are tried
     INPUTS_TRIED = 80,            // inputs tried from each of these situations
-    STEPS_SEARCHED = 24,          // the number of last steps of a run that are searched for a cycle
+    STEPS_SEARCHED = 24,          // the number of last transitions of a run that are searched for a cycle
     ARRIVALS_LEAST = 8,           // how often a transition must lead to a state before it can be reported as a cascade
     CYCLE_MAX = 8,                // transitions in the longest cycle
     PAUSE_MAX = 20                // steps between two transitions of a cycle that counters delay
@@ -23,12 +23,12 @@ enum {
 
 typedef struct CycleSearch {
     Trials *t;
-    void *at;
-    double *in;
-    const Transition *taken[STEPS_SEARCHED];
-    uint32_t at_step[STEPS_SEARCHED];     // the steps of these transitions
-    bool switches;                // an output has changed during the searched steps
-    double *level;                // by IR variable: its value in the step before
+    void *at;                     // the current situation of the run
+    double *in;                   // the inputs of the run, by input
+    const Transition *taken[STEPS_SEARCHED];      // the last transitions of the run, the newest last; NULL: fewer were taken
+    uint32_t at_step[STEPS_SEARCHED];     // the number of the step in which each of these transitions was taken
+    bool switches;                // an output has changed during the steps that are searched
+    double *level;                // by IR variable: its value after the last transition
 } CycleSearch;
 
 // Chooses the inputs of the n-th try: without commands, with one command, or with any commands.
@@ -100,12 +100,12 @@ static size_t find_cycle(CycleSearch *f, const TrialEntry *e, uint32_t pause)
 }
 
 // Whether e reads a variable that is wanted: the variable v, or a sensor if v is NULL.
-static bool reads(const InputDepsTable *deps, const Expr *e, const Var *v)
+static bool reads_wanted_variable(const InputDepsTable *deps, const Expr *e, const Var *v)
 {
     bool any = e->kind == EX_VAR && (v ? e->var == v : is_sensor(deps, e->var));
 
     for (uint32_t i = 0; i < e->n && !any; i++)
-        any = reads(deps, e->arg[i], v);
+        any = reads_wanted_variable(deps, e->arg[i], v);
     return any;
 }
 
@@ -114,7 +114,7 @@ static bool any_reads(const InputDepsTable *deps, const Condition *when, const V
     bool any = false;
 
     for (; when && !any; when = when->outer)
-        any = reads(deps, when->stmt->value, v);
+        any = reads_wanted_variable(deps, when->stmt->value, v);
     return any;
 }
 
@@ -126,7 +126,7 @@ static bool waits_for_sensor(const Trials *t, const InputDepsTable *deps, const 
     for (uint32_t n = 1; n <= t->a->p->stmts && !any; n++) {
         const Stmt *s = t->stmt[n];
         any = s && s->kind == ST_ASSIGN && t->state_of[n] == x->from && any_reads(deps, x->when, s->var) &&
-              (any_reads(deps, t->when[n], NULL) || reads(deps, s->value, NULL));
+              (any_reads(deps, t->when[n], NULL) || reads_wanted_variable(deps, s->value, NULL));
     }
     return any;
 }
@@ -192,7 +192,7 @@ static void report_cycle(const CycleSearch *f, size_t n)
     }
 }
 
-// Finds states that follow each other at every step while nothing changes.
+// Finds cycles of states with a transition in every step, or every few steps, while inputs are constant.
 void check_ping_pong(Trials *t)
 {
     CycleSearch f = {.t = t, .at = arena_alloc(t->a->arena, t->run->size), .in = trial_new_inputs(t)};

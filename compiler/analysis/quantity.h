@@ -20,10 +20,10 @@ typedef enum QuantityKind {
 typedef struct Quantity {
     QuantityKind kind;
     Measure unit;
-    double factor, shift;         // NUMBER: `factor` is its value; NaN: not known
-    bool scaled;                  // UNIT: a number other than 1 and -1 has been multiplied with it
-    bool constant;                // UNIT: its value never changes
-    bool zero_unknown;                  // UNIT: a temperature for which no zero is known (degC or K), such as a difference of two
+    double factor, shift;         // see above; QUANTITY_NUMBER: `factor` is the value, NaN if not known
+    bool scaled;                  // QUANTITY_UNIT: the value has been multiplied with a number other than 1 and -1
+    bool constant;                // QUANTITY_UNIT: the value never changes
+    bool zero_unknown;                  // QUANTITY_UNIT: a temperature of which it is not known whether it counts from the zero of degC or of K
 } Quantity;
 
 Quantity quantity_of_kind(QuantityKind kind);
@@ -40,7 +40,7 @@ Quantity quantity_one_of(const Quantity *a, const Quantity *b);
 
 typedef enum QuantityFit {
     QUANTITY_FITS,
-    QUANTITY_MAY_DIFFER,          // differs unless a number in one of them has a unit
+    QUANTITY_MAY_DIFFER,          // the units differ, unless a number in one of the values has a unit that is not written
     QUANTITY_DIFFERS
 } QuantityFit;
 

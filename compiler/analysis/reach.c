@@ -3,15 +3,15 @@
 #include "compiler/analysis/reach.h"
 #include "stdlib/convert.h"
 
-enum { FOLLOWERS_NAMED = 3 };         // how many states that follow an unreachable one its finding names
+enum { FOLLOWERS_NAMED = 3 };         // a finding on an unreachable state names at most so many of the states that follow it
 
 typedef struct Reach {
     ReachWalk *k;
-    const Transitions *t;             // all transitions; those of a state are adjacent
-    size_t *first;                    // by state (from 0): index of its first transition in *t; the last entry is the length of *t
+    const Transitions *t;             // all transitions of the machine; the transitions of one state are adjacent
+    size_t *first;                    // by state (from 0): index in *t of the state's first transition; the last entry is the length of *t
     uint32_t *stack, n;               // the n states whose transitions are not yet followed
-    bool *reached;                    // by state: transitions that may be taken lead to it
-    bool *explained;                  // by state: it is reachable, or a finding explains why it is not
+    bool *reached;                    // by state: a path of transitions that may be taken leads to the state
+    bool *explained;                  // by state: the state is reachable, or a finding explains why it is not
 } Reach;
 
 // Adds s to the set and to the stack, unless the set contains it.

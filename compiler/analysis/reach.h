@@ -11,7 +11,7 @@
 typedef enum DeadCause {
     CAUSE_REPORTED,               // explained by a finding, of this analysis or another one
     CAUSE_SWITCH,                 // a guard that constants alone decide, which is intentional
-    CAUSE_NEVER                   // a guard that is never true: reported at the state to which it leads, or else at the guard
+    CAUSE_NEVER                   // a guard that is never true: reported at the state to which the guard leads, or else at the guard
 } DeadCause;
 
 typedef struct DeadCode {
@@ -26,7 +26,7 @@ typedef struct DeadCode {
 typedef struct Branch Branch;
 struct Branch {
     const Stmt *stmt;             // the conditional
-    bool holds;                   // whether its guard is true in this branch
+    bool holds;                   // whether the conditional's guard is true in this branch
     const Branch *outer;
     uint32_t depth;
 };
@@ -42,13 +42,13 @@ typedef struct ReachWalk {
     const State *state;           // the state that the walk is in
     BlockKind block;
     VEC(DeadCode) dead;
-    uint32_t *dead_by;            // by Stmt.number of a transition that is never taken: 1 + index in `dead`; 0: it may be taken
+    uint32_t *dead_by;            // by Stmt.number of a transition: 1 + index in `dead` of why it is never taken; 0: it may be taken
     VEC(const Branch *) leaving;  // branches of this block that ended in a transition
-    uint32_t *order, passed;      // by Stmt.number: its position in the walk; how many statements the walk has passed
-    uint32_t *written;            // by Program.var: the position of its last write in this block; 0: never
+    uint32_t *order, passed;      // by Stmt.number: the statement's position in the order of the walk; number of statements visited so far
+    uint32_t *written;            // by Program.var: position in the walk of the last write to the variable in this block; 0: not written
     VEC(WriteUndo) undo;          // the changes of `written`, so that they can be undone
     uint8_t *stored;              // by Program.var: which values the machine stores in the local: a set of STORED_…
-    uint32_t *marked, mark;       // by Program.var: equal to `mark` if the current guard reads it
+    uint32_t *marked, mark;       // by Program.var: equal to `mark` if the current guard reads the variable
     size_t explained;             // how many conditionals walked so far have an entry in `dead`
 } ReachWalk;
 
@@ -64,7 +64,7 @@ typedef struct GuardVerdict {
 } GuardVerdict;
 GuardVerdict judge_guard(ReachWalk *k, const Stmt *s, const Branch *branch);
 void report_never_true(ReachWalk *k, const DeadCode *d);                   // reports a guard that is never true
-void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d);           // adds a note about such a guard to a finding
+void note_never_true(ReachWalk *k, Diag *to, const DeadCode *d);           // adds a note about a guard that is never true to the finding `to`
 // Adds an entry to ReachWalk.dead.  Returns 1 + its index.
 uint32_t add_dead_code(ReachWalk *k, DeadCause cause, const Stmt *stmt, const Stmt *earlier, Diag *finding);
 

@@ -17,14 +17,14 @@ typedef VEC(const State *) States;
 
 typedef struct StoreOrder {
     Analysis *a;
-    uint32_t *bit;                // by Var.index: its bit in the sets; IR_NONE: not checked
+    uint32_t *bit;                // by Var.index: number of the variable's bit in the sets; IR_NONE: it is not checked
     size_t words;                 // number of words of a set of locals
-    uint64_t *stored[BLOCK_COUNT];    // by state: the set of locals that its block may store
-    uint64_t *before, *after;     // by state: the locals that may have been stored when it begins; those that later states may store
+    uint64_t *stored[BLOCK_COUNT];    // by state: the set of locals that the state's block may store
+    uint64_t *before, *after;     // by state: the set of locals that may have been stored when the state begins; the set that later states may store
     const States *next;           // by State.number: the targets of the state's transitions
     uint64_t *here;               // the set of locals that may have been stored when the current statement is executed
-    bool *reported;               // by Var.index: an early read of it has been reported
-    uint32_t *seen, searches;     // by State.number: the number of the last search that visited it; the number of searches so far
+    bool *reported;               // by Var.index: a read of the local before any store has been reported
+    uint32_t *seen, searches;     // by State.number: number of the last search that visited the state; number of searches so far
     const State *state;           // the current state
     BlockKind block;
 } StoreOrder;

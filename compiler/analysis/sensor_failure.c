@@ -12,11 +12,11 @@
 // is in units of TrialInput.scale per step.  Only the group of the failing sensor moves like this; other sensors have small noise.
 typedef struct ReadingMotion { double noise, slope; } ReadingMotion;
 static const ReadingMotion motion[FAILURE_MOTIONS] = {
-    {0, 0},                       // every failure except STICKS
-    {0.02, 0},                    // the noise of a good sensor: no comparison changes its result
-    {0, 0.003},                   // a slow change: it crosses the scale in 333 steps, and differs in every step
+    {0, 0},                       // no motion: for every failure except STICKS
+    {0.02, 0},                    // the noise of a good sensor: too small to change the result of a comparison
+    {0, 0.003},                   // a slow change: the reading crosses the scale in 333 steps, and differs in every step
     {0.3, 0},                     // the noise of a poor sensor
-    {5, 0}, {100, 0}              // a scale is unknown: noise that a difference to the sample before can be compared with
+    {5, 0}, {100, 0}              // if the scale is unknown: so much noise that it changes comparisons of the difference between two samples
 };
 
 enum {
@@ -24,13 +24,13 @@ enum {
     FAILED_STEPS = 20,            // steps after windows are full of failed readings in which an effect is expected
     STEPS_TO_SETTLE = 3,          // steps after which only timers and counters of a settled machine change
     ADVANCES_MAX = 400,           // the most events and steps to which both machines advance after a sensor has failed
-    ADVANCES_MOVING = 20,         // the same while readings move and the failed machine has not left its state
+    ADVANCES_MOVING = 20,         // as ADVANCES_MAX, but while readings move and the failed machine has not left its state
     STEPS_BEFORE_LEAP = 40,       // steps in which filters settle, before the first leap in a state
-    STEPS_BETWEEN_LEAPS = 5       // steps after a leap in which its timer can act
+    STEPS_BETWEEN_LEAPS = 5       // steps run after a leap to a timer's limit, in which the machine can react to that timer
 };
-static const double least_peak = 1e-9;          // of an output that has never been on, so that a rise by nothing is none
-static const double noise_fraction = 0.001;     // of the scale of other sensors, while only the failing one moves
-static const double rough_noise = 300;          // noise on a sensor without a scale, in its unit
+static const double least_peak = 1e-9;          // assumed largest level of an output that has never been on, so that the rise required of it is not 0
+static const double noise_fraction = 0.001;     // noise of the other sensors as a fraction of their scale, while only the failing one moves
+static const double rough_noise = 300;          // replaces the distance to the next reading, as a unit of noise, for a sensor whose scale is unknown
 
 // ---- readings ----
 
@@ -225,7 +225,7 @@ static uint32_t leap_to_limit(FailureTrial *z)
     return skip;
 }
 
-// Stores the variables before a step, and those before the step before.
+// Stores copies of the variables of both machines before a step.  Keeps the copies from before the previous step.
 static void remember_vars(FailureTrial *z)
 {
     const size_t size = z->t->run->m->var.n * sizeof *z->before;

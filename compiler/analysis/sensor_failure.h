@@ -8,18 +8,19 @@
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/trial_checks.h"
 
+// How a sensor fails: it reads 0, the lower or upper end of its @range, its last healthy reading forever, or a number far outside its range.
 typedef enum FailureKind { READS_ZERO, READS_LOW_END, READS_HIGH_END, STICKS, READS_FAR_ABOVE, READS_FAR_BELOW, FAILURES } FailureKind;
 
 typedef struct FailureCase {      // one trial: the sensor reads `reading`, with a motion, and fails at some time
     const TrialEntry *entry;
-    uint32_t sensor;              // the failing sensor: index in Trials.input
-    double reading;
+    uint32_t sensor;                  // the failing sensor: index in Trials.input
+    double reading;                   // the reading of the sensor before it fails, without motion
     uint32_t motion;              // how the readings move: one of FAILURE_MOTIONS; 0: not at all
     FailureKind failure;
 } FailureCase;
 
 enum {
-    FAILURE_MOTIONS = 6, FAILURE_MOTIONS_OF_SCALE = 4,      // the other motions are used if the sensor's scale is unknown
+    FAILURE_MOTIONS = 6, FAILURE_MOTIONS_OF_SCALE = 4,      // all motions; those (the first ones) that are used if the sensor's scale is known
     FAILURE_OUTPUTS = 4           // the most outputs that one effect names
 };
 
@@ -27,15 +28,15 @@ typedef struct FailureEffect {
     uint32_t transition;          // the first transition of the failed machine (Stmt.number); 0: none
     const Stmt *at;               // the statement that only the failed machine executed: a transition, or an assignment
     const Var *output[FAILURE_OUTPUTS];
-    const Stmt *on[FAILURE_OUTPUTS];    // the assignment that switched it on
+    const Stmt *on[FAILURE_OUTPUTS];    // by entry of `output`: the assignment that switched it on
     uint32_t outputs;
-    double before, failed;        // readings of the sensor
-    uint32_t steps;               // from the failure to the effect
+    double before, failed;        // readings of the sensor just before and just after it failed
+    uint32_t steps;               // number of steps from the failure to the effect
 } FailureEffect;
 
 typedef struct FailureTrial {
     Trials *t;
-    AbortBound bound;
+    AbortBound bound;                 // the states that always lead to an @abort state
     void *healthy, *failed;       // the situations of the two machines
     void *begin;                  // the situation when the sensor fails
     double *in;                   // inputs without motion
@@ -44,19 +45,19 @@ typedef struct FailureTrial {
     double *earlier, *earlier_failed;     // variables before the step before that
     double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // number of steps in this trial, from which the motion is computed
-    double *level;                // by IR variable: its largest magnitude in the healthy machine before the sensor fails
-    uint32_t only;                // only an effect with this cause (Stmt.number) counts; 0: any
+    double *level;                // by IR variable: the variable's largest magnitude in the healthy machine before the sensor fails
+    uint32_t only;                // Stmt.number: only an effect that this statement causes counts; 0: any effect
     bool *reported;               // by Stmt.number: already reported for this sensor and state
-    double others;                // noise on other sensors, in distances to their next reading
-    double rise;                  // the fraction of its largest level by which an output has to rise
+    double others;                // largest noise on other sensors, in units of the distance to the next reading that a comparison distinguishes
+    double rise;                  // an output counts as switched on if it rises by this fraction of its largest level
     bool leaves;                  // the state is an @abort state: the effect is that the machine leaves it
     uint32_t exact;               // the most steps of an exact run, which skips no step that changes more than counters; 0: leaps are allowed
-    bool leapt;                   // the last run has skipped such steps
+    bool leapt;                   // the last run has leapt over steps that change more than counters
     bool cut;                     // the last run ended while timers or counters still approached their limits
 } FailureTrial;
 
-// How an output has risen when it is switched on: in a search, and while other readings are tried.
-#define FAILURE_RISE 0.5                // half of its largest level: an output that a control law moves a little is not switched on
+// Values of FailureTrial.rise: in the search for an effect, and while a found effect is tried with other readings.
+#define FAILURE_RISE 0.5                // half of the output's largest level: an output that a control law moves a little is not switched on
 #define FAILURE_RISE_CONFIRMED 0.02     // any visible rise of the output that has been switched on once
 
 // INCONCLUSIVE: the failed machine reacts in a way that is intended, or that has been reported.  HEALTHY_LEFT: the healthy machine has left

@@ -3,16 +3,16 @@
 // for the time (G) and the state (S) of a machine must not be written by others.  An input pin counts as a writer.
 #include "compiler/analysis/analysis.h"
 
-typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // where machine p uses an element; p NULL: no machine does
+typedef struct SharedUse { const Program *p; Span span; } SharedUse;      // a use of an element by machine p; p NULL: no machine uses it so
 
 typedef struct Owners {           // which machines use an element, and how
-    SharedUse writer, state, time;    // the machine that assigns it; that has it as S; that has it as G
+    SharedUse writer, state, time;    // the machine that assigns the element; the one whose S it is; the one whose G it is
 } Owners;
 
 typedef struct SharedVector {
     Arena *arena;
     Diags *diags;
-    Map by_name;                  // an element's name, to its Owners
+    Map by_name;                  // from an element's name to its Owners
 } SharedVector;
 
 static void record_first_assignment(const Stmt *stmt, void *context)

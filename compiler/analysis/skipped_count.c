@@ -6,14 +6,14 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // constants stored for a counter; increments simulated from one
+enum { STARTS_MAX = 8, COUNTS_MAX = 2000000 };        // the most constants recorded for a counter; the most increments simulated from one of them
 
-// What the assignments to a variable do to it, if it is a counter.
+// What is known about a variable from its assignments: whether it is a counter, and how it counts.
 typedef struct Counter {
     bool other;                   // an assignment is neither a constant nor the increment `by`: the variable is not checked
     SmF64 by;                     // the increment of the counter; 0: not yet known
     SmF64 start[STARTS_MAX];      // the constants assigned to the counter
-    uint32_t starts;
+    uint32_t starts;              // number of entries of `start`
 } Counter;
 
 typedef struct Counters { Analysis *a; Counter *counter; } Counters;

@@ -21,7 +21,7 @@ enum {
 
 typedef struct TimeoutCheck {
     Trials *t;
-    void *at;
+    void *at;                 // the current situation of the run
     double *in, *now;             // inputs without noise; inputs of this step
     double *mid;                  // the variables halfway through a long stay in the state
     double noise;                 // largest noise on healthy sensors, in units of TrialInput.scale
@@ -79,7 +79,7 @@ static bool hold_inputs_in_state(TimeoutCheck *w, uint32_t state)
             return false;
         for (uint32_t v = 0; v < t->run->m->var.n; v++)
             if (var[v] < w->mid[v])
-                w->mid[v] = 1e300;                    // a variable that falls starts again, so it does not count as advancing
+                w->mid[v] = 1e300;                    // a variable that falls, as a counter that is reset, does not count as advancing
         if (idle == 2 || n > TRIAL_ADVANCES - LAST_ADVANCES)
             find_output_on(w, t->a->p->state.at[state - 1]);
     }

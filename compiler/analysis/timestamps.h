@@ -19,15 +19,15 @@ Timestamps timestamps_of(Arena *arena, const Program *p);
 // How an expression depends on time, if it is a sum of variables and constants.
 typedef struct TimeSum {
     bool linear;              // the expression contains only numbers and variables, added and scaled by constants
-    bool time;                // it contains T or G
-    bool stamp;               // it contains a local with a time
-    bool shifted;             // it contains a local with a shifted time
-    bool other;               // it contains another variable
-    bool scaled;              // it multiplies or divides a time
+    bool time;                // the sum contains T or G
+    bool stamp;               // the sum contains a local that stores a time (TIMESTAMP_COPY or TIMESTAMP_SHIFTED)
+    bool shifted;             // the sum contains a local that stores a shifted time (TIMESTAMP_SHIFTED)
+    bool other;               // the sum contains another variable
+    bool scaled;              // the expression multiplies or divides a time
     SmF64 number;             // the sum of its constants
 } TimeSum;
 
-// Returns the sum that e is; `linear` is false if e is not a sum of variables and constants.
+// Returns the expression e as a sum; `linear` is false if e is not a sum of variables and constants.
 TimeSum time_sum_of(const Timestamps *m, const Expr *e);
 // Returns the sum a - b.
 TimeSum time_sum_difference(TimeSum a, TimeSum b);

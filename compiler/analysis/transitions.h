@@ -8,13 +8,13 @@
 typedef struct Condition Condition;
 struct Condition {
     const Stmt *stmt;             // the conditional
-    bool holds;                   // whether its guard must be true (then) or false (else)
+    bool holds;                   // whether the conditional's guard must be true (then) or false (else)
     const Condition *outer;       // the condition around `stmt`; NULL: none
 };
 
 typedef struct Transition {
     const State *from, *to;
-    BlockKind block;              // the block of `from` that contains it: BLOCK_ENTRY or BLOCK_STEP
+    BlockKind block;              // the block of `from` that contains the transition: BLOCK_ENTRY or BLOCK_STEP
     const Stmt *stmt;
     const Condition *when;        // innermost first; NULL: unconditional
     uint32_t number;              // the transition's index in Transitions

@@ -25,6 +25,7 @@ static const uint64_t work_max = 40000000;          // instructions spent on the
 
 // ---- entries ----
 
+// Magnitudes are divided into SIZES classes, and each class by sign.
 enum { SIZES = 5, SIZE_CLASSES = 2 * (SIZES + 1) + 1 };
 
 // Returns a class for the magnitude and sign of x, below SIZE_CLASSES; 0 for zero.
@@ -56,7 +57,7 @@ typedef struct TrialSearch {
     void *at;                     // the current situation of the try
     double *in, *now, *was;       // inputs without noise; inputs of this step; `in` before its last change
     double noise;                 // largest noise on sensors, in units of TrialInput.scale
-    uint32_t steps;
+    uint32_t steps;               // as in TrialEntry, for the current situation
     bool unhealthy, commanded;
     uint32_t most;                // how many entries may be stored for each state
     void *after;                  // a copy of the situation, for the step after a transition
@@ -163,7 +164,7 @@ static void hold_inputs(TrialSearch *k)
     }
 }
 
-// Draws inputs at random, or changes one of them.
+// Chooses random values for all inputs on which state s depends, or changes one input.
 static void change_inputs(TrialSearch *k, const TrialState *s)
 {
     Trials *t = k->t;

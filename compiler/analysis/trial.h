@@ -23,22 +23,22 @@
 typedef struct TrialInput {
     const Var *v;
     uint32_t var;                     // index in IrMachine.var
-    bool command;
-    uint32_t group;                   // index of the first input of its group
-    double lo, hi;                    // the readings of a healthy sensor: @range, or the range of its type
-    double *reading;                  // readings that comparisons distinguish, ascending
+    bool command;               // the input is operated by a person; false: a sensor
+    uint32_t group;                   // index in Trials.input of the first input of this input's group
+    double lo, hi;                    // the range of healthy readings: the @range, or the range of the element's type
+    double *reading;                  // readings that comparisons distinguish, ascending: `readings` of them
     uint32_t readings;
-    bool rough;                       // its scale is unknown: it has no @range and no comparison with other values
-    double scale;                     // the range of readings of its group: the unit of noise and slopes
+    bool rough;                       // `scale` is unknown: the sensor has no @range and no comparison with other values
+    double scale;                     // width of the range of the group's readings: the unit of noise and slopes
 } TrialInput;
 
 // A situation just before the first step in a state.
 typedef struct TrialEntry {
     void *situation;
-    double *in;                       // by input: its value in the step that led to this situation
-    const Transition *via;            // the transition that led to it; NULL: the machine's start
-    uint32_t steps;                   // steps since the start; TRIAL_MANY: many, or an unknown number
-    bool unhealthy;                   // earlier in this trial a sensor left its healthy range, or disagreed with its group
+    double *in;                       // by input: the value of the input in the step that led to this situation
+    const Transition *via;            // the transition that led to this situation; NULL: the machine's start
+    uint32_t steps;                   // number of steps since the machine's start; TRIAL_MANY: many, or an unknown number
+    bool unhealthy;                   // earlier in this trial a reading was outside its healthy range, or differed from others of its group
     bool commanded;                   // earlier in this trial a person changed a command
     uint64_t key;                     // a hash of the variables, by which similar situations are recognised (entry_key)
 } TrialEntry;
@@ -46,25 +46,25 @@ typedef struct TrialEntry {
 
 // Counts over all trials what the machine does in the step after a transition, with the inputs that led to the transition.
 typedef struct TrialNext {
-    uint32_t trials, left;            // number of trials in the state; in how many of them the machine left by another transition in this step
+    uint32_t trials, left;            // number of trials that ran such a step; in how many of them the machine left the state in this step
     uint32_t transition;              // Stmt.number of the majority's transition, by the Boyer-Moore vote; 0: none is made
     int most;                         // the counter of the majority vote; above 0 if there is a majority
 } TrialNext;
 
 typedef struct TrialState {
-    bool reached;                     // the search has reached it from the machine's start
-    VEC(TrialEntry) entry;
+    bool reached;                     // the search has reached the state from the machine's start
+    VEC(TrialEntry) entry;      // the situations found at the entry of the state
     bool *relevant;                   // by input: the state's behaviour can depend on this input
 } TrialState;
 
-// The values that the parameters of the machine have in all trials.
+// The values that the parameters of the machine have in all trials: their defaults, or the lower or upper ends of their ranges.
 typedef enum TrialSetting { TRIAL_DEFAULTS, TRIAL_LOWEST, TRIAL_HIGHEST, TRIAL_SETTINGS } TrialSetting;
 
 typedef struct Trials {
     Analysis *a;
     TrialSetting setting;
-    uint32_t share;                   // the bounds of effort are divided by this: 1, or the number of settings of the parameters
-    TrialGaps *gaps;                  // what was not tried; may be NULL
+    uint32_t share;                   // limits on the number of instructions are divided by this: 1, or the number of settings of the parameters
+    TrialGaps *gaps;                  // receives what is not tried; may be NULL
     struct TrialNear *near;           // records the guards of the search's steps (trial_near.h); NULL: not searching
     IrRun *run;
     uint64_t until;                   // value of run->work at which the present check ends
@@ -74,29 +74,29 @@ typedef struct Trials {
     TrialState *state;                // state[State.number - 1]
     const Transition **transition;    // by Stmt.number: the transition that the statement is; or NULL
     const Stmt **stmt;                // stmt[Stmt.number] is the statement; [0] is NULL
-    const State **state_of;           // by Stmt.number: the state that contains it
-    const Condition **when;           // by Stmt.number: the conditions around it
-    bool *taken;                      // by Stmt.number of a transition: it was taken in some trial
-    bool *by_time;                    // by Stmt.number of a transition: its condition depends on T or G
-    TrialNext *next;                  // by Stmt.number of a transition: what follows it
-    bool *actuator;                   // by IR variable: it is an output that drives something (is_actuator)
-    bool *rests_on;                   // by IR variable: check_output_left_on has reported that it stays on
-    double *peak;                     // by IR variable: its largest magnitude in a trial
-    const Var **var;                  // by IR variable: its Var
+    const State **state_of;           // by Stmt.number: the state that contains the statement
+    const Condition **when;           // by Stmt.number: the conditions around the statement
+    bool *taken;                      // by Stmt.number of a transition: the transition was taken in some trial
+    bool *by_time;                    // by Stmt.number of a transition: the transition's condition depends on T or G
+    TrialNext *next;                  // by Stmt.number of a transition: what the machine does in the step after it
+    bool *actuator;                   // by IR variable: the variable is an output that drives something (is_actuator)
+    bool *rests_on;                   // by IR variable: check_output_left_on has reported that the output stays on
+    double *peak;                     // by IR variable: if it is an actuator, its largest magnitude during the search
+    const Var **var;                  // by IR variable: the variable in the Program
     double *wait;                     // the times that conditions compare T and G with, ascending
     uint32_t waits;
-    bool *stamp;                      // by IR variable: assignments store G in it, and waits begin at that time
+    bool *stamp;                      // by IR variable: assignments store G in the variable, and waits begin at that time
     bool stamped;                     // some variable is computed from a time: waits may begin at any time
-    double **limit;                   // by IR variable: if it is a counter, the values it is compared with, then NaN; otherwise NULL
+    double **limit;                   // by IR variable: for a counter, the values with which it is compared, followed by NaN; otherwise NULL
     double dt;                        // how much G advances in a step
     double run_time;                  // the longest time that a condition must be true (`held`); 0: none
-    uint32_t window;                  // samples until every window is full, and every such time is over
+    uint32_t window;                  // number of samples until every window is full and `run_time` is over
     bool *samples_written;            // by index in IrMachine.window: the window samples variables that the machine writes
     uint32_t count;                   // number of limits of all counters (`limit`)
-    uint64_t random;
+    uint64_t random;              // state of the pseudo-random generator
     double *before;                   // variables before a step, for trial_advance_to_event
-    void *scratch;                    // memory for a situation, for trial_fill_windows
-    IrTrace trace;
+    void *scratch;                    // memory for a situation that trial_fill_windows needs
+    IrTrace trace;                // what the last step has executed
 } Trials;
 
 #define TRIAL_SEED 20221              // the seed for the choices of each check
@@ -113,7 +113,7 @@ double trial_value_of_parameter(TrialSetting setting, const Var *v);
 // Whether the present check may execute further instructions.  A check that may not continue must conclude nothing from trials not run.
 static inline bool trial_may_continue(const Trials *t) { return t->run->work < t->until; }
 
-void *trial_copy_situation(const Trials *t, void *to, const void *from);
+void *trial_copy_situation(const Trials *t, void *to, const void *from);        // returns `to`; NULL: allocates the copy
 // Runs one step with the inputs `in`; G is dt later than in the last step.
 void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace *trace);
 static inline uint32_t trial_state(const void *situation) { return ((const IrSituation *)situation)->state; }
@@ -168,8 +168,8 @@ void trial_draw_inputs_freely(Trials *t, double *in, const TrialState *s);
 void trial_add_noise(Trials *t, double *in, double most);
 // Makes all sensors of a group read the same number as the first sensor of the group.
 void trial_unify_groups(const Trials *t, double *in);
-void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);
-bool trial_is_healthy(const TrialInput *i, double reading);
+void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);      // sets all sensors of the group of `input`
+bool trial_is_healthy(const TrialInput *i, double reading);        // whether the reading is from i->lo to i->hi
 double trial_clamp_reading(const TrialInput *i, double reading);          // returns the nearest reading within the @range, if there is one
 // Stores the inputs in the variables of a situation, converted to the types of the variables.
 void trial_store_inputs(const Trials *t, double *vars, const double *in);

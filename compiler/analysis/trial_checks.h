@@ -9,7 +9,7 @@
 #include "compiler/analysis/trial_checks.def"
 #undef TRIAL_CHECK
 
-// A sensor that has failed: it reads one number, with or without noise.
+// A sensor that has failed: it always reads `reading`, plus noise.
 typedef struct SensorFailure {
     uint32_t input;
     double reading, noise;

@@ -8,9 +8,9 @@
 
 typedef enum TrialGapKind {
     GAP_STATE,                    // `state` was not reached from the machine's start
-    GAP_SENSOR,                   // some failure of `sensor` was not followed to its end in `state`
+    GAP_SENSOR,                   // some failure of `sensor` in `state` was not tried, or its run was ended too early
     GAP_NUMBERS,                  // `sensor`, or the time if NULL, is compared with more numbers than trials can use
-    GAP_CHECK,                    // the check `name` has used its effort
+    GAP_CHECK,                    // the check with this `name` has reached its limit on instructions
     GAP_KINDS
 } TrialGapKind;
 
@@ -26,7 +26,7 @@ struct TrialNear;
 typedef struct TrialGaps {
     Arena *arena;
     VEC(TrialGap) list;
-    const struct TrialNear *near;     // of the first setting in which a state was not reached (trial_near.h); NULL: none
+    const struct TrialNear *near;     // guards recorded with the first setting of parameters for which a state was not reached; NULL: none
 } TrialGaps;
 
 // Adds a gap, unless it is in the list.  `gaps` may be NULL.

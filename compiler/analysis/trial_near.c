@@ -13,11 +13,11 @@ enum { WAS_FALSE = 1, WAS_TRUE = 2 };
 typedef struct NearPart {
     const Expr *e;
     Span span;
-    Comparison pair;                  // its sides; `a` is NULL if it is no comparison, or if a side reads a window
-    bool wanted;                      // what the guard needs: that it is true, or, after `not`, that it is false
-    bool sampled;                     // it is a part of a condition that a window samples
-    bool met;                         // it was as wanted after some step
-    double distance, at, to;          // the smallest distance of the sides, and the sides then; a negative distance: none was computed
+    Comparison pair;                  // the comparison; `a` is NULL if the part is no comparison, or if one of its sides reads a window
+    bool wanted;                      // the value that the part must have so that the guard can be true; false after `not`
+    bool sampled;                     // the part belongs to a condition that a window samples, as in `held`
+    bool met;                         // the part had the wanted value after some step
+    double distance, at, to;          // the smallest distance between the two sides, and their values then; negative: none was computed
 } NearPart;
 
 typedef struct NearGuard { unsigned seen; VEC(NearPart) part; } NearGuard;

@@ -34,7 +34,7 @@ static void compute_vars(TrialFinder *f)
 // Readings at which the sides of a comparison are equal.
 typedef struct Roots { double at[ROOTS_MAX]; uint32_t n; bool full; } Roots;
 
-// Adds a number at which some condition changes, unless an equal one is in the list.
+// Adds a reading at which some condition changes, unless the list contains it.
 static void add_root(Roots *r, double x)
 {
     if (!(x > -1e15 && x < 1e15))
@@ -132,7 +132,7 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-// Adds a reading to those that trials give to the sensor, as its type stores it.
+// Adds x, as the input's type stores it, to the readings that trials choose for the input.
 static void add_reading(TrialInput *i, double x)
 {
     const SmType type = i->v->type;
@@ -144,7 +144,7 @@ static void add_reading(TrialInput *i, double x)
     i->reading[i->readings++] = x;
 }
 
-// Finds the readings worth a trial for an input: those around the numbers at which a condition changes.
+// Finds the readings of an input with which trials are worthwhile: some on each side of each reading at which a condition changes.
 static void find_readings(TrialFinder *f, uint32_t input)
 {
     TrialInput *i = &f->t->input[input];

@@ -49,7 +49,7 @@ void trial_step(Trials *t, void *situation, const double *in, double dt, IrTrace
 
 // ---- passing time ----
 
-static const double endless = 1e9;                   // steps: longer than any timer
+static const double endless = 1e9;                   // a number of steps, larger than any timer needs
 
 // Returns how many steps come before the step in which a value that changes by `by` per step reaches the limit; `endless` if it never
 // does.

@@ -9,7 +9,7 @@ typedef struct UnitCheck {
     Diags *diags;
     const Program *p;
     const Script *script;         // NULL: the machine is checked
-    bool *judged;                 // by Define.number: its expression has been compared with its unit
+    bool *judged;                 // by Define.number: the definition's expression has been compared with its unit
 } UnitCheck;
 
 static Quantity infer(UnitCheck *k, const Expr *e);
@@ -41,7 +41,7 @@ static const char *amount_text(UnitCheck *k, double x, const char *unit)
 
 static bool is_gram(const Measure *u) { return u->text && u->text[0] == 'g' && u->text[1] == 0; }
 
-// Says how two units convert into each other.
+// Adds to d how a value in unit a is converted to unit b, or that the units measure different things.
 static void label_conversion(UnitCheck *k, Diag *d, const Measure *a, const Measure *b)
 {
     const char *from = measure_text(k->diags->arena, a), *to = measure_text(k->diags->arena, b);
@@ -77,15 +77,15 @@ static void report_difference(UnitCheck *k, QuantityFit fit, const Quantity *a, 
 
 // ---- values that need the same unit ----
 
-// Values that are compared with each other: each with the first of them that has a unit.
+// Values that must have one unit, as the operands of min: each is compared with the first of them that has a unit.
 typedef struct UnitGroup {
-    Quantity all;                 // any one of the values
+    Quantity all;                 // what is known about the result, which is one of the values
     Quantity first;               // the first that has a unit
-    const char *name;             // of `first`, for messages
-    bool any, differs;
+    const char *name;             // source text of `first`, for messages
+    bool any, differs;            // a value has been added; the unit of some value differs from that of `first`
 } UnitGroup;
 
-// Adds a value to those that must have one unit, and reports it if its unit differs.
+// Adds a value to group g, whose values must have one unit, and reports the value if its unit differs.
 static void add_to_group(UnitCheck *k, UnitGroup *g, const Quantity *q, Span span)
 {
     const bool is_first = q->kind == QUANTITY_UNIT && g->first.kind != QUANTITY_UNIT;
@@ -251,7 +251,7 @@ static Quantity quantity_of_variable(UnitCheck *k, const Var *v)
 
     if (v == k->p->g || v->kind == VAR_TIME) {
         q = quantity_of_time(k->p);
-        q.scaled = k->script != NULL;                     // an input can be a ramp: `pressure = T` is 1 bar per ms
+        q.scaled = k->script != NULL;                     // an input of a script can be a ramp: `pressure = T` is 1 bar per ms
         return q;
     }
     if (!v->unit)
@@ -297,7 +297,7 @@ static void check_store(UnitCheck *k, const Measure *unit, const char *name, con
         report_difference(k, fit, &to, name, value, span);
 }
 
-// Returns the unit of a use of the definition, and compares it with that of its expression at the first use.
+// Returns the unit of a use of the definition.  At the first use, compares the definition's @unit with the unit of its expression.
 static Quantity infer_definition(UnitCheck *k, const Expr *e, uint32_t number)
 {
     const Define *d = definition_number(k, number);
@@ -384,7 +384,7 @@ void analyse_units_of_script(Arena *arena, Diags *diags, const Script *script)
         return;
     k.judged = ARENA_ARRAY(arena, bool, p->define.n + script->define.n + 1);
     for (size_t i = 0; i < p->define.n; i++)
-        k.judged[i] = true;                               // in the machine
+        k.judged[i] = true;                               // the machine's own check has compared these
     for (size_t i = 0; i < script->local.n; i++)
         if (script->local.at[i]->init_value)
             check_assignment(&k, script->local.at[i], script->local.at[i]->init_value);

@@ -18,9 +18,9 @@ struct StoreSite {                // an assignment and the conditions around it
 typedef struct NeededParts {
     Analysis *a;
     bool everywhere;              // the search also visits statements that are never executed
-    bool *var, *window;           // by Var.index, by index of the window: whether it is needed
+    bool *var, *window;           // by Var.index: the variable is needed; by index of a window: the window is needed
     bool *guard;                  // by Stmt.number: the guard is needed
-    const StoreSite **site;       // by Var.index: its assignments
+    const StoreSite **site;       // by Var.index: list of the assignments to the variable
     VEC(const Var *) waiting;     // needed variables whose assignments are not yet visited
 } NeededParts;
 
@@ -168,8 +168,8 @@ static void mark_vars_of_constants(const Program *p, bool *needed)
     }
 }
 
-// Reports windows without an effect.  A call in [all_states] or in a definition has a window for each state and each use: it is reported if
-// all of them are without effect.
+// Reports windows without an effect.  A call in [all_states] or in a definition has a window for each state and each use: the call is
+// reported if none of these windows has an effect.
 static void check_windows(Analysis *a, const NeededParts *all)
 {
     const NeededParts executed = find_needed_parts(a, false);

@@ -15,7 +15,7 @@
 enum {
     ENTRIES_TRIED = 8,            // how many situations at the entry of a state are tried
     DRAWS_MAX = 500,              // inputs tried from each situation, for each window
-    STATS_OF_SAMPLES = (1 << SM_STAT_OLDEST) - 1,
+    STATS_OF_SAMPLES = (1 << SM_STAT_OLDEST) - 1,     // bit set of SmStat: statistics of all samples, such as the average
     STEPS_FOLLOWED = 60           // steps, not counting skipped ones, that are run after windows are full
 };
 static const uint64_t work_max = 30000000;          // the most IR instructions that this check executes
@@ -26,19 +26,18 @@ typedef struct WindowTrial {
     Trials *t;
     void *full, *few, *filled;    // situations: with a full window; with few samples; a temporary one
     uint32_t window;              // index in IrMachine.window of the window that is full in `full`
-    double *in, *now;
-    IrTrace few_did, full_did;
-    double noise;
-    uint32_t clock;
+    double *in, *now;             // inputs without noise; inputs of this step
+    IrTrace few_did, full_did;    // what the last step of each machine has executed
+    double noise;                 // largest noise on sensors, in units of TrialInput.scale
     double *earlier;              // the inputs whose samples fill the window in `full`
     double *before, *before_full; // variables before a step
     bool same;                    // sensors have had their current readings since the machine's start
     bool later;                   // both windows are full, or both machines are in another state: a difference from here on has an earlier cause
-    const Stmt *guard;            // the first guard whose value differed between the two
+    const Stmt *guard;            // the first guard whose value differed between the two machines
     uint32_t samples;             // number of samples in the window when that guard differed
     uint64_t until;               // value of Trials.run.work at which the search stops
-    uint32_t *deciding;           // by Stmt.number of a guard: the window whose samples decided it
-    uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which it decided; 0: none
+    uint32_t *deciding;           // by Stmt.number of a guard: the window whose samples decided the guard
+    uint32_t *found;              // by Stmt.number of a guard: the fewest samples with which that window decided the guard; 0: it has not
 } WindowTrial;
 
 // ---- inputs ----
@@ -191,7 +190,7 @@ static bool run_with_few_samples(WindowTrial *w, const TrialEntry *e, uint32_t g
 typedef struct RollSearch {
     const WindowTrial *w;
     const Expr *roll;             // the roll call that was found; NULL: not yet found
-    const Var *through;           // the variable that the guard reads instead, if a store to it reads the statistic; or NULL
+    const Var *through;           // if the guard reads the statistic only through a variable: that variable; else NULL
     const Var *stored;            // the variable whose stores are being searched
     int depth;
 } RollSearch;
@@ -207,7 +206,7 @@ static void find_roll_in_store(const Stmt *s, void *context)
         expr_walk(s->value, find_roll, f);
 }
 
-// Stores `e` in f->roll if it is a statistic of the window.  In a variable, searches what is stored to it.
+// If e is a statistic of the window, stores e in f->roll.  If e is a variable, searches the values that are stored to the variable.
 static void find_roll(Expr *e, void *context)
 {
     RollSearch *f = context;
@@ -326,7 +325,7 @@ static void try_entries(WindowTrial *w)
     }
 }
 
-// Finds what a window decides before it is full.
+// Finds guards that a window decides before the window is full.
 void check_window_not_full(Trials *t)
 {
     WindowTrial w = {.t = t, .in = trial_new_inputs(t), .now = trial_new_inputs(t)};

@@ -46,7 +46,7 @@ EnvShape env_shape(Arena *arena, const IrMachine *m)
 static unsigned side_of(const EnvShape *s, uint32_t var) { return s->is_private ? s->is_private[var] : 1; }
 static uint32_t place_of(const EnvShape *s, uint32_t var) { return s->place ? s->place[var] : var; }
 
-// Returns which child of a node on this level contains the place.
+// Returns the index of the child of a node on this level below which the leaf entry `place` is.
 static unsigned child_index(uint32_t place, unsigned level) { return place >> (level * BITS) & (CHILDREN - 1u); }
 
 // Returns the stored fact about the variable; NULL if it is known only by its type.
@@ -62,7 +62,7 @@ const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var)
     return e ? e->child[child_index(place, 0)].fact : NULL;
 }
 
-// Returns the fact about the variable: the stored one, or else that of its type.
+// Returns the fact about the variable: the stored fact, or else what its type says.
 Fact env_get(const EnvShape *s, const Env *e, uint32_t var)
 {
     const Fact *fact = env_find(s, e, var);
@@ -138,7 +138,7 @@ static const Env *node_of_children(const EnvShape *s, const Env *joined, const E
     return memcmp(joined, &empty, sizeof empty) == 0 ? NULL : new_node(s, joined);
 }
 
-// Joins the leaves j->a and j->b.  Children after the last place are NULL.
+// Joins the leaves j->a and j->b. Children beyond the last variable are NULL.
 static const Env *join_leaves(const EnvShape *s, const EnvJoin *j)
 {
     Env both;
@@ -182,7 +182,7 @@ static const Env *join_nodes(const EnvShape *s, EnvJoin j)
     return j.joined;
 }
 
-// Joins the trees of one side.
+// Joins the trees a and b of one side (1: private variables, 0: the others).
 static const Env *join_sides(const EnvShape *s, const Env *a, const Env *b, unsigned side, const FactLimits *widen)
 {
     if (a == b || !a || !b)
@@ -218,7 +218,7 @@ const Env *env_replace_shared(const EnvShape *s, const Env *e, const Env *shared
 
 // ---- all variables ----
 
-// Returns the node of this level for the facts from variable `first` on; NULL if it is empty.
+// Returns a node of this level with the facts about the variables from `first` on; NULL if no variable below it has a fact.
 static const Env *node_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n, uint32_t first, unsigned level)
 {
     Env e;

@@ -9,27 +9,27 @@
 
 typedef struct Env Env;
 
-typedef struct EnvSide {              // some variables, by their place from 0
-    const SmType *type;               // by place
-    unsigned levels;                  // number of levels of their tree; the leaves are level 0
+typedef struct EnvSide {              // one of the two groups of variables: private ones, or all others.  A place is an index in the group
+    const SmType *type;               // by place: the variable's type
+    unsigned levels;                  // number of levels of the tree of the group; the leaves are level 0
 } EnvSide;
 
 // The variables whose facts an environment can contain, numbered from 0.  If private variables are separated from the others, the root has
 // a tree for each of the two sides: child 1 contains the private variables (env_is_private), child 0 the others.
 typedef struct EnvShape {
     Arena *arena;
-    const SmType *type;               // by variable
+    const SmType *type;               // by variable: its type
     const bool *is_private;           // by variable; NULL: not separated, all variables are on side 1
-    const uint32_t *place;            // by variable: its place on its side; NULL: its number
+    const uint32_t *place;            // by variable: its index in its side's arrays; NULL: equal to the variable's number
     EnvSide side[2];
     struct EnvTable *unique;          // stores equal subtrees only once; NULL: equal subtrees may be stored several times
 } EnvShape;
 
-EnvShape env_shape(Arena *arena, const IrMachine *m);     // all variables of a machine
+EnvShape env_shape(Arena *arena, const IrMachine *m);     // returns the shape of environments of all variables of a machine
 // Returns the shape of environments of n variables (at least 1) of these types.
 EnvShape env_shape_of_types(Arena *arena, const SmType *type, uint32_t n);
 
-Fact env_get(const EnvShape *s, const Env *e, uint32_t var);
+Fact env_get(const EnvShape *s, const Env *e, uint32_t var);         // returns the stored fact about the variable, or else what its type says
 // Returns the stored fact about the variable; NULL if it is known only by its type.
 const Fact *env_find(const EnvShape *s, const Env *e, uint32_t var);
 const Env *env_set(const EnvShape *s, const Env *e, uint32_t var, Fact fact);
@@ -39,7 +39,8 @@ const Env *env_join(const EnvShape *s, const Env *a, const Env *b, const FactLim
 
 // Returns the environment with the facts *fact[v] for the variables below n; NULL: only the type is known.  Does not copy the facts.
 const Env *env_of_facts(const EnvShape *s, const Fact *const *fact, uint32_t n);
-// Calls `visit` for each variable whose fact in `to` is stored apart from its fact in `from`; `fact`: that in `to`, NULL as in env_find.
+// Calls `visit` for each variable for which `from` and `to` do not share one stored fact, which is so wherever the facts differ.  `fact` is the
+// fact in `to`; NULL: known only by its type.
 // The cost depends only on how much the trees differ.  The variables of the shape must not be separated.
 typedef void EnvVisitFn(void *context, uint32_t var, const Fact *fact);
 void env_each_difference(const EnvShape *s, const Env *from, const Env *to, EnvVisitFn *visit, void *context);

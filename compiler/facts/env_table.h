@@ -19,7 +19,8 @@ struct Env {
 
 typedef struct EnvTable EnvTable;
 
-// The join of nodes a and b.  `first` is the first place below them, `level` their level, `side` their side, `joined` the result.
+// The join of the nodes a and b: subtrees on level `level` of the tree of side `side` (EnvShape), whose first leaf entry has index `first`.
+// `joined` is the result.
 typedef struct EnvJoin {
     const Env *a, *b;
     const FactLimits *widen;

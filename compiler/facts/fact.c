@@ -92,6 +92,7 @@ Fact fact_of_bool(bool may_be_false, bool may_be_true)
 // ---- arithmetic ----
 // If computing a bound gives NaN (inf - inf, 0 * inf), that bound is ignored.
 
+// Returns the fact of a value that is never a number: an empty interval, whose lower bound is above the upper one.
 static Fact fact_without_number(bool nan) { return make_fact(1, 0, false, nan, false); }
 static bool is_empty(Fact a) { return a.lo > a.hi; }
 
@@ -418,7 +419,7 @@ static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
     Fact r;
     bool nan;
 
-    if (i->op == IR_pow || i->op == IR_hypot) {       // which can be a number where an operand is NaN
+    if (i->op == IR_pow || i->op == IR_hypot) {       // these two can return a number although an operand is NaN
         if (is_empty(a) || is_empty(b))
             return any_fact();
     } else if (is_empty(a) || (two && is_empty(b)))
@@ -468,7 +469,7 @@ Fact fact_of_stat(SmStat stat, Fact sample)
 
     switch (stat) {
     case SM_STAT_AVG: return fact_of_average(sample);
-    case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // perhaps the mean of two samples
+    case SM_STAT_MEDIAN: return make_fact(sample.lo, sample.hi, false, infinite, true);      // not whole, because it can be the mean of two samples
     case SM_STAT_RANGE: return make_fact(0, infinite ? infinity() : sample.hi - sample.lo, sample.whole, infinite, false);
     case SM_STAT_CHANGE: return fact_of_result(&difference, &sample, &sample, SM_F64);
     case SM_STAT_ELAPSED: case SM_STAT_RUN_TIME: return make_fact(0, 18446744073709551616.0, true, false, false);
@@ -565,13 +566,13 @@ bool fact_fits(Fact a, SmType type)
     return fact_within(a, t.lo, t.hi) && (sm_type_info[type].bytes < 8 || type == SM_F64 || a.hi < t.hi);
 }
 
-// Returns the smallest number above x that is whole if a is whole.
+// Returns the next number above x that a value with fact a can have: the next whole number if a.whole, else the next F64.
 double fact_next_above(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_floor(x) + 1 : next_up(x);
 }
 
-// Returns the largest number below x that is whole if a is whole.
+// Returns the next number below x that a value with fact a can have: the next whole number if a.whole, else the next F64.
 double fact_next_below(Fact a, double x)
 {
     return a.whole && sm_abs(x) < FACT_EXACT ? sm_ceil(x) - 1 : -next_up(-x);

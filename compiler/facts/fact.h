@@ -43,7 +43,7 @@ static inline bool fact_equal(Fact a, Fact b)
 {
     return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
 }
-bool fact_is_same(const Fact *a, const Fact *b);      // whether they have the same bits: unlike fact_equal, distinguishes the bounds 0 and -0
+bool fact_is_same(const Fact *a, const Fact *b);      // whether *a and *b have the same bits: unlike fact_equal, distinguishes the bounds 0 and -0
 
 typedef struct FactLimits {
     const double *at;         // the numbers at which widening stops, in ascending order
@@ -57,7 +57,7 @@ bool fact_is_number(Fact a, double *x);               // whether a is exactly on
 bool fact_within(Fact a, double lo, double hi);       // whether a is always a number within these bounds
 bool fact_fits(Fact a, SmType type);                  // whether a is always a number in the type's range: conversion never saturates
 
-double fact_next_above(Fact a, double x);                  // the smallest number above x that is whole if a is whole
-double fact_next_below(Fact a, double x);                  // the largest number below x that is whole if a is whole
+double fact_next_above(Fact a, double x);                  // the next number above x that a value with fact a can have
+double fact_next_below(Fact a, double x);                  // the next number below x that a value with fact a can have
 
 #endif

@@ -18,22 +18,22 @@ typedef struct FlowWalk {
     FactFlow out;
     const FactEnds *ends;
     const Env *start;                 // the facts at the beginning of the function, of all variables of the machine
-    bool has_slots;                   // environments are of slots; else of all variables, because there are more than FACT_SLOTS
-    SlotEnvs space;                   // of the environments of slots
-    uint64_t private_slots;           // a set of slots: those of private variables
-    FactSlot *slot;                   // by slot
-    FactEffect *effect;               // by block: its effect, or NULL
-    FactPoint *begin;                 // by block: the facts at its beginning, until it is visited
-    FactPoint env;                    // the facts at the current instruction; without slots once they belong to another block
-    SlotEnv *transferred;             // the facts that env_of_machine has transferred last, or NULL
+    bool has_slots;                   // environments contain only the function's slots; false: all variables, because it uses more than FACT_SLOTS
+    SlotEnvs space;                   // allocates the environments of slots
+    uint64_t private_slots;           // bit set of the slots of private variables (env_is_private)
+    FactSlot *slot;                   // by slot: its variable, and the last block that loads it
+    FactEffect *effect;               // by block: what the last visit of the block has stored; NULL: this function's visits are not stored
+    FactPoint *begin;                 // by block: the facts at the block's beginning, until the block is visited
+    FactPoint env;                    // the facts at the current instruction; env.slots is NULL once another block owns the environment
+    SlotEnv *transferred;             // copy of the facts that env_of_machine transferred in its last call; NULL: not called yet
     const Env *transferred_to;        // the result of that transfer
     IrBlkRef block;                   // the current block
     uint32_t epoch;                   // number of the current block visit (FactMachine.epochs)
-    FactHome *home;                   // by temporary: a variable with the same value
+    FactHome *home;                   // by temporary: a variable that has the same value (FactHome)
     unsigned budget;                  // how many conditions may still be visited for this branch
     uint32_t edge;                    // number of the current edge (FactRefined.edge)
-    uint32_t refined;                 // number of slots in FactMachine.refined_slot: those about which this edge adds facts
-    bool contradicts;                 // the conditions of the edge being checked contradict the facts: it is never taken
+    uint32_t refined;                 // number of entries in FactMachine.refined_slot: the slots about which the current edge adds facts
+    bool contradicts;                 // the conditions of the current edge contradict the facts, so that the edge is never taken
 } FlowWalk;
 
 static const IrIns *ins(const FlowWalk *w, IrRef r) { return &w->f->ins.at[r]; }
@@ -55,7 +55,7 @@ static uint32_t find_or_add_slot(FlowWalk *w, uint32_t var)
     return of->slot;
 }
 
-// Numbers the variables that the function uses, and finds the last block that loads each.  Returns false if they are too many.
+// Assigns slots to the variables that the function uses, and finds the last block that loads each.  Returns false if there are more than FACT_SLOTS.
 static bool number_slots(FlowWalk *w)
 {
     w->fm->functions++;
@@ -97,7 +97,7 @@ static void store_slots(FlowWalk *w, FactFn *fn)
         fn->effect = ARENA_ARRAY(fm->shape.arena, FactEffect, w->f->blk.n);
 }
 
-// Finds the slots of the function: those of an earlier visit, if they are stored.
+// Finds the slots of the function: the stored slots of an earlier visit, or new ones.
 static void find_slots(FlowWalk *w)
 {
     FactMachine *fm = w->fm;
@@ -170,7 +170,7 @@ static FactPoint facts_for_edge(FlowWalk *w, bool is_last)
     return now;
 }
 
-// Returns the current facts as an environment of all variables: all facts, or those about private variables and those that are assumed.
+// Returns the current facts as an environment of all variables: all facts (`all`), or facts about private variables and assumed facts.
 static const Env *env_of_machine(FlowWalk *w, bool all)
 {
     const FactMachine *fm = w->fm;
@@ -191,7 +191,8 @@ static const Env *env_of_machine(FlowWalk *w, bool all)
 
 // ---- ends ----
 
-// Stores an end of the function whose facts differ from those of the end before it, for later visits.
+// Stores, for later visits of the function, the facts of an end that differ from those at its beginning.  Called if the end's facts are not those of
+// the previous end.
 static void store_updates(FlowWalk *w, FactEnd *end)
 {
     const SlotEnv *now = w->env.slots;
@@ -473,8 +474,8 @@ static void join_at_block(FlowWalk *w, IrBlkRef to, FactPoint env)
     w->out.reached[to] = true;
 }
 
-// Follows the edge to block `to` that is taken if cond is true (`holds`) or false; the second of these edges is the last one.  Returns whether
-// the facts allow that edge.
+// Follows the edge to block `to` that is taken if cond is true (`holds`) or false.  The edge for true must be followed first.  Returns whether the
+// facts allow that edge.
 static bool follow_edge(FlowWalk *w, IrRef cond, bool holds, IrBlkRef to)
 {
     const Fact f = w->out.of[cond];
@@ -582,7 +583,8 @@ static void store_effect(FlowWalk *w, FactEffect *effect)
     w->effect[w->block] = *effect;
 }
 
-// Computes the facts of block b: visits its instructions, or repeats the effect of the last visit if the facts about the variables that it loads are unchanged.
+// Computes the facts of block b: visits its instructions, or repeats the effect of the last visit if the facts about the variables that b loads
+// have not changed.
 static void visit_block(FlowWalk *w, IrBlkRef b)
 {
     FactEffect effect = {0};

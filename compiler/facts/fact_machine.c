@@ -10,18 +10,18 @@
 
 // How often the facts at the beginning of a function may change before joins become less precise.
 enum {
-    CHANGES_BEFORE_WIDENING = 3,      // after these, bounds are widened to constants of the program
-    CHANGES_BEFORE_FEW_LIMITS = 12,   // after these, bounds are widened to a few round numbers
-    CHANGES_MAX = 20,                 // after these, only the facts about locals that never change remain
+    CHANGES_BEFORE_WIDENING = 3,           // after so many changes, bounds are widened to constants of the program
+    CHANGES_BEFORE_FEW_LIMITS = 12,   // after so many changes, bounds are widened to a few round numbers
+    CHANGES_MAX = 20,                 // after so many changes, only the facts about locals that never change remain
     LIMITS_MAX = 64                   // how many constants of the program are collected
 };
 
 typedef struct FactIteration {
     FactMachine *fm;
-    FactBegin (*to)[BLOCK_COUNT];     // receives the facts: fm->begin, or in the last round a new table that replaces it
+    FactBegin (*to)[BLOCK_COUNT];     // the table into which facts are merged: fm->begin, or in the last round a new table that then replaces it
     bool *(*possible)[BLOCK_COUNT];   // [state with an .exit][function][IR block]: whether the block's transition is possible
-    Worklist queue;                   // the states to visit, if any_start
-    SweepList sweep;                  // the states to visit, else
+    Worklist queue;                   // the states to visit next, if any_start
+    SweepList sweep;                  // the states to visit next, if not any_start
     uint32_t state;                   // the state that is visited
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     bool any_start;                   // the machine may be started in any state
@@ -30,8 +30,9 @@ typedef struct FactIteration {
 } FactIteration;
 
 // ---- the order of visits ----
-// From the first state, most facts flow in the order in which states are written.  Sweeps in that order visit a state after most of the states
-// that lead to it: half as often as in the order in which facts change.  If the machine may start in any state, all are visited first anyway.
+// From the first state, most facts flow in the order in which states are written.  Sweeps in that order visit a state after most of its
+// predecessors, and need half as many visits as the order in which facts change.  If the machine may start in any state, all states are
+// visited first anyway.
 
 // Adds a state to those whose functions must be visited again.
 static void queue_state(FactIteration *v, uint32_t state)
@@ -186,8 +187,8 @@ static Fact fact_of_initial(const IrVar *v)
     return fact_convert(p ? any : fact_of_cell(v->type, v->init), v->type);
 }
 
-// Returns the facts that the locals which only the machine writes have their initial values.  With `writable_too` false, leaves out those
-// that the machine stores to.
+// Returns facts that say that private locals, which only the machine writes, have their initial values.  If `writable_too` is false, says nothing
+// about locals that the machine stores to.
 static const Env *initial_values(const FactMachine *fm, bool writable_too)
 {
     const EnvShape *s = &fm->shape;

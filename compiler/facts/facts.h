@@ -23,9 +23,9 @@ typedef struct FactExit {             // the end of a block
 } FactExit;
 
 typedef struct FactFlow {             // valid until the next function is analysed
-    Fact *of;                         // by temporary: its possible values; undefined for temporaries in unreached blocks
-    bool *reached;                    // by block: whether the facts allow a path to it
-    FactExit *exit;                   // by block: the facts at its end; undefined for unreached blocks
+    Fact *of;                         // by temporary: the possible values of the temporary; undefined in unreached blocks
+    bool *reached;                    // by block: whether the facts allow a path to the block
+    FactExit *exit;                   // by block: the facts at the end of the block; undefined for unreached blocks
 } FactFlow;
 
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
@@ -42,23 +42,24 @@ bool facts_may_reach(const FactMachine *fm, size_t state, int block);
 const Env *facts_at_begin(const FactMachine *fm, size_t state, int block);
 const Env *facts_at_begin_of_sample(const FactMachine *fm);
 
+// Returns the facts in function f, which begins with the facts `begin`.
 FactFlow facts_of_function(FactMachine *fm, const IrFn *f, const Env *begin);
-// Returns the flow of a function of a state, which must have one: that of its last visit where this began with the same facts.
+// Returns the facts in a function that the state must have.  Reuses the recorded facts of the function's last visit if it began with the same facts.
 FactFlow facts_of_block(FactMachine *fm, size_t state, int block);
-// Forgets the flows of these visits.  Call it when functions of the machine have changed.
+// Forgets the recorded visits.  Call it when functions of the machine have changed.
 void facts_forget_visits(FactMachine *fm);
 
 Fact facts_of_window(const FactMachine *fm, uint32_t window);      // the fact that is true of all samples of the window
 
 // ---- inside compiler/facts ----
 
-typedef struct FactEnds {             // receives the facts at each end of a function
-    void (*visit)(void *context, const IrJump *end, const Env *env);  // called for each reached IR_RET or IR_GOTO; or NULL
+typedef struct FactEnds {             // options of facts_flow: what to do with the facts at each end of a function
+    void (*visit)(void *context, const IrJump *end, const Env *env);  // called for each IR_RET or IR_GOTO that may be reached; NULL: no call
     void *context;
-    bool all;                         // `visit` receives all facts; else only facts about private variables, and assumed ones
-    bool exits;                       // FactExit.env is required, with all facts
+    bool all;                         // `visit` receives all facts; if false, only facts about private variables and assumed facts
+    bool exits;                       // the caller needs FactExit.env, with all facts
     bool at_entry;                    // the function begins when its state is entered: T is 0
-    struct FactFn *fn;                // stores the visit, or NULL.  Not with `all` or `exits`
+    struct FactFn *fn;                // receives a record of this visit, for the next one; NULL: no record, as with `all` or `exits`
 } FactEnds;
 
 typedef struct FactHome {
@@ -71,7 +72,7 @@ typedef struct FactSlot {
     IrBlkRef last_load;               // the last block that loads the variable
 } FactSlot;
 
-typedef struct FactUpdate {           // the fact about a slot before or after something
+typedef struct FactUpdate {           // a slot and the fact about it: the one that was loaded, stored or added
     uint32_t slot;
     Fact fact;
 } FactUpdate;
@@ -80,26 +81,26 @@ typedef struct FactUpdate {           // the fact about a slot before or after s
 typedef struct FactEffect {
     bool known;                       // the block has been visited
     bool then, otherwise;             // whether each edge can be taken, as in FactExit
-    uint32_t loads, stores, on_then, on_otherwise;      // numbers of facts
-    FactUpdate *load;                 // the facts that it loads
-    FactUpdate *update;               // the facts that it stores, and then those that its two edges add
+    uint32_t loads, stores, on_then, on_otherwise;      // how many facts the arrays contain: loaded, stored, and added on each edge
+    FactUpdate *load;                 // the facts about the variables that the block loads
+    FactUpdate *update;               // the facts that the block stores, followed by those that its edges `then` and `otherwise` add
 } FactEffect;
 
-typedef struct FactEnd {              // an end that the facts at the beginning of a function allow
+typedef struct FactEnd {              // an IR_RET or IR_GOTO that the last visit of a function has reached
     const IrJump *jump;
-    bool is_as_before;                // it has the same facts as the previous end of the list
+    bool is_as_before;                // the facts at this end are those at the previous end of the list
     uint32_t updates;                 // how many facts about private variables differ from those at the beginning, unless is_as_before
 } FactEnd;
 
-typedef struct FactFn {               // what an iteration stores about a function, so that the next visit needs less work
-    FactSlot *slot;                   // its slots, or NULL: not visited yet, or too many variables for slots
+typedef struct FactFn {               // the record of the last visit of a function, so that the next visit needs less work
+    FactSlot *slot;                   // by slot: the variable of the slot; NULL: not visited yet, or too many variables for slots
     uint32_t slots;
     FactEffect *effect;               // by block; NULL: visits are not repeated (FactMachine.has_variable_locals)
-    Fact *begin;                      // by slot: the facts at the beginning of the last visit
+    Fact *begin;                      // by slot: the fact at the beginning of the function in the last visit
     uint64_t read;                    // a set of slots: those whose facts at the beginning the last visit has read
     FactFlow flow;                    // of the last visit
     VEC(FactEnd) end;                 // the ends of the last visit
-    VEC(FactUpdate) update;           // the facts that differ at these ends
+    VEC(FactUpdate) update;           // for all entries of `end` in turn: the facts that differ from those at the beginning
 } FactFn;
 
 typedef struct FactSlotOf {           // the slot of a variable, if `function` is FactMachine.functions
@@ -118,32 +119,32 @@ typedef struct FactRefined {          // what an edge adds about a slot; valid i
 
 typedef struct FactBegin {            // what is known at the beginning of a function
     const Env *env;
-    bool found, dirty;                // a path to it has been found; env has changed since the last visit
-    unsigned changes;                 // how often env has changed
-    const Env *joined;                // the facts that were joined last: joining them again changes nothing
+    bool found, dirty;                // a path to the function has been found; `env` has changed since the last visit of the function
+    unsigned changes;                 // how often `env` has changed
+    const Env *joined;                // the facts that were merged into `env` last: merging them again changes nothing
 } FactBegin;
 
 struct FactMachine {
     const IrMachine *m;
     EnvShape shape;
     Arena local;                      // the environments of slots in the current function
-    Fact slot_begin[FACT_SLOTS];      // by slot of the current function: the facts at its beginning
+    Fact slot_begin[FACT_SLOTS];      // by slot of the current function: the fact at the beginning of the function
     const Env *assumed;               // the facts that are assumed of elements, or NULL
     bool has_variable_locals;         // the machine writes private locals; else all functions begin with the facts `constants`
     const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // [state][block]: the facts at the beginning of each function
-    FactFn (*fn)[BLOCK_COUNT];        // [state][block]: the last visit of each function; NULL: none
-    Fact *window;                     // by window: its samples
-    uint32_t *epoch, *stored;         // by variable: `epochs` during the last block visit that stored to it; position of that store
+    FactFn (*fn)[BLOCK_COUNT];        // [state][block]: a record of the last visit of each function; NULL: visits are not recorded
+    Fact *window;                     // by window: the fact that is true of all its samples
+    uint32_t *epoch, *stored;         // by variable: value of `epochs` at the last block visit that stored to it; position of that store
     uint32_t epochs;                  // number of block visits so far
-    uint32_t functions, edges;        // number of functions analysed so far, and of their edges
-    FactSlotOf *slot_of;              // by variable
+    uint32_t functions, edges;        // number of functions analysed so far; number of edges followed in them
+    FactSlotOf *slot_of;              // by variable: its slot in the function that was analysed last
     FactSlot slot[FACT_SLOTS];        // the slots of the current function
-    VEC(FactUpdate) load, update;     // the effect of the current block (FactEffect)
+    VEC(FactUpdate) load, update;     // the facts that the effect of the current block will contain (FactEffect)
     FactRefined *refined;             // by slot, or by variable where a function has too many for slots
     uint32_t *refined_slot;           // the slots about which the current edge adds facts
     Fact zero;                        // the fact of the number 0 in a U64
-    size_t temps, blocks;             // capacity of the following tables, which every call of facts_flow uses
+    size_t temps, blocks;             // capacity of the following tables, in temporaries and in blocks; every call of facts_flow uses them
     Fact *of;
     FactHome *home;
     bool *reached;

@@ -65,7 +65,7 @@ void slot_env_join(SlotEnvs *s, SlotEnv *into, const SlotEnv *from)
         if (rest & 1) {
             const Fact *a = slot_env_find(s, into, slot), *b = slot_env_find(s, from, slot);
             Fact both;
-            if (fact_equal(*a, *b))                   // usual: the slot was changed before the paths parted
+            if (fact_equal(*a, *b))                   // the usual case: the slot was changed before the two paths separated
                 continue;
             both = fact_join(*a, *b);
             if (!fact_equal(both, *a))

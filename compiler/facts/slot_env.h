@@ -11,20 +11,20 @@ enum { FACT_SLOTS = 64 };             // most slots of a function: the bits of a
 
 typedef struct SlotEnv SlotEnv;
 struct SlotEnv {
-    SlotEnv *next;                    // in SlotEnvs.unused
-    uint64_t changed;                 // a set of slots: those whose facts are in `fact`.  The others have the facts at the beginning of the function
-    Fact fact[];                      // by slot
+    SlotEnv *next;                    // while the environment is free: the next one in the list SlotEnvs.unused
+    uint64_t changed;                 // bit set of the slots whose facts are in `fact`; the others have the facts at the function's beginning
+    Fact fact[];                      // by slot; valid only for slots in `changed`
 };
 
 typedef struct SlotEnvs {             // the environments of one function
     Arena *arena;
-    uint32_t slots;
+    uint32_t slots;              // number of slots of the function
     const Fact *begin;                // by slot: the facts at the beginning of the function
-    uint64_t read;                    // a set of slots: those whose facts at the beginning have been read
-    SlotEnv *unused;                  // freed environments
+    uint64_t read;                    // bit set of the slots whose facts at the beginning have been read
+    SlotEnv *unused;                  // list of freed environments, linked by `next`
 } SlotEnvs;
 
-SlotEnv *slot_env_new(SlotEnvs *s);                      // the facts at the beginning
+SlotEnv *slot_env_new(SlotEnvs *s);                      // returns an environment with the facts at the beginning of the function
 SlotEnv *slot_env_copy(SlotEnvs *s, const SlotEnv *e);
 void slot_env_free(SlotEnvs *s, SlotEnv *e);
 // Returns the fact about a slot, which is valid until the slot is set.

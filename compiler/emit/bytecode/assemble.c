@@ -8,7 +8,7 @@
 
 enum { VARINT_BYTES_MAX = 4 };
 
-// Encodes v in the bytes just before `end`.  Returns a pointer to the first of them.
+// Encodes v as a varint that ends just before `end`.  Returns a pointer to its first byte.
 static uint8_t *write_varint_before(uint8_t *end, uint32_t v)
 {
     if (v < SMVM_VARINT_1) {
@@ -29,7 +29,7 @@ static uint8_t *write_varint_before(uint8_t *end, uint32_t v)
     return end;
 }
 
-// Appends a number in one to four bytes (docs/bytecode.md).
+// Appends v as a varint, one to four bytes (docs/bytecode.md).
 void bc_write_varint(Buf *out, uint32_t v)
 {
     uint8_t bytes[VARINT_BYTES_MAX], *const end = bytes + sizeof bytes, *const from = write_varint_before(end, v);
@@ -44,11 +44,11 @@ void bc_write_u24(Buf *out, uint32_t v)
         buf_char(out, (char)(v >> 8 * i & 0xff));
 }
 
-// ---- locals: the largest types first, so that no byte is lost to alignment ----
+// ---- offsets of locals: variables of the largest types first, so that alignment needs no padding ----
 
 static uint32_t bytes_of_pool_type(uint32_t pool) { return pool == BC_RAW ? 8 : sm_type_info[pool].bytes; }
 
-// The parameters come first, so that they are one part of the locals, which no code writes.
+// Parameters get the first offsets, so that they form one contiguous range of the locals.  No instruction writes to that range.
 static void assign_parameter_offsets(BcMachine *m)
 {
     const IrMachine *ir = m->ir;
@@ -83,7 +83,7 @@ static void assign_local_offsets(Arena *arena, BcMachine *m)
     }
 }
 
-static uint32_t offset_of(const BcMachine *m, uint32_t var)      // the variable's offset, in units of its type's size; 0 for T
+static uint32_t offset_of(const BcMachine *m, uint32_t var)      // the variable's offset, in units of its type's size; 0 for T, which is not stored
 {
     const IrVar *v = &m->ir->var.at[var];
 

@@ -5,7 +5,7 @@
 #include "compiler/emit/bytecode/bc_select.h"
 #include "stdlib/convert.h"
 
-enum { MUCH_DEEPER = 3 };     // a left operand deeper than the right one by more than this is computed first, so fewer results need slots
+enum { MUCH_DEEPER = 3 };     // a left operand whose chain of operations is longer than the right one's by more than this is computed first
 
 // ---- where a value can be loaded from ----
 
@@ -54,7 +54,7 @@ void bc_bring_to_x(BcSelect *s, IrRef r)
     drop_use(s, r);
 }
 
-// Computes a waiting value before its use.
+// Computes waiting value r now, before the instruction that uses it.
 static void compute_waiting(BcSelect *s, IrRef r)
 {
     if (bc_ins(s, r)->op == IR_load)

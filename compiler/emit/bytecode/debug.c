@@ -65,7 +65,7 @@ static SmvmVariable variable_kind(const IrVar *v)
     return SMVM_IS_TIME;
 }
 
-static uint64_t *sorted_variables(Arena *arena, const BcMachine *m)  // keys; the low 32 bits are a variable's index
+static uint64_t *sorted_variables(Arena *arena, const BcMachine *m)   // returns sort keys; the low 32 bits of a key are the variable's index
 {
     const size_t n = m->ir->var.n;
     uint64_t *key = ARENA_ARRAY(arena, uint64_t, n);
@@ -91,7 +91,7 @@ static void write_name(Buf *b, const char *text, size_t len)
 }
 
 typedef struct BcNames {
-    Buf *tables, names;
+    Buf *tables, names;          // the tables of offsets of names; the names themselves
     uint32_t first;           // offset of the first name from the start of the section
 } BcNames;
 
@@ -154,7 +154,7 @@ static void write_samples(BcNames *n, const BcMachine *m, const Buf *name)
     }
 }
 
-// Writes the section: numbers, then tables of name offsets, then the names, then the lines.
+// Writes the section: a few counts and offsets, then tables of name offsets, then the names, then the source lines.
 void bc_write_debug(Arena *arena, const BcMachine *m, Buf *out)
 {
     const Program *p = m->ir->program;

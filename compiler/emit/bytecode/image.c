@@ -13,7 +13,7 @@ enum { SECTIONS_MOST = 255 };
 typedef struct ImageWriter {
     Arena *arena;
     Diags *diags;
-    Buf table, body;          // the section table, 10 bytes an entry; the sections, with offsets from the start of `body`
+    Buf table, body;          // the section table, one entry per section, whose offsets count from the start of `body`; the contents of the sections
     uint32_t sections;
 } ImageWriter;
 
@@ -50,9 +50,10 @@ static void add_identity(ImageWriter *w, IrMachine *const *m, size_t n)
 
 // ---- IO ----
 
+// Bits of the first byte of a pin: whether the row contains a scale, an offset, and the safe value (of an output) or the hold (of an input).
 enum { PIN_SCALE = 0x20, PIN_OFFSET = 0x40, PIN_SAFE_OR_HOLD = 0x80 };
 
-enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // forms of a pin's number; stored where a location has its type
+enum { NUMBER_F32 = 8, NUMBER_F64 = 9, NUMBER_WHOLE = 15 };      // how a pin's number is encoded: stored where a location has its type
 
 // Whether x is a whole number that fits, signed, in the offset bits of a 24-bit location.
 static bool fits_whole_number(SmF64 x)
@@ -62,7 +63,7 @@ static bool fits_whole_number(SmF64 x)
     return sm_le(sm_from_i32(-most), x) && sm_lt(x, sm_from_i32(most)) && sm_eq(sm_from_i32(sm_truncate_i32(x)), x);
 }
 
-// Writes x as a whole number of 24 bits, an f32 or an f64: the first of these that is exact.
+// Writes x in the shortest encoding that is exact: a whole number of 20 bits, an f32 or an f64.
 static void write_number(Buf *b, SmF64 x)
 {
     if (fits_whole_number(x)) {
@@ -230,7 +231,7 @@ static void write_text(Buf *b, const char *text)
     buf_put(b, text, strlen(text) + 1);
 }
 
-// Returns an end of a range as a cell.  A zero has the sign of `beyond`, because both zeros are in the range (docs/bytecode.md, rule 37).
+// Returns the bits of an end of a parameter's range.  A zero has the sign of `beyond`: both zeros are in the range (docs/bytecode.md, rule 37).
 static uint64_t cell_of_end(SmType type, SmF64 end, SmF64 beyond)
 {
     return sm_cell_from_f64(type, is_zero(end) ? sm_mul(sm_from_i32(0), beyond) : end);
@@ -266,7 +267,7 @@ static bool is_safe(const IrState *s) { return s->is_safe; }
 static bool allows_swap(const IrState *s) { return s->allows_swap; }
 static bool is_abort(const IrState *s) { return s->is_abort; }
 
-// Adds a section with a bit for each state that has a mark.  Adds none if no state has it.
+// Adds section `id` with a bit for each state: whether has_mark is true of it.  Adds no section if it is true of none.
 static void add_marks(ImageWriter *w, const IrMachine *m, uint8_t id, uint8_t version, bool (*has_mark)(const IrState *s))
 {
     uint8_t *bits = ARENA_ARRAY(w->arena, uint8_t, (m->state.n + 7) / 8);
@@ -331,7 +332,7 @@ static bool add_machine_sections(ImageWriter *w, const IrMachine *ir, bool debug
     return true;
 }
 
-// Returns the CRC of the whole image without its own field for the CRC.
+// Returns the CRC of the whole image, whose CRC field is left out.
 static uint32_t crc_of(const Buf *image)
 {
     uint32_t crc = SM_CRC32_START;

@@ -151,8 +151,8 @@ static uint32_t find_or_add_label(BcSelect *s, IrBlkRef to)
     return e->label;
 }
 
-// Places the label of the exit `end` (state 0) or `goto state` at the last instruction emitted for it.  Emits another one at the end of the
-// function if a jump to the label comes after that instruction.
+// Places the label of the exit `end` (state 0) or `goto state` at the last `end` or `goto` instruction emitted for this exit.  Emits another one
+// at the end of the function if a jump to the label comes after that instruction.
 static void place_exit(BcSelect *s, uint32_t state)
 {
     BcExit *e = &s->exit[state];

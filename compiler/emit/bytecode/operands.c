@@ -57,7 +57,7 @@ bool bc_try_whole(SmF64 x, int32_t *n)
 // Whether an F32 constant represents x exactly; true for NaN.
 bool bc_is_f32(SmF64 x) { return sm_is_nan(x) || sm_bits(sm_from_f32(sm_round_f32(x))) == sm_bits(x); }
 
-static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds it to the table of F32s or F64s, unless instructions can encode it
+static void add_to_const_table(BcSelect *s, BcOperand *o)          // adds constant o to the table of F32s or F64s, unless instructions can encode it
 {
     const SmF64 x = sm_from_bits(o->bits);
     int32_t n;

@@ -7,7 +7,7 @@
 
 enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in bc_select.c
 
-// An operation deeper than DEEPEST does not wait (count_block_uses), so chains are counted again from there.
+// An operation deeper than DEEPEST does not wait (count_block_uses), so the chain of an operation that uses it starts again at 0.
 uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
 // ---- possible values ----
@@ -85,7 +85,7 @@ IrRef bc_skip_store_cvts(const BcSelect *s, IrRef r, SmType type)
 
 static bool is_pure_operation(IrOp op) { return !ir_op_info[op].effect && op != IR_const && op != IR_load; }
 
-// Counts `times` more uses of value r. `at`: position of the use in its block.
+// Counts `times` more uses of value r.  `at`: position in the block of the instruction that uses r.
 static void add_use(BcSelect *s, IrRef r, uint32_t at, uint32_t times)
 {
     BcValue *v = &s->value[r];

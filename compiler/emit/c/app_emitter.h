@@ -10,13 +10,13 @@
 typedef struct AppEmitter {
     Arena *arena;
     const App *app;
-    const char *prefix;           // begins names of the application: `rocket` in rocket_app
-    const char *sv;               // begins names of the state vector: `rocket` in rocket_vector
-    const char *io;               // begins names of the pin file: `rocket` in rocket_inputs
-    const char *net;              // begins names of the messages: `rocket` in rocket_receive
+    const char *prefix;           // prefix of the application's names: `rocket` in rocket_app
+    const char *sv;               // prefix of the state vector's names: `rocket` in rocket_vector
+    const char *io;               // prefix of the pin file's names: `rocket` in rocket_inputs
+    const char *net;              // prefix of the names of network messages: `rocket` in rocket_receive
     CUnit vector;                 // the names of the state vector's members
     CVectorNames names;           // the names of the elements' enumerators
-    const Buf *const *image;      // by machine; NULL if the machine is emitted as C
+    const Buf *const *image;      // by machine: its bytecode image; NULL if the machine is emitted as C
     Buf *out;
 } AppEmitter;
 
@@ -31,14 +31,14 @@ bool app_has_task(const AppEmitter *e, AstAppTaskKind kind);
 // ---- app_swaps.c ----
 
 bool app_has_swaps(const App *app);
-// Whether the executor runs a machine that can be swapped.
+// Whether the executor has a gate, two tasks that swap machines at the beginning and end of a tick: it runs a machine that can be swapped.
 bool app_has_gate(const AppExecutor *x);
-// Returns the index of a machine among those that can be swapped.
+// Returns the index of machine m in the list of machines that can be swapped.
 unsigned app_swappable_index(const App *app, const AppMachine *m);
-bool app_has_storage(const AppEmitter *e);
-// Whether the application answers requests from outside.
+bool app_has_storage(const AppEmitter *e);       // whether the images of confirmed swaps are stored in non-volatile memory
+// Whether hosts outside the application can connect to it and request swaps.
 bool app_is_reached(const AppEmitter *e);
-// Writes the tables of runtime-c/swap.h, if there are any.
+// Writes the tables of runtime-c/swap.h; nothing if no machine can be swapped.
 void app_write_swaps(const AppEmitter *e);
 
 #endif

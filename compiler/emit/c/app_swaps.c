@@ -11,7 +11,7 @@ bool app_has_swaps(const App *app)
     return false;
 }
 
-// Whether the executor runs a machine that can be swapped.
+// Whether the executor has a gate (write_gates): it runs a machine that can be swapped.
 bool app_has_gate(const AppExecutor *x)
 {
     for (size_t r = 0; r < x->rate.n; r++)
@@ -21,7 +21,7 @@ bool app_has_gate(const AppExecutor *x)
     return false;
 }
 
-// Returns the index of a machine among those that can be swapped.
+// Returns the index of machine m in the list of machines that can be swapped.
 unsigned app_swappable_index(const App *app, const AppMachine *m)
 {
     unsigned n = 0;
@@ -52,7 +52,8 @@ static void write_swappables_of(const AppEmitter *e, const AppExecutor *x, unsig
         }
 }
 
-// Writes the gates and their tasks: of each gate, the task at the beginning of a tick and the one at its end.
+// Writes the gates, one for each executor with swappable machines, and their tasks: one runs at the beginning of a tick, one at its end. They
+// exchange machines between steps.
 static void write_gates(const AppEmitter *e, unsigned gates)
 {
     const unsigned number = (unsigned)e->app->task.n;
@@ -102,7 +103,7 @@ static void write_swap_link(const AppEmitter *e, unsigned swappables)
                (unsigned)e->app->machine.n);
 }
 
-// Returns the most bytes of the stored images of all machines: SM_SWAP_STORE_ROOM.  A memory contains two of them, and has at most 2^31 bytes.
+// Returns the most bytes of a stored set of images of all machines: SM_SWAP_STORE_ROOM. The memory contains two sets, and has at most 2^31 bytes.
 static unsigned storage_room(const AppEmitter *e, unsigned swappables)
 {
     const uint64_t size = swappables * ((uint64_t)e->app->swap_room + 9 + 64);
@@ -118,7 +119,7 @@ static void write_storage(const AppEmitter *e, unsigned swappables)
                app_is_reached(e) && e->app->swap_at.key ? ", .key = swapLink.key" : "");
 }
 
-// Marks the elements that this machine stores.
+// Sets written[i] for each element i that the program can store.
 static void mark_outputs(const Program *p, bool *written)
 {
     for (size_t v = 0; v < p->var.n; v++)
@@ -140,7 +141,7 @@ static void mark_messages(const Network *net, bool *written)
     }
 }
 
-// Returns, by element, whether anything stores it but machines that can be swapped.
+// Returns, by element, whether code other than a swappable machine stores it: another machine, an input pin, a message, a statistic …
 static const bool *find_written(const AppEmitter *e)
 {
     const App *a = e->app;
@@ -163,7 +164,7 @@ static const bool *find_written(const AppEmitter *e)
     return written;
 }
 
-// Writes the elements that a new machine must not store.  Returns whether there are any.
+// Writes the elements that a machine must not store when it replaces another one. Returns whether there are any.
 static bool write_written(const AppEmitter *e)
 {
     const bool *written = find_written(e);

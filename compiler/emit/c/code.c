@@ -7,7 +7,7 @@
 
 enum {
     LINE_MAX_LEN = 110,       // in characters; longer statements continue on the next line
-    INDENT_MAX = 40,          // greatest nesting level; deeper arms of conditionals are reached by gotos
+    INDENT_MAX = 40,          // greatest nesting level of the written code; deeper arms of conditionals are reached by gotos
     CHAIN_MAX = 60            // maximum of else-ifs in a chain; compilers count each as a nesting level
 };
 
@@ -162,8 +162,8 @@ static bool has_statements(const CFn *fn, uint32_t b)
 
 // How control reaches block `to` from a position in the C code after which block `next` follows.
 typedef enum CEdge {
-    EDGE_FALLS,               // it falls through: `to` is `next`
-    EDGE_LEAVES,              // by return or goto
+    EDGE_FALLS,               // control falls through: `to` is `next`
+    EDGE_LEAVES,              // control leaves by a return or goto
     EDGE_IS_NESTED            // the code of `to` is written at this position
 } CEdge;
 

@@ -16,7 +16,7 @@ bool c_is_widening(const CFn *fn, IrRef r)
            ir_is_integer(c_ins(fn, i->a)->type) && ir_integer_contains(i->type, c_ins(fn, i->a)->type);
 }
 
-// Writes the value where C converts it implicitly to the temporary's type: in an assignment or an argument.
+// Writes r as the value of an assignment or an argument, where C converts it implicitly to the type of r.
 void c_write_assigned(CFn *fn, IrRef r)
 {
     while (c_is_widening(fn, r))
@@ -136,7 +136,7 @@ static const char *const type_max[SM_TYPE_COUNT] = {
 // Returns the type in which a value is clamped: I32 if that can represent all values of `from`, otherwise I64.
 static SmType clamping_type(SmType from) { return ir_integer_contains(SM_I32, from) ? SM_I32 : SM_I64; }
 
-// Writes integer r clamped to the limits of `to`, or to those of the clamping type where these are tighter.
+// Writes integer r clamped to the limits of `to` and of the clamping type.
 static void write_clamped(CFn *fn, IrRef r, SmType to, int prec)
 {
     const SmType from = c_ins(fn, r)->type, in = clamping_type(from);
@@ -201,7 +201,7 @@ static bool match_divisor(const CFn *fn, const IrIns *i, double *d)
     return *d >= 2 && *d <= 2147483647.0 && (double)(int32_t)*d == *d && (i->op == IR_div || ((int32_t)*d & ((int32_t)*d - 1)) == 0);
 }
 
-// If r is such a quotient and is written as a subexpression, fills *q and returns true.
+// If r is a quotient that a 32-bit division can compute, and is written as a subexpression, fills *q and returns true.
 static bool match_quotient(const CFn *fn, IrRef r, Quotient *q)
 {
     const IrIns *i = c_ins(fn, r), *a;

@@ -55,7 +55,7 @@ static const char *join_comments(Arena *a, const char *first, const char *second
     return *first && *second ? format_in(a, "%s: %s", first, second) : *first ? first : second;
 }
 
-// Whether the header includes stdlib/f64.h: that of a state vector for the flight runtime does; that of a machine is self-contained.
+// Whether the header includes stdlib/f64.h.  The header of a state vector for the flight runtime does; the header of a machine is self-contained.
 static bool can_use_sm_f64(const CUnit *u) { return u->runtime && !u->m; }
 
 static void write_element_member(const CUnit *u, const CElement *e, Buf *out)

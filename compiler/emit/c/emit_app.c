@@ -373,7 +373,7 @@ static void write_tasks(const AppEmitter *e)
 
 // ---- executors ----
 
-// Writes the rate group of a task of a gate, which runs at each tick.
+// Writes the rate group of one of the executor's two gate tasks, which swap machines (runtime-c/swap.h) and run at each tick.
 static void write_gate_rate(const AppEmitter *e, const AppExecutor *x, unsigned task)
 {
     if (app_has_gate(x))
@@ -417,8 +417,8 @@ static void write_vitals_field(const AppEmitter *e, const AppExecutor *x)
         buf_str(e->out, "},\n");
 }
 
-// Returns the number of an executor's rate groups.  In an application with machines that can be swapped, two are those of the gate tasks that
-// run at the beginning and at the end of each tick (runtime-c/swap.h).
+// Returns the number of an executor's rate groups.  If the executor runs machines that can be swapped, two further groups run its
+// gate tasks, at the beginning and at the end of each tick (runtime-c/swap.h).
 static size_t rate_count(const AppExecutor *x) { return x->rate.n + (app_has_gate(x) ? 2 : 0); }
 
 // Writes the initialiser of an SmExecutor, whose rates begin at index first_rate of the array `rates`.

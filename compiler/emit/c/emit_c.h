@@ -11,9 +11,9 @@
 #include "compiler/sema/program.h"
 
 typedef struct EmitCOptions {
-    const char *prefix;           // prefix of every name; NULL: the machine's (state vector's) name
-    const char *header;           // the file name in the #include of the header; NULL: the machine's name and ".h"
-    const char *source;           // the source file's name without folders, for comments; NULL: the machine's name and its extension
+    const char *prefix;           // prefix of every emitted name; NULL: derived from the name of the machine or state vector
+    const char *header;           // the file name with which the source file includes its header; NULL: the machine's name and ".h"
+    const char *source;           // name of the .sm, .sv, .io or .net file without folders, for comments; NULL: the machine's name and its extension
     bool track_stores;            // each step sets in m->stored which elements it stored
     bool soft;                    // for chips whose double is not a binary64: numbers are SmF64, whose operations are calls (sm_soft.h, stdlib/f64.h)
     bool runtime;                 // for the flight runtime.  Adds to a state vector what runtime-c/statevec.h describes, and to a machine
@@ -41,8 +41,8 @@ void emit_c_net(Arena *arena, const Network *net, const EmitCOptions *o, Buf *he
 void emit_c_image(Arena *arena, const char *name, const Buf *image, const EmitCOptions *o, Buf *out);
 void emit_c_bytes(const Buf *image, Buf *out);
 
-// Emits the library for `soft`: sm_soft.h, sm_soft.c, sm_soft_avr.S.  It is the same for all machines.  With runtime-c it is not needed,
-// because that includes it.
+// Emits the library of soft numbers (EmitCOptions.soft): sm_soft.h, sm_soft.c, sm_soft_avr.S. It is the same for all machines.  Not needed with
+// runtime-c, which includes the library.
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly);
 
 // Emits several machines, each the result of passes_for_c, and a main as one translation unit: a driver program that runs them on commands

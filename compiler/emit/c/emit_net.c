@@ -8,7 +8,7 @@
 typedef struct NetUnit {
     Arena *arena;
     const Network *net;
-    const char *prefix, *vector;      // prefixes of its own names and of the names of the state vector
+    const char *prefix, *vector;      // prefix of the names that this file defines; prefix of the names of the state vector
     const char *source;               // name of the .net file, for comments
 } NetUnit;
 

@@ -50,7 +50,7 @@ static void find_successors(CFn *fn)
 {
     CFlow *w = &fn->flow;
     const uint32_t end = w->n - 1;
-    uint32_t *skip_to = ARENA_ARRAY(fn->u->arena, uint32_t, w->n);      // by block: itself, or the block after it if it is empty
+    uint32_t *skip_to = ARENA_ARRAY(fn->u->arena, uint32_t, w->n);      // by block: the block itself, or the next one that is not empty
 
     skip_to[end] = end;
     w->then[end] = w->other[end] = IR_NONE;

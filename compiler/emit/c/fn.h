@@ -11,7 +11,7 @@
 
 // How an instruction appears in the emitted C.
 typedef enum CForm {
-    C_OMITTED,                // not at all: a constant, or its result is not used
+    C_OMITTED,                // not as code of its own: a constant, which each use repeats, or an instruction whose result is not used
     C_SUBEXPRESSION,          // written inside each expression that uses it
     C_VARIABLE,               // a C variable that is initialised with its value
     C_STATEMENT               // a statement: a store or a window sample
@@ -20,17 +20,17 @@ typedef enum CForm {
 // What lower.c and expression.c know about an instruction.
 typedef struct CIns {
     CForm form;
-    Fact fact;                // its possible values
-    uint32_t uses;            // number of operands and branch conditions that read it, not counting instructions that are omitted
+    Fact fact;                // the possible values of its result
+    uint32_t uses;            // number of operands and branch conditions that read its result, not counting those of omitted instructions
     uint32_t latest;          // position in its block of the last statement, variable or branch whose expression contains it
     uint32_t level;           // the greatest nesting depth of an expression that uses the value
-    const char *variable;     // name of its C variable; NULL: none, or not yet defined
+    const char *variable;     // name of the C variable that holds its result; NULL: none, or not yet defined
     bool unchecked;           // the load of a float that needs no NaN check: it cannot be NaN, or no use distinguishes NaN from 0
-    uint32_t nan_is_zero_uses;        // how many of its uses have the same result for NaN and 0
-    uint32_t sign_free_uses;  // how many of its uses have the same result for 0 and -0
-    bool is_named;            // a condition that becomes a variable
-    bool is_masked;           // a comparison whose result has no effect when an operand is NaN or 0
-    IrRef decided_by;         // a load that decides this condition if it reads NaN or 0; IR_NONE: none
+    uint32_t nan_is_zero_uses;        // how many uses of its result have the same effect for NaN and 0
+    uint32_t sign_free_uses;  // how many uses of its result have the same effect for 0 and -0
+    bool is_named;            // for a condition: it becomes a C variable (name_conditions)
+    bool is_masked;           // for a comparison: its result has no effect when an operand is NaN or 0
+    IrRef decided_by;         // for a condition: a load that decides its value if it reads NaN or 0; IR_NONE: no such load
     bool decided_value;       // the value of the condition if `decided_by` reads NaN or 0
 } CIns;
 
@@ -38,16 +38,18 @@ typedef struct CIns {
 // clear the entries of all variables.
 typedef struct CVarUse {
     uint32_t stamp;
-    uint32_t loads;           // number of uses of its loads
-    bool stored;              // the function stores it
+    uint32_t loads;           // number of uses of the results of its loads
+    bool stored;              // the function stores the variable
     bool as_double;           // the variable is an F32, and some uses need it as a double
-    bool never_nan;           // a store of the function has set it to a value that is not NaN: in the rest of the store's block, and in all
-    uint32_t never_nan_from;  // blocks that this block dominates, it is not NaN.  never_nan_from: the store's block
-    const char *copy;         // name of the C variable that is initialised from it at the start of the function; NULL: none
+    // A store of the function sets the variable to a value that is not NaN.  So it is not NaN in the rest of the store's block and in all blocks
+    // that this block dominates.  never_nan_from: the store's block.
+    bool never_nan;
+    uint32_t never_nan_from;
+    const char *copy;         // name of the C variable into which the function copies the variable at its start; NULL: none
     SmType copy_type;         // F64, F32, or the type of T
     uint32_t block_stamp;     // stamp of the block for which next_store is valid
     uint32_t next_store;      // while lower.c walks the block backwards: position of the nearest store after the current instruction
-    uint32_t flag_stamp;      // stamp of the last block that has the element in CFn.stored
+    uint32_t flag_stamp;      // stamp of the last block whose stores have added the element to CFn.stored
 } CVarUse;
 
 // Dominator tree with skip pointers, so that the nearest common dominator of two blocks is found in logarithmic time.
@@ -58,10 +60,10 @@ typedef struct CDominators {
 // The control-flow graph as code.c writes it.  A branch on a constant counts as a jump.
 typedef struct CFlow {
     uint32_t n;               // number of blocks, plus one: the last index is a virtual block, the end of the function
-    uint32_t *then, *other;   // by block: its successors, with empty blocks skipped; IR_NONE: none
-    bool *reached;            // by block: it is reachable
+    uint32_t *then, *other;   // by block: the block's successors, where empty blocks are skipped; IR_NONE: none
+    bool *reached;            // by block: the block is reachable
     uint32_t *preds;          // by block: number of incoming edges
-    uint32_t *kid, *sibling;  // by block: first and next of the join blocks that it immediately dominates, in block order
+    uint32_t *kid, *sibling;  // by block: the first join block that it immediately dominates; the next join block of the list that it is in
     bool *falls;              // by block: an edge leads from a block that this block dominates to a block that it does not dominate
     CDominators dominators;
 } CFlow;
@@ -71,9 +73,9 @@ typedef struct CFn {
     const IrFn *f;
     CFlow flow;
     CIns *ins;
-    CVarUse *var;             // shared by the unit's functions, by variable
-    uint32_t *window_sample;  // shared by the unit's functions, by window: position of its next sample, as CVarUse.next_store
-    uint32_t stamp;           // unique number of this function
+    CVarUse *var;             // by variable: its use in the current function; the unit's functions share the array
+    uint32_t *window_sample;  // by window: position in the block of the next instruction that samples it (CUnit.window_sample)
+    uint32_t stamp;           // number that identifies this function in CVarUse.stamp
     uint32_t *block_stamps;   // the unit's counter of functions and blocks, from which stamps are taken
     uint32_t block;           // stamp of the current block
     VEC(uint32_t) copied;     // machine variables that have a CVarUse.copy
@@ -81,11 +83,11 @@ typedef struct CFn {
     Buf body;                 // the statements written so far
     Buf line;                 // the statement under construction
     unsigned indent;          // nesting level of the statement under construction
-    unsigned values;          // number of C variables defined so far, without copies
-    Buf declarations;         // if `hoist` is set: the declarations of C variables, without copies
+    unsigned values;          // number of C variables defined so far, not counting copies
+    Buf declarations;         // if `hoist` is set: the declarations of C variables, except copies
     bool hoist;               // variables are declared at the top of the function, because gotos may not skip their initialisation
     bool labels_used;
-    bool *label;              // by block: it needs a label, because a goto leads to it
+    bool *label;              // by block: the block needs a label, because a goto leads to it
     bool uses_m, uses_sv, writes_m, writes_sv;
     bool returns_state;
 } CFn;
@@ -138,7 +140,7 @@ void c_close_parens(CFn *fn, bool opened);
 void c_write_conversion(CFn *fn, const IrIns *i, int prec);
 // Writes the value, whatever its type, as a double.
 void c_write_double(CFn *fn, IrRef r, int prec);
-// Writes the value where C converts it implicitly to the temporary's type: in an assignment or an argument.
+// Writes r as the value of an assignment or an argument, where C converts it implicitly to the type of r.
 void c_write_assigned(CFn *fn, IrRef r);
 // Whether r is a conversion of an integer to an integer type that can represent all its values, and is written as a subexpression.
 bool c_is_widening(const CFn *fn, IrRef r);
@@ -161,15 +163,15 @@ void c_end_line(CFn *fn);
 
 // ---- soft.c: replaces C's operators and casts on floats ----
 
-bool c_is_soft(const CFn *fn, SmType t);               // t is a float type and numbers are SmF64
-void soft_write_to_f64(CFn *fn, IrRef r);              // an integer or F32, not a constant, as an SmF64
-void soft_write_cast(CFn *fn, SmType to, IrRef r);     // a float that is in range to an integer, or any number to an F32
-void soft_write_binary(CFn *fn, const IrIns *i);       // add, sub, mul or div of floats
+bool c_is_soft(const CFn *fn, SmType t);               // whether t is a float type and numbers are SmF64
+void soft_write_to_f64(CFn *fn, IrRef r);              // writes an integer or F32 that is not a constant as an SmF64
+void soft_write_cast(CFn *fn, SmType to, IrRef r);     // writes a float that is in range as an integer, or any number as an F32
+void soft_write_binary(CFn *fn, const IrIns *i);       // writes an add, sub, mul or div of floats
 void soft_write_compare(CFn *fn, const IrIns *i, bool negated);
 // If i compares a variable with a constant and some bytes of the variable decide the result, writes a call that reads only those and returns
 // true.  Otherwise writes nothing and returns false.
 bool soft_try_write_byte_compare(CFn *fn, const IrIns *i, bool negated);
-// Whether soft_try_write_byte_compare writes comparison i, whose operand x is the load of a float.  It treats a NaN as 0.
+// Whether soft_try_write_byte_compare can write comparison i, whose operand x is the load of a float.  The call that it writes treats a NaN as 0.
 bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x);
 // Writes `r != 0`, or `r == 0` if negated, for a float r that is never NaN.
 void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated);

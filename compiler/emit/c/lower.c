@@ -267,8 +267,8 @@ static bool needs_computation(const CFn *fn, uint32_t v)
     return (var->space == IR_TIME && !fn->u->soft) || (var->space == IR_ELEMENT && ir_is_float(var->type));
 }
 
-// Chooses the variables loaded in block b that are copied into a C variable at the start of the function: those that the function never stores
-// and that it reads with a check or subtraction at least twice.
+// Chooses the variables loaded in block b that are copied into a C variable at the start of the function: variables that the function never stores
+// and reads at least twice with a NaN check or subtraction.
 static void choose_copies(CFn *fn, uint32_t b)
 {
     const IrBlk *blk = &fn->f->blk.at[b];
@@ -345,7 +345,7 @@ static bool is_cheap_condition(CFn *fn, IrRef r)
     return true;
 }
 
-// Where a truth is stored that is an `and` or `or` of cheap conditions, these become variables, because C compilers then compute it without a jump.
+// If `store` stores an `and` or `or` of cheap conditions, these become C variables, because C compilers then compute the result without a jump.
 static void name_conditions(CFn *fn, const IrIns *store)
 {
     const IrIns *i = c_is_const(fn, store->a) ? store : c_ins(fn, store->a);

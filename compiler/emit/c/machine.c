@@ -5,8 +5,8 @@
 #include "compiler/emit/c/fn.h"
 
 // Limits on the number of states in one switch, because compile time grows faster than the switch.  gcc inlines a function that is called once
-// until the caller reaches 2,700 of its size units: with a hundred states of ten statements each, it inlined less than half.  A machine of a
-// thousand states took 1.4 times as long to compile with one switch, and 1.9 times with a function for each state, as with parts of 32 states.
+// until the caller reaches 2,700 of its size units: with a hundred states of ten statements each, it inlined less than half.  Compared
+// with parts of 32 states, a machine of a thousand states took 1.4 times as long to compile with one switch, 1.9 times with a function per state.
 // One of 250 states takes 1.1 s instead of 0.7 s, but a step is a fifth faster.
 enum { STATES_IN_ONE_SWITCH = 256, STATES_PER_PART = 32 };
 
@@ -62,7 +62,7 @@ static void write_state_block(CUnit *u, size_t i, BlockKind k, CStateBlocks *s, 
     s->has[k] = true;
 }
 
-// Writes a C function for each entry, step and exit block; returns what the step function must know of them, by state.
+// Writes a C function for each entry, step and exit block.  Returns by state: which blocks have functions, and the signatures of these.
 static CStateBlocks *write_blocks(CUnit *u, Buf *out)
 {
     CStateBlocks *s = ARENA_ARRAY(u->arena, CStateBlocks, u->m->state.n);
@@ -122,7 +122,7 @@ static void write_init(CUnit *u, Buf *out)
 
 // The run function of a machine, PREFIX_run: it runs the blocks of the current state.
 typedef struct CRun {
-    bool any;                     // at least one state has a block, so the function exists
+    bool any;                     // at least one state has a block, so the run function exists
     bool first;                   // the function has the parameter `first`: whether this is the state's first step
     CSignature as;                // the signature of the function without `first`
 } CRun;
@@ -261,7 +261,7 @@ static void write_run(CUnit *u, const CStateBlocks *s, const CRun *run, Buf *out
 typedef struct CStepParts {
     CRun run;
     const CSignature *sample;     // NULL: no windows to sample
-    bool first;                   // the step must know whether it is a state's first
+    bool first;                   // the step function must know whether the step is the first one in its state
 } CStepParts;
 
 // Writes the check that time has advanced, and the start of a state's first step.  Emitted code compares `left`, how far G can still advance,
@@ -309,8 +309,8 @@ static void write_step_head(const CUnit *u, const CStepParts *w, Buf *out)
         buf_printf(out, "    memset(&m->stored, 0, sizeof m->stored);\n    m->stored.%s = first;\n", n->var[u->m->s]);
 }
 
-// Writes the rest of the step function: runs the blocks and takes the transition.  A transition has no use for the gate of its step, which is
-// therefore stored last.
+// Writes the rest of the step function: runs the blocks and takes the transition. m->gate_ is stored last, because it becomes `left` only
+// without a transition.
 static void write_step_blocks(const CUnit *u, const CStepParts *w, Buf *out)
 {
     if (w->run.any)

@@ -24,7 +24,7 @@ static bool has_suffix(const char *name, const char *end)
 // Whether a member or variable of that name may fail to compile as C99 or C++11 with common headers.
 bool c_is_reserved(const char *name)
 {
-    static const char *const own[] = { "_H_INCLUDED", "_SV_LAYOUT", "_slot_", "_sorted_" };   // reserved for the emitted headers
+    static const char *const own[] = { "_H_INCLUDED", "_SV_LAYOUT", "_slot_", "_sorted_" };   // endings of the emitted headers' own names
 
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (has_suffix(name, own[i]))
@@ -292,7 +292,7 @@ static const char *choose_window_name(const CUnit *u, size_t w, uint32_t var)
                           : format_in(u->arena, "%s_last_%lu", u->names.var[var], (unsigned long)u->m->window.at[w].size);
 }
 
-// Names the struct members that store ring buffers. Windows that share a ring buffer share its member.
+// Names the struct members that store the number of samples and the next slot of windows.  Windows of the same size share such a member.
 static void assign_ring_names(CUnit *u, NameSet *s)
 {
     u->ring = ARENA_ARRAY(u->arena, const char *, u->m->window.n);

@@ -20,7 +20,7 @@ typedef enum CSyntax {
 
 // A function of stdlib/f64.h that C syntax can replace.
 typedef struct F64Primitive {
-    const char *name, *text;  // its name; the operator or cast that replaces it
+    const char *name, *text;  // the function's name; the operator or cast that replaces a call
     CSyntax syntax;
     int prec;                 // precedence of the replacement, numbered as PREC_ in fn.h
 } F64Primitive;

@@ -54,7 +54,7 @@ void c_write_parameter_prototypes(const CUnit *u, Buf *out)
 
 // ---- the code ----
 
-// Whether the type has no value beyond this end of a range, so that a comparison with it would always be true.
+// Whether the variable's type has no value beyond `end`, an end of the parameter's range: a comparison with `end` would always be true.
 static bool is_end_of_type(const IrVar *var, SmF64 end, SmF64 beyond)
 {
     return ir_is_integer(var->type) && sm_cell_from_f64(var->type, end) == sm_cell_from_f64(var->type, beyond);

@@ -77,7 +77,7 @@ void soft_write_compare(CFn *fn, const IrIns *i, bool negated)
 
 // A comparison of a variable with a constant.
 typedef struct ByteCompare {
-    IrRef operand;            // the value of the variable: `load`, or its conversion from F32 to F64
+    IrRef operand;            // the operand that is the variable's value: `load`, or the conversion of `load` from F32 to F64
     IrRef load, constant;
     IrOp op;                  // the comparison, written with the variable as left operand
 } ByteCompare;
@@ -120,8 +120,8 @@ bool soft_compares_bytes(const CFn *fn, const IrIns *i, IrRef x)
     return match_constant_compare(fn, i, &l) && x == l.operand && !needs_lower_half(fn, &l);
 }
 
-// Writes the address of the value that l compares: that of the C variable of its temporary, or of the member that it loads.  An F32 is written as
-// its value.
+// Writes the address of the value that l compares: of the C variable of the operand's temporary, or of the struct member that is loaded.  For an
+// F32, writes the value instead.
 static void write_address_of_compared(CFn *fn, const ByteCompare *l)
 {
     const IrRef r = fn->ins[l->operand].variable ? l->operand : l->load;

@@ -12,12 +12,12 @@
 // ---- names.c ----
 
 typedef struct CNames {
-    const char *prefix;           // begins the names of functions, as in `tank`
-    const char *type;             // begins the names of types, as in `Tank`
-    const char *macro;            // begins the names of macros and enumerators, as in `TANK`
-    const char *sv_type;          // name of the state vector's struct, as in `TankSv`
-    const char *sv_macro;         // begins the macros of the state vector, as in `TANK_SV`
-    const char **var;             // by index in IrMachine.var: the variable's member
+    const char *prefix;           // prefix of the names of functions: `tank` in tank_step
+    const char *type;             // prefix of the names of types: `Tank` in TankSv
+    const char *macro;            // prefix of the names of macros and enumerators: `TANK` in TANK_OK
+    const char *sv_type;          // name of the state vector's struct: TankSv
+    const char *sv_macro;         // prefix of the macros of the state vector: `TANK_SV` in TANK_SV_SIZE
+    const char **var;             // by index in IrMachine.var: name of the struct member that stores the variable
     const char **state;           // by index of a state: the state's name in C
     Map element;                  // from the source name of each element of the state vector to its member (const char *)
 } CNames;
@@ -34,11 +34,11 @@ typedef struct CElement {
 
 // A state vector.
 typedef struct CVector {
-    CElement *at;                 // its elements, by offset
+    CElement *at;                 // its elements, in ascending order of their offsets
     size_t n;
     uint32_t size, hash;          // size in bytes; hash of the layout
     const char *name;             // name of the .sv file or the machine
-    bool shared;                  // it comes from a .sv file, so several machines can use it
+    bool shared;                  // the state vector comes from a .sv file, so several machines can use it
 } CVector;
 
 // Names of what the flight runtime needs for a state vector: access functions, and enumerators of elements and regions.
@@ -55,11 +55,11 @@ typedef struct CUnit {
     CNames names;
     CVector sv;
     uint32_t *helper;             // by index in stdlib_text (stdlib_text.h): number of uses of that snippet of stdlib source
-    const char **window;          // by rolling window: its member in the machine's struct
-    const char **ring;            // by rolling window: the member that counts its samples; windows of one size share it
+    const char **window;          // by rolling window: name of the member of the machine's struct that stores the window's samples
+    const char **ring;            // by rolling window: name of the member that stores its sample count and next slot; windows of one size share it
     struct CVarUse *var_use;      // by variable: how the current function uses it
     uint32_t *window_stats_read;  // by window: a bit for each statistic that the code reads
-    uint32_t *window_zeros_differ;// by window: a bit for each statistic of which some use has another result for -0 than for 0
+    uint32_t *window_zeros_differ;// by window: a bit for each statistic that some use reads so that -0 and 0 have different results
     uint32_t *window_sample;      // by window: index in the current block of the next instruction that samples it; UINT32_MAX: none (lower.c)
     uint32_t stamps;              // number of functions and blocks so far; see CFn.stamp
     FactMachine *facts;           // possible values of variables
@@ -67,7 +67,7 @@ typedef struct CUnit {
     bool track_stores;            // each step reports which elements it stored
     bool runtime;                 // the output is for the flight runtime (runtime-c)
     bool uses_noinline;           // the code uses the macro SM_NOINLINE
-    unsigned key_bits;            // width of the widest key of a window's samples; 0: no window
+    unsigned key_bits;            // width in bits of the type SmRollKey: the widest sort key of the samples of all windows; 0: no window
     bool self_test;               // init calls the self-test of the arithmetic (guard.c)
     StrPool constant_names;       // remark.c: names of the locals that are constants
     Map constants;                // the set of the names of constants; its arena is NULL until it is filled
@@ -144,7 +144,7 @@ void c_write_vector_struct(const CUnit *u, Buf *out);
 // Writes the check of the struct's size, for the source file: foreign function interfaces read the header, and most cannot evaluate it.
 void c_write_vector_check(const CUnit *u, Buf *out);
 bool c_has_parameters(const CUnit *u);
-void c_write_parameter_types(CUnit *u, Buf *out);        // parameters.c: these three write nothing for a machine without parameters
+void c_write_parameter_types(CUnit *u, Buf *out);        // in parameters.c.  This and the next two write nothing for a machine without parameters
 void c_write_parameter_prototypes(const CUnit *u, Buf *out);
 void c_write_parameters(CUnit *u, Buf *out);
 void c_write_machine_types(CUnit *u, Buf *out);
@@ -170,9 +170,8 @@ void c_write_soft_library(Buf *out);
 
 // Writes a macro for the size of each window whose size depends on SM_ROLL_SMALL.
 void c_write_window_sizes(const CUnit *u, Buf *out);
-// Whether window w is the first of its size.
-size_t c_ring_owner(const CUnit *u, size_t w);        // returns the first window that has the same ring
-bool c_begins_ring(const CUnit *u, size_t w);
+size_t c_ring_owner(const CUnit *u, size_t w);        // returns the first window that shares the ring of window w (stdlib/roll.h)
+bool c_begins_ring(const CUnit *u, size_t w);        // whether window w is the first one that uses its ring
 // Returns the declarator of the window's member: its name and its size in words, as in `altitude_last_9[12]`.
 const char *c_window_declaration(const CUnit *u, size_t w);
 void c_write_empty_windows(const CUnit *u, Buf *out);        // the statements of init that empty all windows
@@ -190,15 +189,15 @@ void c_write_vector_tables(const CUnit *u, const StateVec *sv, const CVectorName
 
 // The parameters and result of a block's function.
 typedef struct CSignature {
-    bool returns_state;           // it can make a transition: returns the state's number, or 0
-    bool m, sv;                   // it has the parameter m, the machine; sv, the state vector
+    bool returns_state;           // the function can make a transition: it returns the number of the next state, or 0
+    bool m, sv;                   // the function has a parameter m, the machine; sv, the state vector
 } CSignature;
 
 typedef struct CFunction {
     const IrFn *f;
     const Env *begin;             // facts at the start of the function
     const char *name;             // name of the C function
-    const char *comment;          // a whole comment line that precedes it
+    const char *comment;          // comment line that is written before the function
 } CFunction;
 
 // Writes the function as a static C function.
@@ -206,7 +205,7 @@ CSignature c_write_function(CUnit *u, const CFunction *what, Buf *out);
 
 // ---- machine.c ----
 
-// Returns the C type for a state's number or 0: the shortest that can represent all if numbers are soft.
+// Returns the C type for a state's number or 0.  If numbers are soft: the shortest type that can represent the numbers of all states.
 const char *c_state_type(const CUnit *u);
 // Writes the functions of all blocks, then init, step, state, T and state_name.
 void c_write_machine(CUnit *u, Buf *out);

@@ -27,7 +27,7 @@ static void write_kind(const IrWindow *w, Buf *out)
             buf_printf(out, s == SM_STAT_MEDIAN && w->size == 3 ? " | SM_ROLL_MEDIAN_OF_3" : " | SM_ROLL_%s", stat[s]);
 }
 
-// The words of a window without its ring, which is a separate member.
+// These return the number of words of a window without its ring, which is a separate member, as compiled normally and with SM_ROLL_SMALL.
 static unsigned window_words(const CUnit *u, size_t w) { return sm_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))) - 1; }
 static unsigned small_window_words(const CUnit *u, size_t w) { return c_small_roll_words(get_window(u, w)->size, roll_kind(get_window(u, w))) - 1; }
 
@@ -60,7 +60,7 @@ const char *c_window_declaration(const CUnit *u, size_t w)
     return format_in(u->arena, "%s[%s_WORDS_%s]", u->window[w], u->names.macro, u->window[w]);
 }
 
-// Returns the first window that has the same ring as window w: that of its size. A window of times has its own ring.
+// Returns the first window that shares the ring of window w, which all windows of its size use.  A window of times has a ring of its own.
 size_t c_ring_owner(const CUnit *u, size_t w)
 {
     size_t i = 0;
@@ -216,7 +216,7 @@ static void write_statistic_of_times(CUnit *u, size_t w, int stat, Buf *out)
     buf_printf(out, "&m->%s)", u->ring[w]);
 }
 
-// Whether a statistic of window w may yield a 0 of either sign, and its function then compares less.
+// Whether a statistic of window w may be a zero of the wrong sign, because no use distinguishes 0 from -0.  Its function is then faster.
 static bool has_any_zero(const CUnit *u, size_t w, int stat)
 {
     const IrWindow *window = get_window(u, w);
@@ -234,7 +234,7 @@ static const char *statistic_function(const CUnit *u, size_t w, int stat)
     return stat == SM_STAT_MEDIAN && get_window(u, w)->size == 3 ? "sm_roll_median_of_3" : format_in(u->arena, "sm_roll_%s", stat_name[stat]);
 }
 
-// A bit of window_stats_read beside those of the statistics: the median is read without its fraction.
+// A further bit of window_stats_read, after those of the statistics: the code reads the median without its fraction.
 enum { WHOLE_MEDIAN = SM_STAT_COUNT };
 
 // If r is the median of integers of at most 16 bits, writes it as an integer of type `to`, without its fraction.  That
