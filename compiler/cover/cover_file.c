@@ -88,7 +88,7 @@ static const char *read_machine_line(Cover *const *machine, size_t machines, Rea
     return NULL;
 }
 
-// The counts of one machine in a file.
+// The counts of one machine that a file contains; `count` is by place.
 typedef struct CountsRead { Cover *of; uint64_t *count; } CountsRead;
 
 // Reads the counts of one machine, or returns a phrase.

@@ -11,7 +11,7 @@ typedef struct CoverEngine {
     void *run;                // the state of the run
     const Program *p;
     Cover *cover;             // counts the values of parameters; or NULL
-    uint64_t *parameter;      // by Var.index: its value when the run began; room for the call
+    uint64_t *parameter;      // buffer for cover_count_parameters: by Var.index, the cell when the run began
 } CoverEngine;
 
 // Copies the state of the machine to *out; returns `status`.

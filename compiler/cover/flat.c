@@ -7,22 +7,22 @@
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
 
-// Operations beside those of the IR.
+// Values of FlatOp.op besides those of IrOp; `to`, `a` and `b` are fields of FlatOp.
 enum {
-    OP_LOAD = IR_OP_COUNT,            // frame[to] = variable a; + SmType
-    OP_STORE = OP_LOAD + SM_TYPE_COUNT,       // variable to = frame[a], converted; + SmType
-    OP_JUMP = OP_STORE + SM_TYPE_COUNT,       // goes to operation `to`
-    OP_BRANCH,                        // goes to operation `to` if frame[a] is true, else to b
-    OP_GOTO,                          // ends the function; the next state is `to`, Stmt.number a
+    OP_LOAD = IR_OP_COUNT,            // OP_LOAD + SmType: frame[to] = variable a
+    OP_STORE = OP_LOAD + SM_TYPE_COUNT,       // OP_STORE + SmType: variable `to` = frame[a], converted to the type
+    OP_JUMP = OP_STORE + SM_TYPE_COUNT,       // jumps to operation `to`
+    OP_BRANCH,                        // jumps to operation `to` if frame[a] is true, else to operation b
+    OP_GOTO,                          // ends the function with the transition to state `to`, whose Stmt.number is a
     OP_END,                           // ends the function
-    OP_COUNT,                         // counts hits[to]
-    OP_RESULT,                        // counts hits[to] if frame[a] is true, else hits[to + 1]
-    OP_DECIDE,                        // counts decision a
-    OP_WATCH,                         // calls `watch` for decision a
-    OP_FULL                           // counts hits[to] if window a is full
+    OP_COUNT,                         // increments hits[to]
+    OP_RESULT,                        // increments hits[to] if frame[a] is true, else hits[to + 1]
+    OP_DECIDE,                        // counts decision number a
+    OP_WATCH,                         // calls FlatMachine.watch for decision number a
+    OP_FULL                           // increments hits[to] if window a is full
 };
 
-enum { SEEN_BITS = 64 };
+enum { SEEN_BITS = 64 };              // the most conditions and windows of a decision that FlatSeen can store
 
 // The values of a decision's conditions, and which of its windows were full, when it was last counted.  As long as they are the same, only the
 // result has to be counted.
@@ -38,14 +38,14 @@ typedef struct Maker {
     Arena *arena;
     FlatMachine *f;
     VEC(FlatOp) op;
-    VEC(double) number;               // the constants
-    uint32_t temps;                   // temporaries of all functions; constants follow in the frame
-    uint32_t base, next_base;         // of the current function: its first temporary; that of the next one
-    uint32_t *slot;                   // by IrRef of the current function: its place in the frame
-    uint32_t *begin;                  // by block of the current function: its first operation
-    uint32_t **decision_at;           // by decision: the places of its conditions in the frame
-    uint32_t *value_at;               // by decision: the place of its result
-    uint32_t next_decision;           // the first decision whose probe is not added yet
+    VEC(double) number;               // the constants, which follow the temporaries in FlatMachine.frame
+    uint32_t temps;                   // number of temporaries of all functions
+    uint32_t base, next_base;         // index in the frame of the first temporary of the current function; of the next function
+    uint32_t *slot;                   // by IrRef of the current function: index in the frame
+    uint32_t *begin;                  // by block of the current function: index of its first operation
+    uint32_t **decision_at;           // by decision, then by condition: index in the frame
+    uint32_t *value_at;               // by decision: index of its result in the frame
+    uint32_t next_decision;           // index of the first decision whose probe is not added yet
 } Maker;
 
 static void add_op(Maker *k, uint32_t op, uint32_t to, uint32_t a, uint32_t b)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds places that no run can cover, by facts (facts.h).  A place with several copies is impossible only if all of them are.
+// Finds the places (cover.h) that no run can cover, by facts (facts.h).  A place of [all_states] has a copy of its code in each state; it is
+// impossible only if no copy can be covered.
 
 #include "compiler/analysis/transitions.h"
 #include "compiler/cover/judge.h"
@@ -9,8 +10,8 @@ typedef struct Finder {
     const Cover *c;
     Arena *arena;
     FactMachine *facts;
-    bool *possible;           // by place
-    const char **reason;      // by place
+    bool *possible;           // by place: facts do not exclude some copy of it
+    const char **reason;      // by place: why facts exclude the copies visited so far
     uint32_t decision;        // index of the next decision, in the order of the code
     const IrFn *fn;           // the current function, and its facts
     FactFlow flow;
@@ -73,7 +74,7 @@ static bool can_be(const Finder *k, IrRef ref, bool value)
     return value ? f.hi > 0 : f.lo <= 0 || f.nan;
 }
 
-// The possible values of a node, and whether some run lets it decide.
+// What facts allow for a node of a decision: which values it can have, and whether it can decide the result.
 typedef struct NodeFact { bool value[2], decides; } NodeFact;
 
 // Finds for each part of a decision which values the facts allow, operands first.

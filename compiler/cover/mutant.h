@@ -7,17 +7,17 @@
 #include "compiler/cover/mutant_search.h"
 #include "compiler/cover/mutate.h"
 
-// What one copy of a mutant changes, and to what.
-struct MutantEdit {
+// A change of one expression, statement or initial value.  A mutant of [all_states] has one for each copy of the code.
+struct MutantEdit {           // the names in front of ":" are values of `kind`
     enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_NOT, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
-    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT
-    Stmt *stmt;               // the statement that contains it; NULL: INITIAL, or part of what a window samples
-    Var *var;                 // INITIAL
+    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT: the changed expression
+    Stmt *stmt;               // the statement that is or contains what is changed; NULL: INITIAL, or the expression that a window samples
+    Var *var;                 // INITIAL: the local
     uint32_t link;            // LINK: which operator of the chain
     SmOperator op;            // OPERATOR, LINK: the new operator
     double number;            // NUMBER, GUARD, INITIAL: the new number
-    State *target;            // TARGET
-    const MutantEdit *next;
+    State *target;            // TARGET: the new target
+    const MutantEdit *next;   // the edit of the next copy; NULL: none
 };
 
 // The work on all mutants of a machine.
@@ -25,20 +25,20 @@ struct Mutation {
     Arena *arena, work;       // `work` is emptied before every mutant
     const Program *p;
     MutantRuns *runs;
-    uint64_t step;            // mutant_step
+    uint64_t step;            // by how much G advances in each step, from mutant_step; 0: unknown
     uint32_t scripts;
     VEC(Mutant) mutant;
-    uint32_t next, next_search;       // the next mutant to run; to search for
-    MutantSearch *search;     // NULL: not needed yet
-    const State **start;      // in which scenarios begin, `starts` of them
+    uint32_t next, next_search;       // index in `mutant` of the next mutant to run; of the next one for which a scenario is searched
+    MutantSearch *search;     // NULL: no search has begun
+    const State **start;      // the states in which scenarios can begin, `starts` of them
     uint32_t starts;
-    const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
-    uint64_t *initial;        // by Var.index: the initial value as it was
-    // The current place, while mutants are listed:
+    const char *original;     // the IR of the unchanged machine as text; NULL: not printed yet
+    uint64_t *initial;        // by Var.index: the initial value in the unchanged machine
+    // While mutants are listed, the position of the current expression:
     const State *state;
-    Stmt *stmt;               // NULL: none
-    MutantDanger danger;
-    MutantDanger *of_local, *of_window;       // by Var.index, by window: the most dangerous use of its value
+    Stmt *stmt;               // NULL: the expression is in no statement
+    MutantDanger danger;      // what its value can affect
+    MutantDanger *of_local, *of_window;       // by Var.index; by index of the window: the most dangerous use of the value
 };
 
 // ---- mutate_list.c ----

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proves that a mutant is equivalent.  While the changed statement has the same effect, mutant and machine are in the same state.  So it is
-// enough that no run of the unchanged machine reaches a step in which the effect differs.  The condition of such a difference is added to the
-// machine before the statement, as conditionals around a probe:
+// Proves that a mutant is equivalent.  As long as the changed statement has the same effect, the states of mutant and machine are equal.  So it is
+// enough to prove that no run of the unchanged machine reaches a step in which the effect differs.  To do so, conditionals are added to the machine
+// before the statement.  They lead to a probe (a store that facts can find unreachable) exactly if the effect differs:
 //
 //     if p > 100: -> Abort           `>` changed to `>=`:   if p >= 100 { if not (p > 100) { probe } }
 //
@@ -12,15 +12,15 @@
 
 #include "compiler/facts/facts.h"
 
-enum { CONDITIONS_MOST = 64 };        // around a probe; with more of them nothing is proved
+enum { CONDITIONS_MOST = 64 };        // the most conditions around a probe; if more are needed, nothing is proved
 
 // An expression that a mutant changes, and where in the machine it is.
 typedef struct Probe {
     Arena *arena;
     const Program *p;
     const MutantEdit *edit;           // all edits of the mutant
-    const Expr *around[CONDITIONS_MOST];      // under these conditions the changed expression decides
-    size_t n;
+    const Expr *around[CONDITIONS_MOST];      // the changed expression has an effect only if all of these are true
+    size_t n;                         // number of conditions in `around`
     bool is_full;                     // conditions were left out, because there are too many
 } Probe;
 

@@ -7,24 +7,24 @@
 #include "stdlib/convert.h"
 
 enum {
-    NODES_MOST = 512,         // stored situations
-    SEEN_SLOTS = 4096,        // a power of two
-    AROUND_MOST = 100000,     // most steps of an extension that waits for a time in the changed condition
-    MINIMISE_STEPS = 200000   // limit on the steps of all replays that make a scenario shorter
+    NODES_MOST = 512,         // the most stored situations
+    SEEN_SLOTS = 4096,        // size of the hash table of situations; a power of two
+    AROUND_MOST = 100000,     // the most steps of an extension that lasts as long as a number that the change concerns
+    MINIMISE_STEPS = 200000   // the most steps of all replays that test shorter forms of a scenario
 };
 
-// The values of an input from step `step` on: a, or for a ramp a + b each step.
+// The values of an input from step `step` on: a; or for a ramp a, a + b, a + 2 b …
 typedef struct Course { double a, b; uint64_t step; bool is_ramp; } Course;
 
-// A stored situation.  The path from the root to it is the scenario that reaches it.
+// A stored situation: the states of machine and mutant after some steps.  The nodes from the root to it are the scenario that reaches it.
 typedef struct Node {
     const struct Node *parent;
     const ScenarioChange *change;     // the changes between the parent and this node
     uint32_t changes;
-    const State *start;
-    uint64_t steps;           // steps that have run
-    void *original, *mutant;  // the states of both machines
-    Course *course;           // by input
+    const State *start;       // the state in which the scenario begins
+    uint64_t steps;           // number of steps from the start of the scenario
+    void *original, *mutant;  // the states of the unchanged machine, and of the mutant
+    Course *course;           // by index in MutantValues.input: its current values; step 0: not set by the scenario
     bool differs;             // the states of machine and mutant differ, although no output does yet
 } Node;
 
@@ -73,6 +73,7 @@ MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *ori
 
 // ---- a run ----
 
+// The search for one mutant, in which the unchanged machine and the mutant run in lockstep.
 typedef struct Lockstep {
     MutantSearch *k;
     Arena *work;
@@ -80,14 +81,14 @@ typedef struct Lockstep {
     const double *around;
     uint32_t arounds;
     bool same_layout;
-    uint64_t left;            // steps that can still run
-    uint64_t replayed;        // steps of scenarios that were made shorter
-    VEC(Node *) node;
-    VEC(Node *) apart;        // nodes with `differs`
+    uint64_t left;            // number of steps that the search may still run
+    uint64_t replayed;        // number of steps of all replays that tested shorter scenarios
+    VEC(Node *) node;         // all stored situations
+    VEC(Node *) apart;        // the nodes of `node` with `differs`
     const State *state;       // the state that contains the change; or NULL
     VEC(Node *) inside;       // the nodes of `node` that are in this state
-    uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
-    const Var *what;          // the variable that differs
+    uint64_t seen[SEEN_SLOTS];        // hash table of the situations reached so far: their hashes; 0: empty
+    const Var *what;          // the variable that differs; NULL: S
 } Lockstep;
 
 static double value_at(const Course *c, uint64_t step) { return c->is_ramp ? c->a + c->b * (double)(step - c->step) : c->a; }
@@ -134,7 +135,7 @@ static bool is_visible(Lockstep *l, Node *n)
     return false;
 }
 
-// Runs one step of the original and of the mutant with the same inputs; returns whether they still do the same.
+// Runs one step of the original and of the mutant with the same inputs; returns whether a difference is visible to a script.
 static bool run_step(Lockstep *l, Node *n)
 {
     n->steps++;
@@ -319,7 +320,7 @@ static bool extend_situation(Lockstep *l, Node *n, ScenarioChange *list)
             stored = store_situation(l, n);
         }
         state = s->state;
-        if (stored && stored->changes)                // the changes belong to the first node that was stored
+        if (stored && stored->changes)                // only the first node of this extension has the changes; later ones follow it without changes
             ((Node *)stored)->change = arena_copy(l->work, list, changes * sizeof *list);
         if (stored) {
             n->parent = stored;

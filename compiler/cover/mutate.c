@@ -11,11 +11,11 @@ const char *const mutant_verdict_name[] = {"waiting", "noticed", "unnoticed", "e
 
 // ---- changing the program ----
 
-// What an edit has replaced.
+// What an edit has replaced, to restore it.  Comments begin with the kinds of MutantEdit that use the field.
 typedef struct Undo {
-    SmF64 number;             // NUMBER, INITIAL: as it was
-    SmOperator op;            // OPERATOR, LINK, DROP_NOT: as it was
-    Stmt stmt;                // GUARD, TARGET, DELETE: as it was
+    SmF64 number;             // NUMBER, INITIAL: the old number
+    SmOperator op;            // OPERATOR, LINK, DROP_NOT: the old operator
+    Stmt stmt;                // GUARD, TARGET, DELETE: the old statement
 } Undo;
 
 // Computes the initial values of all locals again, in their order.
@@ -168,11 +168,11 @@ bool mutation_run_next(Mutation *u)
 // ---- searching ----
 
 enum {
-    SEARCH_STEP = 10,         // by how much G grows, if it is not known
-    GIVEN_STEPS_MOST = 20000  // of a script whose situations the search uses
+    SEARCH_STEP = 10,         // by how much G advances in each step of a scenario, if mutant_step returns 0
+    GIVEN_STEPS_MOST = 20000  // a script's run with more steps is not given to the search as a scenario
 };
 
-// The numbers that a change concerns.
+// The numbers that a change concerns: values near them are likely to show it.
 typedef struct Around { double at[32]; uint32_t n; } Around;
 
 static void add_number(Around *list, double x)

@@ -104,7 +104,8 @@ static Span find_operator(Span left, Span right, const char *spelling)
     return (Span){NULL, 0, 0};
 }
 
-typedef struct OtherOperators { SmOperator op, other[2]; } OtherOperators;      // SM_OP_COUNT: none
+// The operators by which a mutant replaces `op`; SM_OP_COUNT: no second one.
+typedef struct OtherOperators { SmOperator op, other[2]; } OtherOperators;
 
 static const OtherOperators others[] = {
     {SM_OP_LT, {SM_OP_LE, SM_OP_GE}}, {SM_OP_LE, {SM_OP_LT, SM_OP_GT}}, {SM_OP_GT, {SM_OP_GE, SM_OP_LE}}, {SM_OP_GE, {SM_OP_GT, SM_OP_LT}},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists the places of a machine, and finds the temporaries of the IR whose values decide whether a place is covered.
+// Lists the places of a machine (what coverage counts, cover.h), and finds the temporaries of the IR whose values decide whether a place is
+// covered.
 #include "compiler/cover/cover.h"
 
 #include <stdlib.h>
@@ -13,19 +14,20 @@ const char *const cover_kind_name[COVER_KIND_COUNT] = {
 #undef KIND
 };
 
-// A decision of the program.  Copies in several states share their places.
+// A decision of the program: a condition with its and, or and not.  The copies of a decision of [all_states] share their places.
 typedef struct Decision {
-    const Expr *root;
+    const Expr *root;                 // the whole decision
     VEC(FlatNode) node;
     VEC(const Expr *) condition;
     VEC(uint32_t) link;               // by condition: IrNote.link
     VEC(FlatFull) full;               // `window` is the index in Program.window until the IR has been built
-    VEC(Span) read;                   // by entry of `full`: the call of a window function in the source
-    uint32_t hit;                     // index of the first of its places
-    uint32_t note;                    // index of its note; UINT32_MAX: no code computes it, because an equal window has been sampled
+    VEC(Span) read;                   // by entry of `full`: position of the call of the window function
+    uint32_t hit;                     // index of the first place of the decision
+    uint32_t note;                    // index in Cover.notes of the note about `root`; UINT32_MAX: no code computes it, because an equal window
+                                      // has been sampled
 } Decision;
 
-// A place by what it is about; the key of a hash table.
+// The identity of a place, as the key of a hash table: its kind, the position of its text, and a number that distinguishes copies.
 typedef struct Key { uint32_t what, at, len, of; } Key;
 
 enum { KEY_DECISION = COVER_KIND_COUNT };
@@ -33,20 +35,20 @@ enum { KEY_DECISION = COVER_KIND_COUNT };
 typedef struct Plan {
     Arena *arena;
     Cover *c;
-    struct { Key key; uint32_t place; } *slot;        // open addressing; place 0: empty
-    uint32_t cap;                     // a power of two
-    uint32_t used;
+    struct { Key key; uint32_t place; } *slot;        // hash table with open addressing; place 0: an empty slot
+    uint32_t cap;                     // number of slots, a power of two
+    uint32_t used;                    // number of slots that are not empty
     VEC(Decision) decision;
     VEC(const Expr *) pending;        // decisions inside conditions, which are added after the decision that contains them
-    uint32_t *stmt, *transition;      // by Stmt.number: places
+    uint32_t *stmt, *transition;      // by Stmt.number: the place of the statement; of the transition
     const FlatFull **full;            // by Stmt.number: see FlatProbes.full
     VEC(FlatFull) read;               // the windows that the current statement reads outside decisions
     bool in_window;                   // the current expression is what a window samples: no statement reads a window inside it
-    uint32_t *entry, *exit;           // by State.number - 1: places
+    uint32_t *entry, *exit;           // by State.number - 1: the place of entering the state; of leaving it
     const State *state;               // the current state, or NULL
-    uint32_t inside;                  // the place of the current branch, block or statement
-    uint32_t *first_decision;         // by Program.window: its first decision, and that after its last one
-    uint32_t *last_decision;
+    uint32_t inside;                  // the place of the branch, block or statement that contains the current code
+    uint32_t *first_decision;         // by index in Program.window: index of the first decision in the sampled expression
+    uint32_t *last_decision;          // by index in Program.window: index after the last decision
 } Plan;
 
 // ---- places ----
@@ -375,7 +377,7 @@ static void plan_statements(Plan *k, const Stmts *list)
     for (size_t i = 0; i < list->n; i++) {
         const uint32_t outer = k->inside;
         if (list->at[i]->span.src->written && outer == k->entry[k->state->number - 1])
-            k->inside = 0;                            // of [all_states]: any state can execute it
+            k->inside = 0;                            // a copy from [all_states]: the statement can also be executed in another state
         plan_statement(k, list->at[i]);
         k->inside = outer;
     }
@@ -441,7 +443,8 @@ static void plan_windows(Plan *k)
 
 // ---- the IR ----
 
-typedef struct NoteTable { const IrNotes *notes; uint32_t *slot; uint32_t cap; } NoteTable;   // slot: 1 + index of a note
+// A hash table of notes, by expression and link.  slot: 1 + index of a note; 0: empty.
+typedef struct NoteTable { const IrNotes *notes; uint32_t *slot; uint32_t cap; } NoteTable;
 
 static uint32_t hash_note(const Expr *e, uint32_t link)
 {
@@ -564,7 +567,7 @@ static void add_parameter_value(Plan *k, const Var *v, uint64_t cell)
 
     for (uint32_t i = 1; i < k->c->place.n; i++)
         if (k->c->place.at[i].parameter == v && k->c->place.at[i].cell == cell)
-            return;                                   // the default is an end of the range
+            return;                                   // the value has a place already, because the default is an end of the range
     push_place(k, p);
 }
 

@@ -5,19 +5,20 @@
 
 #include "compiler/cover/judge.h"
 
-enum { MOST_ROUNDS = 4 };     // a bound after one transition can lead to another one: each round has the facts of the round before
+// How often facts are computed again: a bound after one transition can lead to a bound after another one in the next round.
+enum { MOST_ROUNDS = 4 };
 
 struct RunFacts {
     Arena *arena;
-    IrMachine m;              // a copy: variables that are no inputs are locals
+    IrMachine m;              // a copy of the machine in which all variables except inputs are locals
     FactMachine *facts;
     uint64_t delta_t;
-    bool counts;              // some transition has a bound
+    bool counts;              // some transition stores a lower bound, so facts depend on delta_t
 };
 
 // ---- the machine ----
 
-// All variables except inputs and times become locals, so that facts about them last from step to step.
+// Turns all variables except inputs and times into locals, so that facts about them remain valid from step to step.
 static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input)
 {
     m->var.at = arena_copy(arena, m->var.at, m->var.n * sizeof *m->var.at);

@@ -9,12 +9,12 @@
 // One function being narrowed.  The tables are indexed by the original temporaries of the function.  New temporaries have higher
 // numbers and no entries.
 typedef struct Narrow {
-    Arena *arena, *work;      // for what stays in the function; for tables
+    Arena *arena, *work;      // memory for what stays in the function; for tables
     IrFn *f;
-    const Fact *fact;         // the possible values of the temporary
-    uint32_t *uses;           // the temporary's use count
-    IrRef *same;              // a temporary with the same value: an earlier one, or itself
-    IrRef *narrow;            // for an F64: a temporary of a narrower type that is exactly the same number, or IR_NONE
+    const Fact *fact;         // possible values of each temporary
+    uint32_t *uses;           // number of users of each temporary
+    IrRef *same;              // an earlier temporary with the same value, or the temporary itself
+    IrRef *narrow;            // for an F64: a temporary of a narrower type with exactly the same number, or IR_NONE
     IrRef *wide;              // for an F64: the I64 or U64 from which it was converted, perhaps with rounding; IR_NONE: none
     IrRef *as_i32, *as_i64;   // the same number in that type, once narrow_get_integer has created it
     bool *zero_sign_observable;  // whether -0 instead of 0 would be observable

@@ -12,7 +12,7 @@
 typedef struct HintCase {
     Parser *p;
     HintContext context;
-    AstExpr *e;               // the argument of hint_explain: a name, a left operand or a condition before the error; or NULL
+    AstExpr *e;               // the argument of hint_explain: the name, left operand or condition that precedes the error; or NULL
     Diag *general;            // the general diagnostic of the context; NULL until it is reported
 } HintCase;
 

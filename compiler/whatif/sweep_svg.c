@@ -3,7 +3,7 @@
 #include "compiler/report/xml.h"
 #include "compiler/whatif/sweep.h"
 
-// In pixels.
+// Sizes in pixels: left margin, top margin, width of the plot, height of a row of the plot, bottom margin.
 static const double LEFT = 150, TOP = 30, WIDTH = 500, ROW = 18, BOTTOM = 46;
 
 static const char *const good = "#cfe8cf", *const bad = "#b03030", *const ink = "#222";
