@@ -183,8 +183,11 @@ static Fact fact_of_initial(const IrVar *v)
     const Parameter *p = v->parameter;
     const Fact any = {p ? p->lo : 0, p ? p->hi : 0, .whole = !ir_is_float(v->type),
                       .minus_zero = ir_is_float(v->type) && p && p->lo <= 0 && p->hi >= 0};
+    const Fact written = p ? any : fact_of_cell(v->type, v->init);
+    Fact r = fact_convert(written, v->type);
 
-    return fact_convert(p ? any : fact_of_cell(v->type, v->init), v->type);
+    r.round_trips |= written.round_trips;
+    return r;
 }
 
 // Returns facts that say that private locals, which only the machine writes, have their initial values.  If `writable_too` is false, says nothing
@@ -218,6 +221,13 @@ static void add_limit(double *limit, size_t *n, double x)
     (*n)++;
 }
 
+// Inserts a constant, and the numbers one below and one above it.  A NaN has none.
+static void add_limits_at_constant(double *limit, size_t *n, Fact c)
+{
+    for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
+        add_limit(limit, n, c.lo + beside);
+}
+
 // Returns the constants of the program, and the numbers one below and one above each.
 static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 {
@@ -229,9 +239,8 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
             const IrFn *f = m->state.at[s].block[b];
             for (size_t i = 0; f && i < f->ins.n && n < LIMITS_MAX; i++) {
                 const IrIns *ins = &f->ins.at[i];
-                const Fact c = ins->op == IR_const ? fact_of_cell(ins->type, ins->bits) : fact_of_type(SM_F64);
-                for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
-                    add_limit(limit, &n, c.lo + beside);
+                if (ins->op == IR_const)
+                    add_limits_at_constant(limit, &n, fact_of_cell(ins->type, ins->bits));
             }
         }
     add_limit(limit, &n, 0);

@@ -227,9 +227,12 @@ void pass_cse(Arena *arena, IrFn *f, Facts *facts)
 {
     size_t n = f->ins.n, longest = 0;
     Arena *work = facts->work;
-    Cse c = {f, facts, ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, bool, n), NULL, 8, 0};
+    Cse c = {.f = f, .facts = facts, .sunk = ARENA_ARRAY(work, bool, n), .cap = 8};
 
     (void)arena;
+    c.value = arena_alloc_unzeroed(work, n * sizeof *c.value);       // of each instruction, written before it is read
+    c.leader = arena_alloc_unzeroed(work, n * sizeof *c.leader);
+    c.same = arena_alloc_unzeroed(work, n * sizeof *c.same);
     for (size_t b = 0; b < f->blk.n; b++)
         if (f->blk.at[b].ins.n > longest)
             longest = f->blk.at[b].ins.n;

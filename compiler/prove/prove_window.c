@@ -8,7 +8,7 @@
 
 static Fact whole_between(double lo, double hi)
 {
-    const Fact f = {lo, hi, true, false, false, false};
+    const Fact f = {lo, hi, .whole = true};
 
     return f;
 }
