@@ -4,7 +4,7 @@
 // What is known about one function of the machine.
 typedef struct SliceFn {
     const IrFn *from;
-    bool *needed;             // by instruction: its value or its effect is needed
+    bool *needed;             // by instruction: the requirement or the next state depends on its value or effect
     bool *decides;            // by block: the branch at its end leads to different effects
     IrBlkRef *target;         // by block: the first block with an effect from here on.  A branch whose edges have the same target decides nothing
 } SliceFn;

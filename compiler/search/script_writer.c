@@ -30,7 +30,7 @@ typedef struct TimelineItem {
     Rank rank;                // order among the items of one step
     const char *guard;
     VEC(const char *) body;
-    bool is_block;            // in braces, even if the body is one line
+    bool is_block;            // the body is written in braces, even if it is one line
     uint32_t number;          // order in which items were added: the last key of the sort
 } TimelineItem;
 

@@ -50,9 +50,9 @@ typedef enum RegionLemmaKind {
 typedef struct RegionLemma {
     RegionLemmaKind kind;
     uint32_t a, b;
-    IrRef condition;          // in the function that samples the windows
+    IrRef condition;          // a temporary of the function that samples the windows
     double bound, slope;
-    double tolerance;         // ORDER: by this part of itself, a can be above b, because an average is rounded
+    double tolerance;         // LEMMA_ORDER: a can be above b by this part of |a|, because an average is rounded
 } RegionLemma;
 
 typedef struct Prover {
