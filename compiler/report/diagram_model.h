@@ -51,7 +51,7 @@ typedef struct DiagramEdge {
 // An assignment to an element of the state vector, as a line in the box of its state.
 typedef struct DiagramAction {
     const char *block_name;       // "entry", "step", "exit"
-    bool first;                   // it is the first of its block, and the name of the block precedes it
+    bool first;                   // the first line of its block, before which the name of the block is written
     const char *text;             // "valve = true if T >= 60", truncated with "…"
     int32_t w;                    // width, including the column of the block names
 } DiagramAction;
@@ -64,7 +64,7 @@ typedef struct DiagramNode {
     int32_t name_w;
     VEC(DiagramAction) action;    // in file order, at most ACTIONS, then a line with the number of the others
     int32_t action_w;             // width of the widest action
-    bool reached;                 // some run can reach it
+    bool reached;                 // some run can reach the state
     DiagramChange change;
     uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge] … [first_edge + edges - 1]
     VEC(uint32_t) stub_in;        // indices in Diagram.edge: incoming edges that are drawn as stubs beside their source states

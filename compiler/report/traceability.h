@@ -52,7 +52,7 @@ typedef struct TracedAssert {
     ScriptAssertKind kind;        // never PRINT
     Span span;
     const char *text;             // the text after the assert, or its condition if it has none
-    uint64_t evaluated;           // how often it was evaluated
+    uint64_t evaluated;           // how often the runs evaluated the assert
     const char *result;           // "passed", "failed" or "never evaluated"
     uint32_t requirement;         // 1 + the index of its requirement; 0: none
 } TracedAssert;
