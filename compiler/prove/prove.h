@@ -81,7 +81,7 @@ typedef struct ProveGiven {
 // A violation that differs from a given run in few inputs (prove_near.h).
 typedef struct ProveNear {
     const ProveGiven *given;
-    const Var *var[2];         // the `vars` inputs that have other values than in the given run
+    const Var *var[2];        // the `vars` inputs that have other values than in the given run
     double value[2];          // by index in `var`: the other value
     uint32_t vars;
     uint64_t from, to;        // the first and the last step in which they have these values

@@ -10,7 +10,7 @@
 #include "stdlib/convert.h"
 
 enum {
-    ENVS_MOST = 96,           // how many paths to a block have facts of their own; the facts of further paths are joined
+    ENVS_MOST = 96,                   // how many paths to a block have facts of their own; the facts of further paths are joined
     CHANGES_BEFORE_WIDENING = 4,      // after this many changes of a node's facts, growing bounds are widened to numbers of the program
     CHANGES_BEFORE_FEW_LIMITS = 14,   // after this many, growing bounds are widened to a few round numbers
     CHANGES_MOST = 40,                // after this many, only the types of variables remain

@@ -21,7 +21,7 @@ typedef struct DiagramGuard {
     const WrittenTransition *transition;
     const char *text;             // the condition as text, complete; never empty
     DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
-    bool possible;                 // some run can take the transition
+    bool possible;                // some run can take the transition
     DiagramChange change;         // DIAGRAM_SAME unless the diagram shows differences
     uint64_t taken;               // how often runs took the transition; not set if DiagramCounts.by_pair
     DiagramFindings finding;      // findings on the transition or its guard

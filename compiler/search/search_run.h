@@ -121,7 +121,7 @@ typedef struct SearchGoal {
 typedef struct SearchSetting {
     bool set;                 // false: the run has not set the input yet
     ScenarioKind kind;
-    double a, b;
+    double a, b;              // HOLD: a is the value; ALTERNATE: a and b; RAMP: a is the first value, b is added in each step
     uint32_t source;          // COPY: index into Program.var
     uint64_t since;           // the step in which the change was made
 } SearchSetting;
