@@ -376,7 +376,7 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
     return s->steps == 0 ? NULL : s;
 }
 
-// The reference computes the statistics of a window from all its samples.
+// The reference interpreter computes a statistic from all samples of the window, so long windows make a step expensive.
 uint64_t goal_cost_of_step(const Monitor *m)
 {
     enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step

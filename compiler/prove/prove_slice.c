@@ -38,7 +38,7 @@ static void need_value(Slicer *s, const IrFn *f, IrRef r, bool *needed, uint32_t
     s->grown = true;
 }
 
-// The samples of a window are needed only if a variable follows them.
+// Marks a window as needed, and what its samples are computed from if the model follows them; then the windows of comparisons of its samples.
 static void need_window(Slicer *s, uint32_t window)
 {
     MadeWindow *w = &s->k->window[window];

@@ -188,7 +188,7 @@ static void add_alternation(Writer *w, const ScenarioChange *c, uint64_t to)
     }
 }
 
-// The assignment with the value of the change in its first step.
+// Returns the assignment, as text, with the value that the change has in its first step.
 static const char *first_assignment(const Writer *w, const ScenarioChange *c)
 {
     const Var *v = w->p->var.at[c->var];
@@ -274,7 +274,7 @@ static void name_phases(Writer *w)
         } while (is_name_used(w->p, w->phase[i]));
 }
 
-// The changes of a loop are n from index *i on.
+// Returns how many changes a loop repeats, and sets *i to the index of the first of them.
 static size_t find_changes(const Scenario *s, const ScenarioLoop *l, size_t *i)
 {
     size_t n = 0;

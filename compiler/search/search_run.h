@@ -203,7 +203,7 @@ typedef struct SearchRun {
     double *distance;         // by goal of the caller: what SearchWatch.step has set
     uint64_t next_report;     // value of r->steps at which the caller is next asked whether to go on
     // solving
-    struct SearchWish *wish;  // by input
+    struct SearchWish *wish;  // by index into `input`: what the solution wants the input to be
     uint64_t wait;            // how many steps the solved changes must last; 0: no condition asks for a time
     uint32_t foreign;         // a variable that only another state can store as needed; SEARCH_NONE: there is none
     double foreign_value;     // the value that `foreign` needs to have
