@@ -42,7 +42,7 @@ static void close_connection(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     c->retry = now + c->pause;
 }
 
-// How long a connection may be without a message: a receiver with a timeout ends it then, and a server may replace it.
+// Returns how long a connection can be without a message, in nanoseconds.  Then a receiver with a timeout ends it, and a server can replace it.
 static uint64_t patience_of(const SmNetChannel *c) { return c->timeout > PAL_SECOND ? c->timeout : PAL_SECOND; }
 
 // ---- clients ----

@@ -35,7 +35,7 @@ typedef struct CoverRun {
     Cli *c;
     Arena *arena;
     const Program *p;
-     const char *folder;       // the folder of -o, to which scripts are written
+    const char *folder;       // the folder of -o, to which scripts are written
     const char *machine;      // the name of the machine's file, without folders
     Cover *given;             // coverage by the scripts of the command line and by edited ones of the folder: what they do not cover are the goals
     Cover *all;               // coverage by all scripts, the new ones included

@@ -159,7 +159,7 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
 
 static bool is_not_empty(const char *text) { return text && *text; }
 
-// An empty value is no property.
+// Writes a property, unless its value is empty.
 static void write_property(Buf *out, const char *name, const char *value, size_t n)
 {
     if (n == 0)

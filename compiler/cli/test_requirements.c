@@ -8,7 +8,7 @@
 struct RequirementTable {
     TestRun *t;
     const Requirements *what;
-    RequirementTotal *total;  // by requirement
+    RequirementTotal *total;  // by requirement: how often it was judged and violated
     Buf *judged, *asserts;    // by requirement: TestRequirement.judged and .asserts
     bool *visited;            // by State.number - 1: a script came to the state
     Map number;               // from the id of a requirement to a pointer into `ids`

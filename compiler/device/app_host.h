@@ -16,7 +16,7 @@ typedef struct ApplicationInfo {
     uint16_t machines;
     uint32_t room;            // most bytes of a swap
     bool requires_signature;
-    uint32_t mark;            // number that identifies its key (smvm_auth_mark)
+    uint32_t mark;            // number that identifies the application's key (smvm_auth_mark)
     uint32_t newest;          // the highest number of a signed swap so far; the application refuses this number and lower ones
     char name[APPLICATION_NAME];
 } ApplicationInfo;

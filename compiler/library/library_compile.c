@@ -430,7 +430,7 @@ static int compare_outputs(const void *a, const void *b)
     return strcmp(((const LibraryOutput *)a)->name, ((const LibraryOutput *)b)->name);
 }
 
-// Two sources of one file name in different folders would have the same output.
+// Whether two outputs have the same name, as those of two sources with one file name in different folders.
 static bool has_duplicate_output(SmcSession *s, const LibraryOutputs *out)
 {
     LibraryOutput *sorted = arena_copy(&s->compiler.arena, out->at, out->n * sizeof *out->at);

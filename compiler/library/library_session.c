@@ -76,7 +76,7 @@ static void copy_utf8(char *to, size_t room, const char *from)
     *to = '\0';
 }
 
-// The text of an error belongs to the session even where a call only reads it.
+// Writes to the session although `s` is const: a call that only reads it can fail, too, and its error text is stored there.
 SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text)
 {
     copy_utf8(((SmcSession *)(uintptr_t)s)->error, ERROR_TEXT_MAX, text ? text : smc_result_text(r));

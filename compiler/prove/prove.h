@@ -81,7 +81,7 @@ typedef struct ProveGiven {
 // A violation that differs from a given run in few inputs (prove_near.h).
 typedef struct ProveNear {
     const ProveGiven *given;
-    const Var *var[2];         // the `vars` inputs that have other values than in the given run
+    const Var *var[2];        // the `vars` inputs that have other values than in the given run
     double value[2];          // by index in `var`: the other value
     uint32_t vars;
     uint64_t from, to;        // the first and the last step in which they have these values
@@ -111,8 +111,8 @@ typedef struct ProveOf {
     uint32_t rangeds;
     const Var *unranged[PROVE_WIDES]; // UNDECIDED: `unrangeds` inputs that are numbers without @range, and on which it depends
     uint32_t unrangeds;
-    bool *tried;              // by state from 0: some run was in it
-    bool *excluded;           // by state from 0: an exploration has found that no run comes to it before it violates the requirement
+    bool *tried;              // by state from 0: some run was in the state
+    bool *excluded;           // by state from 0: an exploration has shown that no run reaches the state without violating the requirement before
     uint32_t irrelevant;      // number of variables that cannot influence the requirement
     bool is_loose;            // PROVED, VACUOUS: the model let windows have any value (ProveLoosening)
     bool is_compared;         // PROVED, VACUOUS: the model knew which samples are above constants of the requirement
@@ -126,20 +126,20 @@ typedef struct ProveOptions {
     uint64_t delta_t;         // used if the machine declares no step; 0: that of the first given run, or 10
     const State *init_state;  // NULL: the first state
     bool assume_ranges;       // proofs can use PROVE_RANGES, and searches keep inputs within their ranges
-    const ProveGiven *given;  // `givens` of them; those that begin in another state, or have another step, are not used
+    const ProveGiven *given;  // `givens` runs of scripts; those that begin in another state than init_state, or have another step, are not used
     uint32_t givens;
     uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h); 0: a default
-    size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It decides only if it is reached
+    size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It affects results only if used up
     uint64_t visits;          // how many paths from block to block an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
-    bool (*go_on)(void *context);     // called now and then; false stops: what is not decided then is interrupted.  NULL: never
+    bool (*go_on)(void *context);     // called now and then; returns false to stop: what is not decided then is interrupted.  NULL: never stops
     void *context;
 } ProveOptions;
 
 typedef struct ProveResult {
     ProveOf *of;              // by requirement
     uint32_t n;
-    const ProveGiven *given;  // as in the options
+    const ProveGiven *given;  // the `givens` runs of ProveOptions.given
     uint32_t givens;
     uint64_t delta_t;
     const State *init_state;
@@ -148,8 +148,8 @@ typedef struct ProveResult {
     const char *bug;          // a sentence: a found violation that the reference interpreter does not confirm; or NULL
 } ProveResult;
 
-// Finds two requirements that contradict each other: both are judged in every step, or in the same steps (the same a of `a implies b`), and no
-// values of the variables meet both.  Returns false if no two do.
+// Finds two requirements that contradict each other: no values of the variables meet both.  Compares only requirements that are judged in the same
+// steps: in every step, or in those with the same premise (a of `a implies b`).  Returns false if no two contradict each other.
 bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second);
 
 ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o);

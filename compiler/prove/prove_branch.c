@@ -18,7 +18,7 @@ typedef struct ProveLiteral { IrRef ref; bool value; } ProveLiteral;
 typedef struct ProveTerm {
     ProveLiteral at[LITERALS_MOST];
     uint32_t n;
-    ProveLiteral stored[STORES_MOST];         // by ProveStores entry below `stores`: the variable's number in `ref`, and its value
+    ProveLiteral stored[STORES_MOST];         // `stores` booleans that the block stores: the index of the variable in `ref`, and its value
     uint32_t stores;
 } ProveTerm;
 

@@ -10,11 +10,11 @@
 #include "stdlib/convert.h"
 
 enum {
-    ENVS_MOST = 96,           // how many paths to a block have facts of their own; the facts of further paths are joined
-    CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
-    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
-    CHANGES_MOST = 40,                // after these, only the types of variables remain
-    PATIENCE = 4,                     // factor on these numbers of changes, if the limits are bounds that an earlier exploration has found
+    ENVS_MOST = 96,                   // how many paths to a block have facts of their own; the facts of further paths are joined
+    CHANGES_BEFORE_WIDENING = 4,      // after this many changes of a node's facts, growing bounds are widened to numbers of the program
+    CHANGES_BEFORE_FEW_LIMITS = 14,   // after this many, growing bounds are widened to a few round numbers
+    CHANGES_MOST = 40,                // after this many, only the types of variables remain
+    PATIENCE = 4,                     // factor on the last two numbers, if the limits are bounds that an earlier exploration has found
     NARROWINGS = 3,
     LIMITS_MOST = 256,
     ROUNDS = 5,                       // the most explorations; each widens to the bounds that the previous one has found
@@ -63,11 +63,11 @@ typedef struct Explorer {
     const ProveStep *step;    // the step that is being explored
     const ProveNode *from;    // the node from which it begins
     const ProveBranch *branch;        // the branch that is being followed
-    bool is_taken;            // the facts allow the branch, ...
-    const Env *taken;         // ... and these are the facts at its end
+    bool is_taken;            // whether the facts allow the branch
+    const Env *taken;         // the facts at the end of the branch, if `is_taken`
     uint32_t *holder;         // memory for prove_relate, if a function has fewer than `holders` temporaries
     uint32_t holders;
-    ProveEnvs *at;            // by block of the step: the facts at its beginning, by path
+    ProveEnvs *at;            // by block of the step: for each path to the block, the facts with which it begins
     uint32_t blocks;          // allocated length of `at`
 } Explorer;
 

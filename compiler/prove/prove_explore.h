@@ -16,7 +16,7 @@ typedef struct ProveLimits {
     uint32_t nodes;           // limit on nodes: when it is reached, the exploration begins again with one key less
     uint64_t visits;          // limit on visits of branches, one for each path to a block: when it is reached, the exploration gives up
     size_t memory;            // bytes of the exploration; 0: no limit
-    bool (*go_on)(void *context);     // false stops; or NULL
+    bool (*go_on)(void *context);     // returns false to stop the exploration; or NULL
     void *context;
 } ProveLimits;
 
@@ -28,8 +28,8 @@ typedef struct ProveExplored {
     uint32_t wides;
     uint64_t visits;
     Fact *after;              // [state * variables + variable]: the facts after a step in the state that does not violate the requirement
-    bool *reached;            // by state from 0: a step that does not violate the requirement can run in it
-    bool *entered;            // by state from 0: a step can run in it before one violates the requirement
+    bool *reached;            // by state from 0: a step that does not violate the requirement can run in the state
+    bool *entered;            // by state from 0: a step can run in the state before the requirement is violated
 } ProveExplored;
 
 // `assumed`: a set of 1u << ProveAssumption.  `fine`: all variables that change are keys; otherwise only those with few values.

@@ -7,7 +7,7 @@
 // What a goal remembers from step to step: the first MEMORY_SIZE bytes of a situation (SearchWatch).  The monitor's memory follows.
 typedef struct GoalMemory {
     bool seen;                // condition b of the requirement was true in a step
-    bool outside;             // an input was outside its range, although ranges are assumed
+    bool outside;             // an input was outside its @range, although GoalSearch.assume_ranges is set
     uint64_t set;             // one bit for each of the first 64 inputs with a range: it has been other than 0
     bool open;                // AFTER: no step since the last one with b has had c; LEADS_TO: a has occurred, and b not yet
 } GoalMemory;
@@ -376,7 +376,7 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
     return s->steps == 0 ? NULL : s;
 }
 
-// The reference computes the statistics of a window from all its samples.
+// The reference interpreter computes a statistic from all samples of the window, so long windows make a step expensive.
 uint64_t goal_cost_of_step(const Monitor *m)
 {
     enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step

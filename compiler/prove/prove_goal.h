@@ -21,14 +21,14 @@ typedef struct GoalSearch {
     const Scenario *given;            // `givens` runs from which the search can start
     uint32_t givens;
     bool assume_ranges;               // elements with @range that the machine does not assign have values in it, in each step
-    bool (*go_on)(void *context);     // or NULL
+    bool (*go_on)(void *context);     // returns false to stop the search; or NULL
     void *context;
 } GoalSearch;
 
 typedef struct GoalFound {
     const Scenario *scenario;         // reaches the goal in its last step, which the reference interpreter has confirmed; NULL: not found
     bool premise_seen;                // some run has come to the premise
-    const bool *tried;                // by state from 0: some run was in it
+    const bool *tried;                // by state from 0: some run was in the state
     uint64_t steps;
     bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
 } GoalFound;

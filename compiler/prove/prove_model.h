@@ -19,7 +19,7 @@ typedef enum ProveVarKind {
     PROVE_INPUT,              // an element that the machine does not assign: any value in each step
     PROVE_OUTPUT,             // an element that the machine assigns
     PROVE_KEPT,               // only the functions of the model change it, such as a local or a count of samples
-    PROVE_CHOICE,             // begins each step with a value of `begin`, whatever it was
+    PROVE_CHOICE,             // any value of `begin` in each step, independent of the step before
     PROVE_TIME,               // G, S or T
     PROVE_DIFFERENCE,         // the difference of a pair of variables (ProvePair); no function reads or writes it
     PROVE_IRRELEVANT          // no function reads it, so nothing is known about it
@@ -28,10 +28,10 @@ typedef enum ProveVarKind {
 typedef struct ProveVar {
     ProveVarKind kind;
     Fact begin;               // KEPT: the value in the first step; CHOICE: in each step
-    bool stored;              // a function stores it
-    bool relevant;            // it can influence the requirement or the next state
+    bool stored;              // some function stores the variable
+    bool relevant;            // the variable can influence the requirement or the next state
     bool few;                 // KEPT: it has few values, such as a flag or a count of samples
-    const Window *window;     // it follows the samples of this window; or NULL
+    const Window *window;     // the value of the variable follows from the samples of this window; or NULL
 } ProveVar;
 
 typedef struct ProveBranch {
@@ -59,7 +59,7 @@ typedef struct ProveStep {
 typedef enum ProveLoosening {
     PROVE_EXACT,              // nothing is loosened
     PROVE_COMPARED,           // exact, with more variables: whether each sample is above a constant of the requirement (prove_threshold.c)
-    PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; it follows those of prev, rising and falling
+    PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; the model still follows the windows of prev, rising and falling
     PROVE_LOOSE_ALL,
     PROVE_RELATED,            // as LOOSE_ALL, and the model has bounds of the differences of variables (prove_relate.h)
     PROVE_LOOSENINGS
@@ -84,7 +84,7 @@ typedef struct ProveModel {
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement
     ProveStep *(*step)[2];    // by State.number - 1, and whether it is the first step in the state; NULL until prove_model_step builds it
-    struct ProveMaker *maker; // what prove_model_step needs to build them
+    struct ProveMaker *maker; // what prove_model_step needs to build `step`
 } ProveModel;
 
 ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose);

@@ -197,7 +197,7 @@ static uint32_t index_in(const Variant *x, uint32_t var)
     return i;
 }
 
-// The changes of a variant: those of the given run, but for its inputs in its steps.
+// Returns the scenario of a variant: the changes of the given run, with the variant's values for its inputs in its steps.
 static Scenario scenario_of(const NearSearch *k, Arena *arena, const Variant *x)
 {
     const Scenario *s = &k->g->given[x->at->given];
@@ -307,7 +307,7 @@ static void prepare_values(NearSearch *k, const NearStep *at)
     near_list_values(k, near_state(k));
 }
 
-// One of two inputs is one that the requirement compares.
+// Whether two values are tried together: they are of different inputs, and the requirement compares at least one of them.
 static bool is_pair(const NearValue *a, const NearValue *b) { return a->var != b->var && (a->is_required || b->is_required); }
 
 // Tries all changes of one phase at a step of a given run.

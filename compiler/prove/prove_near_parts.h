@@ -24,8 +24,8 @@ typedef struct NearStore { uint32_t state; const Var *var; const Expr *value; } 
 typedef struct NearValue {
     uint32_t var;             // index into Program.var
     uint64_t cell;            // the value, as the variable stores it
-    uint32_t samples;         // as NearLeaf.samples
-    bool is_required;         // it comes from a comparison of the requirement
+    uint32_t samples;         // size of the longest window that samples the input (NearLeaf.samples)
+    bool is_required;         // the value comes from a comparison of the requirement
 } NearValue;
 
 // A step of a given run at which inputs are changed.

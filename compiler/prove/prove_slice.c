@@ -4,7 +4,7 @@
 // What is known about one function of the machine.
 typedef struct SliceFn {
     const IrFn *from;
-    bool *needed;             // by instruction: its value or its effect is needed
+    bool *needed;             // by instruction: the requirement or the next state depends on its value or effect
     bool *decides;            // by block: the branch at its end leads to different effects
     IrBlkRef *target;         // by block: the first block with an effect from here on.  A branch whose edges have the same target decides nothing
 } SliceFn;
@@ -38,7 +38,7 @@ static void need_value(Slicer *s, const IrFn *f, IrRef r, bool *needed, uint32_t
     s->grown = true;
 }
 
-// The samples of a window are needed only if a variable follows them.
+// Marks a window as needed, and what its samples are computed from if the model follows them; then the windows of comparisons of its samples.
 static void need_window(Slicer *s, uint32_t window)
 {
     MadeWindow *w = &s->k->window[window];

@@ -30,7 +30,7 @@ typedef struct DiagramChanges {
 
 // Additions to the diagram; all zero: none.
 typedef struct DiagramOptions {
-    const Diags *findings;        // findings that are marked on their states and transitions; or NULL
+    const Diags *findings;          // findings that are marked on their states and transitions; or NULL
     const DiagramCounts *counts;    // counts that are written beside states and transitions; or NULL
     const DiagramChanges *changes;  // a->p joins two machines, whose differences are drawn; only arena, p and transition of *a are then set; or NULL
     DiagramSize *size;              // diagram_write_svg stores the size of the picture here; or NULL

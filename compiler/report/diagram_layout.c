@@ -163,7 +163,7 @@ void layout_create_items(Layout *l)
     l->first_link[l->d->edge.n] = (uint32_t)l->link.n;
     for (uint32_t i = 0; i < l->layers; i++) {
         l->layer[i].item = ARENA_ARRAY(l->arena, uint32_t, l->layer[i].n);
-        l->layer[i].n = 0;        // items are added in order later
+        l->layer[i].n = 0;        // layout_order_items adds them again, in their order
     }
 }
 

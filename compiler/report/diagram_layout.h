@@ -25,7 +25,7 @@ typedef struct LayoutItem {
     ItemKind kind;
     uint32_t ref;                 // ITEM_NODE: index in Diagram.node; otherwise index in Diagram.edge
     uint32_t layer, pos;          // pos: its position in the layer
-    int32_t left, right, h;       // how far it extends from x to the left and to the right; h: height, centred in its layer
+    int32_t left, right, h;       // left, right: how far the item extends from x; h: its height, centred in its layer
     int32_t x;                    // horizontal position, in pixels
 } LayoutItem;
 
@@ -33,7 +33,7 @@ typedef struct LayoutItem {
 typedef struct LayoutLink {
     uint32_t above, below;        // the two items that the link connects
     uint32_t edge;                // index in Diagram.edge
-    bool crossed;                 // it crosses a link that should be straight, so this one is not straight
+    bool crossed;                 // the link crosses one that should be straight, so this link is not drawn straight
 } LayoutLink;
 
 typedef struct Layer {

@@ -21,7 +21,7 @@ typedef struct DiagramGuard {
     const WrittenTransition *transition;
     const char *text;             // the condition as text, complete; never empty
     DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
-    bool possible;                 // some run can take the transition
+    bool possible;                // some run can take the transition
     DiagramChange change;         // DIAGRAM_SAME unless the diagram shows differences
     uint64_t taken;               // how often runs took the transition; not set if DiagramCounts.by_pair
     DiagramFindings finding;      // findings on the transition or its guard
@@ -51,7 +51,7 @@ typedef struct DiagramEdge {
 // An assignment to an element of the state vector, as a line in the box of its state.
 typedef struct DiagramAction {
     const char *block_name;       // "entry", "step", "exit"
-    bool first;                   // it is the first of its block, and the name of the block precedes it
+    bool first;                   // the first line of its block, before which the name of the block is written
     const char *text;             // "valve = true if T >= 60", truncated with "…"
     int32_t w;                    // width, including the column of the block names
 } DiagramAction;
@@ -64,7 +64,7 @@ typedef struct DiagramNode {
     int32_t name_w;
     VEC(DiagramAction) action;    // in file order, at most ACTIONS, then a line with the number of the others
     int32_t action_w;             // width of the widest action
-    bool reached;                 // some run can reach it
+    bool reached;                 // some run can reach the state
     DiagramChange change;
     uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge] … [first_edge + edges - 1]
     VEC(uint32_t) stub_in;        // indices in Diagram.edge: incoming edges that are drawn as stubs beside their source states

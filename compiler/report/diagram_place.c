@@ -11,7 +11,7 @@ enum { APART = 14 };              // minimum gap between neighbours in a layer
 typedef struct Columns {
     Layout *l;
     bool from_below, mirrored;
-    const LayoutLink **above, **below;  // by item: its link on that side that should be straight; or NULL
+    const LayoutLink **above, **below;  // by item: the link to the layer above (below) that should be straight; or NULL
     uint32_t *root;               // by item: the item that represents its column
     uint32_t *next;               // by item: the next item in its column; the last is followed by the first
     int64_t *x;                   // by item: the x of its centre, once columns are placed

@@ -78,7 +78,7 @@ typedef enum DocKind {
 
 typedef enum DocFigure {
     FIGURE_PLOT,              // as wide as the text
-    FIGURE_DIAGRAM,           // may be wider than the text; on paper it has a page
+    FIGURE_DIAGRAM,           // can be wider than the text; on paper it has a page of its own
     FIGURE_LOW,               // a diagram that is legible on part of a printed page
     FIGURE_TALL,              // a diagram too high for a page: on paper it is replaced by DocPart.print, slices for upright pages
     FIGURE_LARGE              // a diagram too wide for a page: on paper it is replaced by DocPart.print, slices for landscape pages
@@ -93,8 +93,8 @@ typedef struct DocPart {
     const char *badge;        // HEADING: text of a badge beside it; or NULL
     const char *caption;      // FIGURE: text below it; or NULL
     DocFigure figure;         // FIGURE: how it is laid out
-    const char *print;        // FIGURE: what is printed instead of `text`; or NULL
-    int32_t width;            // FIGURE: of a diagram, in pixels
+    const char *print;        // FIGURE: an SVG that replaces `text` on paper; or NULL
+    int32_t width;            // FIGURE: width of a diagram, in pixels
     DocTable *table;          // TABLE: the table
     DocList *list;            // LIST: the list
     Span span;                // EXCERPT: the marked part of the source
@@ -103,7 +103,7 @@ typedef struct DocPart {
 
 typedef struct DocSection {
     const char *id, *title;
-    const char *chapter;      // the title of the chapter that begins with this section; NULL: none begins
+    const char *chapter;      // the title of the chapter that begins with this section; NULL: no chapter begins
     VEC(DocPart) part;
 } DocSection;
 

@@ -30,8 +30,8 @@ typedef struct LogKindName { uint8_t kind; const char *name; } LogKindName;
 
 // The contents of a description block.
 typedef struct LogDescription {
-    uint32_t pos, size;            // byte offset of its block in the file, and the size of the block
-    uint8_t version;          // version of the log format
+    uint32_t pos, size;           // byte offset of its block in the file, and the size of the block
+    uint8_t version;              // version of the log format
     uint64_t start;               // length of the file when the session began
     uint32_t layout;              // hash of the state vector's layout
     uint32_t identity;            // unfinished CRC-32 of the session's identity, from which the checksum of each block of the session continues

@@ -18,7 +18,7 @@
 
 // One script's run.
 typedef struct ReportRun {
-    const char *name;             // its file name, without folders
+    const char *name;             // file name of the script, without folders
     const Script *script;         // NULL: the script does not compile
     ScriptResult result;          // the result, if the script ran
     Trace trace;
@@ -27,7 +27,7 @@ typedef struct ReportRun {
 
 typedef struct Report {
     Arena *arena;
-    Analysis analysis;            // its diags hold all findings, including those that an @allow covers
+    Analysis analysis;            // analysis.diags contains all findings, including those that an @allow covers
     bool step_given;              // analysis.step is the user's --step; otherwise it is the delta_t of the scripts
     Cost cost;                    // cost of steps, in VM instructions
     Cost flash, eeprom;           // cost of steps, in estimated cycles of an ATmega328P that runs the image from flash or from EEPROM

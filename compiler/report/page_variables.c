@@ -102,7 +102,7 @@ static const char *role_text(const Program *p, const Var *v)
 
 static const char *unit_of(const Measure *unit) { return unit ? unit->text : ""; }
 
-// The range "lo to hi".
+// Returns a range as text: "lo to hi".
 static const char *numbers_text(Arena *arena, SmF64 lo, SmF64 hi)
 {
     return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(lo))),

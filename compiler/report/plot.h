@@ -28,7 +28,7 @@ void plot_draw_text(Plot *p, const char *class_name, const char *anchor, long x,
 double plot_round_step(double lo, double hi, int about);
 const char *plot_label(Arena *arena, double x);       // x as text with at most five digits, unless it is a whole number below 10^7
 
-extern const char plot_defs[];                        // the patterns, for the start of a drawing
+extern const char plot_defs[];                        // SVG definitions of the patterns of bands, which begin a drawing
 long plot_draw_body(Arena *arena, const Trace *t, Buf *out);  // writes everything inside the <svg> tag; returns the height of the drawing
 
 void plot_draw_bands(Plot *p);                        // draws the states as bands at the top, and as tints behind the rows

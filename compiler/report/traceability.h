@@ -19,7 +19,8 @@ typedef enum TracedKind { TRACED_STATE, TRACED_ALL_STATES, TRACED_TRANSITION, TR
 
 extern const char *const traced_kind_name[TRACED_KINDS];       // "state", "all_states", "transition", "output"
 
-// Where the mark is from which a part of the machine has its requirements: the nearest of these.
+// Where the nearest mark for a part of the machine is: on the part itself, on a conditional around it, on its state or section, or, for a state or
+// section without a mark, on something inside it.
 typedef enum TracedBy { TRACED_BY_NONE, TRACED_BY_ITSELF, TRACED_BY_CONDITIONAL, TRACED_BY_STATE, TRACED_BY_CONTENTS } TracedBy;
 
 extern const char *const traced_by_name[];                      // "", "itself", "conditional", "state", "contents"
@@ -52,7 +53,7 @@ typedef struct TracedAssert {
     ScriptAssertKind kind;        // never PRINT
     Span span;
     const char *text;             // the text after the assert, or its condition if it has none
-    uint64_t evaluated;           // how often it was evaluated
+    uint64_t evaluated;           // how often the runs evaluated the assert
     const char *result;           // "passed", "failed" or "never evaluated"
     uint32_t requirement;         // 1 + the index of its requirement; 0: none
 } TracedAssert;

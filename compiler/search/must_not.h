@@ -17,7 +17,7 @@ typedef struct MustNot {
 typedef struct MustNots {
     VEC(MustNot) at;
     const Program *p;
-    SearchWatch watch;        // of search_run.  Goal i is at.at[i]: the condition of `other` was true in a step in A, and the next step is in A, too
+    SearchWatch watch;        // for search_run.  Goal i is at.at[i]: the condition of `other` was true in a step in A, and the next step is in A, too
 } MustNots;
 
 MustNots *must_not_list(Arena *arena, const Program *p);

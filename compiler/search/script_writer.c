@@ -30,7 +30,7 @@ typedef struct TimelineItem {
     Rank rank;                // order among the items of one step
     const char *guard;
     VEC(const char *) body;
-    bool is_block;            // in braces, even if the body is one line
+    bool is_block;            // the body is written in braces, even if it is one line
     uint32_t number;          // order in which items were added: the last key of the sort
 } TimelineItem;
 
@@ -188,7 +188,7 @@ static void add_alternation(Writer *w, const ScenarioChange *c, uint64_t to)
     }
 }
 
-// The assignment with the value of the change in its first step.
+// Returns the assignment, as text, with the value that the change has in its first step.
 static const char *first_assignment(const Writer *w, const ScenarioChange *c)
 {
     const Var *v = w->p->var.at[c->var];
@@ -274,7 +274,7 @@ static void name_phases(Writer *w)
         } while (is_name_used(w->p, w->phase[i]));
 }
 
-// The changes of a loop are n from index *i on.
+// Returns how many changes a loop repeats, and sets *i to the index of the first of them.
 static size_t find_changes(const Scenario *s, const ScenarioLoop *l, size_t *i)
 {
     size_t n = 0;

@@ -47,7 +47,7 @@ typedef struct SearchHint { uint32_t var; double value; } SearchHint;
 
 typedef struct SearchProgress {
     uint32_t goals, reached, left;    // left: neither reached nor proved impossible
-    uint64_t steps, effort;           // steps that have run, and how many can run
+    uint64_t steps, effort;           // steps that have run; the most that can run
 } SearchProgress;
 
 // Whether short runs try infinities and values beyond ranges, and change several inputs in each step.  IN_RANGES: they do, but the values
@@ -57,13 +57,13 @@ typedef enum SearchSpecials { SEARCH_NO_SPECIALS, SEARCH_SPECIALS, SEARCH_SPECIA
 // 0 in a field selects its default.
 typedef struct SearchOptions {
     uint64_t seed;            // of the search's random numbers
-    uint64_t effort;          // how many steps it can run, those of replays and simplifying included; it never runs more
+    uint64_t effort;          // the most steps that the search can run, those of replays and simplifying included
     size_t memory;            // bytes of snapshots, and of what is known about them; without room, the least useful ones are evicted
     uint64_t delta_t;         // used if the machine declares no step
     const State *init_state;  // where every scenario starts; NULL: the first state
-    const bool *writable;     // by Var.index: a scenario may set it; NULL: see search_default_inputs
+    const bool *writable;     // by Var.index: scenarios can set the variable; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
-    bool no_places;           // coverage points are no goals, only those of `watch` are
+    bool no_places;           // only the goals of `watch` are searched for, no coverage points
     bool loops;               // scenarios can have loops
     bool plain;               // for goals that few changes reach: no attempt repeats changes, and inputs with noise can become constant
     SearchSpecials specials;

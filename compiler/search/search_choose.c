@@ -7,9 +7,9 @@
 #include "compiler/search/search_choose.h"
 
 enum {
-    MANY_CHANGES = 2,         // a scenario with more is split, if it has several goals
-    LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter runs to the others
-    FEW_CHANGES = 2,          // a scenario with more is simplified once more, at most IMPROVED_ROUNDS times
+    MANY_CHANGES = 2,         // a scenario with more changes is split, if it is for several goals
+    LONG_CHANGES = 12,        // a scenario with more changes is simplified for one of its goals first, which can show shorter runs to the other goals
+    FEW_CHANGES = 2,          // a scenario with more changes is simplified again, at most IMPROVED_ROUNDS times
     IMPROVED_ROUNDS = 3,
     IMPROVED_PART = 2,        // this part of the remaining effort (1 / n) is for the scenario with most changes
     LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)

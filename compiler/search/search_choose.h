@@ -32,14 +32,15 @@ typedef struct Chooser {
     VEC(SearchScenario) chosen;
     uint32_t *input_of;       // by Var.index of an input: index into SearchRun.input
     VEC(SearchEnter) enters;  // the states that the last replay has entered
-    Scenario *way;            // by State.number - 1: the fewest changes of a chosen scenario that lead to its entry; init_state NULL: none
+    Scenario *way;            // by State.number - 1: of all beginnings of chosen scenarios that enter the state, the one with the fewest changes;
+                              // init_state NULL: none
     uint32_t end;             // number (State.number) of the state after the scenario that is simplified
     uint64_t limit;           // simplifying the current scenario ends when this many steps have run
 } Chooser;
 
 // Whether the last replay has reached a goal.
 bool chooser_has_reached(const Chooser *c, uint32_t goal);
-uint32_t chooser_end_state(const Chooser *c);         // of the last replay: number of the state that its next step would run
+uint32_t chooser_end_state(const Chooser *c);         // State.number of the state in which the last replay has ended
 bool chooser_has_effort(const Chooser *c);            // whether simplifying the current scenario can run more steps
 // Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which the scenario has reached all of
 // `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves each change to `wait` steps after its

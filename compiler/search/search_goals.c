@@ -151,7 +151,7 @@ void search_make_goals(SearchRun *k)
 
 // ---- distances ----
 
-// The binary logarithm of 1 + x, linear between powers of two, scaled to below 1: the same bits on every computer.
+// Returns the binary logarithm of 1 + |difference|, linear between powers of two and scaled to below 1: the same bits on every computer.
 double search_near(double difference)
 {
     const double x = difference < 0 ? 1 - difference : 1 + difference;

@@ -140,7 +140,7 @@ static void relate_windows(Prover *p)
 
 // ---- counts ----
 
-// By how much a load of a variable is at most above what the variable was when the function began.  Loads with the same number have the same value.
+// Returns how far the variable that value `value` loads can be from what it was when the function began, over all its loads with this value number.
 static Drift drift_of_loads(const Prover *p, uint32_t value)
 {
     const uint32_t var = p->value.at[value].var;

@@ -21,7 +21,7 @@ typedef struct Value {
     SmStat stat;
     uint32_t a, b, var;       // a, b: numbers of the operands; var: variable of a load, window of a statistic.  Of a load, a is 0 if an
                               // earlier function of the step can have stored the variable, else SEARCH_NONE
-    uint64_t bits;
+    uint64_t bits;            // the value of a constant
 } Value;
 
 // One value that is compared with constants, or two that are compared with each other.  Its regions are enumerated.
@@ -50,9 +50,9 @@ typedef enum RegionLemmaKind {
 typedef struct RegionLemma {
     RegionLemmaKind kind;
     uint32_t a, b;
-    IrRef condition;          // in the function that samples the windows
-    double bound, slope;
-    double tolerance;         // ORDER: by this part of itself, a can be above b, because an average is rounded
+    IrRef condition;          // a temporary of the function that samples the windows
+    double bound, slope;      // TRUE_ABOVE, FALSE_BELOW, COUNT
+    double tolerance;         // LEMMA_ORDER: a can be above b by this part of |a|, because an average is rounded
 } RegionLemma;
 
 typedef struct Prover {

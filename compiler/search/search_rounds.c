@@ -109,7 +109,7 @@ typedef struct RoundTries {
     const Scenario *s;
     SearchEnter *enter;       // the transitions of a replay
     uint32_t enters;
-    size_t *before;           // by transition: number of changes that are made before the step after it
+    size_t *before;           // by index in `enter`: number of changes that are made before the step that follows the transition
     VEC(RoundTry) round;
 } RoundTries;
 

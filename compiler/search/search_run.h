@@ -37,7 +37,7 @@ enum { SEARCH_POOL = 4, SEARCH_ENTRIES = 32 };        // the most snapshots in t
 typedef struct SearchInput {
     uint32_t var, at;         // var: index into Program.var; at: index into IrMachine.var
     SmType type;
-    bool forced;              // the machine writes the input, too, so it is set again before every step
+    bool forced;              // the machine writes the input, too, so that runs set it again before every step
     const Range *range;       // @range of the input; NULL: none
     VEC(double) constant;     // numbers with which the machine compares the input, and hints of the caller for it
 } SearchInput;
@@ -76,8 +76,8 @@ typedef struct SearchVar {
 
 typedef struct SearchFn {
     const IrFn *fn;
-    uint32_t state;           // number of its state; 0: the function that samples windows
-    bool is_step;             // the code of .step, which runs in each step of its state
+    uint32_t state;           // number of the state to which the function belongs; 0: it samples the windows
+    bool is_step;             // the function is the code of .step, which runs in each step of the state
     uint8_t *handle;          // by IrRef: how the search can influence the value, a set of HANDLE_… bits
 } SearchFn;
 
@@ -100,13 +100,13 @@ typedef struct SearchNear { uint32_t node; double distance; } SearchNear;
 
 typedef struct SearchGoal {
     uint32_t place;           // index into SearchResult.find
-    VEC(SearchSite) site;     // where it can be reached
+    VEC(SearchSite) site;     // the states and paths in which the goal can be reached
     bool done;                // reached, or proved impossible
     SearchNear pool[SEARCH_POOL];
     uint32_t pooled;
     double best;              // the smallest distance of all runs
     SearchElem best_elem;     // the decision that did not have the needed outcome in the step with that distance
-    uint32_t best_condition;  // the condition of this decision that must decide with its value; SEARCH_NONE: the whole decision must have it
+    uint32_t best_condition;  // the condition that must determine the outcome of `best_elem`; SEARCH_NONE: only the outcome matters
     uint64_t cost;            // steps that attempts for this goal have run, and 100 for each attempt
     uint32_t found;           // the node after the step that reached the goal
     double run_best;          // the smallest distance in the current segment
@@ -121,7 +121,7 @@ typedef struct SearchGoal {
 typedef struct SearchSetting {
     bool set;                 // false: the run has not set the input yet
     ScenarioKind kind;
-    double a, b;
+    double a, b;              // HOLD: a is the value; ALTERNATE: a and b; RAMP: a is the first value, b is added in each step
     uint32_t source;          // COPY: index into Program.var
     uint64_t since;           // the step in which the change was made
 } SearchSetting;
@@ -134,11 +134,11 @@ typedef struct SearchNode {
     uint32_t users;           // number of pools and entries that contain the node, and of running attempts; 0: it has no snapshot
     uint32_t followers;       // number of its children, and of goals that were reached there; a node without followers and users is freed
     uint64_t at;              // number of steps from the start
-    SearchTurn *turn;         // the changes between its parent and the node
+    SearchTurn *turn;         // `turns` changes that are made at the parent
     uint32_t turns;
     uint32_t depth;           // number of changes from the start; changes of equal rounds count once
     char *copy;               // the snapshot: SearchRun.block bytes; NULL: none
-    uint32_t state;           // number of the state that its next step runs
+    uint32_t state;           // number of the state that the next step after the node runs
     uint64_t key;             // a hash of the snapshot
 } SearchNode;
 
@@ -155,20 +155,20 @@ typedef struct SearchRun {
     uint64_t reserve;         // steps of the effort that are set aside for replaying the runs that reached goals
     uint64_t stop_at;         // the search ends when this many steps have run
     const State *start;       // the state in which every run begins
-    FlatMachine *plain;       // without probes
-    FlatMachine *flat;        // with the probes of open goals; calls measure_goals for decisions on their paths
-    FlatMachine *quiet;       // with the probes of open goals only
+    FlatMachine *plain;       // the machine without probes
+    FlatMachine *flat;        // the machine with the probes of open goals; calls measure_goals for decisions on their paths
+    FlatMachine *quiet;       // the machine with the probes of open goals only
     FlatMachine *running;     // the machine of the current segment: `flat` or `quiet`
     uint64_t progress;        // value of r->steps when a snapshot was last added to the pool of a goal
-    FlatMachine *judge;       // with all probes
+    FlatMachine *judge;       // the machine with all probes, which search_choose runs
     uint32_t *kept;           // by decision of `flat`: index into `decision`
     uint32_t done_since;      // number of goals that were reached since `flat` was built
     // the machine
     SearchInput *input;
     uint32_t inputs, words;   // words: length of a set of inputs, in uint64_t
     SearchVar *var;           // by index into IrMachine.var
-    SearchFn *fn;             // as FlatMachine.fn
-    SearchDecision *decision; // as FlatProbes.decision
+    SearchFn *fn;             // by index in FlatMachine.fn
+    SearchDecision *decision; // by index in FlatProbes.decision
     uint32_t decisions;
     SearchPath *path;         // by Stmt.number: the path to the statement
     uint32_t *guard;          // by Stmt.number of an IF: index of its decision; SEARCH_NONE for other statements
@@ -188,11 +188,11 @@ typedef struct SearchRun {
     VEC(SearchNode) node;
     uint32_t root;            // the node of the start, before the first step; it always has a snapshot
     SearchNear *entry;        // the entries of each state: SEARCH_ENTRIES from index (State.number - 1) * SEARCH_ENTRIES on
-    uint32_t *entries;        // by State.number - 1: how many entries the state has
+    uint32_t *entries;        // by State.number - 1: number of entries of the state
     bool *visited;            // by State.number - 1: some run was in the state
-    size_t block, settings;   // bytes of a snapshot; offset of the settings of inputs in it
+    size_t block, settings;   // bytes of a snapshot; offset in bytes of the inputs' settings within a snapshot
     size_t nominal;           // bytes that the memory limit assumes for a snapshot: the same on every computer, so that results do not depend on it
-    size_t used, memory;      // bytes that are in use by that measure; their limit (SearchOptions.memory)
+    size_t used, memory;      // bytes that are in use, with `nominal` for each snapshot; the limit of `used` (SearchOptions.memory)
     VEC(char *) free;         // unused memory of snapshots
     SearchTurn **free_turn;   // by number of turns: a list of unused arrays of that length
     uint32_t free_node;       // the first unused node; SearchNode.parent is the next one; SEARCH_NONE ends the list
@@ -203,10 +203,10 @@ typedef struct SearchRun {
     double *distance;         // by goal of the caller: what SearchWatch.step has set
     uint64_t next_report;     // value of r->steps at which the caller is next asked whether to go on
     // solving
-    struct SearchWish *wish;  // by input
+    struct SearchWish *wish;  // by index into `input`: what the solution wants the input to be
     uint64_t wait;            // how many steps the solved changes must last; 0: no condition asks for a time
     uint32_t foreign;         // a variable that only another state can store as needed; SEARCH_NONE: there is none
-    double foreign_value;     // the value that it needs
+    double foreign_value;     // the value that `foreign` needs to have
     uint64_t rounds;          // how many times a counter of the machine must be incremented or decremented; 0: the solution needs no counter
     bool is_round;            // the current changes repeat earlier ones: they do not count in SearchNode.depth
     uint32_t site_state;      // the state of the snapshot for which changes are solved

@@ -51,7 +51,7 @@ static void remove_changes(Attempt *t, size_t i, size_t n)
     t->s.changes -= n;
 }
 
-// Of several changes of a variable in one step, only the last one has an effect.
+// Removes all but the last of several changes of a variable in one step: only the last one has an effect.
 static void remove_overwritten(Scenario *s, ScenarioChange *change)
 {
     size_t n = 0;
@@ -354,7 +354,7 @@ static bool skip_wait(Chooser *c, Scenario *s, const GoalSet *want, size_t i, ui
     return false;
 }
 
-// The first step in which change i could be made: that of the change before it, or the end of a loop.
+// Returns the first step in which change i could be made: that of the change before it, or the end of a loop.
 static uint64_t earliest_step(const Scenario *s, size_t i)
 {
     const ScenarioLoop *l = i ? scenario_loop_at(s, s->change[i - 1].step) : NULL;

@@ -17,7 +17,7 @@ typedef struct SearchWish {
     bool above, below;        // above: lo itself is excluded; below: hi itself is
     bool needed;              // the current value contradicts a bound
     bool differs;             // the input should not equal `other`
-    double other;
+    double other;             // the value that the input should not have, if `differs`
     double vary;              // the input should alternate between two values that differ by this much; 0: it need not
     double slope;             // the input should grow by this much in each step; 0: it need not
     uint32_t copies;          // the output that the input should follow, as a feedback does: index into Program.var; SEARCH_NONE: none

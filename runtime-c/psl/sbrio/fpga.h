@@ -48,7 +48,7 @@ typedef struct SbrioPin {
 typedef struct SbrioFpga {
     const char *bitfile;      // its absolute path
     const char *const *signature;
-    const char *resource;     // "RIO0"
+    const char *resource;     // NI's name of the FPGA, such as "RIO0"
     const SbrioPin *pin;
     uint16_t pins;
 } SbrioFpga;
