@@ -8,7 +8,7 @@
 
 // ---- the operands of an assert ----
 
-enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // limits of a label: number of operands, and length of the source of one
+enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // the most operands in a label; the most bytes of source of one operand
 
 // The operands of an assert with their values, collected for a label.
 typedef struct Operands {
@@ -74,7 +74,7 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
         return;
     if (e->kind == EX_AT)
         e = time_of_at(o->r->arena, e);
-    if (e->kind != EX_ROLL)                           // its operands may have changed since they were sampled
+    if (e->kind != EX_ROLL)                           // the operands of a sampled call may have changed since they were sampled
         for (uint32_t i = 0; i < e->n; i++)
             add_operands(o, e->arg[i], is_relation(e));
     if (o->n == OPERANDS_MOST || !(e->kind == EX_VAR || e->kind == EX_CALL || e->kind == EX_ROLL || is_compared) ||
@@ -135,7 +135,7 @@ void assert_report_failure(ScriptRun *r)
 
 // ---- @print ----
 
-enum { PRINTED_MOST = 1000 };         // lines of a run
+enum { PRINTED_MOST = 1000 };         // the most lines that @print shows in a run
 
 static void print_values(ScriptRun *r, const ScriptAssert *a)
 {
@@ -195,7 +195,8 @@ static bool is_expired(const ScriptRun *r, const PendingExpect *e)
     return next == UINT64_MAX || next - e->since > e->item->asserts.at[e->assert].remark->within;
 }
 
-// Whether the asserts of an item count in this step: in the script of an application, those of a machine's state count at its own ticks.
+// Whether the asserts of an item are evaluated in this step: in the script of an application, asserts in the section of a machine's state are
+// evaluated only in the ticks in which that machine steps.
 static bool counts_now(const ScriptRun *r, const ScriptItem *item) { return item->machine == 0 || r->machine[item->machine - 1].is_due; }
 
 // Evaluates a pending @expect.  Returns whether it stays pending.
@@ -288,7 +289,7 @@ static bool may_stay_unevaluated(const ScriptRun *r, const ScriptAssert *a)
     return !a->condition || (a->kind == SCRIPT_ASSERT && expr_is_constant(a->condition) && !is_true(r, a));
 }
 
-// Asserts that were not evaluated for the same reason.  They share one warning, at the first of them.
+// A group of n asserts that were not evaluated for the same reason.  They share one warning, at the first assert of the group.
 typedef struct Unevaluated { const ScriptAssert *first; size_t n; } Unevaluated;
 
 // Counts the asserts of an item that were not evaluated.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine for the machines of an application: in each tick it steps those that are due, one after the other, over one state vector
-// (language.md 8.71 to 8.83).  Each machine has an engine of its own, which receives all elements before its step; what the step stored
-// is what the next machine reads.
+// (language.md 8.71 to 8.83).  Each machine has an engine of its own, which receives all elements before its step.  What the step stores is passed on
+// to the next machine.
 #include "compiler/script/engine.h"
 
 #include <string.h>
@@ -13,19 +13,19 @@ typedef struct MachineOfApp {
     const Member *member;
     Engine *engine;
     EngineStep answer;
-    EngineWrite *write;       // writes to the elements that the machine lists, then those of the script to its locals
-    uint32_t elements, writes;
-    uint64_t wait;            // ticks until the machine is due
-    uint64_t periods;         // with ticks of recorded data: its periods until the last tick
-    bool ran;                 // it ran a step in this tick
+    EngineWrite *write;       // first one write for each element that the machine lists, then what the script writes to the machine's locals
+    uint32_t elements, writes;        // number of elements that the machine lists; number of writes
+    uint64_t wait;            // number of ticks until the machine is due
+    uint64_t periods;         // if rows of recorded data are ticks: how many of its periods had ended at the last tick
+    bool ran;                 // the machine ran a step in this tick
 } MachineOfApp;
 
 typedef struct AppEngine {
     Engine engine;
     Arena *arena;
     const Program *p;
-    uint64_t *cell;           // by variable of p
-    uint8_t *stored;
+    uint64_t *cell;           // by Var.index of p: the value as a bit cell
+    uint8_t *stored;          // by Var.index of p: 1 if a machine stored the variable in this tick
     MachineOfApp *machine;
     size_t machines;
     bool by_rows;             // each row of the recorded data is a tick

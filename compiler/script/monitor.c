@@ -3,15 +3,14 @@
 
 #include <string.h>
 
-// What the steps so far have shown about a requirement.
+// What is remembered of the steps so far for a requirement.  Comments begin with RequirementKind; a, b and c are its conditions.
 typedef struct Memory {
-    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the step in which a was true, while b has not been true
-                              // since
+    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the first step with a, for which b is still awaited
     bool seen;                // BEFORE, AFTER: b was true in some step so far
-    bool open;                // AFTER: c has not been true since b was; LEADS_TO: b is still awaited
+    bool open;                // AFTER: c has not been true since b was last true; LEADS_TO: b is still awaited
 } Memory;
 
-// The part of a RefWindow that a step changes, without its samples.
+// The fields of a RefWindow, of the same names, that a step changes; the samples are stored after them.
 typedef struct WindowMemory {
     uint64_t last;
     uint32_t next, filled;
@@ -48,7 +47,7 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     return m;
 }
 
-// the samples of a window, and windows that they read, are parts of its expression, so expr_walk visits them
+// Called by expr_walk for each part of a condition: marks a window as used.  expr_walk also visits the sampled expression and the windows in it.
 static void mark_used(Expr *e, void *context)
 {
     const Monitor *m = context;
@@ -120,7 +119,7 @@ static MonitorResult judge_after(Memory *mem, bool a, bool b, bool c, uint64_t g
 {
     const MonitorResult result = a && mem->seen ? result_of(!mem->open) : MONITOR_IDLE;
 
-    if (b && result != MONITOR_VIOLATED)              // `since` is only for the message
+    if (b && result != MONITOR_VIOLATED)              // `since` is read only for messages, which need its value before a violation
         mem->since = g;
     mem->seen = mem->seen || b;
     mem->open = b || (mem->open && !c);

@@ -67,6 +67,7 @@ static double first_bits(double x)
 
 // ---- sums of two numbers (docs/elementary.md, Pairs) ----
 
+// A number as the exact sum of two doubles: `big` is the sum rounded to a double, `small` the rest.
 typedef struct Sum { double big, small; } Sum;
 
 // Fast2Sum (Dekker): big + small is exactly a + b.  Requires |a| >= |b|, or a = 0.
@@ -268,7 +269,7 @@ double ref_pow(double x, double y)
 
 // ---- sin, cos, tan ----
 
-enum { TURN_DIGITS = 39 };
+enum { TURN_DIGITS = 39 };    // number of entries of the table with 2 / pi below
 static const uint32_t turn_digit[TURN_DIGITS] = {
     0x00000000, 0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041,
     0xfe5163ab, 0xdebbc561, 0xb7246e3a, 0x424dd2e0, 0x06492eea, 0x09d1921c, 0xfe1deb1c, 0xb129a73e,
@@ -329,7 +330,7 @@ static int reduce(double x, Sum *r)
     if ((bits_from(product_digit, 2) ^ flip) == 0)
         from = 34;
     for (int i = 0; i < 4; i++) {
-        // the lowest two bits that the specification shifts in are zeros before they are flipped, so they are beyond the 160 bits used
+        // The two lowest bits, which the specification shifts in as zeros before it flips all bits, are beyond the 160 bits used here.
         part[i] = (double)(bits_from(product_digit, from + 32 * i) ^ flip) * two_to(-(from - 2) - 32 * (i + 1));
     }
     s = sum_of(part[0], part[1]);

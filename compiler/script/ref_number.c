@@ -21,11 +21,11 @@ bool ref_negative(double x) { return x < 0 || (x == 0 && 1 / x < 0); }
 
 static double read_signed(uint64_t cell, unsigned bits)
 {
-    uint64_t half = (uint64_t)1 << (bits - 1);        // the cell of the smallest number
+    uint64_t half = (uint64_t)1 << (bits - 1);        // as a cell, the smallest number of the type: -2^(bits - 1)
 
     if (cell < half)
         return (double)cell;
-    return -(double)(half - (cell - half));           // 2^bits - cell, its magnitude
+    return -(double)(half - (cell - half));           // -(2^bits - cell)
 }
 
 static double read_f32(uint64_t cell)
@@ -81,7 +81,7 @@ static uint64_t to_signed(double x, unsigned bits)
         return half;
     if (x > -1)
         return (uint64_t)x;
-    return half + (half - (uint64_t)-x);              // 2^bits - magnitude
+    return half + (half - (uint64_t)-x);              // 2^bits - |x|, the two's complement
 }
 
 // Converts x to an unsigned integer of this many bits: truncated, and saturated; NaN becomes 0.
@@ -156,7 +156,7 @@ static double ref_ceil(double x) { return -ref_floor(-x); }
 
 static double ref_round(double x)
 {
-    double t = ref_trunc(x), fraction = x - t;        // exact; NaN for an infinity, which is already whole
+    double t = ref_trunc(x), fraction = x - t;        // exact; for an infinity NaN, with which both comparisons below are false
 
     if (fraction >= 0.5)
         return t + 1;
@@ -180,7 +180,7 @@ static double ref_min(double a, double b)
 
 static double ref_max(double a, double b) { return -ref_min(-a, -b); }
 
-// An integer of 128 bits.
+// An unsigned integer of 128 bits.
 typedef struct Wide { uint64_t high, low; } Wide;
 
 static Wide multiply_wide(uint64_t a, uint64_t b)           // long multiplication in halves of 32 bits; a, b < 2^54

@@ -15,17 +15,17 @@ typedef struct Cursor {
     Recording file;
     RecordingFormat format;
     RecordingColumn *column;  // the columns of the data that the script declares
-    Span *span;               // by column: where the script names it
-    RecordingRow now, next;
-    bool has_now, has_next;
-    uint64_t between;         // rows that were passed between two times of the cursor
+    Span *span;               // by column: position of its name in the script
+    RecordingRow now, next;   // the last row at or before the cursor's time; the row after it
+    bool has_now, has_next;   // whether these rows exist
+    uint64_t between;         // number of rows that were skipped because they are between the times of two successive steps
 } Cursor;
 
 // A @compare of the script.
 typedef struct ReplayCompare {
-    const ScriptCompare *of;
+    const ScriptCompare *of;  // its definition
     Cursor *cursor;
-    size_t column;            // index in the cursor
+    size_t column;            // index in cursor->column
     CompareResult result;
 } ReplayCompare;
 
@@ -37,7 +37,7 @@ struct Replay {
     Cursor **cursor;          // one for each delay; the first has delay 0 and reads the columns that the script writes to inputs
     size_t cursors;
     ReplayCompare *compare;      // by @compare of the script
-    double *recorded;         // by @compare: the recorded value at the last step
+    double *recorded;         // by @compare: the recorded value that the last step was compared with; NaN: none
 };
 
 static double to_double(SmF64 x) { return ref_read(SM_F64, sm_bits(x)); }

@@ -55,9 +55,9 @@ static void append_decimal(Buf *out, const char *digits)
     }
 }
 
-static void append_fixed(Buf *out, double x)          // appends x as printf's %f does
+static void append_fixed(Buf *out, double x)          // appends x with 6 digits after the point, like printf's %f
 {
-    char digits[400];                                 // 309 before the point, 6 after it
+    char digits[400];                                 // at most 309 digits before the point, 6 after it
 
     if (append_nonfinite(out, x))
         return;
@@ -102,7 +102,7 @@ static void append_hex(Buf *out, double x)
     if (append_nonfinite(out, x))
         return;
     memcpy(&bits, &x, sizeof bits);
-    fraction = bits << 12;                            // moves the first digit to the top
+    fraction = bits << 12;                            // moves the first hexadecimal digit of the fraction to the highest four bits
     exponent = (int)(bits >> 52 & 0x7ff);
     buf_str(out, bits >> 63 ? "-0x" : "0x");
     buf_char(out, exponent ? '1' : '0');

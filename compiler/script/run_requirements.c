@@ -140,7 +140,7 @@ void requirement_add_visits(bool *visited, const Program *p, const ScriptResult 
         visited[s] |= r->ran[s] > 0;
 }
 
-// Collects the states that conditions name.
+// The context of the walk that marks the states that conditions name.
 typedef struct NamedStates {
     const Program *p;
     bool *is_named;           // by State.number - 1

@@ -75,10 +75,10 @@ static Interval interval_of_item(const ScriptItem *item, const Var *time, const 
 typedef struct Entry {
     const ScriptItem *item;
     Interval when;
-    double latest;            // the largest when.to in the subtree below this entry, itself included
+    double latest;            // the largest when.to of this entry and of the entries in its subtree
 } Entry;
 
-// Entries sorted by when.from: a binary search tree whose root is the middle of the array.
+// Entries sorted by when.from: an interval tree, a binary search tree whose root is the middle of the array.
 typedef VEC(Entry) Entries;
 
 static int compare_entries(const void *left, const void *right)
@@ -120,12 +120,13 @@ static void add_items_containing(Arena *arena, const Entry *at, size_t from, siz
     }
 }
 
-// ---- items of one moment ----
+// ---- items whose guard is true at one G only ----
 
-// Items with a guard such as `at 5 s`, sorted by its time.  A script can have one for each step, and this is a quarter of the memory of an Entry.
+// Items with a guard such as `at 5 s`, sorted by the time in the guard.  A script can have a million of them, and a pointer needs a quarter of the
+// memory of an Entry.
 typedef struct Moments {
     DueItems item;
-    uint32_t next;            // the first item that had not ended at the last search
+    uint32_t next;            // index of the first item whose time was not over at the last search
 } Moments;
 
 static double moment_of(const ScriptItem *item) { return item->guard->number; }
@@ -152,10 +153,10 @@ static void add_moments(Arena *arena, Moments *list, double now, DueItems *due)
 
 // ---- items with a period ----
 
-// An item whose guard is `every d`, in a heap by the next time.
+// An item whose guard is `every d`.  They are in a heap, ordered by `next`.
 typedef struct Periodic {
     const ScriptItem *item;
-    uint64_t next, period;    // in units of G
+    uint64_t next, period;    // in units of G: when the guard is true next; the duration d
 } Periodic;
 
 typedef VEC(Periodic) Periodics;
@@ -191,19 +192,19 @@ static void add_periodic(Arena *arena, Periodics *heap, uint64_t now, DueItems *
 
 // ---- the schedule ----
 
-enum { BY_G, BY_T, TIMES };
+enum { BY_G, BY_T, TIMES };   // the two variables of time by whose intervals entries are sorted
 
 // The items that can run in one state, or those of [all_states].
 typedef struct Group {
-    Entries by[TIMES];
+    Entries by[TIMES];        // entries with an interval of G; of T
     Moments moments;
     Periodics periodic;
 } Group;
 
 struct Schedule {
     Arena *arena;
-    const Var *time[TIMES];
-    bool grows;               // G is another one in each step
+    const Var *time[TIMES];   // G and T
+    bool grows;               // G is larger in each step than in the step before, never equal
     Group all_states;
     Group **of_state;         // by State.number - 1; NULL: the script has no section for it
     size_t states;
@@ -218,12 +219,12 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
     const Entry e = {item, when, 0};
     const Periodic p = {item, 0, item->guard->kind == EX_EVERY ? (uint64_t)item->guard->number : 0};
 
-    // The guards around an item with a period may limit it, too.  Unless they end, its period is the shorter search.
+    // An item with `every` can be inside other guards.  If these are never false for good after some G, the heap is the faster search.
     if (p.period && h->grows && !by_t && of_g.to == always.to) {
         vec_push(h->arena, &g->periodic, p);
         return;
     }
-    if (item->guard->kind == EX_AT && when.from == when.to)   // an enclosing guard can be false at that time
+    if (item->guard->kind == EX_AT && when.from == when.to)   // the interval is not one time if an enclosing guard is false at that time
         vec_push(h->arena, &g->moments.item, item);
     else
         vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
@@ -234,7 +235,7 @@ static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
 {
     uint32_t moments = 0;
 
-    if (g->by[BY_G].cap || g->moments.item.cap)               // another section of the group has already reserved the memory
+    if (g->by[BY_G].cap || g->moments.item.cap)               // an earlier section of the same state has already reserved the memory
         return;
     for (size_t i = 0; i < section->item.n; i++)
         moments += section->item.at[i]->guard->kind == EX_AT;
@@ -281,8 +282,8 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
 
     h->arena = arena;
     h->time[BY_G] = s->program->g;
-    h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has a T for each machine
-    h->grows = s->delta_t > 0 || s->by_rows;                                  // otherwise the ticks of an application are no whole units apart
+    h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has no common T, so its entries are sorted by G only
+    h->grows = s->delta_t > 0 || s->by_rows;                                  // else a tick can be shorter than a unit of G
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
     h->states = s->program->state.n;
     for (size_t i = 0; i < s->section.n; i++) {

@@ -11,7 +11,7 @@ enum { OPERANDS_MOST = 8 };           // of one leaf
 typedef struct Nodes {
     Arena *arena;
     VEC(WatchNode) node;
-    uint32_t leaf;            // index of the leaf whose operands are added
+    uint32_t leaf;            // index of the leaf whose operands are being added
 } Nodes;
 
 bool watch_same_span(Span a, Span b) { return a.src == b.src && a.at == b.at && a.len == b.len; }
@@ -66,7 +66,8 @@ static void add_node(Nodes *n, const Expr *e, WatchKind kind, unsigned depth)
 // Adds what explains the value of a leaf: the variables and calls in it, and what it compares; no calls inside another operand.
 static void add_operands(Nodes *n, const Expr *e, unsigned depth, bool is_compared, bool in_call)
 {
-    const bool is_named = e->kind == EX_NUMBER && e->span.len && !strchr("0123456789.", e->span.src->text[e->span.at]);     // by a definition
+    // the number was written as the name of a definition
+    const bool is_named = e->kind == EX_NUMBER && e->span.len && !strchr("0123456789.", e->span.src->text[e->span.at]);
     const bool explains = is_named || e->kind == EX_VAR || e->kind == EX_ROLL || is_compared || watch_held_run(e) || (e->kind == EX_CALL && !in_call);
 
     if (e->kind == EX_NUMBER && !is_named)
@@ -96,7 +97,7 @@ static void add_expression(Nodes *n, const Expr *e, unsigned depth, SmOperator j
         add_expression(n, e->arg[0], depth, e->op);
         add_expression(n, e->arg[1], depth, e->op);
         if (joined_by == e->op)
-            return;                                   // the node at `at` is its first operand
+            return;                                   // no node was added for e itself, so node[at] belongs to its first operand
     } else if (e->kind == EX_UNARY && e->op == SM_OP_NOT && !is_composed(e) && is_join(e->arg[0])) {
         add_node(n, e, WATCH_NOT, depth);
         add_expression(n, e->arg[0], depth + 1, SM_OP_COUNT);

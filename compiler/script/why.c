@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers of smc why.  One run, watched, gives the guards and their values; the step in which a variable was stored before needs a second
-// one, and so does the machine before the step, from which changes are tried.
+// The answers of smc why.  A first run of the script, in which the machine is watched, provides the guards and their values.  A second run finds the
+// step in which a variable was stored before, and another one the state of the machine before the step, from which changes are tried.
 #include "compiler/script/why.h"
 
 #include <inttypes.h>
@@ -78,10 +78,10 @@ void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, c
 typedef struct Answer {
     WhyAnswer out;
     WhyRun r;
-    const Watch *w;           // of the machine of the question
+    const Watch *w;           // the watch of the machine that the question is about
     const Program *p;
     WhyWords words;
-    const WatchStmt **guard;  // the guards and conditions of the answer that another value could have changed
+    const WatchStmt **guard;  // the statements whose guards or conditions are in the answer: other inputs are tried for these
     size_t guards;
     const Var *origin[ORIGINS_MOST];  // the variables whose values explain the answer
     size_t origins;
@@ -123,7 +123,7 @@ static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
 {
     for (size_t i = 0; i < a->guards; i++)
         if (a->guard[i] == s)
-            return;                                   // two transitions share the condition
+            return;                                   // the guard is in the answer already, because it also contains another transition
     for (uint32_t i = 0; i < s->nodes; i++) {
         WhyLine *line;
         if (s->node[i].kind == WATCH_OPERAND)
@@ -157,7 +157,7 @@ static void add_statements(Answer *a, unsigned depth, const Stmts *list)
     for (size_t i = 0; i < list->n; i++) {
         const WatchStmt *s = &a->w->stmt[list->at[i]->number];
         if (s->step != a->w->step)
-            return;                                   // an earlier transition has ended the block
+            return;                                   // the step did not execute the statement, because an earlier transition ended the block
         switch (s->stmt->kind) {
         case ST_ASSIGN:
             add_store(a, depth, s);
@@ -217,7 +217,7 @@ static void explain_transition(Answer *a, unsigned depth, const WatchStmt *s)
     if (!obstacle)
         add_line(a, WHY_TRANSITION, depth, s->stmt->span, format_in(a->r.arena, "-> %s was taken", target));
     else if (obstacle == s && s->parent && !s->parent->parent && !s->in_else && !watch_truth(s->parent, s->parent->value, 0))
-        return;                                       // the line of its only guard says this
+        return;                                       // the line of the transition's only guard already shows that it is false
     else if (why_is_blocked(obstacle))
         add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s was not taken, because %s was %s", target,
                  why_quote(a->r.arena, obstacle->parent->node[0].e->span), obstacle->in_else ? "true" : "false"));
@@ -263,7 +263,7 @@ static void explain_path(Answer *a)
     }
     add_heading(a, format_in(a->r.arena, "the shortest path is %s; its first transition:", why_path_text(a->r.arena, &path)));
     explain_transitions(a, 1, path.at[1]);
-    a->r.q.to = path.at[1];                           // the answer about other values is then about this transition
+    a->r.q.to = path.at[1];                           // so that the changes that are tried are about this transition
 }
 
 // ---- where values come from ----

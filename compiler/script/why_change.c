@@ -9,8 +9,8 @@
 #include "stdlib/math.h"
 
 enum {
-    CHANGES_MOST = 6,
-    PARAMETER_STEPS_MOST = 4000000   // steps of all runs with other values of parameters
+    CHANGES_MOST = 6,                // the most changes that an answer lists
+    PARAMETER_STEPS_MOST = 4000000   // the most steps of all runs with other values of parameters together
 };
 
 // A value of a parameter that was tried.
@@ -18,20 +18,20 @@ typedef struct TriedValue { const Var *var; uint64_t cell; } TriedValue;
 
 // ---- the machine before the step ----
 
-// An engine that remembers the state of its machine, and the writes of the script, before one step.
+// An engine that saves the state of its machine, and the writes of the script, just before the step in question.
 typedef struct Before {
     Engine engine;
     Engine *ref;
-    Engine *saved, *again;    // the machine before the step; an engine that runs the step again with other inputs
-    EngineWrite *write, *tried;       // what the script writes before the step; the same with one change
+    Engine *saved, *again;    // the machine before the step in question; an engine that runs that step again with other inputs
+    EngineWrite *write, *tried;       // what the script writes before that step; the same with one change
     uint32_t writes;
-    uint64_t step;            // the number of that step
-    const WhyRun *run;
-    const WhyRun *result;     // the run whose outcome is to be changed
+    uint64_t step;            // number of the step in question
+    const WhyRun *run;        // the run in which the state is saved
+    const WhyRun *result;     // the run of the question, with the outcome that is to be changed
     EngineStep answer;
     VEC(TriedValue) parameter;
-    uint64_t parameter_steps; // of the runs with these
-    bool is_cut;              // a further cause did not fit into the table
+    uint64_t parameter_steps; // number of steps of the runs with the values in `parameter`
+    bool is_cut;              // not all values of parameters were tried, because of PARAMETER_STEPS_MOST
 } Before;
 
 // Sets a variable before the step.  A later write of a variable replaces an earlier one.
@@ -104,14 +104,14 @@ static bool is_asked(const Before *b, const WhyChange *c)
 
 // ---- a parameter ----
 
-// An engine that notes which state its machine runs in the step.
+// An engine that notes which state its machine runs in the step in question.
 typedef struct Noting {
     Engine engine;
     Engine *ref;
     const WhyRun *run;
-    uint64_t step;            // the number of that step
-    uint32_t next;            // the state of the machine's next step
-    uint32_t state;           // number of the state that the step ran; 0: the machine has not run the step
+    uint64_t step;            // number of the step in question
+    uint32_t next;            // State.number of the state that the machine's next step runs
+    uint32_t state;           // State.number of the state that the step in question ran; 0: the machine has not run that step
 } Noting;
 
 static EngineStatus noting_init(Engine *e, uint32_t state, EngineStep *out)
@@ -152,7 +152,7 @@ static bool can_try_parameter(Before *b, const WhyChange *c)
 {
     for (uint32_t i = 0; i < b->parameter.n; i++)
         if (b->parameter.at[i].var == c->var && b->parameter.at[i].cell == c->cell)
-            return false;                             // two conditions have the limit in common
+            return false;                             // the value has been tried for another condition with the same limit
     b->is_cut |= b->parameter_steps + b->step > PARAMETER_STEPS_MOST;
     return !b->is_cut;
 }
@@ -252,7 +252,7 @@ static double next_value(SmType type, double x, int side)
         return side > 0 ? sm_floor(x) + 1 : -(sm_floor(-x) + 1);
     if (x == 0)
         return ref_read(type, side > 0 ? 1 : type == SM_F32 ? UINT64_C(0x80000001) : UINT64_C(0x8000000000000001));
-    if (ref_read(type, cell) != x)                    // x is no F32: the nearest F32 is above or below
+    if (ref_read(type, cell) != x)                    // x is not a value of F32, and the nearest F32 is above or below x
         return (side > 0) == (ref_read(type, cell) > x) ? ref_read(type, cell) : next_value(type, ref_read(type, cell), side);
     return ref_read(type, away ? cell + 1 : cell - 1);
 }
@@ -265,7 +265,7 @@ static void try_around(Before *b, const Var *v, double limit, WhyChanges *out)
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         const double x = sides[i] ? next_value(v->type, limit, sides[i]) : limit;
         const uint64_t cell = ref_convert(v->type, x);
-        if (x - x == 0 && ref_read(v->type, cell) == x)            // no input is infinite
+        if (x - x == 0 && ref_read(v->type, cell) == x)            // infinite values are not tried as inputs
             try_value(b, v, cell, limit, sides[i], out);
     }
 }

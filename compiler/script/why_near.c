@@ -37,7 +37,7 @@ bool why_gap(const WatchStmt *s, uint32_t leaf, double *gap)
         if (!(part >= 0 && part - part == 0))
             return false;
         if (truth && any)
-            *gap = part < *gap ? part : *gap;         // an `and` is false if one of its parts is: the nearest part counts
+            *gap = part < *gap ? part : *gap;         // a true chain becomes false if one of its comparisons does: the smallest gap decides
         else if (truth || !is_true_for(e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op, x, y))
             *gap += part;
         any = true;

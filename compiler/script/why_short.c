@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The short form of smc why, for the report of a run that failed: the statements that stored the variables of the condition, and why a machine is not
-// in the state that it demands.
+// The short form of smc why, for the report of a run that failed: the statements that stored the variables of the failed condition, and why a machine
+// is not in a state that this condition demands.
 #include "compiler/script/script_run.h"
 #include "compiler/script/why_paths.h"
 #include "compiler/script/why_words.h"
@@ -8,7 +8,7 @@
 typedef struct WhyShort {
     const ScriptRun *failed;
     Diag *d;
-    const Watch *w;           // of one machine
+    const Watch *w;           // the watch of machine number `machine`
     WhyWords words;
     size_t machine;
     size_t notes;
@@ -29,8 +29,9 @@ static const Var *variable_of(const Program *p, size_t machine, const Var *v)
 
 // ---- what is watched ----
 
-enum { WATCHED_MOST = 3 };            // variables of a condition
+enum { WATCHED_MOST = 3 };            // the most variables of a condition that are explained
 
+// The variables of a condition that a machine stores; has_state: the condition also reads S.
 typedef struct Watched { const Var *at[WATCHED_MOST]; size_t n; bool has_state; } Watched;
 
 // Adds the variables of a condition that a machine assigns.
@@ -92,7 +93,7 @@ static void add_store(WhyShort *n, const Var *v)
     add_note(n, s->stmt->span, buf_text(&text));
 }
 
-// Returns the part of a false guard that is missing: of an `and` the first operand that is false.
+// Returns a false guard in words; of an `and` only its first false operand.
 static const char *missing_part(const WhyShort *n, const WatchStmt *guard)
 {
     uint32_t i = 0;

@@ -8,7 +8,7 @@
 #include "compiler/diag/diag.h"
 #include "compiler/script/script.h"
 
-enum { QUOTE_MOST = 60 };             // bytes of a quoted source
+enum { QUOTE_MOST = 60 };             // the most bytes of source that are quoted
 
 const char *why_quote(Arena *arena, Span span)
 {
@@ -19,7 +19,7 @@ const char *why_quote(Arena *arena, Span span)
     buf_init(&out, arena);
     while (n < span.len && n < QUOTE_MOST && s[n] != '\n' && s[n] != '\r' && s[n] != '#')
         n++;
-    while (n < span.len && n > 0 && (s[n] & 0xC0) == 0x80)           // not inside a character
+    while (n < span.len && n > 0 && (s[n] & 0xC0) == 0x80)           // do not cut inside a UTF-8 character
         n--;
     buf_char(&out, '`');
     diag_put_printable(&out, s, n);
@@ -118,7 +118,7 @@ static SmOperator mirrored(SmOperator op)
     }
 }
 
-// A comparison of what changes with a limit, and the values of both.
+// A comparison `left op limit`, where `limit` does not change, and the value x of `left`.
 typedef struct LimitComparison { const Expr *left; SmOperator op; double x, limit; } LimitComparison;
 
 static bool is_fixed(const Expr *e) { return e->kind == EX_NUMBER || expr_is_constant(e) || (e->kind == EX_VAR && e->var->parameter); }
