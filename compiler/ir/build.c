@@ -41,7 +41,7 @@ IrFn *build_end_function(Builder *b)
 
 // ---- statements ----
 
-// Blocks that end an arm of a conditional and whose final jump has no target yet.
+// The blocks that end an arm of a conditional; the target of their jump is set when the block after the conditional exists.
 typedef VEC(IrBlkRef) OpenBlocks;
 
 static IrJump *jump_of(Builder *b, IrBlkRef blk)

@@ -91,7 +91,7 @@ static bool check_element(IrChecker *c, const IrVar *v)
 
 // Elements are at multiples of their size, so each element is within one group of eight bytes.  A hash table records which bytes of each
 // group belong to an element that has been checked.
-typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bytes 0: an empty slot
+typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bit i of `bytes`: byte i of the group is used; 0: an empty slot
 
 static bool check_no_overlap(IrChecker *c)
 {
