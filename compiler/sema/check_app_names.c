@@ -62,7 +62,7 @@ static bool is_reserved_stem(const char *stem)
 // Reports a stem that generated C cannot use.
 static void check_stem(AppCheck *k, const char *stem, Span span)
 {
-    bool includable = true;                       // can appear in #include "…" and in a one-line comment
+    bool includable = true;                       // the name can appear in #include "…" and in a // comment
 
     for (const char *c = stem; *c; c++)
         includable = includable && (unsigned char)*c >= 0x20 && *c != 0x7f && *c != '"';

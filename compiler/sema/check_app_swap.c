@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks where a running application is reached (docs/config.md 10.25, 10.26).
+// Checks the path, address or line on which a running application accepts swaps, and its key (docs/config.md 10.25, 10.26).
 #include "compiler/sema/app_check.h"
 
 #include <string.h>

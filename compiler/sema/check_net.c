@@ -90,7 +90,7 @@ static bool check_address(NetCheck *k, const AstWord *word, uint8_t *ip, uint16_
     if (good && port && *s == ':')
         s++;
     else if (good && port && s != word->text->text)
-        good = false;                         // an address without a port
+        good = false;                         // an address must be followed by a port
     if (good && port) {
         good = read_number(&s, 65535, &n) && n >= 1;
         *port = (uint16_t)n;
@@ -205,7 +205,7 @@ static bool can_count(const NetChannel *c, NetCount count)
     case NET_COUNT_sent: case NET_COUNT_lost:            return c->is_send;
     case NET_COUNT_full: case NET_COUNT_unconnected:     return c->is_send && net_is_tcp(c);
     case NET_COUNT_connected: case NET_COUNT_broken:     return net_is_tcp(c);
-    case NET_COUNT_long_:                                return !c->is_send && !net_is_tcp(c);      // a stream has no lengths
+    case NET_COUNT_long_:                                return !c->is_send && !net_is_tcp(c);      // a stream has no datagrams
     default:                                             return !c->is_send;
     }
 }
@@ -422,7 +422,7 @@ static void finish_message(NetCheck *k, const AstNetChannel *in, NetChannel *out
         diag_report(k->d, DIAG_net_too_long, out->span, out->name->text, format_in(k->c->arena, "%lu", (unsigned long)out->size));
 }
 
-// ---- channels that are confused, messages that return ----
+// ---- channels that cannot be distinguished, messages that return to their sender ----
 
 static bool is_any(const uint8_t *ip) { return (ip[0] | ip[1] | ip[2] | ip[3]) == 0; }
 
@@ -500,7 +500,7 @@ static void check_channel(NetCheck *k, const AstNetChannel *in)
 
 Network *check_net(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
-    enum { GUESSES = 30, MOST = 250 };            // a handle of a socket is a byte
+    enum { GUESSES = 30, MOST = 250 };            // the most suggestions; the most sockets, whose handles are bytes
     size_t errors = c->diags->errors_seen;
     NetCheck k;
 

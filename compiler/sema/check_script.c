@@ -15,7 +15,7 @@ typedef struct ScriptCheck {
     Script *script;
     Str delta_t, init_state, seed, set;   // the names of the options
     bool has_delta_t, has_stop;
-    uint32_t items, asserts;      // how many items and asserts have been checked
+    uint32_t items, asserts;      // number of items, and of asserts, that have been checked so far
     bool proposes_guards;         // CheckContext.proposes_guards
     size_t errors;                // Diags.errors_seen when this check began
     Map section;                  // state name to the Span of its section in the current file
@@ -138,7 +138,7 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         if (o->word && k->s.p->step > 0)
             diag_note(k->s.diags, diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the machine declares a step"), k->s.p->step_span,
                       DIAG_note_declared_here, "step");
-        if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
+        if (k->script->delta_t == 0 && o->number)                                     // without a number the parser has reported the option
             diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
         check_declared_step(k, o);
         k->s.step = k->script->delta_t;
@@ -319,7 +319,7 @@ static void check_conditional(ScriptCheck *k, const AstStmt *in, const ScriptIte
 {
     ScriptItem *item = add_item(k, parent, otherwise);
 
-    k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
+    k->s.searched_left = NULL;                // it may point into the freed tree of an earlier item, at an address that is used again
     warn_of_time_as_guard(&k->s, in->value);
     item->guard = check_guard(&k->s, in->value);
     item->by_time = in->value->kind == AST_WHEN;
@@ -428,7 +428,7 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
         warn_of_missed_time(k, e, e->var, e->number);
 }
 
-// Whether G is a multiple of delta_t in every step.
+// Whether G is certain to be a multiple of delta_t in every step.
 static bool has_regular_times(const ScriptCheck *k) { return k->script->delta_t > 0 && starts_at_zero(k->s.p); }
 
 // Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts

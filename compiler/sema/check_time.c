@@ -210,7 +210,7 @@ void check_time_options(Sema *s, Program *p, const AstFile *sm)
 
 // ---- applications ----
 
-// Reports a machine whose meaning depends on the unit of G, or that has a step, in an application with another unit or rate.
+// Reports a machine whose behaviour depends on the unit of G, or that declares a step, in an application with another unit or period.
 // `unit`, `period`: in nanoseconds; 0: unknown.
 void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period)
 {

@@ -131,7 +131,7 @@ static void add_use(Sema *s, Define *d, const AstExpr *use)
 // Builds the expression of a definition that `use` names. The root has the span of the use, because messages quote what the user wrote there.
 Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
 {
-    const bool own = !s->in_script || d->number >= s->p->define.n;    // a script does not change its machine
+    const bool own = !s->in_script || d->number >= s->p->define.n;    // false: a script uses a definition of its machine, and does not change it
     Define *outer = s->inside;
     Expr *out;
 

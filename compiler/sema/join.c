@@ -3,13 +3,13 @@
 
 #include <string.h>
 
-// The Program of an application, while its machines are added to it.
+// The construction of the Program of an application.
 typedef struct Join {
     const CheckContext *c;
     const App *app;
     Program *p;
     Joint *joint;
-    Var **element;            // by Element.index: its variable
+    Var **element;            // by Element.index: the variable of the joined Program
 } Join;
 
 static Str dotted_name(Join *k, Str machine, Str name) { return str_c(k->c->strings, format_in(k->c->arena, "%s.%s", machine->text, name->text)); }

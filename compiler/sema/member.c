@@ -59,7 +59,7 @@ static void report_unknown_member(Sema *s, const Dotted *d, Span span, bool is_s
     guess_add_label(s->diags, diag_report(s->diags, DIAG_member_unknown, span, d->machine->text, is_state ? "state" : "variable", d->rest->text), &g);
 }
 
-// What a name without a machine can be: a part of machines, in a section's header a state, or a state in an expression.
+// Where a name without a machine is, which decides what it can mean: a variable, a state in a section's header, or a state in an expression.
 typedef enum Bare { BARE_VARIABLE, BARE_SECTION, BARE_STATE } Bare;
 
 // Reports `T`, which the machines have. Returns false if no machine has the name.
