@@ -6,7 +6,7 @@
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 
-// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: a space.
+// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: the character is a space.
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
     {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
     {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
@@ -83,7 +83,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
         len++;
     }
     if (like < NO_LOOKALIKE && lookalikes[like].kind == TOK_ARROW && !l->stores && hint_follows_value(l, l->first))
-        ascii = ": ->";                         // x > 5 → Vent
+        ascii = ": ->";                         // the user wrote `x > 5 → Vent`
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);

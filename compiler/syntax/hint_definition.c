@@ -5,9 +5,10 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/lexer.h"
 
-enum { ARGUMENTS_MAX = 4, SEARCHES_MAX = 20 };    // later errors search no use, so that hostile text cannot cost quadratic time
+// The most arguments; the most errors in a file that search for uses, so that hostile text cannot cost quadratic time.
+enum { ARGUMENTS_MAX = 4, SEARCHES_MAX = 20 };
 
-// ArgumentList between parentheses: those of the definition, or of a use.
+// The names or values between the parentheses of a definition or of a use.
 typedef struct ArgumentList {
     Span whole;               // `(x, y)`
     Span at[ARGUMENTS_MAX];

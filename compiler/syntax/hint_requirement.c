@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints in requirements: sentences about time and consequences that are spelled otherwise here, as in `always a implies b within 1 s`.
+// Hints in requirements: other languages' spellings of time limits and consequences, as in `always a implies b within 1 s` for `leads to`.
 #include <string.h>
 
 #include "compiler/syntax/hint_rules.h"

@@ -150,6 +150,6 @@ HintResult hint_report_untyped_decl(HintCase *c)
         end--;
     text = format_in(p->arena, "%.*s", (int)(end - p->ahead.at), text + p->ahead.at);
     diag_label(p->diags, d, DIAG_label_type_instead, text, text);
-    parser_advance(p);                          // the word is the first of its line: parser_skip_line stops before such a token
+    parser_advance(p);                          // parser_skip_line would stop before the first token of a line, which the word is
     return HINT_SKIPPED;
 }

@@ -18,7 +18,7 @@ static const Word words[] = {
 #undef SM_TYPE
 };
 
-static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // 1 + the row, from lex_init
+static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init sets mark to 1 + the row of `words`
 
 typedef struct Punctuator {
     const char *spelling;
@@ -259,7 +259,9 @@ static void lex_header(Lexer *l, Token *t)
     while (from < to && (s[from] == ' ' || s[from] == '\t'))
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
-    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && !(l->script && lex_is_member(s + l->at + 1, end - l->at - 1)) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
+    // After =, as in `x = [1, 2]`, the parser reports that the value is missing.
+    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && !(l->script && lex_is_member(s + l->at + 1, end - l->at - 1))
+        && (t->first || l->last != TOK_ASSIGN))
         hint_report_malformed_token(l, t, TOK_HEADER, end);
     lexer_finish_token(l, t, TOK_HEADER, end + 1);
 }

@@ -223,7 +223,7 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
 
     e->name = name;
     e->header = header;
-    if (lex_is_header_name(name.text->text, name.text->len) &&          // otherwise the lexer has reported the header
+    if (lex_is_header_name(name.text->text, name.text->len) &&          // the lexer has reported any other header
         (!lex_is_identifier(name.text->text, name.text->len) || lex_find_reserved(name.text, &reserved)))
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);

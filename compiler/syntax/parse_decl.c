@@ -90,7 +90,7 @@ static void parse_initial_value(Parser *p, AstDecl *d)
     TokenKind kind = p->tok.kind;
 
     if (kind != TOK_ASSIGN && d->type == SM_TYPE_COUNT && !hint_find_synonym(HINT_TYPES, parser_text(p, d->type_span))) {
-        p->failed = true;                      // the type is reported, and may be no type at all
+        p->failed = true;                      // the unknown type is reported; it may be no type, so nothing more is parsed
         return;
     }
     if (kind != TOK_ASSIGN) {
@@ -235,7 +235,7 @@ void parse_definitions(Parser *p, AstSection *s)
 
 typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_COUNT, TAKES_NAME, TAKES_SETTING } OptionTakes;
 
-// in: by FileKind, whether a file of this kind can have the option.
+// The options of all files. `in`: by FileKind, whether a file of this kind can have the option.
 static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
 #define OPTION(name, takes, in_sv, in_sm, in_ss) {#name, TAKES_##takes, {[FILE_SV] = in_sv, [FILE_SM] = in_sm, [FILE_SS] = in_ss}},
 #include "compiler/syntax/section_options.def"

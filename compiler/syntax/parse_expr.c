@@ -158,7 +158,7 @@ static AstExpr *parse_steps(Parser *p, AstExpr *a)
 
 static AstExpr *parse_call(Parser *p)
 {
-    bool has_error = false;                            // in an argument, reported by the lexer
+    bool has_error = false;                            // an argument contains an error that the lexer has reported
     AstExpr *e = new_expr(p, AST_CALL, parser_token_span(p));
     Span open;
 
