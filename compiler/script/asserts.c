@@ -56,7 +56,7 @@ static bool is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
-// Returns G where it is written at the beginning of an EX_AT.
+// Returns an expression for the variable G in an EX_AT such as `G == 500`, with the position of its name.
 static const Expr *time_of_at(Arena *arena, const Expr *at)
 {
     Expr *g = ARENA_NEW(arena, Expr);
@@ -187,7 +187,7 @@ static void fail_pending(ScriptRun *r, const PendingExpect *e)
     fail_assert(r, e->item, &e->item->asserts.at[e->assert]);
 }
 
-// Whether no later step can meet an @expect: the next one is after its time.
+// Whether no later step can meet an @expect, because the next step is after its time limit.
 static bool is_expired(const ScriptRun *r, const PendingExpect *e)
 {
     const uint64_t next = run_next_g(r, e->item->machine);
@@ -241,7 +241,7 @@ static void begin_expect(ScriptRun *r, const NotedAssert *note)
     vec_push(r->arena, &r->pending, e);
 }
 
-// Evaluates an assert that is due after this step.
+// Evaluates an assert that was noted in this step.
 static void evaluate_assert(ScriptRun *r, const NotedAssert *note)
 {
     const ScriptAssert *a = &note->item->asserts.at[note->assert];
@@ -352,7 +352,7 @@ static bool has_assert(const Script *s)
     return false;
 }
 
-// A run that failed has evaluated fewer asserts than it could, so the others are not reported.
+// After a failed run nothing is reported, because it ended before it could evaluate the other asserts.
 void assert_report_unevaluated(const ScriptRun *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)

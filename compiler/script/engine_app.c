@@ -34,13 +34,13 @@ typedef struct AppEngine {
 
 // ---- one machine ----
 
-// Takes over a variable of the machine after its step, or after init.
+// Copies variable v of a machine to the variables of the application, after the machine's step or init.
 static void copy_variable(AppEngine *a, const MachineOfApp *m, size_t v)
 {
     a->cell[m->member->var[v]->index] = m->answer.cell[v];
 }
 
-// Takes over what the machine has stored, its locals and its T.
+// Copies the elements that the machine has stored, its locals and its T to the variables of the application.
 static void copy_results(AppEngine *a, const MachineOfApp *m)
 {
     const Program *p = m->member->program;
@@ -89,7 +89,7 @@ static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
     return ENGINE_OK;
 }
 
-// Keeps a value that the script writes to a local of a machine.
+// Adds a value that the script writes to a local of a machine to the writes of the machine's next step.
 static void write_local(MachineOfApp *m, const Var *v, uint64_t cell)
 {
     const Program *p = m->member->program;
@@ -107,7 +107,7 @@ static void write_local(MachineOfApp *m, const Var *v, uint64_t cell)
     m->write[elements + m->writes++] = (EngineWrite){local, cell};
 }
 
-// Decides in ticks of recorded data whether a machine is due: in the first one, and where a period of it has ended.
+// Decides whether a machine is due if rows of recorded data are ticks: in the first tick, and if one of its periods has ended since the last tick.
 static void wait_for_period(const AppEngine *a, MachineOfApp *m)
 {
     const uint64_t periods = joint_periods_until(a->p->joint, m->member->every, a->cell[a->p->g->index]);
@@ -118,7 +118,7 @@ static void wait_for_period(const AppEngine *a, MachineOfApp *m)
 
 // ---- all machines ----
 
-// Writes a variable of the application.
+// Writes a variable of the application, and if it is a local, passes the value to its machine.
 static void write_variable(AppEngine *a, EngineWrite w)
 {
     const Var *v = a->p->var.at[w.var];
@@ -179,7 +179,7 @@ static EngineStatus init_machine(AppEngine *a, MachineOfApp *m)
     return ENGINE_OK;
 }
 
-// The initial states are those of the .app, so `state` has no meaning.
+// Starts all machines.  `state` is ignored, because the .app declares their initial states.
 static EngineStatus app_init(Engine *e, uint32_t state, EngineStep *out)
 {
     AppEngine *a = e->self;

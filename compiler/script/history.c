@@ -237,7 +237,7 @@ static void add_stop_notes(const ScriptRun *r, Diag *d)
     }
 }
 
-// Adds the last steps and transitions to d, which reports a run that ended badly.
+// Adds notes with the last steps and transitions to d, which reports a run that failed.
 void history_add(ScriptRun *failed, Diag *d)
 {
     History *h = ARENA_NEW(failed->arena, History);

@@ -17,11 +17,11 @@ typedef struct WindowMemory {
     bool ran;
 } WindowMemory;
 
-// A situation is a Memory for each requirement, a WindowMemory for each window, and the samples.
+// A situation consists of a Memory for each requirement, then a WindowMemory for each window, then the samples of all windows.
 static Memory *memories_of(void *situation) { return situation; }
 static WindowMemory *window_memories(const Monitor *m, void *situation) { return (WindowMemory *)(memories_of(situation) + m->what->at.n); }
 
-// Gives each window that is used its place in a situation.
+// Computes the offset of the samples of each used window in a situation, and the size of a situation.
 static void place_windows(Monitor *m)
 {
     m->size = m->what->at.n * sizeof(Memory) + m->windows.n * sizeof(WindowMemory);
@@ -75,7 +75,7 @@ void monitor_start(const Monitor *m, void *situation) { memset(situation, 0, m->
 
 // ---- the windows of a situation ----
 
-// Takes the windows of the requirements from a saved situation.
+// Sets m->windows to the windows of a situation.
 static void load_windows(Monitor *m, void *situation)
 {
     for (size_t i = 0; i < m->windows.n; i++) {
@@ -144,13 +144,14 @@ static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool 
     return result_of(b && passed <= within);
 }
 
-// Decides condition e, which is number i of its requirement. The state of a machine that did not step in this tick does not count.
+// Whether condition e, which is number i (0: a, 1: b, 2: c) of requirement r, is true. A condition about the state of a machine is false in a tick in
+// which the machine did not step.
 static bool is_true(const Monitor *m, const Requirement *r, int i, const Expr *e, const uint64_t *cell)
 {
     return e && (r->machine[i] == 0 || m->ran[r->machine[i] - 1]) && ref_true(ref_eval(e, cell, &m->windows));
 }
 
-// Judges one requirement after a step; `mem` has what it remembers of earlier steps.
+// Judges one requirement after a step; `mem`: what is remembered of earlier steps for it.
 static MonitorResult judge_requirement(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
 {
     const bool a = is_true(m, r, 0, r->a, cell), b = is_true(m, r, 1, r->b, cell);

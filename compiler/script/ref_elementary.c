@@ -99,7 +99,7 @@ static Sum quotient(Sum a, Sum b)
     return s;
 }
 
-// The product of a sum and a constant that is `first` + `second`, and rounded `all`.
+// Returns the product of a and the constant first + second; `all` is this constant rounded to one double.
 static Sum product(Sum a, double first, double second, double all)
 {
     const double head = first_bits(a.big);
@@ -108,7 +108,7 @@ static Sum product(Sum a, double first, double second, double all)
     return s;
 }
 
-// c[0] + c[1] z + ...: even and odd powers apart, each by Horner's rule in z^2.
+// Returns c[0] + c[1] z + ... + c[n - 1] z^(n - 1): the sums of the even and of the odd powers, each by Horner's rule in z^2.
 static double polynomial(const double *c, int n, double z)
 {
     double part[2] = {0, 0};
@@ -153,7 +153,7 @@ static const double log_c[8] = {
     0x1.3b1395b5f08cdp-3, 0x1.1118cd53af741p-3, 0x1.df7bbec160c99p-4, 0x1.e038702fa10fcp-4
 };
 
-// s (base + z (first + second + w)), docs/elementary.md, Pairs.
+// Returns s (base + (z + z_rest) (first + second + w)), as docs/elementary.md, Pairs, specifies.
 static Sum series(Sum s, double z, double z_rest, double base, double first, double second, double w)
 {
     const double p = first_bits(first + w), p_rest = (first - p) + (second + w), head = first_bits(z);
@@ -188,7 +188,7 @@ static Sum log_of_mantissa(double x, double *e)
     return series(s, z, z_rest, 2, 0x1.5555555555555p-1, 0x1.5555555555555p-55, w);
 }
 
-// Whether log x needs no computation; *y is then its value.
+// Whether the logarithm of x is special, because x is not a positive finite number; *y is then the result.
 static bool is_simple_log(double x, double *y)
 {
     *y = is_nan(x) ? x : x == 0 ? -make_infinity() : x < 0 ? make_nan() : x;
@@ -245,7 +245,7 @@ static double pow_of_positive(double x, double y)
     return exp_of_sum(s.big, s.small);
 }
 
-// Whether y is a whole number, infinity included; whether it is an odd one.  From 2^53 on all are even.
+// is_whole: whether y is a whole number or infinite.  is_odd: whether y is an odd whole number; from 2^53 on every double is even.
 static bool is_whole(double y) { return magnitude(y) >= two_to(52) || (double)(int64_t)y == y; }
 static bool is_odd(double y) { return magnitude(y) < two_to(53) && is_whole(y) && (int64_t)y % 2 != 0; }
 
@@ -453,7 +453,7 @@ static const double arc[4][2] = {
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 };
 
-// The angle of the point (x, y), both at least 0; `left`: x is to the left of the origin.
+// Returns the angle of the point (x, y), or with `left` of (-x, y).  x and y are at least 0.
 static double angle_of_point(Sum y, Sum x, bool left)
 {
     const bool steep = y.big > x.big;
@@ -539,7 +539,7 @@ static Sum square_root(Sum x)
     return root;
 }
 
-// sqrt(1 - x^2) of x from 0 to 1.
+// Returns sqrt(1 - x^2), for x from 0 to 1, as a sum of two doubles.
 static Sum other_leg(double x)
 {
     const Sum sum = sum_of(1, x), difference = sum_of(1, -x);

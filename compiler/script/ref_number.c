@@ -67,7 +67,8 @@ static double power_of_two(unsigned n)
     return n < 64 ? (double)((uint64_t)1 << n) : 18446744073709551616.0;          // n <= 64
 }
 
-// A C cast from double to integer truncates toward zero.  It is undefined outside the integer's range.
+// Converts x to a signed integer of this many bits: truncated, and saturated; NaN becomes 0.  A C cast truncates, but is undefined outside
+// the integer's range.
 static uint64_t to_signed(double x, unsigned bits)
 {
     uint64_t half = (uint64_t)1 << (bits - 1);
@@ -94,7 +95,8 @@ static uint64_t to_unsigned(double x, unsigned bits)
     return (uint64_t)x;
 }
 
-// A C cast rounds to nearest even if the result is in range.  FLT_MAX plus half a unit in the last place is already out of range.
+// Converts x to a cell of F32.  A C cast rounds to nearest even if the result is in range.  FLT_MAX plus half a unit in the last place is out of
+// range, and becomes infinity.
 static uint64_t to_f32(double x)
 {
     const double limit = 0x1.ffffffp127;              // 2^128 - 2^103; FLT_MAX is 2^128 - 2^104

@@ -52,7 +52,7 @@ static size_t add_column(Cursor *c, const ScriptColumn *in)
     return i;
 }
 
-// Adds a reading position in the recorded file: columns with another delay are read at another time, each from its own position.
+// Adds a cursor: columns with different delays are read at different times, so each delay has its own position in the file.
 static Cursor *add_cursor(Replay *r, uint64_t delay)
 {
     Cursor *c = ARENA_NEW(r->arena, Cursor);
@@ -67,7 +67,7 @@ static Cursor *add_cursor(Replay *r, uint64_t delay)
     return c;
 }
 
-// Returns the cursor of a @compare.
+// Returns the cursor for a delay; adds it if no @compare before has this delay.
 static Cursor *find_cursor(Replay *r, uint64_t delay)
 {
     for (size_t i = 0; i < r->cursors; i++)
@@ -76,7 +76,7 @@ static Cursor *find_cursor(Replay *r, uint64_t delay)
     return add_cursor(r, delay);
 }
 
-// Adds the reading positions that the columns of the script need.
+// Adds the cursors that the columns of the script need, and opens nothing.
 static void add_cursors(Replay *r)
 {
     Cursor *first = add_cursor(r, 0);
@@ -135,7 +135,7 @@ static bool open_cursor(const Replay *r, Cursor *c)
     return report_error(r, c);
 }
 
-// Moves a cursor to a time.
+// Moves a cursor to a time, so that c->now is the last row at or before it.
 static bool move_cursor(const Replay *r, Cursor *c, uint64_t time)
 {
     const double t = ref_read(SM_U64, time);
@@ -148,7 +148,7 @@ static bool move_cursor(const Replay *r, Cursor *c, uint64_t time)
     return true;
 }
 
-// Returns the value of a column at a time at which the cursor is; NaN: it has none.
+// Returns the value of column i at time t, to which the cursor has been moved; NaN: the column has no value there.
 static double interpolate(const Cursor *c, size_t i, double t)
 {
     const double a = c->now.value[i], b = c->has_next ? c->next.value[i] : a, from = c->now.time;

@@ -71,8 +71,8 @@ static bool is_whole(double x)
     return x > -9007199254740992.0 && x < 9007199254740992.0 && x == (double)(int64_t)x && !(x == 0 && 1 / x < 0);
 }
 
-// Searches for the least precision that reads back as x.  For a normal number the search starts at 15 digits, because %.15g prints no
-// superfluous zeros; fewer digits may identify a subnormal number, so its search starts at 1.
+// Tries increasing numbers of digits until the text reads back as x.  For a normal number it starts at 15 digits, because %.15g prints no
+// superfluous zeros; fewer digits may identify a subnormal number, so for that it starts at 1.
 void format_number_shortest(Buf *out, double x)
 {
     const bool is_normal = x >= 2.2250738585072014e-308 || x <= -2.2250738585072014e-308;

@@ -38,7 +38,7 @@ static void add_window(Arena *arena, Pieces *list, RefWindow *w)
     add_piece(arena, list, samples, ref_window_samples(w->what) * sizeof(uint64_t));
 }
 
-// Lists the memory whose size does not change in the run.
+// Lists the pieces of the run's memory that steps change and whose size is constant during the run.
 static Pieces list_pieces(ScriptRun *r)
 {
     Pieces list = {0};

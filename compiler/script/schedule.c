@@ -59,7 +59,7 @@ static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell
     return all;
 }
 
-// Returns an interval of the variable `time` outside which the item does not run: its guard is false, or one around it.
+// Returns an interval of the variable `time` outside which the item does not run, because its guard or an enclosing one is false.
 static Interval interval_of_item(const ScriptItem *item, const Var *time, const uint64_t *cell)
 {
     Interval all = interval_of(item->guard, time, cell);
@@ -140,7 +140,7 @@ static int compare_moments(const void *left, const void *right)
     return (*a)->number < (*b)->number ? -1 : 1;
 }
 
-// Adds to `due` the items of the moment `now`.  Searches from the last moment on, because time advances from call to call.
+// Adds to `due` the items whose guard is true at G = now.  Searches from where the last call ended, because G advances from call to call.
 static void add_moments(Arena *arena, Moments *list, double now, DueItems *due)
 {
     if (list->next > 0 && moment_of(list->item.at[list->next - 1]) >= now)
@@ -161,7 +161,7 @@ typedef struct Periodic {
 
 typedef VEC(Periodic) Periodics;
 
-// Moves the entry at `i` down to its place, after its time has grown.
+// Restores the order of the heap after the time of the entry at `i` has increased.
 static void sift_down(Periodics *heap, size_t i)
 {
     const Periodic moved = heap->at[i];
@@ -176,7 +176,7 @@ static void sift_down(Periodics *heap, size_t i)
     heap->at[i] = moved;
 }
 
-// Adds to `due` the items of which `now` is a multiple of the period.  `now` grows from call to call, and steps in between may be left out.
+// Adds to `due` the items for which `now` is a multiple of the period.  `now` increases from call to call; not every step makes a call.
 static void add_periodic(Arena *arena, Periodics *heap, uint64_t now, DueItems *due)
 {
     while (heap->n > 0 && heap->at[0].next <= now) {
@@ -230,7 +230,7 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
         vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
 }
 
-// Reserves memory for the items of a section: moments, and entries by G for others, also those without a limit on time.
+// Reserves memory for the items of a section: for those with `at` in `moments`, for all others in the entries by G.
 static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
 {
     uint32_t moments = 0;
@@ -245,7 +245,7 @@ static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
     g->by[BY_G].at = ARENA_ARRAY(h->arena, Entry, g->by[BY_G].cap);
 }
 
-// Sorts a list that is not in order; that of a script that is written in order of time is.  Some qsorts need as much memory again.
+// Sorts a list, unless it is in order already, as in a script that is written in order of time: some qsorts need as much memory again.
 static void sort_list(void *list, size_t n, size_t size, int (*compare)(const void *, const void *))
 {
     for (size_t i = 1; i < n; i++)
@@ -339,7 +339,7 @@ void schedule_find_due(Schedule *h, const State *const *state, size_t n, const u
         qsort(due->at, due->n, sizeof *due->at, compare_items);
 }
 
-// Lets periodic items of the group start again.
+// Resets the next times of the group's periodic items to 0.
 static void rewind_group(Group *g)
 {
     for (size_t i = 0; g && i < g->periodic.n; i++)

@@ -170,7 +170,7 @@ static void init_engines(ScriptRun *r)
         r->cell[r->s->local.at[i]->index] = r->s->local.at[i]->init;
 }
 
-// Sets the start of the state of each machine that ran: T is the time since then.
+// In an application, sets the time at which the state of each machine that ran began: G minus T.
 static void update_starts(ScriptRun *r)
 {
     for (size_t i = 0; r->p->joint && i < r->machines; i++)
@@ -234,7 +234,7 @@ uint64_t run_next_g(const ScriptRun *r, uint32_t machine)
     return r->g < UINT64_MAX - r->s->delta_t ? r->g + r->s->delta_t : UINT64_MAX;
 }
 
-// Sets how many ticks each machine waits from the next one on, which is at `next`.
+// Sets how many ticks each machine waits, counted from the next tick, in which G is `next`.
 static void advance_waits(ScriptRun *r, uint64_t next)
 {
     const Joint *j = r->p->joint;
@@ -448,7 +448,7 @@ void run_to_the_end(ScriptRun *r)
     run_end(r);
 }
 
-// Reports that the data ended before a @stop.  If it cannot be read instead, that has been reported.
+// Reports that the data ended before a @stop.  An error in reading the data has been reported already.
 static void report_data_ended(ScriptRun *r)
 {
     if (r->data_ended)

@@ -34,7 +34,7 @@ typedef struct Before {
     bool is_cut;              // not all values of parameters were tried, because of PARAMETER_STEPS_MOST
 } Before;
 
-// Sets a variable before the step.  A later write of a variable replaces an earlier one.
+// Adds a write to b->write.  A later write of the same variable replaces the earlier one.
 static void add_write(Before *b, uint32_t var, uint64_t cell)
 {
     uint32_t i = 0;
@@ -88,7 +88,7 @@ static Engine *wrap_to_save_step(void *context, WhyRun *r, Engine *ref)
 // Returns the engine after the step whose outcome is to be changed.
 static const Engine *outcome_of(const Before *b) { return b->result->machine[b->result->q.machine]; }
 
-// Whether c, another outcome of the step, answers the question.
+// Whether the outcome of the step with change c is one that the question asks for.
 static bool is_asked(const Before *b, const WhyChange *c)
 {
     const WhyQuestion *q = &b->result->q;
@@ -147,7 +147,7 @@ static Engine *wrap_noting(void *context, WhyRun *r, Engine *ref)
     return &k->engine;
 }
 
-// Whether a value of a parameter can be tried: it was not before, and there is room for the steps of a run.
+// Whether a value of a parameter can be tried: it has not been tried yet, and a further run does not exceed PARAMETER_STEPS_MOST.
 static bool can_try_parameter(Before *b, const WhyChange *c)
 {
     for (uint32_t i = 0; i < b->parameter.n; i++)
@@ -157,7 +157,8 @@ static bool can_try_parameter(Before *b, const WhyChange *c)
     return !b->is_cut;
 }
 
-// Runs the script with another value of a parameter.  Returns whether the step then runs the same state with another outcome, which c then has.
+// Runs the script with another value of a parameter.  Returns whether the step then runs the same state with another outcome, and stores that
+// outcome in c.
 static bool try_parameter(Before *b, WhyChange *c)
 {
     const WhyRun *r = b->result;
@@ -191,7 +192,7 @@ static bool try_parameter(Before *b, WhyChange *c)
     return is_asked(b, c);
 }
 
-// Runs the step with the change.  Returns whether it then has another outcome, which c then has.
+// Runs the step with change c.  Returns whether the outcome then differs, and stores it in c.
 static bool try_change(Before *b, WhyChange *c)
 {
     const WhyQuestion *q = &b->result->q;
@@ -218,7 +219,7 @@ static bool try_change(Before *b, WhyChange *c)
     return is_asked(b, c);
 }
 
-// Whether a change of v is among those that change the outcome.
+// Whether `out` already contains a change of variable v.
 static bool has_change_of(const WhyChanges *out, const Var *v)
 {
     for (uint32_t i = 0; i < out->n; i++)
@@ -270,7 +271,7 @@ static void try_around(Before *b, const Var *v, double limit, WhyChanges *out)
     }
 }
 
-// Tries the operands of a comparison: each variable at the values of its neighbours.
+// Tries the variables of a comparison: each at the values with which it is compared.
 static void try_comparison(Before *b, const WatchStmt *s, const Expr *e, WhyChanges *out)
 {
     double limit;

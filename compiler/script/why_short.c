@@ -16,7 +16,7 @@ typedef struct WhyShort {
 
 static const Program *program_of(const Program *p, size_t machine) { return p->joint ? p->joint->member.at[machine].program : p; }
 
-// Returns the variable of a machine for one of the run; NULL: the machine does not have it.
+// Returns the machine's own variable for variable v of the run's program; NULL: the machine does not have it.
 static const Var *variable_of(const Program *p, size_t machine, const Var *v)
 {
     const Program *m = program_of(p, machine);
@@ -69,14 +69,14 @@ Watch **why_short_watch(const ScriptRun *failed, Engine *ref, const uint64_t *st
 
 // ---- the notes ----
 
-// Adds a note to the message about the failed assert, if it does not have the most already.
+// Adds a note to the message about the failed assert, unless it has WHY_SHORT_MOST notes already.
 static void add_note(WhyShort *n, Span at, const char *text)
 {
     if (n->notes++ < WHY_SHORT_MOST)
         diag_note(n->failed->diags, n->d, at, DIAG_note_why, text);
 }
 
-// Adds which statement stored a variable last, with its operands and the guards around it.
+// Adds a note about the statement that stored a variable last, with its operands and the guards around it.
 static void add_store(WhyShort *n, const Var *v)
 {
     const WatchStmt *s = n->w->stored_by[v->index];
@@ -107,7 +107,7 @@ static const char *missing_part(const WhyShort *n, const WatchStmt *guard)
     return why_condition(&n->words, guard, i, false);
 }
 
-// Adds why the step did not take a transition.
+// Adds a note about why the step did not take a transition.
 static void add_transition(WhyShort *n, const WatchStmt *t)
 {
     const WatchStmt *obstacle = why_obstacle(n->w, t);
@@ -131,7 +131,7 @@ static void add_transitions(WhyShort *n, const State *to)
     }
 }
 
-// Adds why the machine is not in a state.
+// Adds a note about why the machine is not in a state.
 static void add_state(WhyShort *n, const State *to)
 {
     const State *from = n->w->state;
