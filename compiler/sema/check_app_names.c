@@ -143,7 +143,7 @@ static bool is_written(AstAppOptionKind kind) { return kind == AST_APP_log || ki
 // Whether an option names another file of the running application.
 static bool is_file(AstAppOptionKind kind) { return is_written(kind) || kind == AST_APP_swap_key || kind == AST_APP_swap_at; }
 
-// Reports a file that the running application writes, and that is also one of another option or a source.
+// Reports a file that the running application writes and that another option or a source names, too.
 void check_app_platform_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins",

@@ -36,7 +36,7 @@ static void check_declared_step(ScriptCheck *k, const AstOption *o)
     diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
 }
 
-// Whether G is 0 in the first step. In an application, [start] can set another one.
+// Whether G is 0 in the first step. In an application, [start] can set another value.
 static bool starts_at_zero(const Program *p)
 {
     const Joint *j = p->joint;
@@ -190,7 +190,8 @@ static const ScriptRemark *check_remark(ScriptCheck *k, const AstStmt *in)
     return r;
 }
 
-// Whether e compares S with the number of a state and is true in the state `in`.  A step keeps S to its end, also when it makes a transition.
+// Whether e compares S with the number of a state and is true in the state `in`.  S does not change during a step, even if the step makes a
+// transition.
 static bool is_true_in_state(const ScriptCheck *k, const Expr *e, const State *in)
 {
     const Joint *j = k->s.p->joint;
@@ -255,8 +256,8 @@ static ScriptItem *add_unconditional_item(ScriptCheck *k, Span span, const Scrip
     return item;
 }
 
-// Checks the statements of an item: those of the body from number `from` on, up to a conditional. Returns the number of the next one. The
-// lists have exactly the capacity that they need, because a script can have a million items.
+// Checks the statements of an item: those of the body with the indices from `from` on, up to a conditional. Returns the index after the last of
+// them. The lists have exactly the capacity that they need, because a script can have a million items.
 static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts *body, size_t from)
 {
     size_t i, end;

@@ -61,7 +61,7 @@ static Expr *new_at(Sema *s, const Expr *time, Span span, uint32_t name)
     return e;
 }
 
-// Checks an expression without windows whose nodes are not kept.
+// Checks an expression that contains no windows.  Its nodes are temporary, because the caller only needs its value.
 static Expr *check_unkept(Sema *s, const AstExpr *e)
 {
     Expr *out;
@@ -188,7 +188,7 @@ static bool is_comparison(const AstExpr *e)
     return e->kind == AST_BINARY && (sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY);
 }
 
-// Finds the bounds of a guard such as 5 <= G < 6, or G >= 5 and G < 6. Returns how many there are; 0: the guard is something else, too.
+// Finds the bounds of a guard such as 5 <= G < 6, or G >= 5 and G < 6. Returns their number; 0: the guard contains something else.
 static int find_bounds(const Sema *s, const AstExpr *e, Bound out[2])
 {
     if (e->kind == AST_BINARY && e->op == SM_OP_AND)

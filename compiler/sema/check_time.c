@@ -46,8 +46,8 @@ void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal)
                 time_unit_name(s->p->time_unit), time->name->text);
 }
 
-// Returns the expression that e means without parentheses and names of definitions, and in *named what e contains in its parentheses.
-// Ends, because a definition can only use earlier ones.
+// Returns e without parentheses, and with the names of definitions replaced by their expressions; *named: e without parentheses only.
+// The loop ends, because a definition can only use earlier ones.
 static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExpr **named)
 {
     uint32_t before = s->inside ? s->inside->number : UINT32_MAX;

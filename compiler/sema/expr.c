@@ -183,7 +183,7 @@ typedef struct Namer {
 
 static void append_expr_name(const Namer *n, const Expr *e);
 
-// An operand with an operator is in parentheses, whatever the precedence: different trees have different texts.
+// Appends an operand.  One that contains an operator is put in parentheses, whatever the precedence, so that different trees have different texts.
 static void append_operand_name(const Namer *n, const Expr *e)
 {
     const bool enclosed = (e->kind == EX_UNARY || e->kind == EX_BINARY || e->kind == EX_CHAIN) && !expr_is_constant(e);
@@ -193,7 +193,7 @@ static void append_operand_name(const Namer *n, const Expr *e)
     buf_str(n->out, enclosed ? ")" : "");
 }
 
-// An infinity and NaN are written as divisions, because `inf` and `NaN` can be names.
+// Appends a constant.  An infinity and NaN are written as divisions, because `inf` and `NaN` can be names of variables.
 static void append_constant_name(const Namer *n, SmF64 x)
 {
     if (sm_is_nan(x))

@@ -109,7 +109,7 @@ static void add_member(Join *k, const AppTask *task, const AppRate *rate, const 
     vec_push(k->c->arena, &k->joint->member, m);
 }
 
-// Returns how many machines the executor runs, after adding them.
+// Adds the machines that the executor runs to the joined program.  Returns their number.
 static size_t add_members_of(Join *k, const AppExecutor *x, const Program *const *program)
 {
     size_t before = k->joint->member.n;

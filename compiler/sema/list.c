@@ -45,7 +45,8 @@ static void add_extreme(Steps *s, ListOp op)
 
 // ---- average ----
 
-// Adds in pairs, then the sums in pairs, and so on; an odd one passes on unchanged (language.md 7.12).
+// Adds the steps of the average: adds the values in pairs, then the sums in pairs, and so on; a last value without a partner is copied (language.md
+// 7.12).
 static void add_average(Steps *s)
 {
     uint8_t sum[SM_LIST_MAX];
@@ -96,8 +97,8 @@ static void drop_extremes(Selection *net)
         net->wire[i] = net->wire[i + 1];
 }
 
-// Finds the middle value, or the two in the middle.  Of n / 2 + 2 values the smallest has n / 2 + 1 above it, and the largest as many below, so
-// neither is in the middle: each is dropped, and the next value of the list joins.
+// Builds the network that finds the middle value, or the two in the middle, of n values.  Among n / 2 + 2 candidates the smallest has n / 2 + 1
+// values above it, and the largest as many below, so neither is in the middle: both are dropped, and the next value of the list is added.
 static void select_middle(Selection *net, uint32_t n)
 {
     uint32_t next = n < 4 ? n : n / 2 + 2;
@@ -114,7 +115,7 @@ static void select_middle(Selection *net, uint32_t n)
         add_exchange(net, 0, 1);
 }
 
-// Marks the results of exchanges that the candidates depend on.
+// Sets needs_low and needs_high: whether the remaining candidates depend on that result of the exchange.
 static void mark_needed(Selection *net)
 {
     bool needed[SM_LIST_MAX] = {false};

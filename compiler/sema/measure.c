@@ -103,8 +103,8 @@ static bool is_same_but_case(const char *a, size_t n, const char *b)
     return i == n && !b[i];
 }
 
-// Finds the units that differ from the name in capital letters alone; kpa is kPa. Sets *count to how many there are, and `found`, of 16
-// characters, to the first.
+// Finds the units that differ from the name only in capital letters, as kPa for kpa. Sets *count to their number, and `found`, which has room for 16
+// characters, to the first of them.
 static void find_other_case(const char *name, size_t n, char *found, unsigned *count)
 {
     char tried[16];
