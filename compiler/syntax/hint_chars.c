@@ -21,7 +21,7 @@ enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
 // ---- characters that are not allowed ----
 
-// Returns the row of the character in lookalikes; NO_LOOKALIKE if it has none.
+// Returns the row of `lookalikes` with this character; NO_LOOKALIKE: none.
 static size_t find_lookalike(uint32_t code)
 {
     size_t i = 0;
@@ -37,7 +37,7 @@ static bool is_quote(uint32_t code)
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
 }
 
-// Returns the length of the letter of another alphabet at p; 0 if another character is there.
+// Returns the length in bytes of the letter at p if it is of another alphabet, such as ö; else 0.
 static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
 {
     uint32_t code = 0;

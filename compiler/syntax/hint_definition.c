@@ -22,7 +22,7 @@ static uint32_t skip_blanks(const char *text, uint32_t at)
     return at;
 }
 
-// Reads the arguments whose ( is at `open`. Returns false if it is not closed on its line, or if there are too many.
+// Reads the arguments whose ( is at `open`. Returns false if the ( is not closed on its line, or if there are too many arguments.
 static bool read_arguments(const Source *src, uint32_t open, ArgumentList *a)
 {
     const char *text = src->text;
@@ -66,7 +66,7 @@ static bool find_use(const Source *src, Str name, const ArgumentList *declared, 
     return false;
 }
 
-// Returns the argument of the use that the word at `at` stands for; NULL if the word is no argument.
+// Returns the value that the use has for the declared argument whose name is at `at`; NULL if the word there is no declared argument.
 static const Span *find_argument(const char *text, uint32_t at, uint32_t len, const ArgumentList *declared, const ArgumentList *used)
 {
     for (size_t i = 0; i < declared->n; i++)

@@ -55,7 +55,7 @@ static void label_consequence(Parser *p, Diag *d, uint32_t condition)
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "always %s implies ...", text));
 }
 
-// Reports another word than never or always.
+// Reports a word that is neither `never` nor `always`, where a requirement must have one of these.
 HintResult hint_report_demand_word(HintCase *c)
 {
     static const char *const words[] = {"never", "always"}, *const ifs[] = {"if", "when", "whenever"},

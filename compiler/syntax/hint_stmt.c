@@ -335,7 +335,7 @@ static const char *end_of_braced_target(const char *text)
     return *at == '}' ? at + 1 : NULL;
 }
 
-// Returns the condition with == for each =, and sets *assigns if it has one.
+// Returns the condition, of n bytes at `text`, with == in place of each =; sets *assigns if it contains a =.
 static const char *braced_condition(Parser *p, const char *text, uint32_t n, bool *assigns)
 {
     Buf out;

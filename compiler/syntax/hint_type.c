@@ -36,7 +36,7 @@ static void skip_to(Parser *p, uint32_t end)
         parser_advance(p);
 }
 
-// Returns the offset after the braces that open after the current token, and after a name and a ';' behind them; 0 if no braces open.
+// Returns the end of the braces that open after the current token, with a name and a ';' that follow them; 0 if no braces open there.
 static uint32_t end_of_braces(const Parser *p)
 {
     const char *text = p->lex.src->text;

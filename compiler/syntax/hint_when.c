@@ -3,7 +3,8 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_words.h"
 
-// Returns the same condition as a comparison, which can be joined to others; NULL if no comparison means the same. `hi`: NULL without `to`.
+// Returns the guard by time `when lo` or `when lo to hi` as a comparison with G, which can be joined to others; NULL if no comparison means the
+// same. `hi`: NULL without `to`.
 static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo, const AstExpr *hi)
 {
     const char *a = parser_text(p, lo->span);

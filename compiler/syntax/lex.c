@@ -149,7 +149,7 @@ void lexer_read_word(Lexer *l, Token *t)
     lexer_finish_token(l, t, w ? w->kind : TOK_NAME, end);
 }
 
-// Returns the end of the digits at p, which can have single underscores between them. belongs(c): whether c is a digit.
+// Returns the end of the digits at p, which can have single underscores between them. belongs(c): whether c is a digit of the number's base.
 static uint32_t skip_digits(const Lexer *l, uint32_t p, bool (*belongs)(char c))
 {
     while (belongs(lexer_byte(l, p)))
@@ -398,7 +398,7 @@ static bool lex_try_token(Lexer *l, Token *t)
     return true;
 }
 
-// Returns the value of l->allow after token t. It says that the position is in an @allow until a token that cannot be part of one.
+// Returns the value of l->allow after token t. The position is considered to be in an @allow until a token that cannot be part of one.
 static LexAllow next_allow_state(const Lexer *l, const Token *t)
 {
     static const char word[] = "allow";

@@ -200,7 +200,7 @@ static uint32_t skip_plain_number(const char *text, uint32_t at)
     return lex_is_letter(text[end]) ? at : end;
 }
 
-// Labels d with the range in the form that is expected, if two numbers follow @range at `at` with other signs between them.
+// If two numbers with other signs between them follow @range, which ends at `at`, labels d with the range in the right form, as in @range 0 5.
 static void label_range(Parser *p, Diag *d, uint32_t at)
 {
     const char *text = p->lex.src->text;
@@ -218,7 +218,7 @@ static void label_range(Parser *p, Diag *d, uint32_t at)
     diag_edit(p->diags, d, (Span){p->lex.src, from, end + (uint32_t)strspn(text + end, "])") - from}, range);
 }
 
-// `at`: the end of @range.
+// Parses the lower or upper bound (`which`) of a @range, whose word ends at `at`.
 static void parse_bound(Parser *p, AstNumber *into, const char *which, uint32_t at)
 {
     Diag *d;

@@ -260,7 +260,7 @@ static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
     parse_executor(p, app, name, header);
 }
 
-// Reports a section whose header has occurred already, at `seen`; returns whether it has not.
+// Returns false after reporting a second section with this name; `seen`: the header of the first one, its src is NULL if this section is the first.
 static bool check_section_is_first(Parser *p, const Span *seen, Span header, const char *name)
 {
     if (!seen->src)

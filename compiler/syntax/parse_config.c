@@ -56,7 +56,7 @@ static bool recover_direction(Parser *p, AstPin *pin)
     return false;
 }
 
-// Returns false after reporting that no number follows.
+// Parses the number of the pin.  Returns false after reporting that no number follows.
 static bool parse_pin_number(Parser *p, AstPin *pin)
 {
     const Span at = parser_missing_span(p);

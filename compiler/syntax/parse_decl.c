@@ -76,7 +76,7 @@ static bool begins_value(const Parser *p)
     return p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE;
 }
 
-// Returns the type of the declaration: that of this language if another one's is written.
+// Returns the type of the declaration as a word of this language, also if the user wrote a type of another language.
 static const char *name_of_type(const Parser *p, const AstDecl *d)
 {
     const char *written = parser_text(p, d->type_span), *synonym = hint_find_synonym(HINT_TYPES, written);
@@ -180,7 +180,7 @@ void parse_decls(Parser *p, AstSection *s)
 
 // ---- definitions ----
 
-// Reports text that begins no definition. A declaration becomes one without its type; its name is then the current token.
+// Reports text that begins no definition. If it is a declaration, skips the type and returns true, so that the rest is parsed as a definition.
 static bool recover_definition(Parser *p)
 {
     Diag *d;
@@ -297,7 +297,7 @@ static bool is_step_of_rows(const Parser *p, const AstOption *o)
     return p->kind == FILE_SS && strcmp(o->name->text, "delta_t") == 0 && !p->tok.first && strcmp(p->tok.text->text, "file") == 0;
 }
 
-// Parses what follows the word of an option. Returns false, and reports nothing, if the option does not take it.
+// Parses the argument that follows the word of an option. Returns false, and reports nothing, if the text is no argument of this option.
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);

@@ -300,7 +300,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     return check_depth(p, check_depth(p, e, a), b);
 }
 
-// Parses the right operand of an operator of precedence `above`.
+// Parses the right operand of an operator whose precedence is `above`: an expression of operators of higher precedence.
 static AstExpr *parse_right(Parser *p, int above)
 {
     AstExpr *e;

@@ -57,7 +57,7 @@ static void finish_statement(Parser *p)
 
 // ---- blocks ----
 
-// Reports an @allow at the end of a list, where no statement follows that it could cover.
+// Reports an @allow at the end of a list of statements, where no statement follows that it could cover.
 static void report_allow_of_nothing(Parser *p, const AstStmts *list)
 {
     const AstStmt *last = list->n ? list->at[list->n - 1] : NULL;

@@ -40,7 +40,7 @@ static AstExpr *new_node(Parser *p, AstExprKind kind)
     return e;
 }
 
-// Parses a number and its unit; returns false if it has an error.
+// Parses a number and its unit of time into *into; returns false after reporting an error.
 static bool parse_time(Parser *p, AstExpr **into)
 {
     if (p->tok.kind != TOK_NUMBER) {
