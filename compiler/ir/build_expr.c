@@ -107,7 +107,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
-// Appends one step of a function of a list; v has the values that it uses.
+// Appends one operation of a function such as median (list.h); v: the temporaries of the list's values and of the earlier operations.
 static IrRef build_list_step(Builder *b, const ListStep *s, const IrRef *v, Span span)
 {
     static const IrOp op_of[] = {[LIST_MIN] = IR_min, [LIST_MAX] = IR_max, [LIST_ADD] = IR_add, [LIST_SUB] = IR_sub, [LIST_DIV] = IR_div};

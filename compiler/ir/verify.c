@@ -140,7 +140,7 @@ static bool check_local(IrChecker *c, const IrVar *v)
     return !is_nan_cell(v->type, v->init) || report_violation(c, "the initial value of %.80s is not a number", v->name->text);
 }
 
-// Checks the variable with the role G, S or T: its space, its type, and that the machine does not write it.
+// Checks the variable that is G, S or T (`role`): its space, its type, and that the machine does not write it.
 static bool check_role(IrChecker *c, uint32_t index, const char *role, IrSpace space, SmType type)
 {
     const IrVar *v = index < c->m->var.n ? &c->m->var.at[index] : NULL;

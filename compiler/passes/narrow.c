@@ -88,7 +88,7 @@ static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 
 // ---- integers ----
 
-// Whether r's number exists as an integer (or bool).
+// Whether the number of temporary r is also available as a temporary of an integer type or bool, or as a constant.
 bool narrow_has_integer(const Narrow *n, IrRef r)
 {
     const Fact f = n->fact[r];
