@@ -291,7 +291,7 @@ void compile_open_app(Session *s, const Source *app, CompileApp *out)
 
 static bool is_syntax_dump(const CompileOptions *o) { return o->emit == EMIT_AST || o->emit == EMIT_TOKENS; }
 
-// How code outside the machines accesses their locals.  Emitted C declares locals where the user's code can read them.
+// Returns what code outside the machines does with their locals.  Emitted C declares locals where the user's code can read them.
 static SessionLocals locals_of_output(const CompileOptions *o) { return o->emit == EMIT_C ? LOCALS_READ : artefacts_image_locals(o); }
 
 static bool finish_diagnostics(Session *s, const CompileOptions *o)

@@ -41,7 +41,7 @@ static void count_parameters(const CoverEngine *c)
     cover_count_parameters(c->cover, c->parameter);
 }
 
-// Runs a step of the flat machine in place of the engine's: it counts what the step covers.
+// Runs a step of the flat machine, whose probes count what the step covers.
 static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     CoverEngine *c = e->self;

@@ -70,7 +70,7 @@ static bool is_part_of_store(const IrFn *f, const IrBlk *b, uint32_t k, IrRef re
     return next && next->op == IR_store && next->a == ref && next->type == f->ins.at[ref].type;
 }
 
-// Every number is a double already, so a conversion to F64 does nothing, except to NaN.
+// Whether a conversion needs no operation: all values are doubles already, so only a conversion of an F64 to F64 has an effect, on NaN.
 static bool is_no_conversion(const IrFn *f, const IrIns *i)
 {
     const SmType from = f->ins.at[i->a].type;
@@ -158,7 +158,7 @@ static void add_decisions_at(Maker *k, const IrFn *f, IrRef ref)
         add_decision(k, k->next_decision);
 }
 
-// Statements are executed in the order of their instructions, so a change of the number begins the next one.
+// Adds the probes of statement `stmt` if it differs from *current: an instruction with another statement number begins the next statement.
 static void begin_stmt(Maker *k, uint32_t stmt, uint32_t *current)
 {
     if (!k->f->probes || stmt == 0 || stmt == *current)
@@ -183,7 +183,7 @@ static void add_jump(Maker *k, const IrJump *j)
     }
 }
 
-// Replaces the numbers of blocks in jumps from operation `first` on by operations.
+// In the jumps from operation `first` on, replaces the numbers of target blocks by the indices of their first operations.
 static void resolve_jumps(Maker *k, uint32_t first)
 {
     for (uint32_t i = first; i < k->op.n; i++) {
@@ -195,7 +195,7 @@ static void resolve_jumps(Maker *k, uint32_t first)
     }
 }
 
-// Adds a function.  Returns the index of its first operation.
+// Adds the operations of a function.  Returns the index of the first one.
 static uint32_t add_function(Maker *k, const IrFn *f)
 {
     const uint32_t first = k->op.n;
@@ -224,7 +224,8 @@ static uint32_t add_function(Maker *k, const IrFn *f)
     return first;
 }
 
-// Functions do not share temporaries, so that after a step the frame has the values of every function that it ran.
+// Returns the number of temporaries of all functions.  Functions do not share slots of the frame, so after a step the frame has the values of every
+// function that ran.
 static uint32_t count_temps(const IrMachine *m)
 {
     uint32_t n = m->sample ? m->sample->ins.n : 0;
@@ -254,7 +255,7 @@ static void lay_out_state(Arena *arena, FlatMachine *f)
     }
 }
 
-// Allocates the counters and what decisions remember.
+// Allocates the counters, and for each decision the values of its last evaluation (FlatSeen).
 static void begin_probes(Maker *k, const FlatProbes *probes)
 {
     size_t most = 1;
@@ -310,7 +311,7 @@ static bool is_full(const FlatMachine *f, const void *run, uint32_t window)
     return sm_roll_count(ring) >= f->window_size[window];
 }
 
-// Computes the value of every node, and whether the condition or node decides: whether the result would be another one if only it had the
+// Computes the value of every node, and whether the node decides: whether the decision would have the other result if only this node had the
 // other value.  The language evaluates both sides of `and` and `or` (language.md 3.14), so every condition always has a value.
 static void judge_nodes(const FlatDecision *d, const bool *condition, bool *value, bool *decides)
 {

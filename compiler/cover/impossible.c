@@ -23,7 +23,7 @@ static void mark_possible(Finder *k, uint32_t place) { k->possible[place] = true
 
 static bool is_infinite(double x) { return x - x != 0; }
 
-// Appends what a fact says of a value, in words: `always 3`, `at most 5`.
+// Appends the bounds that a fact gives for a value, in words: `always 3`, `at most 5`.
 static void append_bounds(Buf *out, Arena *arena, Fact f)
 {
     if (is_infinite(f.lo) && is_infinite(f.hi))
@@ -95,7 +95,8 @@ static void judge_values(const Finder *k, const FlatDecision *d, NodeFact *fact)
     }
 }
 
-// An operand of `and` decides only while the other one is true, an operand of `or` only while the other one is false.
+// Finds which nodes facts allow to decide: an operand of `and` decides only while the other operand is true, an operand of `or` only while the
+// other one is false.
 static void judge_deciding(const FlatDecision *d, NodeFact *fact)
 {
     fact[d->nodes - 1].decides = true;
@@ -157,7 +158,7 @@ static void judge_block(Finder *k, const IrBlk *b)
     }
 }
 
-// Moves past the decisions of a block that no run reaches: what they count stays impossible.
+// Skips the decisions of a block that no run reaches, so that their places remain impossible.
 static void skip_block(Finder *k, const IrBlk *b)
 {
     const FlatProbes *p = &k->c->probes;
@@ -167,7 +168,7 @@ static void skip_block(Finder *k, const IrBlk *b)
             k->decision++;
 }
 
-// Judges a function by the facts about another form of it, which has the same instructions and blocks.
+// Judges the places of function f by the facts about `form`, a form of f with the same instructions and blocks (judge.h).
 static void judge_function(Finder *k, const IrFn *f, const IrFn *form, const Env *begin)
 {
     k->fn = f;

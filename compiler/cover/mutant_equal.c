@@ -309,7 +309,8 @@ static bool has_same_truth(Probe *k, Stmt *s, const Expr *old, const Expr *new)
 
 static bool is_float(SmType t) { return t == SM_F32 || t == SM_F64; }
 
-// Whether the statement stores the same value, if it is executed at all.  -0 and 0 are equal, but not the same in a float.
+// Whether it is proved that the statement stores the same value with `new` as with `old`.  In a float, -0 and 0 compare as equal but are different
+// values.
 static bool has_same_value(Probe *k, Stmt *s, const Expr *old, const Expr *new)
 {
     const Expr *differ = make_binary(k->arena, SM_OP_NE, old, new);
@@ -347,7 +348,7 @@ static bool has_same_expression(Probe *k, const MutantEdit *d, bool is_only, uin
     return d->stmt->kind == ST_IF || is_truth(d->stmt->value) ? has_same_truth(k, d->stmt, old, new) : has_same_value(k, d->stmt, old, new);
 }
 
-// Whether one edit makes no difference.  is_only: no other edit of the mutant is in its statement.
+// Whether it is proved that edit d alone makes no difference.  is_only: no other edit of the mutant is in the same statement.
 static bool is_without_effect(Arena *work, const Program *p, const MutantEdit *all, const MutantEdit *d, bool is_only, uint64_t step)
 {
     Probe k = {.arena = work, .p = p, .edit = all};

@@ -12,8 +12,8 @@ static void note_read(Expr *e, void *context)
     k->is_read = k->is_read || (e->kind == EX_VAR && e->var == k->v);
 }
 
-// Follows statements that begin with v not assigned.  Returns whether v is assigned after them on every path.  What follows a transition in a
-// block counts as executed after it, which can only find more reads.
+// Visits statements that begin while variable k->v is not assigned yet.  Returns whether it is assigned on every path through them.  Code that
+// follows a transition is visited as if the transition did not end the block, which can only find more reads.
 static bool follow_statements(InitialSearch *k, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
@@ -33,7 +33,7 @@ static bool follow_statements(InitialSearch *k, const Stmts *list)
     return false;
 }
 
-// Whether what is computed outside of statements reads v: windows at each step, and other initial values.
+// Whether code outside of statements reads variable k->v: the samples of windows, or the initial values of other locals.
 static bool is_read_elsewhere(InitialSearch *k)
 {
     for (size_t i = 0; i < k->p->window.n; i++)
@@ -44,7 +44,7 @@ static bool is_read_elsewhere(InitialSearch *k)
     return k->is_read;
 }
 
-// After a transition in .step, .exit runs, and a part of .step may not have run.  So assignments of .step do not count as made before .exit.
+// When .exit runs, a transition may have skipped a part of .step.  So assignments in .step do not count as made before .exit.
 bool mutant_initial_is_unread(const Program *p, const Var *v)
 {
     InitialSearch k = {p, v, false};

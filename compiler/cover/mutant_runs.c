@@ -61,7 +61,7 @@ struct MutantRuns {
 
 // ---- what a script and the requirements read ----
 
-// Lists the variables of the machine that the script reads, or a requirement.
+// Sets r->seen to the variables of the machine that the script or a requirement reads.
 static void list_seen(Arena *arena, const Program *p, const Requirements *rq, const uint32_t *var_of, Record *r)
 {
     const Script *s = r->script;
@@ -121,7 +121,7 @@ static void add_point(MutantRuns *u, Record *r)
     vec_push(u->arena, &r->point, p);
 }
 
-// Returns by Stmt.number whether it was executed since the last call.
+// Returns an array by Stmt.number: 1 if the statement was executed since the last call.
 static uint8_t *collect_executed(MutantRuns *u)
 {
     const Cover *c = u->cover;
@@ -133,7 +133,7 @@ static uint8_t *collect_executed(MutantRuns *u)
     return executed;
 }
 
-// Prepares the run of the script on an engine, which stays open.
+// Begins the run of the script on an engine; r->run can then be continued.
 static void begin_run(MutantRuns *u, Record *r, Engine **engine)
 {
     r->run = (ScriptRun){.arena = u->arena, .diags = &u->muted, .s = r->script, .p = u->p, .engine = engine, .engines = 1, .o = &r->options};
@@ -173,7 +173,7 @@ static const Requirement *find_violated(const MutantRuns *u, const ScriptResult 
     return &u->requirements->at.at[i];
 }
 
-// Runs the script once on its own, with everything that ends a run.  Returns whether it passes.
+// Runs the script once from its start to its end, without using records.  Returns whether it passes.
 static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
 {
     ScriptResult result = script_run(work, &u->muted, r->script, &u->engine, 1, &r->options);
@@ -278,7 +278,7 @@ typedef struct MutantReplay {
     uint32_t stmts;
 } MutantReplay;
 
-// Whether a statement that the mutant changes is among those that a part of the run executes, given by Stmt.number.
+// Whether a part of the run executes a changed statement.  executed: by Stmt.number, 1 if that part executes the statement.
 static bool includes_change(const MutantReplay *c, const uint8_t *executed)
 {
     for (uint32_t i = 0; i < c->stmts; i++)
@@ -353,7 +353,7 @@ static bool reads_initial_value(const MutantReplay *c)
 // Whether the recorded run can be used for this mutant, instead of a run of the script.
 static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !reads_initial_value(c)); }
 
-// Returns the point before the first difference that the script sees; the number of points if it sees none.
+// Returns the index of the last point before the script reads a value that differs from the recorded one; the number of points: none differs.
 static uint32_t find_difference(MutantReplay *c)
 {
     const size_t size = c->u->original->size;

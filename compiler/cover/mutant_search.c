@@ -150,8 +150,8 @@ static bool run_step(Lockstep *l, Node *n)
 
 static bool has_diverged(const Lockstep *l, const Node *n) { return l->same_layout && memcmp(n->original, n->mutant, l->k->original->size) != 0; }
 
-// A number that is equal for situations that are taken as the same: state, whether both machines differ, roughly the time in the state, and
-// what the small variables of the machine are.
+// Returns a hash that is equal for situations that the search treats as the same: it depends on the state, on whether the two machines differ, on
+// the rough time in the state, and on the values of variables of small types.
 static uint64_t hash_of(const Lockstep *l, const Node *n)
 {
     const MutantSearch *k = l->k;
@@ -175,7 +175,7 @@ static uint64_t hash_of(const Lockstep *l, const Node *n)
     return h | 1;
 }
 
-// Stores the situation of n, and returns true, if no situation like this one was stored.
+// Adds the hash of the situation of n to the table of seen ones.  Returns false if it is in the table already.
 static bool record_if_new(Lockstep *l, const Node *n)
 {
     const uint64_t h = hash_of(l, n);
@@ -391,7 +391,7 @@ static bool replay_scenario(Lockstep *l, Scenario *s)
     return false;
 }
 
-// Runs a given scenario, and stores its new situations.  Returns whether a difference is visible; *n is then the last situation.
+// Runs a scenario of `given`, and stores its new situations.  Returns whether a difference is visible; *n is then the last situation.
 static bool run_given(Lockstep *l, Node *n, const Scenario *s)
 {
     size_t next = 0, stored_at = 0;
@@ -484,7 +484,7 @@ static const Scenario *finish_scenario(Lockstep *l, Arena *out, const Node *last
     return result;
 }
 
-// Sets *at to a stored situation, to be continued.
+// Copies the stored situation `from` to *at, so that it can be continued.
 static void begin_at(const Lockstep *l, Node *at, const Node *from)
 {
     void *original = at->original, *mutant = at->mutant;

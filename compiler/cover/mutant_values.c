@@ -104,7 +104,7 @@ static void collect_values_of_statement(Stmt *s, void *context)
         expr_walk(s->value, collect_values, context);
 }
 
-// Adds what is beside each value: the neighbours, and what is in the middle of two values.
+// Adds the values just below and just above each value of the list, and the middle of each two values.
 static void add_neighbours(Arena *arena, MutantNumbers *list, SmType type)
 {
     const uint32_t n = list->n;

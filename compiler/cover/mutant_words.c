@@ -60,7 +60,7 @@ void mutant_write_change(Arena *arena, const Mutant *m, Buf *out)
     buf_str(out, about[m->danger]);
 }
 
-// Appends what an input does from a step on: "pressure = 776", "pressure from 776 by 0.5 a step".
+// Appends the change of an input: "pressure = 776", "pressure from 776 by 0.5 a step".
 static void write_input(const Program *p, const ScenarioChange *c, Buf *out)
 {
     const Var *v = p->var.at[c->var];

@@ -133,7 +133,7 @@ static uint32_t find_noticing(Mutation *u, Mutant *m)
     return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n, &m->violated);
 }
 
-// Makes the program that of the mutant.  Returns what undo_edits needs.
+// Changes the program to that of the mutant.  Returns the replaced values, for undo_edits.
 static Undo *apply_edits(Mutation *u, const Mutant *m)
 {
     Undo *undo = arena_array(&u->work, count_edits(m), sizeof *undo);

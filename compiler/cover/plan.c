@@ -132,7 +132,7 @@ static bool is_truth(const Expr *e)
     return joins_conditions(e) || is_comparison(e) || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
 }
 
-// Whether a statistic can be read before its window is full, and differs then.  A run of true samples says by itself that it is long enough.
+// Whether it matters for a statistic if its window is full: it can be read before, and its value is then another one.
 static bool has_fill(const Plan *k, const Expr *roll)
 {
     static const uint32_t never = SM_STATS_OF_TIMES | 1u << SM_STAT_OLDEST | 1u << SM_STAT_NEWEST;
@@ -140,7 +140,7 @@ static bool has_fill(const Plan *k, const Expr *roll)
     return k->c->p->window.at[roll->window].size > 1 && !(1u << roll->stat & never);
 }
 
-// Returns the place of a window that is read here.
+// Returns the place of the window of a call that is read in the current code; adds it if it is new.
 static uint32_t add_window_place(Plan *k, Span call, Span where)
 {
     const Key key = {COVER_WINDOW, call.at, call.len, where.at};
@@ -222,7 +222,7 @@ static uint32_t add_tree(Plan *k, Decision *d, const Expr *e)
     return a;
 }
 
-// Sets odd[n] where an odd number of `not` is above node n.
+// Sets odd[n] to whether an odd number of `not` is above node n in the tree.
 static void find_negated(const Decision *d, bool *odd)
 {
     for (uint32_t n = (uint32_t)d->node.n; n-- > 0; ) {
@@ -332,7 +332,7 @@ static void plan_transition(Plan *k, const Stmt *s, uint32_t stmt, bool is_new)
         k->c->place.at[stmt].part_of = k->transition[s->number];
 }
 
-// Ends the list of windows that a statement reads.
+// Stores the list k->read as the windows that statement s reads, and empties it.
 static void finish_read_windows(Plan *k, const Stmt *s)
 {
     const FlatFull end = {0, 0, 0};
@@ -481,7 +481,7 @@ static int compare_decisions(const void *a, const void *b)
     return x->note < y->note ? -1 : x->note > y->note;
 }
 
-// Sets *out for a decision whose code exists.
+// Sets *out to the probe of a decision; all its conditions have temporaries in the IR.
 static void make_probe(Plan *k, const NoteTable *t, const Decision *d, FlatDecision *out)
 {
     IrRef *ref = ARENA_ARRAY(k->arena, IrRef, d->condition.n);
@@ -524,7 +524,8 @@ static void add_shared_counts(Plan *k, uint32_t from, uint32_t to, uint32_t n)
     vec_push(k->arena, &k->c->shared, s);
 }
 
-// Gives the decisions that no code computes, because their window shares the samples of an equal one, the counts of that window's.
+// If several windows share their samples, code computes only the decisions of the first one.  Adds the copies of counts to the others
+// (Cover.shared).
 static void find_shared(Plan *k)
 {
     const Cover *c = k->c;

@@ -124,7 +124,7 @@ static void append_maximum(RunFacts *r, IrFn *f, IrBlk *blk, uint32_t var, doubl
     append_ins(r->arena, f, blk, store);
 }
 
-// The lower bound of a variable at the end of a block that ends with a transition.
+// Returns the lower bound of a variable where a transition leaves the state.  time: the least T there; end: the drift in that step.
 static double bound_at_end(const RunFacts *r, const DriftInState *d, Drift end, double time, SmType type)
 {
     const double steps = time / (double)r->delta_t, cap = drift_cap(type);
@@ -133,7 +133,7 @@ static double bound_at_end(const RunFacts *r, const DriftInState *d, Drift end, 
     return least < cap ? least : cap;
 }
 
-// Adds the bound of a variable to each transition of a state.  Returns whether that is more than facts know.
+// Adds a lower bound of a variable before each transition of a state.  Returns whether a bound is tighter than the facts.
 static bool bound_transitions(RunFacts *r, uint32_t state, uint32_t var)
 {
     IrFn *f = r->m.state.at[state - 1].block[BLOCK_STEP];

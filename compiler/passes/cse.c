@@ -19,7 +19,7 @@
 #include "compiler/passes/pass.h"
 #include "stdlib/f64.h"
 
-typedef struct CseSlot { uint32_t block; IrRef ref; } CseSlot;      // empty unless `block`, counted from 1, is the current one
+typedef struct CseSlot { uint32_t block; IrRef ref; } CseSlot;      // empty unless `block` equals Cse.block
 
 typedef struct Cse {
     IrFn *f;
@@ -30,7 +30,7 @@ typedef struct Cse {
     bool *sunk;               // by instruction: its only user is a store or a branch
     CseSlot *table;           // hash table of the block's operations, by CseKey
     size_t cap;               // a power of two
-    uint32_t block;
+    uint32_t block;           // number of the current block, from 1
 } Cse;
 
 static IrIns *ins_at(const Cse *c, IrRef ref) { return &c->f->ins.at[ref]; }

@@ -90,7 +90,7 @@ static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 
 // ---- integers ----
 
-// Whether r's number exists as an integer (or bool).
+// Whether the number of temporary r is also available as a temporary of an integer type or bool, or as a constant.
 bool narrow_has_integer(const Narrow *n, IrRef r)
 {
     const Fact f = n->fact[r];
@@ -248,7 +248,7 @@ static void narrow_conversion(Narrow *n, IrRef ref)
     if (from != IR_NONE)
         i->a = from;
     else if (i->type == SM_F32)
-        narrow_to_f32(n, ref);                            // adds instructions, so that i may point to freed memory
+        narrow_to_f32(n, ref);                            // adds instructions, so i may be a dangling pointer from here on
     if (narrow_ins(n, ref)->type != SM_F64)
         return;
     from = narrow_ins(n, ref)->a;                         // a conversion to F64: its operand is the same number in a narrower type

@@ -123,7 +123,7 @@ bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
     if (v && !s->in_script)
         v->written = true;
     out->var = v;
-    if (!good && v == s->p->s && state_named_by(s, in->value))         // S = Vent in a script
+    if (!good && v == s->p->s && state_named_by(s, in->value))         // `S = Vent` is reported; the value would be reported as well
         return false;
     check_value(s, in, out);
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
@@ -210,7 +210,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         }
         if (stmt)
             vec_push(s->arena, out, stmt);
-        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines before it
+        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines just before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (in->at[i]->marks && s->building && !is_repeated)
             add_stmt_marks(s, in->at[i], stmt);

@@ -6,7 +6,7 @@
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 
-// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: a space.
+// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: the character is a space.
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
     {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
     {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
@@ -21,7 +21,7 @@ enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
 // ---- characters that are not allowed ----
 
-// Returns the row of the character in lookalikes; NO_LOOKALIKE if it has none.
+// Returns the row of `lookalikes` with this character; NO_LOOKALIKE: none.
 static size_t find_lookalike(uint32_t code)
 {
     size_t i = 0;
@@ -37,7 +37,7 @@ static bool is_quote(uint32_t code)
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
 }
 
-// Returns the length of the letter of another alphabet at p; 0 if another character is there.
+// Returns the length in bytes of the letter at p if it is of another alphabet, such as ö; else 0.
 static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
 {
     uint32_t code = 0;
@@ -83,7 +83,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
         len++;
     }
     if (like < NO_LOOKALIKE && lookalikes[like].kind == TOK_ARROW && !l->stores && hint_follows_value(l, l->first))
-        ascii = ": ->";                         // x > 5 → Vent
+        ascii = ": ->";                         // the user wrote `x > 5 → Vent`
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);

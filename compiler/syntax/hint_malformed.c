@@ -151,7 +151,7 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
                 diag_label(l->diags, d, DIAG_label_name_ascii);
                 return;
             }
-        if (strpbrk(name->text, "<>="))        // a transition as in Stateflow: [p > 5] -> Vent
+        if (strpbrk(name->text, "<>="))        // the brackets contain a condition, as in Stateflow: `[p > 5] -> Vent`
             diag_label(l->diags, d, DIAG_label_guard_in_brackets, name->text);
         else
             diag_label(l->diags, d, DIAG_label_section_name);

@@ -7,7 +7,7 @@
 
 // ---- two names in a row ----
 
-// Verbs, and the value that they give to what follows them; %s is its name. NULL: not a verb of assignments.
+// Verbs, and the assignment that they mean; %s is the name after the verb. NULL: the verb means no assignment.
 static const struct { const char *verb, *assignment; } verbs[] = {
     {"toggle", "%s = not %s"},     {"invert", "%s = not %s"},  {"flip", "%s = not %s"},      {"open", "%s = true"},
     {"start", "%s = true"},        {"enable", "%s = true"},    {"activate", "%s = true"},    {"energize", "%s = true"},

@@ -116,7 +116,7 @@ HintResult hint_report_unit_in_guard(HintCase *c)
 {
     Parser *p = c->p;
 
-    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
+    if (!(p->lex.src->text[p->tok.at] & 0x80))         // a word such as ° that is not ASCII is already reported
         hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)),
                         parser_text(p, parser_span(p, &p->last)), p->tok.text->text, span_join(parser_span(p, &p->last), parser_token_span(p)));
     p->failed = true;
@@ -131,7 +131,7 @@ HintResult hint_report_comma_for_colon(HintCase *c)
     if (c->e->kind == AST_NAME)
         return HINT_NONE;
     diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)),
-               hint_line_is_guard(p) ? DIAG_label_and_instead : DIAG_label_colon_instead);            // x > 5, y: ...
+               hint_line_is_guard(p) ? DIAG_label_and_instead : DIAG_label_colon_instead);            // in `x > 5, y:` the comma means `and`
     return HINT_SKIPPED;
 }
 
@@ -335,7 +335,7 @@ static const char *end_of_braced_target(const char *text)
     return *at == '}' ? at + 1 : NULL;
 }
 
-// Returns the condition with == for each =, and sets *assigns if it has one.
+// Returns the condition, of n bytes at `text`, with == in place of each =; sets *assigns if it contains a =.
 static const char *braced_condition(Parser *p, const char *text, uint32_t n, bool *assigns)
 {
     Buf out;
@@ -370,7 +370,7 @@ bool hint_report_guard_in_braces(Parser *p)
     fixed = format_in(p->arena, "%s: %.*s", fixed, (int)length, text + n);
     d = parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
     diag_label(p->diags, d, DIAG_label_write, fixed);
-    if (!assigns)                                     // a statement with `=` can be an assignment and a transition
+    if (!assigns)                                     // no edit if the braces contain a single =, which can be an assignment before the transition
         diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, (uint32_t)(end - text) + 1}, fixed);
     while (p->tok.kind != TOK_RBRACE && p->tok.kind != TOK_END)
         parser_advance(p);
@@ -388,7 +388,7 @@ HintResult hint_report_op_assign(HintCase *c)
     Diag *d = parser_report(p, DIAG_op_assign, parser_token_span(p), sign);
     const char *text = p->lex.src->text;
     uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
-    bool one_operand;                         // the right side needs no parentheses
+    bool one_operand;                         // the right side is one operand, so it needs no parentheses
 
     end += (uint32_t)strspn(text + end, " \t\r");
     one_operand = !text[end] || strchr("\n#;}", text[end]);
@@ -418,7 +418,7 @@ static bool is_used_as_foreign(const Parser *p, HintEffect effect)
     if (next->first)
         return gives_up && next->kind != TOK_LBRACE;              // `stop` followed by a { on the next line is a guard
     if (effect == HINT_ELSE)
-        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // `ELSE:` can be a guard: a variable named ELSE
+        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // `ELSE:` can be a guard, if ELSE is a variable
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
@@ -543,7 +543,7 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
         return HINT_READ;
     case HINT_ARROW:
         d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
-        if (hint_is_word(&p->ahead, "to") && !p->ahead.first)          // go to, transition to
+        if (hint_is_word(&p->ahead, "to") && !p->ahead.first)          // `go to` and `transition to` are two words
             parser_advance(p);
         diag_label(p->diags, d, DIAG_label_write, "->");
         diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
@@ -558,7 +558,7 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     case HINT_SKIP: case HINT_WAIT:
         break;
     }
-    if (hint_is_word(&p->tok, "case") && p->in_switch) {        // reported at `switch`
+    if (hint_is_word(&p->tok, "case") && p->in_switch) {        // the report about `switch` covers its cases
         p->failed = true;
         parser_advance(p);
         return HINT_SKIPPED;

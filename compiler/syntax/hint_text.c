@@ -39,7 +39,7 @@ static bool is_spelling_at(const HintText *row, const char *s, bool first)
 void hint_init(Lexer *l)
 {
     for (size_t row = LEX_HINTS; row > 0; row--) {
-        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // [0]: rows of HINT_AFTER, whose spelling is ""
+        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // rows of HINT_AFTER have the spelling "", so they are in [0]
         l->next_hint[row - 1] = *first;
         *first = (uint8_t)row;
     }
@@ -330,7 +330,7 @@ HintResult hint_read_semicolon(Lexer *l, Token *t)
     }
     l->at = next;
     l->first = true;
-    if (span.at < l->hinted)                  // an earlier hint has reported this line
+    if (span.at < l->hinted)                  // an earlier report already covers this line
         return HINT_SKIPPED;
     d = diag_report(l->diags, DIAG_semicolon, span);
     if (next == l->src->len || strchr("\n#}", lexer_byte(l, next)) || else_follows) {

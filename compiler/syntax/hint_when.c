@@ -3,7 +3,8 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_words.h"
 
-// Returns the same condition as a comparison, which can be joined to others; NULL if no comparison means the same. `hi`: NULL without `to`.
+// Returns the guard by time `when lo` or `when lo to hi` as a comparison with G, which can be joined to others; NULL if no comparison means the
+// same. `hi`: NULL without `to`.
 static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo, const AstExpr *hi)
 {
     const char *a = parser_text(p, lo->span);
@@ -15,9 +16,9 @@ static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo,
     return format_in(p->arena, "G %s %s", when == AST_AT ? "==" : ">=", a);
 }
 
-enum { TIMES_MAX = 16 };
+enum { TIMES_MAX = 16 };      // the most times in a list
 
-// The times of a list, as in `at 1 s, 2 s:`; hi is NULL if they are no ranges.
+// A list of n times, as in `at 1 s, 2 s:`.  hi: the ends of ranges, or NULL for times that are no ranges; units: how many times have a unit.
 typedef struct Times { size_t n, units; const AstExpr *lo[TIMES_MAX], *hi[TIMES_MAX]; } Times;
 
 // Adds a time range from lo to hi. t->units counts the ranges whose lo has a unit.
@@ -204,7 +205,7 @@ HintResult hint_report_when_without_number(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Other words that users write before a time, and the guard that is meant; %s is the time.
+// Other words that users write before a time, and the guard that is meant; %s is the time; certain: the word has no other meaning.
 static const struct { const char *word, *guard; bool certain; } time_words[] = {
     {"since", "after %s", true}, {"starting", "after %s", true}, {"each", "every %s", true},   {"on", "at %s", true},
     {"once", "at %s", false},    {"when", "at %s", true},        {"until", "from 0 to %s", false}, {"till", "from 0 to %s", false},

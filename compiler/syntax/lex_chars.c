@@ -86,7 +86,7 @@ static const char *find_binary_format(const Source *s)
         zeros++;
     if (zeros > 1)
         return zeros == n ? "nothing but NUL bytes" : "binary data";
-    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // a [ with a zero byte beside it
+    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // every second of the first four bytes is zero
         return "UTF-16";
     for (uint32_t i = 0; i < n; i++)
         controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');

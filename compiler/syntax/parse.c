@@ -254,7 +254,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parse_block(p, &ignored);
     else
         parser_skip_line(p);
-    if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // otherwise the header is wrong
+    if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // an invalid header is reported instead
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
     if (d && colon)
@@ -412,7 +412,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
 
-    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header, or it is that of a machine's state
+    if (!lex_is_header_name(s->name->text, s->name->len))             // reported by the lexer, or a state of a machine, as in [deploy.Idle]
         return;
     if (lex_find_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
@@ -548,7 +548,7 @@ static const char *const first_section[] = {
     [FILE_SS] = "options belong in [options], tests in a section with the name of a state, as [Idle]",
     [FILE_IO] = "pins belong in [analog] and [digital]",
     [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor",
-    [FILE_NET] = "", [FILE_RQ] = ""                                    // have no sections
+    [FILE_NET] = "", [FILE_RQ] = ""                                    // these kinds of files have no sections
 };
 
 static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, const ScriptVisitor *v)

@@ -57,7 +57,7 @@ static void finish_statement(Parser *p)
 
 // ---- blocks ----
 
-// Reports an @allow at the end of a list, where no statement follows that it could cover.
+// Reports an @allow at the end of a list of statements, where no statement follows that it could cover.
 static void report_allow_of_nothing(Parser *p, const AstStmts *list)
 {
     const AstStmt *last = list->n ? list->at[list->n - 1] : NULL;
@@ -66,13 +66,13 @@ static void report_allow_of_nothing(Parser *p, const AstStmts *list)
         parser_report(p, DIAG_allow_of_nothing, last->span);
 }
 
-enum { ITEMS_AT_ONCE = 256 };         // how many items of a script are parsed before the visitor receives them
+enum { ITEMS_AT_ONCE = 256 };         // number of items of a script after which the visitor receives them
 
 // Parses statements up to }, a label, a header or the end.
 void parse_block(Parser *p, AstStmts *into)
 {
     const bool outer_lost_body = p->lost_body;
-    bool claimed;                               // the statement probably belongs to a condition that is already reported
+    bool claimed;                               // the statement probably belongs to a condition whose error is already reported
     size_t errors;
     uint32_t at;
 
@@ -174,7 +174,7 @@ static void parse_assignment(Parser *p, AstStmts *into)
     s->value = parse_value_of(p, false);
     s->span = parser_span_since(p, s->span.at);
     if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !after_colon) {
-        hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // x = 5: …
+        hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // `x = 5:` is a guard in which = means ==
         into->n--;
         parse_if(p, into, s->value);
     } else {
@@ -193,7 +193,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         parser_advance(p);
         s->span = parser_span_since(p, s->span.at);
         if (p->tok.kind == TOK_NAME && !p->tok.first && (p->ahead.first || p->ahead.kind == TOK_RBRACE || p->ahead.kind == TOK_END))
-            s->kind = AST_STMT_ERROR;           // -> Tank Vent: which state is meant is unknown
+            s->kind = AST_STMT_ERROR;           // two names, as in `-> Tank Vent`: which state is meant is unknown
         if (in_script(p))
             diag_label(p->diags, parser_report(p, DIAG_script_transition, s->span), DIAG_label_script_transition, s->name->text, s->name->text);
         return;
@@ -420,7 +420,7 @@ static bool is_before_choice(const Parser *p)
 static void report_lone_value(Parser *p, AstExpr *e)
 {
     if (is_before_choice(p))
-        p->failed = true;                     // c ? a : b, which the lexer has reported
+        p->failed = true;                     // the lexer has reported `c ? a : b`
     else if (p->has_if)
         diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))

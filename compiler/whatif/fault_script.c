@@ -76,7 +76,7 @@ void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out)
 
 // ---- what the script must show ----
 
-// The step in which a script that reproduces the result fails; step 0: at its end, or never.
+// Returns the step in which the script that reproduces the result must fail; step 0: at its end, or never.
 static FaultMoment failing_moment(const FaultResult *r)
 {
     static const FaultMoment end = {0, 0};
@@ -90,7 +90,7 @@ static FaultMoment failing_moment(const FaultResult *r)
     return end;
 }
 
-// Whether the script shows its result by an assert that the original does not have.
+// Whether the original script does not fail by itself, so that an assert is added that fails because of the fault.
 static bool needs_assert(const FaultResult *r)
 {
     return r->outcome == FAULT_HAS_VIOLATED ? r->violated_in_truth : r->outcome != FAULT_HAS_FAILED && r->outcome != FAULT_HAS_ENDLESS;
@@ -194,7 +194,7 @@ static void rename_samples(Edits *e, const Expr *x)
         rename_samples(e, x->arg[i]);
 }
 
-// Makes an assert read true values in its windows, or replaces its condition by `true` if the script must not fail there.
+// Edits an assert so that its windows sample true values; or replaces its condition by `true` if the assert must not end the run.
 static void edit_assert(Edits *e, const ScriptAssert *a)
 {
     if (e->hides_asserts && a->kind != SCRIPT_PRINT)
@@ -216,7 +216,7 @@ static void edit_item(Edits *e, const ScriptItem *item)
         edit_assert(e, &item->asserts.at[i]);
 }
 
-// Edits the path in quotes that follows a word at the start of a line.
+// On each line that begins with `word`, puts to_original before the path in quotes that follows it.
 static void edit_paths(Edits *e, const char *word, const char *to_original)
 {
     const char *text = e->src->text, *line = text, *at;
@@ -325,7 +325,7 @@ static void write_locals(const FaultText *t, Buf *out)
         buf_printf(out, "%s %s%lu = %s\n", type, t->other, (unsigned long)i, zero);
 }
 
-// Appends the conditionals that store what a reading needs.
+// Appends the conditionals that store earlier true values for the faulty reading.
 static void write_memory(const FaultText *t, Buf *out)
 {
     const uint32_t late = t->f->options.sizes.late;

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-// Widens the range of each input that has none of its own to its true value.
+// Widens the range of each input without a @range so that it contains the current true value.
 static void widen_ranges(FaultWatch *w, bool is_first)
 {
     Faults *f = w->x->f;

@@ -191,7 +191,7 @@ void faults_end(Faults *f)
 
 static bool can_copy(const FaultRunner *x, uint32_t script) { return !x->f->script[script]->data; }
 
-// Takes the current run to just before a trigger.  Without recorded data it continues from the trigger before.
+// Continues the current run to the step before a trigger, from the previous trigger if the run can be copied there, else from the start.
 static void prepare_trigger(FaultRunner *x, uint32_t trigger)
 {
     FaultTrigger *t = &x->f->trigger.at[trigger];
@@ -288,7 +288,7 @@ static bool reads_constant(const FaultRunner *x, const Fault *fault, double *val
     }
 }
 
-// Finds the faults of which a pair needs only one, because the machine reads the same constant.
+// Sets is_repeated of faults with which the machine reads the same constant as with an earlier fault of the same input: pairs do not need both.
 static void find_repeated(FaultRunner *x)
 {
     for (uint32_t i = 0; i < x->single.n; i++) {
@@ -350,7 +350,7 @@ static void mark_healthy(const FaultRunner *x, uint8_t *visited)
 
 static uint8_t *visited_by(const FaultRunner *x, uint32_t single) { return x->visited + single * x->f->p->state.n; }
 
-// The result of a fault of an input that nothing reads.
+// Returns the result of a fault of an input that nothing reads: that of the run without a fault.
 static FaultResult result_unread(const FaultRunner *x, const Fault *fault)
 {
     const Healthy *h = &x->healthy[x->f->trigger.at[x->at].script];

@@ -175,8 +175,8 @@ static double size_of_step(RoundStep s) { return s.is_part ? 1 / s.factor : s.fa
 // Returns the multiple of the step s that is nearest to x.
 static double round_to_step(RoundStep s, double x) { return s.is_part ? rint_f64(x * s.factor) / s.factor : rint_f64(x / s.factor) * s.factor; }
 
-// Searches the value at which a check begins to fail, among the multiples of a power of ten.  It is found to about a thousandth of the distance of
-// the points.
+// Searches the value at which a check begins to fail by bisection, among the multiples of a power of ten that is about a thousandth of the distance
+// of the two points.
 static void find_boundary(SweepRunner *x, const Gap *g)
 {
     const SweepLine *line = &x->s->line[g->axis];
@@ -282,7 +282,7 @@ static void set_values(SweepRunner *x, SweepAxis *a)
     a->n = n;
 }
 
-// Returns the value of a parameter without the sweep: that of --set, or of a script, or the default.
+// Returns the value of a parameter outside the sweep: set with --set, or by a script, or the default.
 static double current_value(const Sweep *s, const Var *parameter)
 {
     uint64_t cell = parameter->init;
