@@ -122,6 +122,7 @@ static void build_wanted(Chooser *c, const GoalSet *want)
         k->is_open[k->counter[k->goal[want->at[i]].place]] = true;
     arena_reset(&c->flats);
     c->wanted = search_new_flat(k, &c->flats);
+    chooser_forget_marks(c);
 }
 
 // Returns a list of goals as a set, one bit for each.
@@ -312,6 +313,7 @@ static void begin_chooser(Chooser *c)
     c->current = arena_array(&k->work, k->inputs + 1, sizeof *c->current);
     c->seen = arena_alloc(&k->work, k->o->watch ? k->o->watch->goals + 1 : 1);
     c->way = arena_array(&k->work, k->p->state.n, sizeof *c->way);
+    chooser_begin_marks(c);
     c->input_of = ARENA_ARRAY(&k->work, uint32_t, k->p->var.n);
     for (uint32_t i = 0; i < k->inputs; i++)
         c->input_of[k->input[i].var] = i;

@@ -4,7 +4,8 @@
 //     search_choose.c    which scenarios together reach what was reached
 //     search_simplify.c  fewer changes, shorter times, rounder values
 //     search_rounds.c    loops in place of changes that are made again and again
-//     search_replay.c    runs a scenario from its start
+//     search_replay.c    runs a scenario
+//     search_marks.c     snapshots along a scenario, from which replays begin
 #ifndef SMC_SEARCH_CHOOSE_H
 #define SMC_SEARCH_CHOOSE_H
 
@@ -17,6 +18,28 @@ typedef struct SearchEnter { uint32_t state; uint64_t step; } SearchEnter;    //
 // When a change is made, relative to a transition instead of as a fixed step: `wait` steps after the transition that Chooser.enters[enter] was in
 // the recorded run.  So the changes of later states move with it when an earlier state takes more or fewer steps.
 typedef struct SearchAnchor { uint32_t enter; uint64_t wait; } SearchAnchor;
+
+enum { MOST_MARKS = 64 };
+
+// A snapshot along the scenario that is simplified: after `step` steps.
+typedef struct SearchMark {
+    uint64_t step;
+    uint32_t enters;          // how many transitions have been recorded until then
+    char *block;              // as Chooser.block
+    uint8_t *reached;         // by wanted goal: it is reached until then
+} SearchMark;
+
+// What is known about the scenario that is simplified, from its last replay.
+typedef struct SearchMarks {
+    SearchMark of[MOST_MARKS], fresh[MOST_MARKS];     // by step: those of the known scenario; those that the current replay adds
+    uint32_t n, freshes, most;
+    uint32_t shared;          // the first snapshots that the current replay shares with the known scenario
+    uint64_t spacing;         // between snapshots that the current replay adds
+    VEC(ScenarioChange) change;       // of the known scenario, without loops
+    VEC(SearchEnter) enter;   // its transitions
+    uint64_t patience;        // an attempt that has waited for so many steps fails
+    bool is_known;
+} SearchMarks;
 
 typedef struct Chooser {
     SearchRun *k;             // the search whose runs are chosen from
@@ -35,17 +58,28 @@ typedef struct Chooser {
     Scenario *way;            // by State.number - 1: of all beginnings of chosen scenarios that enter the state, the one with the fewest changes;
                               // init_state NULL: none
     uint32_t end;             // number (State.number) of the state after the scenario that is simplified
+    SearchMarks *marks;       // snapshots along the scenario that is simplified
     uint64_t limit;           // simplifying the current scenario ends when this many steps have run
 } Chooser;
 
 // Whether the last replay has reached a goal.
 bool chooser_has_reached(const Chooser *c, uint32_t goal);
+void chooser_set_reached(Chooser *c, uint32_t goal);   // records that the current replay has reached the goal
 uint32_t chooser_end_state(const Chooser *c);         // State.number of the state in which the last replay has ended
 bool chooser_has_effort(const Chooser *c);            // whether simplifying the current scenario can run more steps
 // Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which the scenario has reached all of
 // `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves each change to `wait` steps after its
 // transition.
 uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *want, const SearchAnchor *anchor);
+
+// Snapshots along the scenario that is simplified, in search_marks.c.
+void chooser_begin_marks(Chooser *c);
+void chooser_forget_marks(Chooser *c);                // before another scenario, or other wanted goals
+// Prepares a replay: restores the last snapshot before the first difference to the known scenario.  Returns how many steps it has run, and sets
+// *next to the index of the change that is next; 0: the replay has to begin at the start.
+uint64_t chooser_resume(Chooser *c, const Scenario *s, const GoalSet *want, size_t *next);
+void chooser_mark(Chooser *c, uint64_t step, const GoalSet *want);    // offers a snapshot after step `step` of the current replay
+void chooser_keep_marks(Chooser *c, const Scenario *s);       // the last replay was one of `s`, which is the known scenario from now on
 
 // Simplifies a scenario that reaches all of `want`.  Returns false if no effort is left for it: then the scenario is unchanged.
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want);

@@ -135,6 +135,7 @@ bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, co
     remove_overwritten(&t->s, t->change);
     remove_idle(c, &t->s, t->change);
     tidy_loops(&t->s, t->loop);
+    chooser_keep_marks(c, &t->s);
     chooser_store_attempt(c, s, t);
     return true;
 }
@@ -611,6 +612,7 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
     start = begin_attempt(c, s);
     remove_idle(c, &start.s, start.change);
     chooser_store_attempt(c, s, &start);
+    chooser_keep_marks(c, s);
     store_enters(&r);
     if (s->changes > MANY_CHANGES)
         shorten_long(&r);
