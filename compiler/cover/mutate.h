@@ -41,6 +41,7 @@ typedef struct Mutant {
     const Requirement *violated;      // NOTICED: the requirement that its run violates; NULL: the script itself fails
     const Scenario *scenario; // GENERATED: in its last step the mutant differs; it sets what the machine stores in the first step alone
     const Var *differs;       // GENERATED: in this variable
+    bool if_only_inputs_change;       // EQUIVALENT: as long as no code outside the machine writes what the machine stores
 } Mutant;
 
 typedef struct Mutation Mutation;

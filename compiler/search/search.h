@@ -61,6 +61,7 @@ typedef struct SearchOptions {
     const bool *writable;     // by Var.index: a scenario may set it; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
     bool no_places;           // only goals of the watch are goals
+    bool any_elements;        // proofs allow any value before the first step for elements that the machine stores; else they are 0, as in the runs
     bool loops;               // scenarios can have loops
     bool plain;               // for one goal with few changes: no attempt repeats changes, and inputs with noise may become constant
     SearchSpecials specials;
