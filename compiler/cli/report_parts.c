@@ -9,6 +9,7 @@
 #include "compiler/cli/mutate_scripts.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/report/describe.h"
+#include "compiler/search/mutant_reach.h"
 #include "compiler/whatif/fault_script.h"
 #include "compiler/whatif/sweep.h"
 
@@ -153,6 +154,8 @@ static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *c
     while ((goes_on = may_go_on(clock)) && mutation_run_next(u))
         mutate_show_progress(u, &k);
     while (goes_on && (goes_on = may_go_on(clock)) && mutation_search_next(u, MUTATE_SEARCH_STEPS))
+        mutate_show_progress(u, &k);
+    while (goes_on && (goes_on = may_go_on(clock)) && mutant_reach_next(u, MUTANT_REACH_EFFORT, MUTATE_SEARCH_STEPS))
         mutate_show_progress(u, &k);
     progress_end(&k);
     if (!goes_on)

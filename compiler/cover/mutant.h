@@ -28,8 +28,10 @@ struct Mutation {
     uint64_t step;            // by how much G advances in each step, from mutant_step; 0: unknown
     uint32_t scripts;
     VEC(Mutant) mutant;
-    uint32_t next, next_search;       // index in `mutant` of the next mutant to run; of the next one for which a scenario is searched
+    uint32_t next, next_search, next_reach;   // indices in `mutant` of the next one to run; to search for; to decide about (mutant_reach.h)
     MutantSearch *search;     // NULL: no search has begun
+    const Scenario *given;    // the runs of the scripts from which searches start, `givens` of them; set with `search`
+    uint32_t givens;
     const State **start;      // the states in which scenarios can begin, `starts` of them
     uint32_t starts;
     const char *original;     // the IR of the unchanged machine as text; NULL: not printed yet
@@ -41,6 +43,13 @@ struct Mutation {
     MutantDanger *of_local, *of_window;       // by Var.index; by index of the window: the most dangerous use of the value
 };
 
+// ---- mutate.c ----
+
+// By how much G grows in each step of a search.
+uint64_t mutation_delta_t(const Mutation *u);
+// Searches a scenario that shows a mutant, also from the situations of the scenario `from`, if that is not NULL.
+void mutation_search_from(Mutation *u, Mutant *m, const Scenario *from, uint64_t steps);
+
 // ---- mutate_list.c ----
 
 // Lists all mutants, in the order of the source.
@@ -50,12 +59,19 @@ void mutation_list_all(Mutation *u);
 
 // Whether no run reads the initial value of a local, from whatever state it starts.
 bool mutant_initial_is_unread(const Program *p, const Var *v);
+// Whether no run that starts in one of these states reads it.
+bool mutant_initial_is_unread_from(Arena *work, const Program *p, const Var *v, const State *const *start, uint32_t starts);
+// Whether only the machine writes the local, and only its statements read it.
+bool mutant_initial_is_own(const Program *p, const Var *v);
 
-// ---- mutant_equal.c ----
+// ---- mutant_cases.c ----
 
 // Returns the step by which G advances, for mutants that differ only between two steps: the @step of the machine, or the
 // delta_t of all its scripts if they agree.  0: unknown.
 uint64_t mutant_step(const Program *p, const Script *const *script, uint32_t scripts);
+
+// ---- mutant_equal.c ----
+
 // Whether it is proved that the machine behaves as before with these edits, from whatever state it starts and whatever its inputs are.
 // Statements of p are changed during the call.
 bool mutant_is_equivalent(Arena *work, const Program *p, const MutantEdit *edit, uint64_t step);

@@ -275,17 +275,19 @@ static void add_start(Mutation *u, const State *start)
     u->start[u->starts++] = start;
 }
 
+uint64_t mutation_delta_t(const Mutation *u) { return u->step ? u->step : SEARCH_STEP; }
+
 static MutantSearch *new_search(Mutation *u)
 {
-    const uint64_t step = u->step ? u->step : SEARCH_STEP;
-    const Scenario **given = arena_array(u->arena, u->scripts + (size_t)1, sizeof *given);
-    uint32_t n = 0;
+    Scenario *given = arena_array(u->arena, u->scripts + (size_t)1, sizeof *given);
 
     for (uint32_t i = 0; i < u->scripts; i++) {
-        given[n] = mutant_runs_scenario(u->runs, u->arena, i);
-        n += given[n] && given[n]->delta_t == step && given[n]->steps <= GIVEN_STEPS_MOST;
+        const Scenario *s = mutant_runs_scenario(u->runs, u->arena, i);
+        if (s && s->delta_t == mutation_delta_t(u) && s->steps <= GIVEN_STEPS_MOST)
+            given[u->givens++] = *s;
     }
-    return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), step, u->start, u->starts, given, n);
+    u->given = given;
+    return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), mutation_delta_t(u), u->start, u->starts, u->given, u->givens);
 }
 
 FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m)
@@ -297,25 +299,27 @@ FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m)
     return f;
 }
 
+void mutation_search_from(Mutation *u, Mutant *m, const Scenario *from, uint64_t steps)
+{
+    FlatMachine *mutant = mutation_build(u, &u->work, m);
+    const Around around = list_numbers_around(u->p, m);
+    const MutantTarget target = {mutant, find_state(u->p, m), around.at, around.n, from};
+
+    if (!u->search)
+        u->search = new_search(u);
+    m->scenario = mutant_search_run(u->search, u->arena, &u->work, &target, steps, &m->differs);
+    if (m->scenario)
+        m->verdict = MUTANT_GENERATED;
+}
+
 bool mutation_search_next(Mutation *u, uint64_t steps)
 {
-    Mutant *m;
-    FlatMachine *mutant;
-    Around around;
-
     while (u->next_search < u->mutant.n && u->mutant.at[u->next_search].verdict != MUTANT_UNNOTICED)
         u->next_search++;
     if (u->next_search == u->mutant.n)
         return false;
-    m = &u->mutant.at[u->next_search++];
-    if (!u->search)
-        u->search = new_search(u);
     arena_reset(&u->work);
-    mutant = mutation_build(u, &u->work, m);
-    around = list_numbers_around(u->p, m);
-    m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, find_state(u->p, m), around.at, around.n, steps, &m->differs);
-    if (m->scenario)
-        m->verdict = MUTANT_GENERATED;
+    mutation_search_from(u, &u->mutant.at[u->next_search++], NULL, steps);
     return true;
 }
 

@@ -42,6 +42,7 @@ typedef struct Mutant {
     const Scenario *scenario; // GENERATED: the scenario in whose last step the mutant differs from the machine.  Variables that the machine
                               // stores are only set before the first step
     const Var *differs;       // GENERATED: the variable that differs; NULL: S
+    bool if_only_inputs_change;       // EQUIVALENT: only as long as no code outside the machine writes what the machine stores
 } Mutant;
 
 typedef struct Mutation Mutation;

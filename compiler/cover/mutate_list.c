@@ -15,7 +15,7 @@ static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at,
 static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
 {
     MutantEdit *copy;
-    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0, NULL, NULL, NULL};
+    Mutant m = {.span = own_span(u, span), .text = text, .danger = u->danger, .state = u->state};
 
     edit.stmt = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/cover/run_facts.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "compiler/cover/judge.h"
@@ -18,16 +19,21 @@ struct RunFacts {
 
 // ---- the machine ----
 
-// Turns all variables except inputs and times into locals, so that facts about them remain valid from step to step.
-static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input)
+// Turns all variables except inputs and times into locals, so that facts about them remain valid from step to step.  any_elements: the elements may
+// have any value at the start, as facts about a parameter allow every value of its range.
+static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input, bool any_elements)
 {
+    static const Parameter any = {.lo = -INFINITY, .hi = INFINITY};
+
     m->var.at = arena_copy(arena, m->var.at, m->var.n * sizeof *m->var.at);
     for (uint32_t v = 0; v < m->var.n; v++) {
         IrVar *var = &m->var.at[v];
         if (is_input[v] || v == m->g || v == m->s || var->space == IR_TIME)
             continue;
-        if (var->space == IR_ELEMENT)
+        if (var->space == IR_ELEMENT) {
             var->init = 0;
+            var->parameter = any_elements ? &any : NULL;
+        }
         var->space = IR_LOCAL;
         var->outside = false;
     }
@@ -185,17 +191,17 @@ static bool bound_all_transitions(RunFacts *r)
     return more;
 }
 
-RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t)
+RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t, RunStart start)
 {
     RunFacts *r = ARENA_NEW(arena, RunFacts);
 
     r->arena = arena;
     r->m = *m;
     r->delta_t = delta_t;
-    turn_variables_into_locals(&r->m, arena, is_input);
+    turn_variables_into_locals(&r->m, arena, is_input, start.any_elements);
     make_functions(&r->m, arena);
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        r->facts = facts_from_first_state(arena, &r->m);
+        r->facts = facts_from_state(arena, &r->m, start.state - 1);
         if (round + 1 == MOST_ROUNDS || !bound_all_transitions(r))
             break;
         r->counts = true;

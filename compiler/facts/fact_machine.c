@@ -25,6 +25,7 @@ typedef struct FactIteration {
     uint32_t state;                   // the state that is visited
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     bool any_start;                   // the machine may be started in any state
+    uint32_t start;                   // else: the index of the state in which it starts
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and the numbers next to them, because guards stop counters there
 } FactIteration;
@@ -161,7 +162,9 @@ static void compute_function_facts(FactIteration *v, int block)
 
 static void enter_start_states(FactIteration *v, const Env *env)
 {
-    for (uint32_t s = 0; s < (v->any_start ? v->fm->m->state.n : 1); s++)
+    if (!v->any_start)
+        enter_function(v, v->start, BLOCK_ENTRY, env);
+    for (uint32_t s = 0; v->any_start && s < v->fm->m->state.n; s++)
         enter_function(v, s, BLOCK_ENTRY, env);
 }
 
@@ -250,11 +253,11 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 // ---- the iteration ----
 
 // Visits functions until no fact changes, then narrows the facts if bounds were widened.
-static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
+static void iterate_to_fixed_point(FactMachine *fm, bool any_start, uint32_t start)
 {
     const IrMachine *m = fm->m;
     const Env *initial = initial_values(fm, true);
-    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start};
+    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .start = start};
 
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
@@ -272,7 +275,7 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
         narrow_facts(&v, initial);
 }
 
-static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed)
+static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, uint32_t start, const Env *assumed)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
     const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
@@ -295,19 +298,21 @@ static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
     if (fm->has_variable_locals || !any_start)
-        iterate_to_fixed_point(fm, any_start);
+        iterate_to_fixed_point(fm, any_start, start);
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, 0, NULL); }
 
 // Computes the facts of a machine that is only ever started in its first state, as analyses assume.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, false, NULL); }
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return facts_from_state(arena, m, 0); }
+
+FactMachine *facts_from_state(Arena *arena, const IrMachine *m, uint32_t state) { return compute_machine_facts(arena, m, false, state, NULL); }
 
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
-    return compute_machine_facts(arena, m, false, assumed);
+    return compute_machine_facts(arena, m, false, 0, assumed);
 }
 
 // ---- results ----

@@ -64,6 +64,7 @@ typedef struct SearchOptions {
     const bool *writable;     // by Var.index: scenarios can set the variable; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
     bool no_places;           // only the goals of `watch` are searched for, no coverage points
+    bool any_elements;        // proofs allow any value before the first step for elements that the machine stores; else they are 0, as in the runs
     bool loops;               // scenarios can have loops
     bool plain;               // for goals that few changes reach: no attempt repeats changes, and inputs with noise can become constant
     SearchSpecials specials;

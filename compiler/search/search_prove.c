@@ -138,7 +138,7 @@ static RunFacts *facts_of_runs(SearchRun *k)
 
     for (uint32_t i = 0; i < k->inputs; i++)
         is_input[k->input[i].at] = true;
-    return k->start->number == 1 ? run_facts_new(&k->work, k->m, is_input, k->delta_t) : NULL;
+    return run_facts_new(&k->work, k->m, is_input, k->delta_t, (RunStart){k->start->number, k->o->any_elements});
 }
 
 // Marks the goals that facts about all runs exclude.
