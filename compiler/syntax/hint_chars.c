@@ -174,15 +174,17 @@ static uint32_t find_remark_start(const Lexer *l, uint32_t end)
            l->last == TOK_COMMA ? from : 0;
 }
 
-// Whether the quote at l->at is the first argument of a function that prints, as in print("on").
+// Whether the quote at l->at is the first argument of a function or statement that prints, as in print("on") and echo "on".
 static bool is_printed(const Lexer *l)
 {
     static const char *const functions[] = {"print", "printf", "println", "log", "disp", "puts", "echo"};
     const char *s = l->src->text;
     uint32_t end = l->at, from;
 
-    if (end == 0 || s[--end] != '(')
-        return false;
+    if (end > 0 && s[end - 1] == '(')
+        end--;
+    while (end > 0 && is_space_tab_or_return(s[end - 1]))
+        end--;
     for (from = end; from > 0 && lexer_is_word(s[from - 1]); from--) {}
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (end - from == strlen(functions[i]) && memcmp(s + from, functions[i], end - from) == 0)
@@ -224,6 +226,19 @@ static void read_unclosed_text(Lexer *l, Token *t, uint32_t end)
     lexer_finish_token(l, t, TOK_TEXT, end);
 }
 
+// Whether the quote at l->at is assigned to a state, as in state = "Hold". Then the assignment is the mistake, and the checker reports it.
+static bool is_assigned_to_state(const Lexer *l)
+{
+    uint32_t at = l->at;
+
+    while (at > 0 && is_space_tab_or_return(l->src->text[at - 1]))
+        at--;
+    if (l->last != TOK_ASSIGN || at == 0)
+        return false;
+    at -= at > 1 && l->src->text[at - 2] == ':' ? 2 : 1;
+    return hint_follows_state(l, at);
+}
+
 // Reports quoted text where the grammar allows none. The token ends at the closing quote or at the end of the line.
 static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
@@ -235,6 +250,11 @@ static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
     }
     if (!closing && l->src->text[l->at] == '"' && lexer_may_be_remark(l)) {
         read_unclosed_text(l, t, p);
+        return;
+    }
+    if (closing && lex_is_identifier(l->src->text + l->at + quote_len, p - l->at - quote_len) && is_assigned_to_state(l)) {
+        t->text = str_intern(l->strings, l->src->text + l->at + quote_len, p - l->at - quote_len);
+        lexer_finish_token(l, t, TOK_NAME, p + closing);
         return;
     }
     if (lexer_mark_line_reported(l))

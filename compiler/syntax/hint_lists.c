@@ -107,6 +107,23 @@ static uint32_t read_members(Membership *m, uint32_t at, char close)
     }
 }
 
+// Reads `3 to 5` after `in`. Returns false if something else is there.
+static bool read_range_in_words(Membership *m, uint32_t at)
+{
+    const Source *src = m->written.src;
+    const char *text = src->text;
+    const uint32_t lo = skip_member(text, at), word = skip_blanks(text, lo), second = skip_blanks(text, end_of_name(text, word));
+    const uint32_t hi = skip_member(text, second);
+
+    if (lo == at || hi == second || !is_word_at(text, word, end_of_name(text, word), "to"))
+        return false;
+    m->member[0] = (Span){src, at, lo - at};
+    m->member[1] = (Span){src, second, hi - second};
+    m->n = 2;
+    m->written.len = hi - m->written.at;
+    return true;
+}
+
 // Reads a range after `in`, as in 3..5. Returns false if something else is there.
 static bool read_range(Membership *m, uint32_t at)
 {
@@ -132,7 +149,7 @@ static bool read_list(Membership *m, uint32_t at, bool is_enclosed)
     uint32_t end;
 
     at = skip_blanks(text, at);
-    m->is_range = read_range(m, at);
+    m->is_range = read_range(m, at) || read_range_in_words(m, at);
     if (m->is_range)
         return true;
     open = text[at] ? strchr(brackets, text[at]) : NULL;

@@ -46,6 +46,10 @@ bool hint_label_prose(Parser *p, Diag *d, const AstExpr *e)
         diag_label(p->diags, d, DIAG_label_print_in_script);
         return true;
     }
+    if (strcmp(word, "string") == 0 || strcmp(word, "String") == 0 || strcmp(word, "str") == 0) {
+        diag_label(p->diags, d, DIAG_label_no_texts);
+        return true;
+    }
     if (is_guard && (strcmp(word, "state") == 0 || strcmp(word, "in") == 0)) {
         text = format_in(p->arena, "S == %s", p->tok.text->text);
         diag_edit(p->diags, d, span_join(e->span, parser_token_span(p)), text);

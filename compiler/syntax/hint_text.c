@@ -137,6 +137,26 @@ bool hint_follows_value(const Lexer *l, bool first)
                       l->last == TOK_FALSE || l->last == TOK_ERROR);
 }
 
+bool hint_follows_state(const Lexer *l, uint32_t at)
+{
+    const char *text = l->src->text;
+    uint32_t from;
+
+    while (at > 0 && is_space_tab_or_return(text[at - 1]))
+        at--;
+    for (from = at; from > 0 && lexer_is_word(text[from - 1]); from--) {}
+    return at - from == 5 && (memcmp(text + from, "state", 5) == 0 || memcmp(text + from, "State", 5) == 0) && !hint_is_declared(l, from, at);
+}
+
+// Reads the := of `state := Hold` as =.  The assignment itself is the mistake, and the checker reports it.
+HintResult hint_read_state_assignment(Lexer *l, Token *t)
+{
+    if (!hint_follows_state(l, l->at))
+        return HINT_NONE;
+    lexer_finish_token(l, t, TOK_ASSIGN, l->at + 2);
+    return HINT_READ;
+}
+
 // ---- whole lines in the syntax of other languages ----
 
 // Reads `state Hold:` and `def hold():`, at the start of a line, as the header [Hold].

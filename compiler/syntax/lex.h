@@ -57,6 +57,7 @@ typedef struct Lexer {
     uint32_t at;              // the next byte to read
     uint32_t line_start;      // offset of the current line's first byte
     uint32_t reported_line;   // 1 + line_start of the last line in which a wrong character was reported
+    uint32_t reported_before; // the same of the line before that one in which there was one: the lexer can be a line ahead of the parser
     bool first;               // the next token is the first on its line
     bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers

@@ -11,8 +11,25 @@ bool lexer_mark_line_reported(Lexer *l)
 {
     bool first = l->reported_line != l->line_start + 1;
 
+    if (first)
+        l->reported_before = l->reported_line;
     l->reported_line = l->line_start + 1;
     return first;
+}
+
+// Whether the line that begins at line - 1 contains the byte at `at`.
+static bool is_in_line(const Lexer *l, uint32_t line, uint32_t at)
+{
+    const uint32_t from = line - 1;
+
+    return line > 0 && from <= at && !memchr(l->src->text + from, '\n', at - from);
+}
+
+bool lexer_is_line_reported(const Lexer *l, uint32_t at)
+{
+    if (at >= l->line_start)
+        return l->reported_line == l->line_start + 1;
+    return is_in_line(l, l->reported_line, at) || is_in_line(l, l->reported_before, at);     // once a line, where the lexer is ahead
 }
 
 // ---- comments ----

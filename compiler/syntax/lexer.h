@@ -26,6 +26,8 @@ bool lexer_is_hex_prefix(const Lexer *l, uint32_t p);       // whether 0x is at 
 
 // Returns true when first called for the current line, so that only the first wrong character of a line is reported.
 bool lexer_mark_line_reported(Lexer *l);
+// Whether the line of the byte at `at` is one of the last two in which a wrong character was reported.
+bool lexer_is_line_reported(const Lexer *l, uint32_t at);
 void lexer_report_control(Lexer *l, uint32_t at);           // reports the control character at `at`
 uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at);      // reports a byte that is not UTF-8; returns 1
 void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end);  // reports characters that a comment must not contain

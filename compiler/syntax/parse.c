@@ -4,6 +4,7 @@
 #include "compiler/syntax/ast_net.h"
 #include "compiler/syntax/ast_rq.h"
 #include "compiler/syntax/hints.h"
+#include "compiler/syntax/lexer.h"
 #include "compiler/syntax/parser.h"
 #include "compiler/syntax/parser_app.h"
 
@@ -130,8 +131,20 @@ Diag *parser_fail(Parser *p, DiagCode code, Span span, ...)
     va_start(args, span);
     d = report_unless_failed(p, code, span, args);
     va_end(args);
+    if (!p->failed && span.src == p->lex.src && span.at >= p->lex.line_start)
+        lexer_mark_line_reported(&p->lex);                // quoted text later in a wrong statement is no second mistake
     p->failed = true;
     return d;
+}
+
+const char *parser_text_of_line(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+    uint32_t end = at + (uint32_t)strcspn(text + at, "#\r\n");
+
+    while (end > at && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    return parser_text(p, (Span){p->lex.src, at, end - at});
 }
 
 // Returns the source text, cut to a readable length.

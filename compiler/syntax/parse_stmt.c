@@ -2,6 +2,7 @@
 // Parses statements of machines and items of scripts, which share one grammar. Reports statements and items in a file whose kind does not
 // allow them.
 #include "compiler/syntax/hints.h"
+#include "compiler/syntax/lexer.h"
 #include "compiler/syntax/parser.h"
 
 static void parse_statement(Parser *p, AstStmts *into);
@@ -91,7 +92,7 @@ void parse_block(Parser *p, AstStmts *into)
         if (p->nesting && into->n && into->at[into->n - 1]->kind == AST_STOP)
             parser_report(p, DIAG_after_stop, parser_token_span(p));
         parse_statement(p, into);
-        if (p->tok.at == at)                    // the token begins no statement: skip it
+        if (p->tok.at == at && p->tok.kind != TOK_RBRACE)          // the token begins no statement: skip it
             parser_advance(p);
         finish_statement(p);
         claimed = at < p->lex.hinted || at < p->indented;
@@ -154,7 +155,13 @@ static void report_if_unguarded(Parser *p, const AstStmt *s)
     if (!in_script(p) || p->nesting > 0 || p->reported_unguarded || s->span.at < p->lex.hinted)
         return;
     p->reported_unguarded = true;
-    diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
+    if (!p->tok.first && parser_at_when(p)) {
+        const char *const when = parser_text_of_line(p, p->tok.at);
+        diag_label(p->diags, parser_fail(p, DIAG_script_unguarded, s->span), DIAG_label_write,
+                   format_in(p->arena, "%s: %s", when, parser_text(p, s->span)));
+    } else {
+        diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
+    }
 }
 
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
@@ -423,6 +430,8 @@ static void report_lone_value(Parser *p, AstExpr *e)
         p->failed = true;                     // the lexer has reported `c ? a : b`
     else if (p->has_if)
         diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
+    else if (lexer_is_line_reported(&p->lex, e->span.at))
+        e->kind = AST_ERROR;                  // print("on"), whose quoted text the lexer has reported
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
         e->alone = true;                      // the checker, which knows the declarations, reports it
     else
@@ -441,6 +450,8 @@ static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
             report_lone_value(p, s->value);
         else
             hint_explain(p, HINT_AT_END, NULL);
+        if (p->failed && lexer_is_line_reported(&p->lex, s->value->span.at))
+            s->value->kind = AST_ERROR;       // echo "on"
     }
     if (!p->failed && !p->tok.first &&
         (p->tok.kind == TOK_ARROW || p->tok.kind == TOK_NAME || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_IF))
@@ -512,7 +523,8 @@ static void parse_branches(Parser *p, AstStmt *s)
         if (p->failed)
             recover_guard(p);
         parse_body(p, s, &s->arms->then, &s->arms->braces, &s->arms->body_span);
-        check_script_body(p, &s->arms->then, s->span, errors);
+        if (s->value->kind != AST_ERROR)
+            check_script_body(p, &s->arms->then, s->span, errors);
         s = parse_else(p, s);
     }
 }

@@ -26,7 +26,8 @@ typedef struct Parser {
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
     bool stopped;                 // parsing was abandoned: every further token is TOK_END, and nothing more is reported
     unsigned braces;              // number of open braces
-    bool reported_unguarded;          // in a script: items without a guard have been reported for the current section
+    unsigned brace_searches;      // how often a hint has searched for a missing }
+    bool reported_unguarded;      // in a script: items without a guard have been reported for the current section
     unsigned nesting;             // number of conditionals around the current position
     unsigned depth;               // depth of the recursion in the current expression
     unsigned parens;              // open parentheses in the current expression; inside them line ends count as spaces
@@ -62,6 +63,7 @@ Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
 // Reports like parser_report, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
 const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
+const char *parser_text_of_line(const Parser *p, uint32_t at);         // the text from `at` to a comment or the end of the line
 // Describes a token for a diagnostic: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_describe_found(const Parser *p);              // describes the next token, or the end of the line before it
