@@ -10,7 +10,7 @@
 typedef struct RestartCheck {
     Analysis *a;
     const InputDepsTable *deps;
-    bool *free_start;             // by State.number - 1: the machine can come here from its first state without a command
+    bool *free_start;             // by State.number - 1: the machine can come here from its first state without a command, and not through an abort
     const Transition **via;       // by State.number - 1: the transition into it on the way from the @abort state; NULL: none
 } RestartCheck;
 
@@ -61,7 +61,8 @@ static void mark_free_starts(RestartCheck *k)
         grown = false;
         for (size_t i = 0; i < k->a->transition.n; i++) {
             const Transition *way = &k->a->transition.at[i];
-            if (!k->free_start[way->from->number - 1] || k->free_start[way->to->number - 1] || !is_reached(k, way) || needs_command(k, way))
+            if (!k->free_start[way->from->number - 1] || k->free_start[way->to->number - 1] || way->from->is_abort || !is_reached(k, way) ||
+                needs_command(k, way))
                 continue;
             k->free_start[way->to->number - 1] = grown = true;
         }

@@ -29,5 +29,5 @@ bool fan
     pump = false
     fan = false
 .step
-    p < 7: -> Run
     p < 3: -> Blow
+    p < 7: -> Run

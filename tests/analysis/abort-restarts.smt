@@ -12,6 +12,7 @@ bool vent
 [Idle] @safe
 .step
     T > 5 and go: -> Run
+    p > 9: -> Stop
 [Run]
 .entry
     pump = true

@@ -18,21 +18,26 @@ bool high = false
 bool leak = false
 bool lock = false
 bool seen = false
+bool tried = false
 [all_states]
 .step
     clear: lock = false
 [Idle] @safe
 .entry
     valve = false
-    best = 0
     hot = false
     high = false
     leak = false
+    lock = false
 .step
-    go: -> Try
+    go {
+        best = 0
+        -> Try
+    }
 [Try]
 .entry
     valve = true
+    tried = true
     now = 0
     seen = false
 .step
@@ -52,8 +57,10 @@ bool seen = false
     }
 [Pause]
 .step
-    T > 20 and not seen: -> Idle
+    T > 20 and not seen and tried: -> Idle
     T > 30 {
+        hot = false
+        high = false
         leak = false
         -> Try
     }

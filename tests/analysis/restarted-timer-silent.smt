@@ -31,6 +31,7 @@ U32 other = 0
     steps > 3000: -> Stop
     safe > 500: -> Stop
     other > 20: -> Stop
+    p > 60: -> Dry
     p > 52: -> Rest
 [Rest]
 .step
@@ -40,6 +41,11 @@ U32 other = 0
     other > 20: -> Fill
     again and p < 47: -> Shake
     p < 3: -> Fill
+[Dry]
+.step
+    other = other + 1
+    other > 20: -> Fill
+    p < 40: -> Shake
 [Stop] @safe
 .entry
     valve = false
