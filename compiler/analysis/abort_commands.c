@@ -16,21 +16,12 @@ enum {
     OTHERS_FOR_EACH = 3           // and at least this many for each state that does not
 };
 
-static bool reads(const Expr *e, const Var *v)
-{
-    bool any = e->kind == EX_VAR && e->var == v;
-
-    for (uint32_t i = 0; i < e->n && !any; i++)
-        any = reads(e->arg[i], v);
-    return any;
-}
-
 static bool any_reads(const Condition *when, const Var *v)
 {
     bool any = false;
 
     for (; when && !any; when = when->outer)
-        any = reads(when->stmt->value, v);
+        any = expr_reads(when->stmt->value, v);
     return any;
 }
 
@@ -39,7 +30,7 @@ static bool is_stored(const Trials *t, const Var *input)
 {
     for (uint32_t n = 1; n <= t->a->p->stmts; n++) {
         const Stmt *s = t->stmt[n];
-        if (s && s->kind == ST_ASSIGN && s->var->kind == VAR_LOCAL && (reads(s->value, input) || any_reads(t->when[n], input)))
+        if (s && s->kind == ST_ASSIGN && s->var->kind == VAR_LOCAL && (expr_reads(s->value, input) || any_reads(t->when[n], input)))
             return true;
     }
     return false;

@@ -143,6 +143,15 @@ static void find_envs(const Analysis *a, uint32_t state, BlockKind block)
     facts_set_arena(a->facts, a->arena);
 }
 
+bool expr_reads(const Expr *e, const Var *v)
+{
+    bool reads = e->kind == EX_VAR && e->var == v;
+
+    for (uint32_t i = 0; i < e->n && !reads; i++)
+        reads = expr_reads(e->arg[i], v);
+    return reads;
+}
+
 const Env *env_of_stmt(const Analysis *a, const Stmt *stmt)
 {
     const StmtFact *s = &a->stmt[stmt->number];

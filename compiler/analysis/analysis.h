@@ -90,6 +90,9 @@ SmOperator comparison_swapped(SmOperator op);
 // Returns the possible results of `a op b`, as the fact of a bool.
 Fact fact_of_comparison(SmOperator op, Fact a, Fact b);
 
+// Whether e reads the variable, also in the sample of a window.
+bool expr_reads(const Expr *e, const Var *v);
+
 // Returns StmtFact.env of a reached guard or transition.
 const Env *env_of_stmt(const Analysis *a, const Stmt *stmt);
 
