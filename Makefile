@@ -79,7 +79,7 @@ $(B)/gen/stdlib_text.h: $(B)/embed_tool $(EMBEDDED)
 # Soft binary64 as it goes with emitted C for chips without it.
 SOFT_EMBEDDED = header:stdlib/soft.h,stdlib/f64_soft.h cells:stdlib/soft_cells.h \
                 code:stdlib/soft_pack.h,stdlib/soft_arith.c,stdlib/soft_convert.c,stdlib/soft_cells.c \
-                assembly:stdlib/soft_pack.h,stdlib/soft_avr.S,stdlib/soft_cells_avr.S
+                assembly:stdlib/soft_pack.h,stdlib/soft_avr.S,stdlib/soft_cells_avr.S,stdlib/soft_sqrt_avr.S
 $(B)/gen/soft_text.h: $(B)/embed_tool $(wildcard stdlib/*soft*)
 	@mkdir -p $(@D)
 	$(call say,GEN)for f in $(SOFT_EMBEDDED); do $(B)/embed_tool -lines soft_$${f%%:*} $$(echo $${f#*:} | tr , ' ') || exit 1; done >$@.new && mv $@.new $@

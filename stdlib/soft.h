@@ -40,6 +40,12 @@ int64_t sm_soft_to_i64(uint64_t a);
 uint64_t sm_soft_to_u64(uint64_t a);
 uint32_t sm_soft_to_f32(uint64_t a);          // the bits of a binary32: to nearest even, overflow to infinity
 
+// On AVR, sm_sqrt_digits of math.h in assembly.
+#if defined(__AVR_HAVE_MUL__) && !defined(SM_SOFT_PORTABLE)
+#define SM_SOFT_SQRT_DIGITS
+uint64_t sm_soft_sqrt_digits(uint64_t n);
+#endif
+
 #ifdef __cplusplus
 }
 #endif

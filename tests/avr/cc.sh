@@ -19,7 +19,7 @@ done
 # build MCU FLASH RAM: fails if the program does not fit
 build() {
     "${AVR_CC:-avr-gcc}" -mmcu=$1 -Os -std=gnu99 -DSM_IN_FLASH=__flash -ffunction-sections -fdata-sections -Wl,--gc-sections -w $options \
-        "$source" "$root/tests/avr/console.c" "$root/stdlib/soft_avr.S" "$root/stdlib/soft_cells_avr.S" -I"$root" -o "$out.elf" 2>"$out.log" || {
+        "$source" "$root/tests/avr/console.c" "$root/stdlib/soft_avr.S" "$root/stdlib/soft_cells_avr.S" "$root/stdlib/soft_sqrt_avr.S" -I"$root" -o "$out.elf" 2>"$out.log" || {
         grep -q 'overflowed by\|will not fit in region\|is not within region\|is too large' "$out.log" && return 1
         cat "$out.log"
         exit 1

@@ -29,7 +29,7 @@ avr() {
         -I. "$@" -o "$B/$name.elf"
 }
 
-SOFT="stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S stdlib/soft_cells.c stdlib/soft_cells_avr.S"
+SOFT="stdlib/soft_arith.c stdlib/soft_convert.c stdlib/soft_avr.S stdlib/soft_cells.c stdlib/soft_cells_avr.S stdlib/soft_sqrt_avr.S"
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_soft.c tests/soft/hardware.c tests/soft/vectors.c -o "$B/run_soft" \
     -lsimavr -lelf -lm || exit 1
 avr soft tests/avr/soft.c $SOFT || exit 1
@@ -40,6 +40,10 @@ count "$B/run_soft" "$B/soft_portable.elf" 20 "$SEED" free >"$B/soft_portable.tx
 size=$(avr-size "$B/soft_avr.o" | awk 'NR == 2 { print $1 }')
 echo "soft binary64: $size bytes of flash"
 count test "$size" -le 2816
+"$AVR_CC" -mmcu=atmega328p -I. -c stdlib/soft_sqrt_avr.S -o "$B/soft_sqrt_avr.o" || exit 1
+size=$(avr-size "$B/soft_sqrt_avr.o" | awk 'NR == 2 { print $1 }')
+echo "square root: $size bytes of flash"
+count test "$size" -le 256
 # Rolling windows, all types and statistics.
 avr roll tests/avr/roll.c $SOFT || exit 1
 $CC -std=gnu99 -ffp-contract=off -O1 -Wall -Wextra -I. tests/avr/sim.c tests/avr/run_roll.c -o "$B/run_roll" -lsimavr -lelf || exit 1

@@ -14,7 +14,7 @@ enum { SHORT_FIRST = 0x8000, SHORT_END = 0x10000, SHORT_MOST = 640, READINGS = 1
 // The most cycles that the assembly may need on average.  SM_SOFT_PORTABLE has no limits.
 static const struct { SoftOp op; double most; } limit[] = {
     {SOFT_add, 260}, {SOFT_sub, 265}, {SOFT_mul, 530}, {SOFT_div, 1550}, {SOFT_lt, 110}, {SOFT_le, 115}, {SOFT_eq, 115},
-    {SOFT_to_i32, 150}, {SOFT_from_i32, 110}, {SOFT_to_f32, 170}, {SOFT_from_f32, 90},
+    {SOFT_to_i32, 150}, {SOFT_from_i32, 110}, {SOFT_to_f32, 170}, {SOFT_from_f32, 90}, {SOFT_sqrt, 1600},
 };
 
 // Cycles of an operation.  The average is over typical numbers: F64 of either sign between a millionth and a million.
