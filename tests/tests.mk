@@ -425,6 +425,13 @@ $(B)/bench/obj/tests/bench/workloads/%_native.o: BENCH_FLAGS = $(BENCH_USER) -I.
 $(B)/bench/steps: $(BENCH_OBJ) $(BENCH_EMITTED:%=%.o) $(BENCH_WASM3) $(BENCH_VM) $(B)/libsmc.a | $(BENCH_WASM)
 	$(call say,LD)$(CC) -o $@ $^ -lm
 
+# What coverage costs: `make bench-coverage W="tank mission"`.
+$(B)/bench/coverage: $(B)/bench/obj/tests/bench/coverage.o $(filter-out %/steps.o,$(BENCH_OBJ)) $(BENCH_EMITTED:%=%.o) $(BENCH_WASM3) $(BENCH_VM) $(B)/libsmc.a
+	$(call say,LD)$(CC) -o $@ $^ -lm
+bench-coverage: $(B)/bench/coverage
+	$(B)/bench/coverage $(W)
+.PHONY: bench-coverage
+
 # tests/search: how far searches come on every machine, and how fast.  `make bench-search M=machine.sm`: one machine.
 SEARCH_MACHINES = $(filter-out %_rows.sm,$(wildcard examples/*/*.sm tests/search/machines/*.sm tests/bench/workloads/*.sm))
 $(B)/search/bench: tests/search/bench.c $(B)/libsmc.a
@@ -432,7 +439,9 @@ $(B)/search/bench: tests/search/bench.c $(B)/libsmc.a
 	$(call say,CC)$(CC) $(STRICT_C) -D_POSIX_C_SOURCE=200809L $(WARN) $(CFLAGS) $< -o $@ $(B)/libsmc.a -lm
 bench-search: $(B)/search/bench
 	$(B)/search/bench $(or $(M),$(SEARCH_MACHINES))
-.PHONY: bench-search
+bench-mutants: $(B)/smc
+	@sh tests/bench/mutants.sh $(B)/smc
+.PHONY: bench-search bench-mutants
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr

@@ -44,14 +44,81 @@ reproduce ignition 15 examples/ignition/ignition.sm examples/ignition/ignition.s
 reproduce pairs 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq --pairs --kinds=dead,stuck
 reproduce tank 2 examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
 
-# The machine of tests/whatif: every kind at every trigger.  A build with sanitizers has no limit of its own.
+# The machine of tests/whatif, with a flight, a weak motor and a drogue that does not come out: every kind at every trigger.  A build with sanitizers has no limit of its own.
 limit=10
 grep -q __asan_init "$smc" && limit=300
 ( ulimit -t $limit
-  "$smc" faults tests/whatif/sequencer.sm tests/whatif/sequencer.ss tests/whatif/sequencer.rq >"$dir/sequencer.txt" 2>"$dir/errors" )
+  "$smc" faults tests/whatif/sequencer.sm tests/whatif/sequencer*.ss tests/whatif/sequencer.rq >"$dir/sequencer.txt" 2>"$dir/errors" )
 check "the matrix of the sequencer in $limit s of processor time" [ $? -eq 0 ]
-check "all faults of the sequencer" grep -q '20 triggers in 1 script; [0-9]* of 1040 faults' "$dir/sequencer.txt"
+check "all faults of the sequencer" grep -q '61 triggers in 3 scripts; [0-9]* of 3172 faults' "$dir/sequencer.txt"
 check "the dead altimeter of the sequencer" grep -q '^  altitude dead .*R3, by the true values' "$dir/sequencer.txt"
+check "the dead feedback of the sequencer" grep -q '^  drogueOut dead .*backupDrogue = true instead of false' "$dir/sequencer.txt"
+check "the stuck feedback of the sequencer" grep -q '^  drogueOut high .*sequencer-backup.ss): backupDrogue = false instead of true' "$dir/sequencer.txt"
+
+# Faults of which no analysis warned: an altimeter that dies in the ascent fires a charge, with a limit beside a timer and with the form of an apogee
+# detector; one wild sample in the first step fills a window that has to be full for half a second.
+cat >"$dir/limit.sm" <<'EOF_SM'
+[state_vector]
+U64  time      @alias G
+U32  state     @alias S
+F32  altitude  @read_only
+bool drogue
+[Ascent]
+.step
+    altitude < 500: -> Drogue
+    T > 18000: -> Drogue
+[Drogue] @safe
+.entry
+    drogue = true
+EOF_SM
+sed -e '/altitude < 500/d' -e 's/18000/18 s/' -e 's/^\[Ascent\]/[local]\nF64 highest = 0\n&/' -e 's/@read_only/& @range -50 12000/' \
+    -e 's/^    T > 18 s/    highest = max(highest, roll_median(altitude, 9))\n    T > 1000 and roll_median(altitude, 9) < highest - 10: -> Drogue\n&/' \
+    "$dir/limit.sm" >"$dir/apogee.sm"
+cat >"$dir/ascent.ss" <<'EOF_SS'
+[options]
+delta_t 10
+[all_states]
+true: altitude = 600 + 200 * (G / 1000) - 5 * (G / 1000) * (G / 1000)
+at 25 s: @stop
+EOF_SS
+echo 'R1 "no charge in the ascent"  never drogue and G < 13 s' >"$dir/ascent.rq"
+cat >"$dir/latch.sm" <<'EOF_SM'
+[state_vector]
+U64   time  @alias G
+U32   state @alias S
+F64   P1    @read_only
+F64   P2    @read_only
+bool  alarm
+[local]
+bool bad = false
+[Watch] @safe
+.step
+    roll_min(abs(P1 - P2), 50) > 2: bad = true
+    alarm = bad
+    bad: -> Stop
+[Stop] @abort @safe
+EOF_SM
+cat >"$dir/latch.ss" <<'EOF_SS'
+[options]
+delta_t 10
+[all_states]
+true {
+    P1 = 100 + noise(0.1)
+    P2 = 100 + noise(0.1)
+}
+at 4 s: @assert state Watch
+at 5 s: @stop
+EOF_SS
+echo 'R1 "half a second of disagreement"  never alarm and G < 0.48 s' >"$dir/latch.rq"
+find_fault() { # NAME PATTERN FILE...
+    name=$1 pattern=$2
+    shift 2
+    "$smc" faults -w "$@" >"$dir/$name.txt" 2>"$dir/errors"
+    check "$name: the fault is found" grep -q "$pattern" "$dir/$name.txt"
+}
+find_fault limit '^  altitude dead .*: R1 at G = .*drogue = true instead of false' "$dir/limit.sm" "$dir/ascent.ss" "$dir/ascent.rq"
+find_fault apogee '^  altitude dead .*: R1 at G = .*drogue = true instead of false' "$dir/apogee.sm" "$dir/ascent.ss" "$dir/ascent.rq"
+find_fault latch '^  P1 dead from the start.*: R1 at G = 0;' "$dir/latch.sm" "$dir/latch.ss" "$dir/latch.rq"
 
 # Pairs: those that are not run because they cannot be worse do not count, and no others are left out.  A campaign that ran every pair found these.
 "$smc" faults tests/whatif/sequencer.sm tests/whatif/sequencer.ss tests/whatif/sequencer.rq --pairs --kinds=noisy,late,dead -v >"$dir/pairs.txt" 2>"$dir/errors"
