@@ -16,7 +16,7 @@ enum { EVENTS_AT_ONCE = 4 };
 // beginning of a log, only the mark is checked.
 static bool is_log(const SmLog *log)
 {
-    enum { BEGINNING = LOG_HEAD + 9 };                    // up to and including the start offset of the first session, which is 0
+    enum { BEGINNING = LOG_HEAD + 9 };                    // bytes of a log up to and including the start offset of the first session, which is 0
     const uint8_t beginning[9] = {LOG_VERSION};
     const uint32_t n = log->start < BEGINNING ? (uint32_t)log->start : BEGINNING;
     uint8_t b[BEGINNING] = {0};

@@ -11,7 +11,7 @@ int device_show_parameters(BoardLine *b, Buf *out);
 // Sends the image that the board runs with the values of the settings c->file[1] and following.
 int device_set_parameters(BoardLine *b, Buf *out);
 
-// Whether these settings have the form NAME=VALUE.  Returns false after a message.
+// Whether c->file[1] and the following have the form NAME=VALUE.  Returns false after a message.
 bool device_check_settings(Cli *c);
 
 #endif

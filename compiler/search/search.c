@@ -39,7 +39,7 @@ uint64_t search_random(SearchRun *k)
 
 // ---- goals ----
 
-// Picks an entry of a state: the simpler one of two, mostly.
+// Picks two random entries of a state, and returns, three times of four, the one after fewer changes.
 static uint32_t pick_entry(SearchRun *k, uint32_t state)
 {
     const SearchNear *pool = &k->entry[state * SEARCH_ENTRIES];
