@@ -118,7 +118,7 @@ typedef struct CPair {
     Buf *header, *code;
 } CPair;
 
-// Adds `stem`.h and `stem`.c, which are generated from the file `source``suffix`.
+// Adds the output files STEM.h and STEM.c, which are generated from the file whose name is `source` followed by `suffix`.
 static CPair add_app_pair(Compilation *c, const char *stem, Str source, const char *suffix)
 {
     CPair f;

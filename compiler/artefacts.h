@@ -12,12 +12,12 @@ typedef struct Compilation {
     const CompileInput *in;
     const CompileOptions *o;
     Compiled *out;
-    const Program **program;      // the machines without errors
+    const Program **program;      // the programs of the machines without errors, `programs` of them
     size_t programs;
     size_t only_machine;          // index of the machine in `in`; SIZE_MAX: there is not exactly one machine
 } Compilation;
 
-// How code outside a machine accesses the locals of a machine that becomes an image.
+// Returns what code outside a machine does with its locals, if the machine becomes part of an image that these options produce.
 SessionLocals artefacts_image_locals(const CompileOptions *o);
 // Adds the output of --emit=tokens or ast: the tokens or the syntax tree of every source.
 void artefacts_add_syntax_dump(Compilation *c);

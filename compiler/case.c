@@ -87,7 +87,7 @@ void case_list_sources(Session *s, const TestFile *f, CaseSources *out)
                 out->in.vector = out->src[i];
             continue;
         }
-        out->input[i] = has_app && kind != FILE_APP ? ++others : out->in.n;           // the application is the first source
+        out->input[i] = has_app && kind != FILE_APP ? ++others : out->in.n;           // the application has index 0, so other parts get 1, 2 …
         out->in.at[out->input[i]] = (CompileSource){.text = out->src[i], .kind = kind};
         out->in.n += !has_app || kind == FILE_APP;
     }
@@ -289,7 +289,7 @@ void case_check_diagnostics(SmtCase *c)
 {
     const TestFile *f = c->f;
     Diags *diags = &c->s->diags;
-    uint8_t *met = arena_alloc(&c->s->arena, f->expected.n);      // by index in f->expected
+    uint8_t *met = arena_alloc(&c->s->arena, f->expected.n);      // by index in f->expected: a diagnostic has been found for it
 
     diags_apply_allows(diags);
     diags_select(diags, &c->warn);

@@ -66,7 +66,7 @@ static size_t length_before_value(ReportLine l)
     return n;
 }
 
-// Reports an expected line that the trace lacks, with the values that the trace has for the same step and name.
+// Reports an expected line that the trace does not contain, with the values that the trace has for the same step and variable.
 static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
 {
     LineCursor all = lines_of_text(trace);
@@ -80,7 +80,7 @@ static void report_missing_line(ReportLine wanted, const Buf *trace, Buf *why)
     buf_char(why, '\n');
 }
 
-// The expected lines must occur in the trace in their order. Other lines may be between them, and blank lines are ignored.
+// The trace must contain the expected lines in the same order. Other lines may be between them, and blank lines are ignored.
 void case_compare_trace(const TestPart *expected, const Buf *trace, Buf *why)
 {
     LineCursor wanted = lines_of_part(expected), written = lines_of_text(trace);

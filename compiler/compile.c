@@ -63,7 +63,7 @@ static void mark_included_scripts(Compilation *c)
 {
     for (size_t i = 0; i < c->in->n; i++) {
         ScriptFiles files = {NULL, 1};
-        if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)       // of files that include each other, the first is a script
+        if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)       // files that include each other: the first one runs as a script
             files = session_script_files(c->s, c->in->at[i].text, true);
         for (size_t k = 0; k + 1 < files.n; k++)
             for (size_t n = 0; n < c->in->n; n++)
@@ -291,7 +291,7 @@ void compile_open_app(Session *s, const Source *app, CompileApp *out)
 
 static bool is_syntax_dump(const CompileOptions *o) { return o->emit == EMIT_AST || o->emit == EMIT_TOKENS; }
 
-// How code outside the machines accesses their locals.  Emitted C declares locals where the user's code can read them.
+// Returns what code outside the machines does with their locals.  Emitted C declares locals where the user's code can read them.
 static SessionLocals locals_of_output(const CompileOptions *o) { return o->emit == EMIT_C ? LOCALS_READ : artefacts_image_locals(o); }
 
 static bool finish_diagnostics(Session *s, const CompileOptions *o)

@@ -14,7 +14,7 @@ typedef struct CompileSource {
     FileKind kind;
     EmitCOptions c;               // options of this source's C, for EMIT_C and EMIT_ARRAY
     const char *array;            // only in the first source, for EMIT_ARRAY: the name of the array
-    size_t machine;               // a script, requirements: 1 + the index of the machine in CompileInput.at; 0: the only machine
+    size_t machine;               // the machine of a script or of requirements: 1 + its index in CompileInput.at; 0: the only machine
 } CompileSource;
 
 // An application and the files that it names, from compile_open_app.
@@ -53,9 +53,9 @@ typedef struct CompileOptions {
     uint64_t step;                        // how much G advances from step to step; 0: the delta_t of the scripts, if all have the same
     CompileLimits limits;
     bool names;                           // the image contains names and lines; without them locals are not observable
-    bool soft;                            // C of an application: see EmitCOptions
+    bool soft;                            // for the C of an application: EmitCOptions.soft
     bool measure;                         // also sets CompiledSource.measured
-    bool scripts_later;                   // scripts are only searched for the locals that they write; see session_script
+    bool scripts_later;                   // only lists the locals that scripts write; the caller compiles the scripts with session_script
 } CompileOptions;
 
 // ---- what is compiled ----
@@ -63,8 +63,8 @@ typedef struct CompileOptions {
 // The results for one source.  A field is NULL if it does not apply to the kind of the source, was not requested, or had errors.
 typedef struct CompiledSource {
     const Program *program;       // a machine as it will fly, without scripts
-    const Program *scripted;           // the machine, or the machines of an application, as scripts run them (session_program_for_scripts)
-                                  // joined (session_join), if it has scripts
+    const Program *scripted;           // the machine as scripts run it (session_program_for_scripts); for an application
+                                  // with scripts, its machines joined (session_join)
     IrMachine *ir;                // the optimised IR of `program`
     const uint8_t *measured;      // an image of this machine alone, with lines, for cost_of_machine
     StateVec *vector;

@@ -4,7 +4,7 @@
 #include "compiler/budget/cost.h"
 #include "compiler/base/str.h"
 
-enum { LINES_SHOWN = 3 };             // a diagnostic shows this many of the most expensive lines of the longest step
+enum { LINES_SHOWN = 3 };             // how many of the most expensive lines of the longest step a diagnostic shows
 
 typedef struct LimitCheck {
     Arena *arena;

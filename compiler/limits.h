@@ -14,8 +14,8 @@
 // 0: no limit.
 typedef struct CompileLimits {
     uint32_t ram;             // bytes of RAM, windows included
-    uint32_t step;            // bytecode instructions of the longest step
-    uint32_t cycles;          // processor cycles of the longest step on an ATmega
+    uint32_t step;            // the most bytecode instructions that a step may execute
+    uint32_t cycles;          // the most processor cycles that a step may take on an ATmega
     const Board *board;       // the board whose firmware runs the machine; NULL: no particular board
 } CompileLimits;
 

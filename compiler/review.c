@@ -28,7 +28,7 @@ void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, boo
     r->image_size = image->n;
 }
 
-// What review_run_script does after each step: records the data, and then what the caller wants.
+// The context of the callback after each step in review_run_script, which records data in `trace`, then calls the caller's after_step.
 typedef struct AfterStep { Trace *trace; const ScriptOptions *of_caller; } AfterStep;
 
 static void record_after_step(void *context, const ScriptStep *step)

@@ -127,8 +127,8 @@ static void withdraw_read_only_edits(Diags *d, const Program *p, const Map *writ
     }
 }
 
-// Checks with a separate list of diagnostics, which is dropped, because the check of `flown` has reported the same warnings.  Only errors
-// about a local that is constant in flight but variable for scripts can be new.  If there are any, checks again to report them.
+// The first check uses a separate list of diagnostics, which is dropped, because the check of `flown` has reported the same warnings.  Only errors
+// about a local that is constant in flight but variable for scripts can be new.  If there are any, a second check reports them.
 const Program *session_program_for_scripts(Session *s, const MachineInput *in, const Program *flown)
 {
     const Diags reported = s->diags;
@@ -180,13 +180,14 @@ static uint64_t time_per_step(const App *a, const AppMachine *m)
     return 0;
 }
 
-// Sets which machine the following reports are about, where several are of one file.
+// Sets which machine the following reports are about, if several machines use its file.
 static void begin_instance(Session *s, const AppFiles *files, const AppInstance *m)
 {
     s->diags.machine = files->at[m->file].machines > 1 ? m->task->name.text->text : NULL;
 }
 
-// Checks every machine of the application. A second one of a file without bindings, which is an error, is the first one again.
+// Checks every machine of the application. If a file has several machines without bindings, which is an error, only the first is checked, and the
+// others get its program.
 static void check_instances(Session *s, AppFiles *files, StateVec *sv)
 {
     for (size_t i = 0; i < files->instances; i++) {
@@ -201,7 +202,7 @@ static void check_instances(Session *s, AppFiles *files, StateVec *sv)
     s->diags.machine = NULL;
 }
 
-// Adds to each report about some of the machines of a file which ones these are.
+// If several machines use one file, adds to each report the names of the machines that it is about.
 static void name_machines(Session *s, const AppFiles *files)
 {
     for (size_t i = 0; i < s->diags.list.n; i++) {
@@ -218,7 +219,7 @@ static void name_machines(Session *s, const AppFiles *files)
     }
 }
 
-// Analyses each machine at its rate, and then all machines together.
+// Analyses each machine with the step of its rate group, and then all machines together.
 static void analyse_app(Session *s, const App *a, const AppFiles *files)
 {
     const Program **p = ARENA_ARRAY(&s->arena, const Program *, a->machine.n);
@@ -263,7 +264,7 @@ App *session_app(Session *s, const AstFile *app, AppFiles *files)
     return s->diags.errors_seen > errors ? NULL : a;
 }
 
-// Adds to `own` the names in `written` that begin with the machine's name and a dot, without these.
+// For each name in `written` that begins with the machine's name and a dot, such as deploy.T, adds the rest of the name to `own`.
 static void add_names_of_machine(Session *s, Str machine, const Map *written, Map *own)
 {
     for (size_t i = 0; i < written->cap; i++) {
@@ -487,7 +488,7 @@ static const char *name_broken_pass(Session *s, const Program *p, int opt_level,
     return named ? named : format_in(&s->arena, "after the last pass: %s", wrong);
 }
 
-// Returns the optimised IR, by passes over s->built if that is of p.
+// Returns the optimised IR of p.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level)
 {
     IrMachine *m = reuse_or_build_ir(s, p);

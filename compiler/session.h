@@ -41,7 +41,7 @@ typedef struct Session {
     Buf *print_to;                // "build": before the first pass; NULL: no printing
     bool check_passes;            // session_ir verifies the IR after every pass, not only the last: takes a third of a build's time
     unsigned warnings;            // 1u << DiagGroup of each group that session_analyse checks
-    bool has_requirements;        // session_program leaves definitions that nothing uses to session_requirements
+    bool has_requirements;        // session_requirements, not session_program, warns of definitions that nothing uses
     bool proposes_guards;         // session_script reports comparisons with G that a guard by time can replace
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
@@ -95,7 +95,7 @@ Requirements *session_requirements(Session *s, const Source *const *rq, size_t n
 void session_check_requirements_of_script(Session *s, const Requirements *r, const Script *script);
 // Reports warnings for a machine without errors. Leaves the IR that it builds in s->built.
 void session_analyse(Session *s, const Program *p);
-// Returns the optimised IR, by passes over s->built if that is of p.
+// Returns the optimised IR of p.  If s->built is the IR of p, it is optimised in place; else the IR is built first.
 IrMachine *session_ir(Session *s, const Program *p, int opt_level);
 
 typedef struct ImageOptions {

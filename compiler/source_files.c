@@ -10,8 +10,8 @@ enum { DEPTH_MAX = 64 };      // limit on the depth of includes; bounds the recu
 // The files of a script that have been found so far.
 typedef struct Search {
     Session *s;
-    VEC(const Source *) done;         // in order
-    VEC(const Source *) open;         // the files that are being read, each included by the one before it
+    VEC(const Source *) done;         // complete files, in the order in which their sections run
+    VEC(const Source *) open;         // the files whose includes are being followed; each is included by the preceding one
 } Search;
 
 static bool contains(const Source *const *at, size_t n, const Source *src)

@@ -5,7 +5,7 @@
 
 #include "compiler/session.h"
 
-// In the order in which their sections count; the script itself is the last.
+// The files in the order in which their sections run: an included file precedes the file that includes it, so the script itself is the last.
 typedef struct ScriptFiles {
     const Source **at;
     size_t n;

@@ -185,7 +185,7 @@ static uint64_t time_between(uint64_t a, uint64_t b)
     return (int64_t)(b - a) > 0 ? b - a : 0;
 }
 
-// How many of the ticks that are due before `now` the policy leaves out.
+// Returns how many of the ticks that are due before `now` the overrun policy leaves out.
 static uint64_t ticks_to_skip(const SmExecutor *e, uint64_t now)
 {
     const uint64_t behind = time_between(sm_executor_due(e), now);

@@ -76,7 +76,7 @@ typedef struct SmNetMessage {
     SmNetSeal *seal;          // NULL without a key, so that a program without keys does not link it
 } SmNetMessage;
 
-typedef struct SmNetStamp { uint32_t run, number; } SmNetStamp;
+typedef struct SmNetStamp { uint32_t run, number; } SmNetStamp;       // the fields `run` and `number` of the wire form
 
 // Writes m->size bytes.  `value` has the bits of each element.  A NaN is sent as 0, an infinity as the largest finite number.
 void sm_net_encode(const SmNetMessage *m, const uint64_t *value, SmNetStamp stamp, uint8_t *bytes);
@@ -117,11 +117,11 @@ extern const SmNetStream sm_net_tcp;
 
 // A connection over TCP.
 typedef struct SmNetPeer {
-    uint8_t *bytes;           // message.size bytes: of a message that has been received or sent in part
+    uint8_t *bytes;           // message.size bytes: the message that is being received or sent
     // The fields below belong to the runtime; initially all zero.
     PalSocket socket;
-    uint8_t state;
-    uint16_t n, sent;         // bytes of `bytes`; how many of them have been sent
+    uint8_t state;            // FREE, CONNECTING or OPEN (net_stream.c)
+    uint16_t n, sent;         // bytes that `bytes` contains; how many of them have been sent
     uint64_t since;           // tick time at which the connection, or the attempt to connect, began
     uint64_t used;            // tick time of the last message; before the first one, the same as `since`
 } SmNetPeer;
@@ -136,7 +136,7 @@ typedef struct SmNetChannel {
     PalAddress address;       // UDP: where to send, or the local address or group that receives; client: the server's; server: its local address
     uint8_t interface[4];     // address of the network interface for multicast; 0.0.0.0: the platform chooses
     uint64_t period, timeout; // nanoseconds; period: only of messages that are sent; timeout 0: none
-    const SmNetPlace *statistic, *age, *run;      // run: of type U32; NULL if absent
+    const SmNetPlace *statistic, *age, *run;      // elements for counts, age of the last message, sender's run (U32); or NULL
     uint8_t statistics;
     uint64_t *value;          // by field: the value in the message
     uint8_t *bytes;           // message.size bytes
@@ -145,7 +145,7 @@ typedef struct SmNetChannel {
     PalSocket socket;
     SmNetOrder order;
     SmNetStamp next;          // run and number of the next message that is sent
-    uint64_t accepted_at, slot;       // tick times: of the last accepted message; the last period
+    uint64_t accepted_at, slot;       // tick time of the last accepted message; number of the last period in which a message was due
     bool fresh;               // `value` has a message that is not stored yet
     bool open, sent_any;
     bool due;                 // a message is sent in this step

@@ -7,7 +7,7 @@
 enum { FREE, CONNECTING, OPEN };          // SmNetPeer.state
 
 #define PATIENCE ((uint64_t)5 * PAL_SECOND)       // a sender closes the connection of a peer that acknowledges nothing for this long
-enum { MESSAGES_WAITING = 4 };            // messages that the platform stores for a peer that does not receive, about
+enum { MESSAGES_WAITING = 4 };            // about how many messages the platform may store for a peer that does not receive
 
 static bool is_sender(const SmNetChannel *c) { return c->period != 0; }
 static bool is_local_failure(SmResult r) { return r != SM_OK && r != SM_E_TIMEOUT && r != SM_E_UNREACHABLE && r != SM_E_CLOSED; }
@@ -42,7 +42,7 @@ static void close_connection(SmNetChannel *c, SmNetPeer *p, uint64_t now)
     c->retry = now + c->pause;
 }
 
-// How long a connection may be without a message: a receiver with a timeout ends it then, and a server may replace it.
+// Returns how long a connection can be without a message, in nanoseconds.  Then a receiver with a timeout ends it, and a server can replace it.
 static uint64_t patience_of(const SmNetChannel *c) { return c->timeout > PAL_SECOND ? c->timeout : PAL_SECOND; }
 
 // ---- clients ----

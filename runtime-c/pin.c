@@ -110,7 +110,7 @@ static SmResult open_digital(const SmIoPin *p, uint8_t *handle)
     return r;
 }
 
-// An output is undefined before its first write, so opening it includes writing its safe value.
+// Opens an analog pin.  An output is undefined before its first write, so this also writes its safe value.
 static SmResult open_analog(const SmIoPin *p, uint8_t *handle)
 {
     PalAio aio = {0};

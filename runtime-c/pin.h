@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pin and its element (docs/config.md 9).  io.h accesses tables of pins.
+// Accesses one pin, and converts between its value and that of its element (docs/config.md 9).  For tables of pins: io.h.
 #ifndef SM_PIN_H
 #define SM_PIN_H
 

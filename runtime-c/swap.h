@@ -38,7 +38,7 @@ extern "C" {
 typedef struct SmSwapChange {
     const char *machine;      // name of the machine in the application
     const uint8_t *image;     // the new image (.smb), with one machine
-    uint32_t size;            // bytes
+    uint32_t size;            // bytes of `image`
     uint8_t mode;             // SmSwapMode; there is no default
     const char *state;        // to restart: the name of the first state; NULL: the first of the machine
     bool built_in;            // the image with which the application was built; `image` and `size` are not used

@@ -144,6 +144,8 @@ static inline SmF64 sm_higher(SmF64 x, SmF64 y) { return sm_lt(x, y) ? y : x; }
 static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }
 // snippet: sm_abs_i64
 static inline int64_t sm_abs_i64(int64_t x) { return x < 0 ? -x : x; }
+// snippet: sm_saturating_abs_i64
+static inline int64_t sm_saturating_abs_i64(int64_t x) { return x < -INT64_MAX ? INT64_MAX : x < 0 ? -x : x; }
 // snippet: sm_abs_f32
 // x without its sign bit.
 static inline float sm_abs_f32(float x)

@@ -977,6 +977,7 @@ $(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/e
 $(call test, search,               thorough, $(B)/search/bench, $(B)/search/bench --effort=32000000 --expect=tests/search/expected.txt)
 $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
+$(call test, mutation-verdicts,    thorough, , sh tests/cover/verdicts.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, whatif,               thorough, , sh tests/whatif/run.sh $(B)/smc)
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --seed=40012098 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=40024584 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=41961545 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)

@@ -64,16 +64,36 @@ static void check_function(Divisions *k, const IrFn *f, const FactFlow *flow)
         }
 }
 
+// Whether a divisor of the function can be 0.
+static bool has_zero_divisor(const Analysis *a, const IrFn *f, const FactFlow *flow)
+{
+    for (size_t b = 0; b < f->blk.n; b++)
+        for (size_t n = 0; flow->reached[b] && n < f->blk.at[b].ins.n; n++) {
+            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[n]];
+            if (i->op == IR_div && can_be_zero(a, f, flow->of, i->b))
+                return true;
+        }
+    return false;
+}
+
 // Sets *context, a bool, if a divisor of the function can be 0.
 static void find_zero_divisor(Analysis *a, const ReachableFn *r, void *context)
 {
-    const IrFn *f = r->fn;
+    *(bool *)context |= has_zero_divisor(a, r->fn, &r->flow);
+}
 
-    for (size_t b = 0; b < f->blk.n; b++)
-        for (size_t n = 0; r->flow.reached[b] && n < f->blk.at[b].ins.n; n++) {
-            const IrIns *i = &f->ins.at[f->blk.at[b].ins.at[n]];
-            *(bool *)context |= i->op == IR_div && can_be_zero(a, f, r->flow.of, i->b);
-        }
+// Whether some divisor can be 0, whatever the sensors read.  If none can, the facts about sensors within their ranges are not needed.
+static bool can_divide_by_zero(Analysis *a)
+{
+    bool any = false;
+
+    if (a->m->sample) {
+        const FactFlow flow = facts_of_function(a->facts, a->m->sample, facts_at_begin_of_sample(a->facts));
+        any = has_zero_divisor(a, a->m->sample, &flow);
+    }
+    if (!any)
+        each_reachable_fn(a, find_zero_divisor, &any);
+    return any;
 }
 
 static void check_reachable_function(Analysis *a, const ReachableFn *r, void *context)
@@ -127,14 +147,10 @@ void analyse_division_by_zero(Analysis *a)
     const Program *p = a->p;
     Divisions k = {a, ARENA_ARRAY(a->arena, const PossibleZero *, p->stmts + 1u), NULL};
     Analysis in_range;
-    bool any = a->m->sample != NULL;
+    bool any = false;
 
-    if (!(p->operators & 1u << SM_OP_DIV))
+    if (!(p->operators & 1u << SM_OP_DIV) || !can_divide_by_zero(a))
         return;
-    each_reachable_fn(a, find_zero_divisor, &any);
-    if (!any)                                   // whatever the values of sensors are
-        return;
-    any = false;
     in_range = assume_ranges(a);
     each_reachable_fn(&in_range, check_reachable_function, &k);
     if (a->m->sample) {

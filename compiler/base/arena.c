@@ -2,6 +2,7 @@
 // Bump allocation.  Each new chunk is twice as large as the last, so that a large input needs few chunks.
 #include "compiler/base/arena.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -252,18 +253,39 @@ void *arena_array(Arena *a, size_t count, size_t size)
     return arena_alloc(a, count * size);
 }
 
-// Returns a longer block with the contents of `old`: a copy, or `old` itself, extended, if it was the last allocation.
+// If `old` was the last allocation and its longer block fits in the chunk, extends it, does not zero what it adds, and returns true.
+static bool extend_in_place(Arena *a, char *old, size_t old_size, size_t new_size)
+{
+    const size_t room = (new_size + ALIGN - 1) / ALIGN * ALIGN;
+
+    if (!old || old + (old_size + ALIGN - 1) / ALIGN * ALIGN != a->next || new_size < old_size || (size_t)(a->end - old) < new_size + ALIGN)
+        return false;
+    a->next = old + room;
+    return true;
+}
+
+// Returns a longer block with the contents of `old`, and zeros after them: a copy, or `old` itself, extended, if it was the last allocation.
 void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size)
 {
-    if (old && (char *)old + (old_size + ALIGN - 1) / ALIGN * ALIGN == a->next && new_size >= old_size) {
-        a->next = old;                                  // the last allocation: extend it in place if it fits
-        if ((size_t)(a->end - a->next) >= new_size + ALIGN) {
-            a->next += (new_size + ALIGN - 1) / ALIGN * ALIGN;
-            if (a->next > a->zeroed_end)
-                zero_up_to(a, a->next);
-            return old;
-        }
-        a->next += (old_size + ALIGN - 1) / ALIGN * ALIGN;
+    if (extend_in_place(a, old, old_size, new_size)) {
+        if (a->next > a->zeroed_end)
+            zero_up_to(a, a->next);
+        return old;
     }
     return alloc_copy(a, old, !old ? 0 : old_size < new_size ? old_size : new_size, new_size);
+}
+
+// Like arena_grow, but what follows the contents is not zeroed.
+void *arena_grow_unzeroed(Arena *a, void *old, size_t old_size, size_t new_size)
+{
+    char *p = old;
+
+    if (!extend_in_place(a, old, old_size, new_size)) {
+        p = bump_unzeroed(a, new_size);
+        if (old)
+            memcpy(p, old, old_size < new_size ? old_size : new_size);
+    }
+    if (a->next > a->zeroed_end)
+        a->zeroed_end = a->next;
+    return p;
 }

@@ -63,7 +63,8 @@ static inline void *arena_alloc(Arena *a, size_t size)
 void *arena_array(Arena *a, size_t count, size_t size);          // longjmps to *oom if count * size overflows
 void *arena_alloc_unzeroed(Arena *a, size_t size);               // as arena_alloc, but not zeroed
 void *arena_copy(Arena *a, const void *from, size_t size);
-void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies, or extends the last allocation in place
+void *arena_grow(Arena *a, void *old, size_t old_size, size_t new_size);   // copies, or extends the last allocation in place; zeroes the rest
+void *arena_grow_unzeroed(Arena *a, void *old, size_t old_size, size_t new_size);    // does not zero the rest
 
 // Allocates and frees one byte, so that a host whose allocator returns NULL ends a long computation that allocates nothing.
 void arena_check_host(const Arena *a);

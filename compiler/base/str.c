@@ -12,7 +12,7 @@ void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size)
 
     if (*cap > UINT32_MAX / 2 || wanted > SIZE_MAX / item_size)
         longjmp(*a->oom, 1);
-    *items = arena_grow(a, *items, *cap * item_size, wanted * item_size);
+    *items = arena_grow_unzeroed(a, *items, *cap * item_size, wanted * item_size);
     *cap = wanted;
 }
 

@@ -18,6 +18,6 @@
 // How many items fit in the allocation for n items: the arena rounds its size up to ARENA_ALIGN.
 #define vec_room(n, item_size) ((uint32_t)(((n) * (item_size) + ARENA_ALIGN - 1) / ARENA_ALIGN * ARENA_ALIGN / (item_size)))
 
-void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size);   // doubles the capacity
+void vec_reserve(Arena *a, void **items, uint32_t *cap, size_t item_size);   // doubles the capacity; what it adds is not zeroed
 
 #endif

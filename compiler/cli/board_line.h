@@ -12,7 +12,7 @@ typedef struct BoardLine {
     int fd;
     SerialLine line;
     LinkHost host;
-    DeviceInfo info;          // the answer of a board
+    DeviceInfo info;          // the properties that a board has reported; valid unless `is_application`
     bool is_application;      // an application answers at the other end, not a board: `app` is valid instead of `info`
     ApplicationInfo app;
 } BoardLine;

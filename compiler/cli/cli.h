@@ -40,20 +40,20 @@ typedef struct Command {
 struct Cli {
     Session session;                      // one compilation; out of memory anywhere ends the command with exit code 3
     const Command *command;
-    const char **file;                    // the arguments that are not options, in order; "-" included
+    const char **file;                    // the `files` arguments that are not options, in order; "-" included
     size_t files;
-    bool given[OPT_COUNT];
-    const char *value[OPT_COUNT];         // the values of options that take one; the last one wins
+    bool given[OPT_COUNT];                // by OptionId: the command line has the option
+    const char *value[OPT_COUNT];         // by OptionId: the value of an option that takes one; of several, the last
     VEC(const Source *) scripts;          // the scripts that have been read, and the files that they include
     VEC(const char *) data;               // the paths of the files with recorded data that scripts name
-    VEC(const Source *) included;         // the files of `file` and of includes that no argument names
+    VEC(const Source *) included;         // the files that scripts include and no argument names
     VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
     Buf bindings;                         // the values of all --bind, one on each line
-    Diags reported;                       // what cli_print_diagnostics has printed so far, for a SARIF document
+    Diags reported;                       // all diagnostics that cli_print_diagnostics has printed, for a SARIF document
     PlainMessages plain;                  // messages that are no diagnostics, printed so far; for the same document
     Buf message_file;                     // content of the file of --message-file, unless that is SARIF
-    const char *last_error;               // the last message of cli_print_error; allocated in the session
+    const char *last_error;               // the last text that cli_print_error has printed
 };
 
 // ---- options.c ----

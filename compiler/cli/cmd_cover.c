@@ -16,7 +16,11 @@
 #include "compiler/search/scenario_record.h"
 #include "compiler/search/script_writer.h"
 
-enum { STEPS_MOST = 1000000, ALSO_MOST = 4, GOAL_KINDS = COVER_PARAMETER };     // parameters, the last kind, are set and not reached
+enum {
+    STEPS_MOST = 1000000,     // a script that runs longer is ended
+    ALSO_MOST = 4,            // the most other goals that the comment of a script names
+    GOAL_KINDS = COVER_PARAMETER      // number of kinds that can be goals: all but the last one, parameters, which are set and not reached
+};
 
 static const CliFormat formats[] = {{"text", {NULL}, NULL}, {"json", {NULL}, NULL}};
 
@@ -61,7 +65,7 @@ static int read_options(CoverRun *r, CoverSettings *s)
     if (!c->given[OPT_OUTPUT] || strcmp(c->value[OPT_OUTPUT], "-") == 0 || !*c->value[OPT_OUTPUT])
         return cli_usage_error(c, TEXT_cover_folder, c->file[0]);
     r->folder = c->value[OPT_OUTPUT];
-    c->given[OPT_OUTPUT] = false;                              // for cli_choose_format the folder is no file with an ending
+    c->given[OPT_OUTPUT] = false;                              // so that cli_choose_format does not derive the format from the name of the folder
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &s->format))
         return EXIT_USAGE;
     c->given[OPT_OUTPUT] = true;
@@ -213,7 +217,7 @@ static int write_script(CoverRun *r, const Scenario *found, const char *stem, co
 
     buf_init(&body, r->arena);
     buf_init(&out, r->arena);
-    s.steps++;                                                 // shows the state to which the last step leads
+    s.steps++;                                                 // one more step, which shows the state to which the last one leads
     if (!script_write(r->arena, &page, &body))
         return EXIT_INTERNAL;
     generated_write(COVER_MADE_BY, r->machine, &body, &out);

@@ -228,7 +228,7 @@ static int show_log(BoardLine *b, Buf *out)
 
 // ---- all of them ----
 
-// `run`: of a board; `of_application`: of an application.
+// The actions of smc device.  run: the function if a board is at the other end of the line; of_application: if an application is.
 static const struct { const char *name; int (*run)(BoardLine *b, Buf *out), (*of_application)(BoardLine *b, Buf *out); } actions[] = {
     {"info", show_info, app_show_info}, {"list", list_images, app_list_machines}, {"confirm", confirm_image, app_confirm_swap},
     {"erase", erase_image, app_refuse_erase}, {"log", show_log, show_log}, {"parameters", device_show_parameters, app_refuse_parameters},

@@ -6,7 +6,7 @@
 #include "compiler/cli/runs.h"
 #include "compiler/diff/diff.h"
 
-enum { STEPS_MOST = 1000000 };
+enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended, unless --max-steps allows it
 
 typedef void WriteDiff(const ProgramDiff *d, Buf *out);
 
@@ -15,13 +15,13 @@ static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"mark
                                     {"svg", {".svg", NULL, NULL}, "a browser"}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-// One machine with all scripts, compiled.
+// One of the two machines, compiled, and the scripts as checked for it.
 typedef struct Version {
     CompileInput in;
     Compiled made;
     DiffSide side;
     Diags findings;
-    const Program *scripted;
+    const Program *scripted;      // the machine as its scripts run it
 } Version;
 
 static int check_arguments(Cli *c)

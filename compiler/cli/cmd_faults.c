@@ -19,8 +19,8 @@ typedef struct FaultsRun {
     WhatIf w;
     FaultOptions o;
     ScriptSettings setting;
-    VEC(const Var *) input;
-    VEC(uint64_t) at;
+    VEC(const Var *) input;   // the inputs that --inputs names
+    VEC(uint64_t) at;         // the times that --at names, in units of G
     FaultOutcome fail_on;     // FAULT_HAS_NONE: no outcome makes the command fail
     Faults *f;
     FaultLines lines;

@@ -7,6 +7,7 @@
 #include "compiler/cli/mutate_scripts.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cover/mutate.h"
+#include "compiler/search/mutant_reach.h"
 
 typedef struct MutateRun {
     Cli *c;
@@ -17,9 +18,9 @@ typedef struct MutateRun {
     VEC(const Script *) script;
     const char *machine;      // the name of its file, without folders
     MutateScripts scripts;    // by_mutant is NULL without --scripts
-    uint32_t tried;
-    bool is_searched;         // --generate has begun
-    double least;             // --min-score
+    uint32_t tried;           // number of mutants that have run
+    bool is_searched;         // the search of --generate has begun
+    double least;             // the value of --min-score, in percent
 } MutateRun;
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
@@ -42,6 +43,8 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     mutant_write_change(r->arena, m, out);
     if (m->verdict == MUTANT_NOTICED)
         buf_printf(out, " [%s%s%s]", path_portable_name(r->script.at[m->script]->src->name), m->violated ? ": " : "", m->violated ? m->violated->id->text : "");
+    if (m->if_only_inputs_change)
+        buf_str(out, " [if only inputs change]");
     if (m->scenario) {
         buf_str(out, "\n    ");
         mutant_write_scenario(r->p, m, MUTANT_INPUTS_SHOWN, out);
@@ -133,6 +136,8 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         if (m->violated)
             buf_printf(out, ",\"requirement\":\"%s\"", m->violated->id->text);
     }
+    if (m->if_only_inputs_change)
+        buf_str(out, ",\"if\":\"only inputs change\"");
     if (m->scenario) {
         Buf words;
         buf_init(&words, r->arena);
@@ -179,6 +184,8 @@ static void run_mutants(MutateRun *r)
     }
     r->is_searched = r->c->given[OPT_GENERATE] && !os_signal_waiting();
     while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutation_search_next(r->u, MUTATE_SEARCH_STEPS))
+        mutate_show_progress(r->u, &k);
+    while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutant_reach_next(r->u, MUTANT_REACH_EFFORT, MUTATE_SEARCH_STEPS))
         mutate_show_progress(r->u, &k);
     progress_end(&k);
 }

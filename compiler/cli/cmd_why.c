@@ -8,7 +8,7 @@
 #include "compiler/script/why.h"
 #include "compiler/syntax/time_unit.h"
 
-enum { STEPS_MOST = 1000000, DEPTH = 5, DEPTH_MOST = 1000 };
+enum { STEPS_MOST = 1000000, DEPTH = 5, DEPTH_MOST = 1000 };      // the default of --max-steps; the default and the largest value of --depth
 
 static const CliFormat formats[] = {{"text", {NULL, NULL, NULL}, NULL}, {"json", {NULL, NULL, NULL}, NULL}};
 
@@ -18,7 +18,7 @@ typedef struct WhyCommand {
     const Program *p;         // the machine or the application in the form that its scripts run
     const Script *script;
     const Requirements *requirements;
-    const char *to, *of, *unit;       // the words of the question; NULL: none
+    const char *to, *of, *unit;       // the state, variable and unit of time that the question names; NULL: it names none
     const char *app;          // the path of the application; NULL: a machine
     ScriptSettings setting;
     ScriptOptions o;

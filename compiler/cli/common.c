@@ -21,12 +21,12 @@ static MessageFormat format_of_option(const Cli *c)
     return !c->given[OPT_FORMAT] || strcmp(name, "text") == 0 ? MESSAGE_TEXT : strcmp(name, "json") == 0 ? MESSAGE_JSON : MESSAGE_SARIF;
 }
 
-// With --message-file, --message-format applies to that file.
+// With --message-file, --message-format is the format of that file, and the console shows text.
 bool cli_prints_text(const Cli *c) { return format_of_option(c) == MESSAGE_TEXT && !c->given[OPT_MESSAGE_FILE]; }
 
 static MessageFormat console_format(const Cli *c) { return c->given[OPT_MESSAGE_FILE] ? MESSAGE_TEXT : format_of_option(c); }
 
-// Without --message-format, the suffix of the file's name decides.
+// Returns the format of the file of --message-file.  Without --message-format, the suffix of the file's name decides.
 static MessageFormat file_format(const Cli *c)
 {
     const char *path = c->value[OPT_MESSAGE_FILE];

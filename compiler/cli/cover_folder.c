@@ -6,7 +6,7 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/cover_run.h"
 
-enum { STEPS_MOST = 1000000 };
+enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended
 
 static const char *path_in_folder(const CoverRun *r, const char *name)
 {

@@ -11,7 +11,7 @@
 #define COVER_MADE_BY "smc cover"           // in the first line of a script
 #define MUST_NOT_GOAL "Must not: "          // begins the goal of a script for a pair of states
 
-// A script of the folder that smc cover has written for this machine.
+// A script in the folder of -o that an earlier call of smc cover has written for this machine.
 typedef struct OldScript {
     const char *path;
     const Source *src;
@@ -27,18 +27,18 @@ typedef struct NewScript {
     const char *also;         // the other goals that this script is the first to reach, as text; "": none
 } NewScript;
 
-// A pair of states without a transition between them.
-// path: the script in which a condition that leads to the second state is true and the machine stays in the first; NULL: none
+// A pair of states without a transition between them.  path: a script in which the condition of a transition to the second state is true, and the
+// machine stays in the first; NULL: none.
 typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;
 
 typedef struct CoverRun {
     Cli *c;
     Arena *arena;
     const Program *p;
-    const char *folder;
-    const char *machine;      // the name of its file, without folders
-    Cover *given;             // counts what the given and the edited scripts cover: the coverage places that remain are the goals
-    Cover *all;               // counts what all scripts cover, the new ones included
+    const char *folder;       // the folder of -o, to which scripts are written
+    const char *machine;      // the name of the machine's file, without folders
+    Cover *given;             // coverage by the scripts of the command line and by edited ones of the folder: what they do not cover are the goals
+    Cover *all;               // coverage by all scripts, the new ones included
     GoalTexts *text;
     unsigned kinds;           // 1u << CoverKind of each kind that has goals
     VEC(const Script *) script;       // the scripts that the command line names

@@ -10,7 +10,7 @@ typedef struct DepInputs { const char **at; size_t n; } DepInputs;      // names
 bool deps_wanted(const Cli *c);
 // Checks that the file of the rule has a name, from -MF or from the output. Returns false after a message.
 bool deps_check_name(Cli *c, const OsOutput *output);
-// Lists what a command has read that takes machines, scripts and requirements: the files, what they include, their data, and those of options.
+// Lists the files that the command has read: its arguments, what they include, recorded data, and files that options name.
 DepInputs deps_list_inputs(Cli *c);
 // Adds the rule after the *n outputs, where n > 0; the array has room for one more. The rule names them in order, and its file is named
 // after the first by default: ninja requires the first output of a command to be first in its rule.

@@ -8,6 +8,7 @@
 #include "compiler/base/path.h"
 #include "compiler/whatif/fault_script.h"
 
+// Default limit of runs; default sizes of the faults `late` and `dropped`, in steps; the most scripts that are written.
 enum { RUNS_MOST = 200000, LATE = 5, DROPPED = 10, SCRIPTS_MOST = 1000 };
 
 void fault_lines_set_defaults(FaultOptions *o)
@@ -193,7 +194,7 @@ int fault_lines_write_scripts(FaultLines *l)
             out[n++] = (OsOutput){l->at.at[i].script, l->at.at[i].text, strlen(l->at.at[i].text)};
     }
     code = outputs_check(l->c, out, n);
-    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // parsed one at a time: a list can have any number
+    for (size_t i = 0; i < n && code == EXIT_OK; i++)        // one at a time, because there can be very many
         code = cli_write_outputs(l->c, &out[i], 1);
     return code;
 }

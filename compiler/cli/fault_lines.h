@@ -19,8 +19,8 @@ typedef struct FaultLines {
     Cli *c;
     const Program *p;
     Faults *f;
-    VEC(FaultLine) at;        // by number of faults, then the most dangerous outcome first
-    uint32_t scripts;         // lines with a script
+    VEC(FaultLine) at;        // single faults first, then pairs; of these, the most dangerous outcome first
+    uint32_t scripts;         // number of lines with a script
 } FaultLines;
 
 // Sets kinds, sizes and the number of runs to their defaults.

@@ -54,7 +54,8 @@ static void list_parameter(Cli *c, const SmvmMachine *m, const SmvmParameter *p,
     write_text(out, m, p->unit_at, p->unit_size);
     buf_printf(out, " (%s, ", sm_type_info[p->type].spelling);
     if (p->type != SM_BOOL) {
-        write_value(c, out, p, sm_add(p->lowest, sm_from_i32(0)));       // an image has -0 for 0, so that -0 is in the range
+        // The image stores -0 as the lower bound 0, so that the value -0 is in the range.  Adding 0 shows it as 0.
+        write_value(c, out, p, sm_add(p->lowest, sm_from_i32(0)));
         buf_str(out, " to ");
         write_value(c, out, p, p->highest);
         buf_str(out, ", ");

@@ -12,7 +12,7 @@
 
 #define MADE_BY "smc mutate"
 
-enum { STEPS_MOST = 1000000 };
+enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended
 
 typedef struct ScriptsRun {
     Cli *c;
@@ -69,7 +69,7 @@ static bool write_text(const ScriptsRun *r, const Mutant *m, Buf *out)
     mutant_write_change(r->arena, m, &change);
     buf_char(&change, '.');
     comment[0] = buf_text(&change);
-    s.steps++;                                                 // shows the state to which the last step leads
+    s.steps++;                                                 // one more step, which shows the state to which the last one leads
     if (!script_write(r->arena, &page, &body))
         return false;
     generated_write(MADE_BY, r->machine, &body, out);

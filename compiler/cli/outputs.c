@@ -186,7 +186,7 @@ static bool is_table(const Head *h, const char *first, const char *kinds)
         if (*at++ != ',' || !read_csv_field(&at, lf, &field, &n) || !is_name(field, n))
             return false;
         else
-            at -= at < lf;                                         // a comma belongs to the column after it
+            at -= at < lf;                                         // go back to the comma, which is read with the column after it
     for (at = lf + 1; at < end && (lf = memchr(at, '\n', (size_t)(end - at))) != NULL; at = lf + 1)
         for (size_t i = 0; i < columns; i++) {
             const char kind = i < strlen(kinds) ? kinds[i] : '#';
@@ -453,7 +453,7 @@ static bool is_value_of_option(const Cli *c, OptionId id, const char *path)
 
 static bool is_input_of_command(const Cli *c, const char *path)
 {
-    const size_t files = c->command->run == cmd_sign ? 0                              // sign can replace its own image
+    const size_t files = c->command->run == cmd_sign ? 0                              // smc sign can write over its input
                        : c->command->run == cmd_log && c->files ? 1 : c->files;       // after the log come names of elements
 
     for (size_t i = 0; i < files; i++)

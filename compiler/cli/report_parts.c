@@ -9,6 +9,7 @@
 #include "compiler/cli/mutate_scripts.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/report/describe.h"
+#include "compiler/search/mutant_reach.h"
 #include "compiler/whatif/fault_script.h"
 #include "compiler/whatif/sweep.h"
 
@@ -153,6 +154,8 @@ static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *c
     while ((goes_on = may_go_on(clock)) && mutation_run_next(u))
         mutate_show_progress(u, &k);
     while (goes_on && (goes_on = may_go_on(clock)) && mutation_search_next(u, MUTATE_SEARCH_STEPS))
+        mutate_show_progress(u, &k);
+    while (goes_on && (goes_on = may_go_on(clock)) && mutant_reach_next(u, MUTANT_REACH_EFFORT, MUTATE_SEARCH_STEPS))
         mutate_show_progress(u, &k);
     progress_end(&k);
     if (!goes_on)
@@ -426,7 +429,7 @@ int report_parts_run(Cli *c, Report *r, const Program *p, const CompileOptions *
 
     for (size_t i = 0; i < sizeof part / sizeof *part; i++)
         clock.parts += c->given[part[i]];
-    // Those that are done soon come first, and leave their time to the others.
+    // Parts that usually end early come first, and leave the rest of their share of the time to the others.
     if (c->given[OPT_SWEEP]) {
         begin_part(&clock);
         run_sweeps(c, r, p, &clock);

@@ -42,12 +42,12 @@ typedef struct TestRequirement {
 typedef struct TestRun {      // one call of smc test
     Cli *c;
     Arena *arena;
-    unsigned engines;         // bits requested; 0: as each case specifies, or vm
-    unsigned absent;          // engines that were requested but not available
-    const char *why_absent;   // why the results are not available, as a sentence
+    unsigned engines;         // 1u << EngineKind of each engine that --engine names; 0: those that each case names, or the VM
+    unsigned absent;          // engines that were requested, but cannot run here (bits as `engines`)
+    const char *why_absent;   // why they cannot, as a sentence
     bool c_was_tried, c_runs; // c_was_tried: the C compiler has been tried; c_runs: it works
-    int code;                 // an exit code that no single result causes: -Werror makes a warning about requirements an error
-    size_t left_out;          // runs on absent engines that were omitted from cases
+    int code;                 // the least exit code of the call, whatever its results: -Werror can make a warning about requirements an error
+    size_t left_out;          // number of runs of cases that were omitted because their engine is absent
     uint64_t max_steps;
     uint64_t seed;            // the value of --seed
     VEC(const char *) path;   // .smt cases to run, in order

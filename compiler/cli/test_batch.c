@@ -9,9 +9,9 @@ enum { BATCH = 50 };
 typedef struct Batch {
     Arena arena;
     TestCase *at[BATCH];
-    Engine *engine[BATCH][ENGINE_KINDS];      // by case: its engines in the programs `c`; NULL: it has none
+    Engine *engine[BATCH][ENGINE_KINDS];      // by case, then by EngineKind: its engine in the program `c` of this kind; NULL: it has none
     size_t n;
-    EngineCBatch *c[ENGINE_KINDS];            // emitted C as one program for several cases; NULL: none was built
+    EngineCBatch *c[ENGINE_KINDS];            // by EngineKind: one program with the emitted C of all cases; NULL: none was built
 } Batch;
 
 // Builds the C of all cases of the batch as one program. If that fails, each case builds its own C, so that the faulty case reports the

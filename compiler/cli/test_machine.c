@@ -18,7 +18,7 @@ typedef struct MachineTest {
     const char **problem;     // by argument: why a script cannot be read
     bool *is_part;            // by argument: another script includes it, so it does not run by itself
     Buf report;               // report of the last script: what it printed, and then the final values
-    size_t printed;           // the length of the first of these parts
+    size_t printed;           // length of what the script printed, in bytes of `report`
     TestTrace *trace;         // the trace that --trace requests; or NULL
     TestCoverage *coverage;   // the coverage that options ask for; or NULL
     Traceability *matrix;     // results of --traceability; or NULL
@@ -44,7 +44,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
     for (size_t i = 0; i < c->files; i++)
         if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
-            m->begin = os_seconds();          // the time before the first script counts for the first script only
+            m->begin = os_seconds();          // the time before the first script is part of the first script's duration only
         }
 }
 
@@ -254,7 +254,7 @@ static bool open_engines(MachineTest *m)
     if (engines_open(&m->engines, &t->c->session, m->p, which, options_opt_level(t->c)))
         return true;
     cli_print_error(t->c, TEXT_sentence, m->engines.error);
-    code = test_report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // an image can be too large
+    code = test_report_diagnostics(t, &message) == EXIT_PROBLEM ? EXIT_PROBLEM : EXIT_ENVIRONMENT;        // EXIT_PROBLEM: the image is too large
     add_errors(m, format_in(t->arena, "%s\n%s", m->engines.error, message), code);
     return false;
 }

@@ -62,7 +62,7 @@ static void write_failed_scripts(const TestRun *t, Buf *out)
     for (size_t i = 0; i < t->result.n && scripts > 1; i++) {
         const TestResult *r = &t->result.at[i];
         const char *why = line_of_failure(r->message);
-        const bool names_script = r->is_limit || strncmp(why, r->path, strlen(r->path)) == 0;        // a requirement is in another file
+        const bool names_script = r->is_limit || strncmp(why, r->path, strlen(r->path)) == 0;        // not if a requirement is violated
         if (r->status == TEST_FAILED && !has_suffix(r->path, ".smt"))
             buf_printf(out, "failed: %s%s%.*s\n", names_script ? "" : r->path, names_script ? "" : ": ", (int)first_line_length(why), why);
     }
@@ -159,7 +159,7 @@ static void write_classname(Buf *out, Arena *arena, const char *suite)
 
 static bool is_not_empty(const char *text) { return text && *text; }
 
-// An empty value is no property.
+// Writes a property, unless its value is empty.
 static void write_property(Buf *out, const char *name, const char *value, size_t n)
 {
     if (n == 0)

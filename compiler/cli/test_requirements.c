@@ -8,11 +8,11 @@
 struct RequirementTable {
     TestRun *t;
     const Requirements *what;
-    RequirementTotal *total;  // by requirement
-    Buf *judged, *asserts;    // by requirement
+    RequirementTotal *total;  // by requirement: how often it was judged and violated
+    Buf *judged, *asserts;    // by requirement: TestRequirement.judged and .asserts
     bool *visited;            // by State.number - 1: a script came to the state
-    Map number;               // id to 1 + its index, as a pointer into `ids`
-    size_t *ids;
+    Map number;               // from the id of a requirement to a pointer into `ids`
+    size_t *ids;              // 1 + the index of the requirement
 };
 
 // Begins the table of the requirements `what`; without any (NULL) it stays empty.

@@ -10,9 +10,9 @@ struct TestTrace {
     Cli *c;
     const Program *p;
     const Requirements *requirements;     // the requirements that the scripts judge; or NULL
-    const Var **column;
+    const Var **column;           // the `columns` variables that follow step, G and state in each row
     size_t columns;
-    bool is_exact;
+    bool is_exact;                // --trace-format=exact: a line for each value instead of a row for each step
     const char *script;           // the current script; NULL: none has run yet
     const Var *rounded;           // the first column with a value that a double cannot represent
     Buf text;                     // text that is not yet written to the file

@@ -6,7 +6,7 @@
 #include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
 
-enum { STEPS_MOST = 1000000 };
+enum { STEPS_MOST = 1000000 };        // the default of --max-steps
 
 // Checks the scripts and adds them to w->script. EXIT_OK, or EXIT_PROBLEM after their diagnostics.
 static int check_scripts(Cli *c, WhatIf *w, const CompileInput *in, const Compiled *made)

@@ -30,43 +30,43 @@ extern const char *const cover_kind_name[COVER_KIND_COUNT];
 typedef struct CoverPlace {
     CoverKind kind;
     bool value;               // GUARD, CONDITION: the outcome; STATE: entered, not left
-    Span span;                // what it is about, in the machine's own source
-    Span where;               // where to report it: `span`, or the use of the definition that contains it
+    Span span;                // the statement, guard or other text that the place is about, in the machine's own source
+    Span where;               // the position to report: `span`, or the use of the definition that contains `span`
     const State *from, *to;   // TRANSITION; STATE: `from`
-    bool of_all_states;       // TRANSITION: a copy of one written in [all_states]
-    uint32_t part_of;         // the place without which this one cannot be covered, and which a report names instead; 0: none
-    uint32_t result;          // CONDITION: the place of the decision's outcome to which this value leads
-    bool assigned;            // GUARD: the decision is no guard
-    bool sampled;             // GUARD: a window samples the decision, at every step; a statement that has the same text is another place
-    const Var *parameter;     // PARAMETER
-    uint64_t cell;            // PARAMETER: the value that it had when a run began
-    const char *impossible;   // why no run can cover it; NULL: it is not proved
+    bool of_all_states;       // TRANSITION: the transition is in [all_states], and this place is its copy in state `from`
+    uint32_t part_of;         // the place that every run covering this one covers too; while it is missing, reports name only it; 0: none
+    uint32_t result;          // CONDITION: the place of the outcome that the decision has when this condition decides with `value`
+    bool assigned;            // GUARD: the decision is a stored or computed value, not the guard of a conditional
+    bool sampled;             // GUARD: a window samples the decision at every step; the same text in a statement is another place
+    const Var *parameter;     // PARAMETER: which one
+    uint64_t cell;            // PARAMETER: covered if the parameter has this value when a run begins
+    const char *impossible;   // why no run can cover the place; NULL: this is not proved
 } CoverPlace;
 
 typedef VEC(CoverPlace) CoverPlaces;
 
-typedef struct CoverTotal { uint32_t covered, possible, impossible; } CoverTotal;
+typedef struct CoverTotal { uint32_t covered, possible, impossible; } CoverTotal;        // numbers of places; `possible` includes the covered ones
 
-typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // places to … to + n - 1 have the counts of from … from + n - 1
+typedef struct CoverShared { uint32_t from, to, n; } CoverShared;        // the counts of places from … from + n - 1 are also those of to … to + n - 1
 
 typedef struct Cover {
     Arena *arena;
     const Program *p;
     uint64_t identity;        // a hash of the sources of the machine and its state vector
     CoverPlaces place;        // at[0] is no place, so that the number 0 means none
-    uint64_t *hits;           // by place: how often, or of conditions and windows at least once
-    const IrMachine *m;       // the machine before any pass
-    IrNotes notes;
-    const uint32_t *entry;    // by State.number - 1: the place of its entry
-    VEC(CoverShared) shared;
-    VEC(uint32_t) single;     // first places of decisions of one condition, whose counts are those of the result
-    FlatProbes probes;
-    FlatMachine *flat;
+    uint64_t *hits;           // by place: how often it was covered; for conditions and windows only whether it is 0 is exact
+    const IrMachine *m;       // the IR of the machine before any pass
+    IrNotes notes;            // the temporaries of `m` that have the values of conditions
+    const uint32_t *entry;    // by State.number - 1: the place of the state's entry
+    VEC(CoverShared) shared;  // places whose counts cover_settle copies from others
+    VEC(uint32_t) single;     // for each decision of one condition, its first place: the condition's counts are copied from the result
+    FlatProbes probes;        // which statements and decisions count which places
+    FlatMachine *flat;        // the machine that counts
 } Cover;
 
 // Lists the places of a machine, as its scripts run it.
 Cover *cover_new(Arena *arena, const Program *p);
-// Counts the values of parameters, when a run begins.  cell: by Var.index.
+// Counts the places of parameters, when a run begins.  cell: by Var.index, the values of all variables.
 void cover_count_parameters(Cover *c, const uint64_t *cell);
 // Opens the engine that counts.  It can run any number of scripts, one after another.
 Engine *cover_open_engine(Cover *c);
@@ -78,7 +78,7 @@ CoverTotal cover_total(const Cover *c, CoverKind kind);
 Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f);
 // Makes the engine continue with another machine of the same program, in the state `run`, which the caller owns.
 void engine_flat_set(Engine *e, FlatMachine *f, void *run);
-// Returns the state of the run.
+// Returns the state of the engine's run, a block of flat->size bytes.
 void *engine_flat_run(const Engine *e);
 
 // ---- impossible.c ----
@@ -92,7 +92,7 @@ typedef struct CoverGap {
     Span span;
     uint32_t place;
     const char *text;         // "`pressure > 400` was never false while it decided"
-    bool is_impossible;       // no run can cover the place, and `text` has the reason
+    bool is_impossible;       // no run can cover the place; `text` then gives the reason
 } CoverGap;
 typedef VEC(CoverGap) CoverGaps;
 
@@ -104,9 +104,9 @@ void cover_write_text(const Cover *c, Buf *out);
 
 // ---- cover_file.c ----
 
-void cover_write_data(const Cover *c, Buf *out);      // counts, for a later cover_add_data
-void cover_write_json(const Cover *c, Buf *out);      // an object and the end of its line
-void cover_write_lcov(const Cover *c, Buf *out);
+void cover_write_data(const Cover *c, Buf *out);      // appends the counts as a file that cover_add_data reads
+void cover_write_json(const Cover *c, Buf *out);      // appends a JSON object on one line
+void cover_write_lcov(const Cover *c, Buf *out);      // appends a tracefile of lcov
 // Adds the counts of a file that cover_write_data has written for one or more of these machines.  Returns NULL, or why the file is refused, as a
 // phrase after its name; then nothing is added.
 const char *cover_add_data(Cover *const *machine, size_t machines, const char *text, size_t n);

@@ -44,7 +44,7 @@ static bool read_text(Reader *r, const char *text)
     return true;
 }
 
-// Reads a decimal number and the end of its line.  Saturates.
+// Reads a decimal number and the end of its line.  A number that is too large becomes UINT64_MAX.
 static bool read_number(Reader *r, uint64_t *x)
 {
     const char *begin = r->at;
@@ -64,7 +64,7 @@ static const char *list_names(Cover *const *machine, size_t machines)
     return list;
 }
 
-// Reads the line with the machine.  Sets *which to its index, or returns a phrase.
+// Reads the line with the name and identity of a machine.  Sets *which to its index in `machine`; otherwise returns a phrase that says what is wrong.
 static const char *read_machine_line(Cover *const *machine, size_t machines, Reader *r, size_t *which)
 {
     Arena *arena = machine[0]->arena;
@@ -88,10 +88,10 @@ static const char *read_machine_line(Cover *const *machine, size_t machines, Rea
     return NULL;
 }
 
-// The counts of one machine in a file.
+// The counts of one machine that a file contains; `count` is by place.
 typedef struct CountsRead { Cover *of; uint64_t *count; } CountsRead;
 
-// Reads the counts of one machine, or returns a phrase.
+// Reads the counts of one machine.  Returns NULL, or a phrase that says what is wrong.
 static const char *read_counts(Cover *const *machine, size_t machines, Reader *r, CountsRead *out)
 {
     uint64_t places;
@@ -211,7 +211,7 @@ static void write_lcov_branch(const Cover *c, uint32_t i, uint32_t number, bool 
     *hit += c->hits[i] > 0;
 }
 
-// Returns the first place of the parameter of place i: its places are in a row.
+// Returns the first place about the same parameter as place i.  All places about a parameter are adjacent.
 static uint32_t first_value_of(const Cover *c, uint32_t i)
 {
     while (c->place.at[i - 1].parameter == c->place.at[i].parameter)
@@ -239,7 +239,7 @@ static void write_lcov_branches(const Cover *c, Buf *out)
     buf_printf(out, "BRF:%lu\nBRH:%lu\n", found, hit);
 }
 
-// Writes for each line with statements how often the one that was executed most was executed.
+// Writes, for each line of the source that contains statements, the highest count of executions among these statements.
 static void write_lcov_lines(const Cover *c, Buf *out)
 {
     const uint32_t lines = c->p->src->lines;

@@ -26,7 +26,7 @@ static bool has_named_cause(const Cover *c, uint32_t i, unsigned kinds)
 
 static bool is_within(Span inner, Span outer) { return inner.at >= outer.at && inner.at + inner.len <= outer.at + outer.len; }
 
-// Returns a place as written.  One that is part of a definition, and not of the line that is reported, has the name of the definition:
+// Returns the source text of a place.  If the text is in a definition that the reported line uses, the name of the definition follows it:
 // "`p > 5` of `tooHot`".
 static const char *quote_place(const Cover *c, const CoverPlace *p)
 {
@@ -108,7 +108,7 @@ static bool is_listed_with_earlier(const Cover *c, uint32_t i, unsigned kinds)
     return false;
 }
 
-// Whether place i is a condition that is its whole decision, and the list has the places of that decision: their outcomes are the same.
+// Whether place i is about a condition that is a whole decision, and the list already names the decision's own place, which has the same outcome.
 static bool repeats_guard(const Cover *c, uint32_t i, unsigned kinds)
 {
     const CoverPlace *p = &c->place.at[i];

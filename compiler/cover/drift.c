@@ -52,7 +52,7 @@ static bool is_number(Drift d, double *x)
     return !d.any && d.is_number && !d.is_relative && d.number[0] == d.number[1];
 }
 
-// Adds a whole number from 0 to a million.
+// Returns the drift of d plus x; unknown if x is not from 0 to a million.
 static Drift add_number(Drift d, double x)
 {
     if (d.any || !(x >= 0 && x <= 1e6))

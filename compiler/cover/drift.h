@@ -1,33 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a function changes a variable that is counted up: by how much at least and at most, on all paths.
+// By how much a function increases a variable such as a counter: at least and at most, on all its paths.
 //
-// The value of an integer variable is described relative to what it was when the function began, or as a number, or as either.  Only additions
-// of whole numbers that are not negative are followed.  A sum saturates at the limit of its type, so a lower bound is never above DRIFT_CAP
-// or that limit (drift_cap).
+// The value of an integer variable is described as an increase of its value at the start of the function, or as a number, or as one of both.
+// Only additions of whole numbers that are not negative are followed.  A sum saturates at the limit of its type, so a lower bound is never
+// above that limit (drift_cap).
 #ifndef SMC_DRIFT_H
 #define SMC_DRIFT_H
 
 #include "compiler/ir/ir.h"
 
+// What is known about a value.
 typedef struct Drift {
-    bool any;                 // nothing is known
-    bool is_relative, is_number;      // the value can be what it was, plus `by`; it can be a number within `number`
-    double by[2], number[2];  // least and most
+    bool any;                 // nothing is known: the value can be any
+    bool is_relative;         // the value can be that at the function's start, plus by[0] to by[1]
+    bool is_number;           // the value can be a number from number[0] to number[1]
+    double by[2], number[2];
 } Drift;
 
 // What a function does to one variable.
 typedef struct DriftPaths {
-    Drift *of;                // by IrRef: what a load of the variable returns; a temporary computed from one
-    Drift *at_end;            // by block: at its end
-    bool *reached;            // by block
+    Drift *of;                // by IrRef: the temporary's value, if it is a load of the variable or computed from one
+    Drift *at_end;            // by block: the variable's value at the end of the block
+    bool *reached;            // by block: the function's start leads to it
 } DriftPaths;
 
 DriftPaths drift_of_function(Arena *arena, const IrFn *f, uint32_t var);
-// What is true of either of two values.
+// Returns what is known about a value that is one of two values.
 Drift drift_join(Drift a, Drift b);
-// The values at the ends without a transition; neither relative nor a number if each end is a transition.
+// Returns the variable's value where the function ends without a transition.  If each path ends in a transition, the result is neither
+// relative nor a number.
 Drift drift_at_returns(const IrFn *f, const DriftPaths *p);
-// The largest lower bound of a variable of this type; 0: it is not followed.
+// Returns the largest lower bound that a variable of this type can have; 0: variables of this type are not followed.
 double drift_cap(SmType type);
 
 // What is known about a variable when .step of a state runs, if it runs `steps` steps after the state began: from bound[0] + steps * each[0]

@@ -11,7 +11,7 @@ typedef struct CoverEngine {
     void *run;                // the state of the run
     const Program *p;
     Cover *cover;             // counts the values of parameters; or NULL
-    uint64_t *parameter;      // by Var.index: its value when the run began; room for the call
+    uint64_t *parameter;      // buffer for cover_count_parameters: by Var.index, the cell when the run began
 } CoverEngine;
 
 // Copies the state of the machine to *out; returns `status`.
@@ -41,7 +41,7 @@ static void count_parameters(const CoverEngine *c)
     cover_count_parameters(c->cover, c->parameter);
 }
 
-// Runs a step of the flat machine in place of the engine's: it counts what the step covers.
+// Runs a step of the flat machine, whose probes count what the step covers.
 static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     CoverEngine *c = e->self;

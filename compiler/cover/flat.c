@@ -7,22 +7,22 @@
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
 
-// Operations beside those of the IR.
+// Values of FlatOp.op besides those of IrOp; `to`, `a` and `b` are fields of FlatOp.
 enum {
-    OP_LOAD = IR_OP_COUNT,            // frame[to] = variable a; + SmType
-    OP_STORE = OP_LOAD + SM_TYPE_COUNT,       // variable to = frame[a], converted; + SmType
-    OP_JUMP = OP_STORE + SM_TYPE_COUNT,       // goes to operation `to`
-    OP_BRANCH,                        // goes to operation `to` if frame[a] is true, else to b
-    OP_GOTO,                          // ends the function; the next state is `to`, Stmt.number a
+    OP_LOAD = IR_OP_COUNT,            // OP_LOAD + SmType: frame[to] = variable a
+    OP_STORE = OP_LOAD + SM_TYPE_COUNT,       // OP_STORE + SmType: variable `to` = frame[a], converted to the type
+    OP_JUMP = OP_STORE + SM_TYPE_COUNT,       // jumps to operation `to`
+    OP_BRANCH,                        // jumps to operation `to` if frame[a] is true, else to operation b
+    OP_GOTO,                          // ends the function with the transition to state `to`, whose Stmt.number is a
     OP_END,                           // ends the function
-    OP_COUNT,                         // counts hits[to]
-    OP_RESULT,                        // counts hits[to] if frame[a] is true, else hits[to + 1]
-    OP_DECIDE,                        // counts decision a
-    OP_WATCH,                         // calls `watch` for decision a
-    OP_FULL                           // counts hits[to] if window a is full
+    OP_COUNT,                         // increments hits[to]
+    OP_RESULT,                        // increments hits[to] if frame[a] is true, else hits[to + 1]
+    OP_DECIDE,                        // counts decision number a
+    OP_WATCH,                         // calls FlatMachine.watch for decision number a
+    OP_FULL                           // increments hits[to] if window a is full
 };
 
-enum { SEEN_BITS = 64 };
+enum { SEEN_BITS = 64 };              // the most conditions and windows of a decision that FlatSeen can store
 
 // The values of a decision's conditions, and which of its windows were full, when it was last counted.  As long as they are the same, only the
 // result has to be counted.
@@ -38,14 +38,14 @@ typedef struct Maker {
     Arena *arena;
     FlatMachine *f;
     VEC(FlatOp) op;
-    VEC(double) number;               // the constants
-    uint32_t temps;                   // temporaries of all functions; constants follow in the frame
-    uint32_t base, next_base;         // of the current function: its first temporary; that of the next one
-    uint32_t *slot;                   // by IrRef of the current function: its place in the frame
-    uint32_t *begin;                  // by block of the current function: its first operation
-    uint32_t **decision_at;           // by decision: the places of its conditions in the frame
-    uint32_t *value_at;               // by decision: the place of its result
-    uint32_t next_decision;           // the first decision whose probe is not added yet
+    VEC(double) number;               // the constants, which follow the temporaries in FlatMachine.frame
+    uint32_t temps;                   // number of temporaries of all functions
+    uint32_t base, next_base;         // index in the frame of the first temporary of the current function; of the next function
+    uint32_t *slot;                   // by IrRef of the current function: index in the frame
+    uint32_t *begin;                  // by block of the current function: index of its first operation
+    uint32_t **decision_at;           // by decision, then by condition: index in the frame
+    uint32_t *value_at;               // by decision: index of its result in the frame
+    uint32_t next_decision;           // index of the first decision whose probe is not added yet
 } Maker;
 
 static void add_op(Maker *k, uint32_t op, uint32_t to, uint32_t a, uint32_t b)
@@ -70,7 +70,7 @@ static bool is_part_of_store(const IrFn *f, const IrBlk *b, uint32_t k, IrRef re
     return next && next->op == IR_store && next->a == ref && next->type == f->ins.at[ref].type;
 }
 
-// Every number is a double already, so a conversion to F64 does nothing, except to NaN.
+// Whether a conversion needs no operation: all values are doubles already, so only a conversion of an F64 to F64 has an effect, on NaN.
 static bool is_no_conversion(const IrFn *f, const IrIns *i)
 {
     const SmType from = f->ins.at[i->a].type;
@@ -158,7 +158,7 @@ static void add_decisions_at(Maker *k, const IrFn *f, IrRef ref)
         add_decision(k, k->next_decision);
 }
 
-// Statements are executed in the order of their instructions, so a change of the number begins the next one.
+// Adds the probes of statement `stmt` if it differs from *current: an instruction with another statement number begins the next statement.
 static void begin_stmt(Maker *k, uint32_t stmt, uint32_t *current)
 {
     if (!k->f->probes || stmt == 0 || stmt == *current)
@@ -183,7 +183,7 @@ static void add_jump(Maker *k, const IrJump *j)
     }
 }
 
-// Replaces the numbers of blocks in jumps from operation `first` on by operations.
+// In the jumps from operation `first` on, replaces the numbers of target blocks by the indices of their first operations.
 static void resolve_jumps(Maker *k, uint32_t first)
 {
     for (uint32_t i = first; i < k->op.n; i++) {
@@ -195,7 +195,7 @@ static void resolve_jumps(Maker *k, uint32_t first)
     }
 }
 
-// Adds a function.  Returns the index of its first operation.
+// Adds the operations of a function.  Returns the index of the first one.
 static uint32_t add_function(Maker *k, const IrFn *f)
 {
     const uint32_t first = k->op.n;
@@ -224,7 +224,8 @@ static uint32_t add_function(Maker *k, const IrFn *f)
     return first;
 }
 
-// Functions do not share temporaries, so that after a step the frame has the values of every function that it ran.
+// Returns the number of temporaries of all functions.  Functions do not share slots of the frame, so after a step the frame has the values of every
+// function that ran.
 static uint32_t count_temps(const IrMachine *m)
 {
     uint32_t n = m->sample ? m->sample->ins.n : 0;
@@ -254,7 +255,7 @@ static void lay_out_state(Arena *arena, FlatMachine *f)
     }
 }
 
-// Allocates the counters and what decisions remember.
+// Allocates the counters, and for each decision the values of its last evaluation (FlatSeen).
 static void begin_probes(Maker *k, const FlatProbes *probes)
 {
     size_t most = 1;
@@ -310,7 +311,7 @@ static bool is_full(const FlatMachine *f, const void *run, uint32_t window)
     return sm_roll_count(ring) >= f->window_size[window];
 }
 
-// Computes the value of every node, and whether the condition or node decides: whether the result would be another one if only it had the
+// Computes the value of every node, and whether the node decides: whether the decision would have the other result if only this node had the
 // other value.  The language evaluates both sides of `and` and `or` (language.md 3.14), so every condition always has a value.
 static void judge_nodes(const FlatDecision *d, const bool *condition, bool *value, bool *decides)
 {

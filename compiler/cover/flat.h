@@ -21,48 +21,48 @@
 // A node of a decision, a tree of conditions joined by `and`, `or` and `not`, in postfix order: operands come before their operator.
 typedef struct FlatNode {
     enum { NODE_CONDITION, NODE_AND, NODE_OR, NODE_NOT } kind;
-    uint32_t a, b;                    // indices of the operands among the nodes; in a CONDITION, a is its number
+    uint32_t a, b;                    // indices of the operands in FlatDecision.node; in a CONDITION, a is the number of the condition
 } FlatNode;
 
-// A window that a condition reads, or a statement.
+// A rolling window that a condition or a statement reads, and the counter for whether it is full.
 typedef struct FlatFull {
-    uint32_t condition;               // number of the condition that reads it
+    uint32_t condition;               // in a decision: number of the condition that reads the window
     uint32_t window;                  // index into IrMachine.window
-    uint32_t hit;                     // counter: the window was full when the condition decided
+    uint32_t hit;                     // counter: the window was full when the condition decided, or when the statement was executed
 } FlatFull;
 
 // A decision: counts its results, and for each condition the value with which it decided (masking MC/DC, docs/testing.md).
 typedef struct FlatDecision {
     const IrFn *fn;
     IrRef value;                      // the temporary of the result
-    const FlatNode *node;             // nodes; the last one is the root
+    const FlatNode *node;             // the nodes of the decision; the last one is the root
     uint32_t nodes;
-    const IrRef *condition;           // by number of the condition: its temporary
+    const IrRef *condition;           // by number of the condition: the temporary with its value
     uint32_t conditions;
-    const FlatFull *full;
+    const FlatFull *full;             // the windows that conditions read
     uint32_t fulls;
-    uint32_t hit;                     // counters: true, false; then for each condition: decided when true, decided when false
+    uint32_t hit;                     // index of the first counter.  Counters: result true, false; for each condition: decided when true, when false
 } FlatDecision;
 
-// What is counted, by statement and by state.  A counter of 0 counts nothing, so counter 0 has no meaning.
+// What is counted.  Entries are indices of counters in FlatMachine.hits; index 0 means that nothing is counted, so counter 0 is unused.
 typedef struct FlatProbes {
-    const uint32_t *stmt;             // by Stmt.number: it was executed
-    const uint32_t *transition;       // by Stmt.number: this transition was taken
+    const uint32_t *stmt;             // by Stmt.number: the statement was executed
+    const uint32_t *transition;       // by Stmt.number: the transition was taken
     const uint32_t *entry, *exit;     // by State.number - 1: the state was entered, left
-    const FlatFull *const *full;      // by Stmt.number: windows that it reads outside decisions; ends with a counter of 0; NULL: none
-    const FlatDecision *decision;     // each is counted where its value is computed; sorted by function, in the order of
-                                      // flat_each_function, and by value
+    const FlatFull *const *full;      // by Stmt.number: the windows that the statement reads outside decisions; the last entry has hit 0; NULL: none
+    const FlatDecision *decision;     // each is counted where its value is computed.  Sorted by function, in the order of
+                                      // flat_each_function, then by FlatDecision.value
     uint32_t decisions;
-    uint32_t counters;
-    const bool *watched;              // by decision: FlatMachine.watch is called where it is counted; NULL: none
+    uint32_t counters;                // number of counters, with counter 0
+    const bool *watched;              // by decision: FlatMachine.watch is called where the decision is counted; NULL: none
 } FlatProbes;
 
 // ---- the machine ----
 
 typedef struct FlatOp {
-    uint16_t op;
-    uint8_t type, stat;
-    uint32_t to, a, b;
+    uint16_t op;                      // an IrOp, or an OP_ constant of flat.c
+    uint8_t type, stat;               // SmType of the result; SmStat
+    uint32_t to, a, b;                // mostly indices into FlatMachine.frame: of the result, of the operands; else as `op` defines
 } FlatOp;
 
 typedef struct FlatSeen FlatSeen;
@@ -75,26 +75,26 @@ typedef struct FlatFn {
 
 typedef struct FlatMachine {
     const IrMachine *m;
-    size_t size;                      // bytes of a state; a multiple of 8
-    size_t cells, windows;            // byte offsets in a state
-    uint32_t *window_at, *window_kind, *window_size;      // by window: byte offset in a state, kind (stdlib/roll.h), samples
+    size_t size;                      // size in bytes of the state of a run; a multiple of 8
+    size_t cells, windows;            // byte offsets in that state of the variables, and of the windows
+    uint32_t *window_at, *window_kind, *window_size;      // by window: byte offset in the state, kind (stdlib/roll.h), number of samples
     FlatOp *op;
     uint32_t ops;
-    uint32_t sample;                  // index into op; FLAT_NOTHING: no windows
-    uint32_t (*block)[BLOCK_COUNT];   // by state from 0: index into op; FLAT_NOTHING: no code
-    double *frame;                    // the temporaries of each function, and then constants
+    uint32_t sample;                  // index in `op` of the code that samples all windows; FLAT_NOTHING: the machine has no windows
+    uint32_t (*block)[BLOCK_COUNT];   // by State.number - 1: index in `op` of the code of entry, step and exit; FLAT_NOTHING: no code
+    double *frame;                    // the temporaries of all functions, and then constants
     FlatFn *fn;                       // in the order of flat_each_function: the sampling, then entry, step and exit of each state
     uint32_t fns;
-    uint8_t *stored;                  // by IR variable: the last step stored it
+    uint8_t *stored;                  // by IR variable: 1 if the last step stored it
     const FlatProbes *probes;         // NULL: nothing is counted
-    uint64_t *hits;                   // by counter
+    uint64_t *hits;                   // the counters
     FlatSeen *seen;                   // by decision: the last evaluation that was counted; an equal one changes no counter
-    uint32_t **decision_at, *value_at;        // by decision: where in the frame its conditions and its value are
-    bool *scratch;                    // room to judge the largest decision
+    uint32_t **decision_at, *value_at;        // by decision: the indices in `frame` of its conditions; of its result
+    bool *scratch;                    // working memory of count_decision, large enough for every decision
     uint32_t taken;                   // Stmt.number of the transition that the last step took; 0: none
-    uint64_t fresh;                   // how many counters are no longer 0
-    void (*watch)(void *watcher, uint32_t decision);  // called at watched decisions; the frame has their operands
-    void *watcher;
+    uint64_t fresh;                   // number of counters that are no longer 0
+    void (*watch)(void *watcher, uint32_t decision);  // called at watched decisions, while `frame` has the values of their conditions
+    void *watcher;                    // passed to `watch`
 } FlatMachine;
 
 #define FLAT_NOTHING UINT32_MAX

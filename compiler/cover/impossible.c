@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds places that no run can cover, by facts (facts.h).  A place with several copies is impossible only if all of them are.
+// Finds the places (cover.h) that no run can cover, by facts (facts.h).  A place of [all_states] has a copy of its code in each state; it is
+// impossible only if no copy can be covered.
 
 #include "compiler/analysis/transitions.h"
 #include "compiler/cover/judge.h"
@@ -9,8 +10,8 @@ typedef struct Finder {
     const Cover *c;
     Arena *arena;
     FactMachine *facts;
-    bool *possible;           // by place
-    const char **reason;      // by place
+    bool *possible;           // by place: facts do not exclude some copy of it
+    const char **reason;      // by place: why facts exclude the copies visited so far
     uint32_t decision;        // index of the next decision, in the order of the code
     const IrFn *fn;           // the current function, and its facts
     FactFlow flow;
@@ -22,7 +23,7 @@ static void mark_possible(Finder *k, uint32_t place) { k->possible[place] = true
 
 static bool is_infinite(double x) { return x - x != 0; }
 
-// Appends what a fact says of a value, in words: `always 3`, `at most 5`.
+// Appends the bounds that a fact gives for a value, in words: `always 3`, `at most 5`.
 static void append_bounds(Buf *out, Arena *arena, Fact f)
 {
     if (is_infinite(f.lo) && is_infinite(f.hi))
@@ -73,7 +74,7 @@ static bool can_be(const Finder *k, IrRef ref, bool value)
     return value ? f.hi > 0 : f.lo <= 0 || f.nan;
 }
 
-// The possible values of a node, and whether some run lets it decide.
+// What facts allow for a node of a decision: which values it can have, and whether it can decide the result.
 typedef struct NodeFact { bool value[2], decides; } NodeFact;
 
 // Finds for each part of a decision which values the facts allow, operands first.
@@ -94,7 +95,8 @@ static void judge_values(const Finder *k, const FlatDecision *d, NodeFact *fact)
     }
 }
 
-// An operand of `and` decides only while the other one is true, an operand of `or` only while the other one is false.
+// Finds which nodes facts allow to decide: an operand of `and` decides only while the other operand is true, an operand of `or` only while the
+// other one is false.
 static void judge_deciding(const FlatDecision *d, NodeFact *fact)
 {
     fact[d->nodes - 1].decides = true;
@@ -156,7 +158,7 @@ static void judge_block(Finder *k, const IrBlk *b)
     }
 }
 
-// Moves past the decisions of a block that no run reaches: what they count stays impossible.
+// Skips the decisions of a block that no run reaches, so that their places remain impossible.
 static void skip_block(Finder *k, const IrBlk *b)
 {
     const FlatProbes *p = &k->c->probes;
@@ -166,7 +168,7 @@ static void skip_block(Finder *k, const IrBlk *b)
             k->decision++;
 }
 
-// Judges a function by the facts about another form of it, which has the same instructions and blocks.
+// Judges the places of function f by the facts about `form`, a form of f with the same instructions and blocks (judge.h).
 static void judge_function(Finder *k, const IrFn *f, const IrFn *form, const Env *begin)
 {
     k->fn = f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places of a machine that facts exclude.
+// Places of a machine (things that coverage counts, cover.h) that no run can cover, according to facts (facts/facts.h).
 #ifndef SMC_JUDGE_H
 #define SMC_JUDGE_H
 

@@ -7,17 +7,17 @@
 #include "compiler/cover/mutant_search.h"
 #include "compiler/cover/mutate.h"
 
-// What one copy of a mutant changes, and to what.
-struct MutantEdit {
+// A change of one expression, statement or initial value.  A mutant of [all_states] has one for each copy of the code.
+struct MutantEdit {           // the names in front of ":" are values of `kind`
     enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_NOT, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
-    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT
-    Stmt *stmt;               // the statement that contains it; NULL: INITIAL, or part of what a window samples
-    Var *var;                 // INITIAL
+    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT: the changed expression
+    Stmt *stmt;               // the statement that is or contains what is changed; NULL: INITIAL, or the expression that a window samples
+    Var *var;                 // INITIAL: the local
     uint32_t link;            // LINK: which operator of the chain
     SmOperator op;            // OPERATOR, LINK: the new operator
     double number;            // NUMBER, GUARD, INITIAL: the new number
-    State *target;            // TARGET
-    const MutantEdit *next;
+    State *target;            // TARGET: the new target
+    const MutantEdit *next;   // the edit of the next copy; NULL: none
 };
 
 // The work on all mutants of a machine.
@@ -25,21 +25,30 @@ struct Mutation {
     Arena *arena, work;       // `work` is emptied before every mutant
     const Program *p;
     MutantRuns *runs;
-    uint64_t step;            // mutant_step
+    uint64_t step;            // by how much G advances in each step, from mutant_step; 0: unknown
     uint32_t scripts;
     VEC(Mutant) mutant;
-    uint32_t next, next_search;       // the next mutant to run; to search for
-    MutantSearch *search;     // NULL: not needed yet
-    const State **start;      // in which scenarios begin, `starts` of them
+    uint32_t next, next_search, next_reach;   // indices in `mutant` of the next one to run; to search for; to decide about (mutant_reach.h)
+    MutantSearch *search;     // NULL: no search has begun
+    const Scenario *given;    // the runs of the scripts from which searches start, `givens` of them; set with `search`
+    uint32_t givens;
+    const State **start;      // the states in which scenarios can begin, `starts` of them
     uint32_t starts;
-    const char *original;     // the IR of the machine without a change, as text; NULL: not needed yet
-    uint64_t *initial;        // by Var.index: the initial value as it was
-    // The current place, while mutants are listed:
+    const char *original;     // the IR of the unchanged machine as text; NULL: not printed yet
+    uint64_t *initial;        // by Var.index: the initial value in the unchanged machine
+    // While mutants are listed, the position of the current expression:
     const State *state;
-    Stmt *stmt;               // NULL: none
-    MutantDanger danger;
-    MutantDanger *of_local, *of_window;       // by Var.index, by window: the most dangerous use of its value
+    Stmt *stmt;               // NULL: the expression is in no statement
+    MutantDanger danger;      // what its value can affect
+    MutantDanger *of_local, *of_window;       // by Var.index; by index of the window: the most dangerous use of the value
 };
+
+// ---- mutate.c ----
+
+// By how much G grows in each step of a search.
+uint64_t mutation_delta_t(const Mutation *u);
+// Searches a scenario that shows a mutant, also from the situations of the scenario `from`, if that is not NULL.
+void mutation_search_from(Mutation *u, Mutant *m, const Scenario *from, uint64_t steps);
 
 // ---- mutate_list.c ----
 
@@ -50,12 +59,19 @@ void mutation_list_all(Mutation *u);
 
 // Whether no run reads the initial value of a local, from whatever state it starts.
 bool mutant_initial_is_unread(const Program *p, const Var *v);
+// Whether no run that starts in one of these states reads it.
+bool mutant_initial_is_unread_from(Arena *work, const Program *p, const Var *v, const State *const *start, uint32_t starts);
+// Whether only the machine writes the local, and only its statements read it.
+bool mutant_initial_is_own(const Program *p, const Var *v);
 
-// ---- mutant_equal.c ----
+// ---- mutant_cases.c ----
 
 // Returns the step by which G advances, for mutants that differ only between two steps: the @step of the machine, or the
 // delta_t of all its scripts if they agree.  0: unknown.
 uint64_t mutant_step(const Program *p, const Script *const *script, uint32_t scripts);
+
+// ---- mutant_equal.c ----
+
 // Whether it is proved that the machine behaves as before with these edits, from whatever state it starts and whatever its inputs are.
 // Statements of p are changed during the call.
 bool mutant_is_equivalent(Arena *work, const Program *p, const MutantEdit *edit, uint64_t step);

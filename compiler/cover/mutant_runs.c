@@ -9,9 +9,9 @@
 #include "stdlib/convert.h"
 
 enum {
-    POINTS_MOST = 128,        // the most points of a run
-    POINT_STEPS = 8,          // the least number of steps between two points
-    VALUES_MOST = 1 << 23     // values that all records can have together; a run for which no room is left is not recorded
+    POINTS_MOST = 128,        // the most points (saved states) of a run
+    POINT_STEPS = 8,          // the fewest steps between two points
+    VALUES_MOST = 1 << 23     // the most values that all records together can have; a run that would exceed it is not recorded
 };
 
 // The state of an unchanged run before a step.
@@ -24,18 +24,18 @@ typedef struct RecordPoint {
 typedef struct Record {
     const Script *script;
     uint64_t steps;
-    ScriptOptions options;    // the options with which the mutants run
-    bool is_complete;         // the run was recorded
+    ScriptOptions options;    // the options with which the script runs on mutants
+    bool is_complete;         // the whole run was recorded
     uint64_t every;           // steps between two points
     VEC(RecordPoint) point;
-    VEC(EngineWrite) write;
-    VEC(uint32_t) write_end;  // by step, from 0: the end of its writes
-    VEC(uint8_t *) executed;  // by point, then by Stmt.number: the statement was executed between this point and the next one
-    uint8_t *reached;         // by Stmt.number: it was executed at all
+    VEC(EngineWrite) write;   // what the script wrote in all steps
+    VEC(uint32_t) write_end;  // by step, from 0: index in `write` after the last write of the step
+    VEC(uint8_t *) executed;  // by point, then by Stmt.number: 1 if the statement was executed between this point and the next one
+    uint8_t *reached;         // by Stmt.number: 1 if the run executed the statement
     const uint32_t *seen;     // the variables that the script reads (Var.index), `seens` of them, without constants
     uint32_t seens;
     bool reads_constants;     // the script reads constants of the machine
-    VEC(uint64_t) value;      // by step: the next state, whether its step is the first, and the cells of `seen`
+    VEC(uint64_t) value;      // for each step 2 + seens values: next_state and next_is_first of EngineStep, and the cells of `seen`
     ScriptRun run;            // the run of the script, to be continued from its points
     uint32_t noticed;         // number of mutants that the script has noticed
 } Record;
@@ -47,21 +47,21 @@ struct MutantRuns {
     const Program *p;
     Record *record;
     uint32_t records;
-    uint32_t *order;          // the scripts in the order in which they are tried
+    uint32_t *order;          // indices of the scripts in the order in which they are tried
     FlatMachine *original;
-    void *state, *at_point;   // of the current mutant: now, and at the last point
-    size_t values;            // of all records
+    void *state, *at_point;   // the states of the current mutant: now, and at the last point
+    size_t values;            // number of values in all records
     Cover *cover;             // counts what the unchanged runs execute
     Engine *engine;           // runs the current mutant
     Diags muted;
-    const Requirements *requirements; // or NULL
-    const Requirement *violated;      // by the last run; NULL: none
-    uint32_t failing;
+    const Requirements *requirements; // judged in every run; or NULL
+    const Requirement *violated;      // the requirement that the last run violated; NULL: none
+    uint32_t failing;         // index of a script that fails on the unchanged machine; `records`: none
 };
 
 // ---- what a script and the requirements read ----
 
-// Lists the variables of the machine that the script reads, or a requirement.
+// Sets r->seen to the variables of the machine that the script or a requirement reads.
 static void list_seen(Arena *arena, const Program *p, const Requirements *rq, const uint32_t *var_of, Record *r)
 {
     const Script *s = r->script;
@@ -81,7 +81,7 @@ static void list_seen(Arena *arena, const Program *p, const Requirements *rq, co
 
 // ---- recording ----
 
-// An engine that stores what is written, and has another engine run the step.
+// An engine that records the writes and the results of each step, which `machine` runs.
 typedef struct Recorder {
     Engine engine;
     Engine *machine;
@@ -121,7 +121,7 @@ static void add_point(MutantRuns *u, Record *r)
     vec_push(u->arena, &r->point, p);
 }
 
-// Returns by Stmt.number whether it was executed since the last call.
+// Returns an array by Stmt.number: 1 if the statement was executed since the last call.
 static uint8_t *collect_executed(MutantRuns *u)
 {
     const Cover *c = u->cover;
@@ -133,7 +133,7 @@ static uint8_t *collect_executed(MutantRuns *u)
     return executed;
 }
 
-// Prepares the run of the script on an engine, which stays open.
+// Begins the run of the script on an engine; r->run can then be continued.
 static void begin_run(MutantRuns *u, Record *r, Engine **engine)
 {
     r->run = (ScriptRun){.arena = u->arena, .diags = &u->muted, .s = r->script, .p = u->p, .engine = engine, .engines = 1, .o = &r->options};
@@ -173,7 +173,7 @@ static const Requirement *find_violated(const MutantRuns *u, const ScriptResult 
     return &u->requirements->at.at[i];
 }
 
-// Runs the script once on its own, with everything that ends a run.  Returns whether it passes.
+// Runs the script once from its start to its end, without using records.  Returns whether it passes.
 static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
 {
     ScriptResult result = script_run(work, &u->muted, r->script, &u->engine, 1, &r->options);
@@ -267,18 +267,18 @@ const Scenario *mutant_runs_scenario(const MutantRuns *u, Arena *arena, uint32_t
 
 // ---- running mutants ----
 
-// A mutant that is compared with the recorded run of a script.
+// A mutant that runs with the recorded inputs of a script, and is compared with the recorded run.
 typedef struct MutantReplay {
     MutantRuns *u;
     Record *r;
     FlatMachine *mutant;
     bool same_layout;         // the states of both machines have the same parts at the same offsets
     bool same_start;          // no initial value was changed
-    const uint32_t *stmt;     // the changed statements
+    const uint32_t *stmt;     // the changed statements, as in mutant_runs_find_noticing
     uint32_t stmts;
 } MutantReplay;
 
-// Whether a statement that the mutant changes is among those that a part of the run executes, given by Stmt.number.
+// Whether a part of the run executes a changed statement.  executed: by Stmt.number, 1 if that part executes the statement.
 static bool includes_change(const MutantReplay *c, const uint8_t *executed)
 {
     for (uint32_t i = 0; i < c->stmts; i++)
@@ -353,7 +353,7 @@ static bool reads_initial_value(const MutantReplay *c)
 // Whether the recorded run can be used for this mutant, instead of a run of the script.
 static bool can_replay(MutantReplay *c) { return c->r->is_complete && c->same_layout && (c->same_start || !reads_initial_value(c)); }
 
-// Returns the point before the first difference that the script sees; the number of points if it sees none.
+// Returns the index of the last point before the script reads a value that differs from the recorded one; the number of points: none differs.
 static uint32_t find_difference(MutantReplay *c)
 {
     const size_t size = c->u->original->size;

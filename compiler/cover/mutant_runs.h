@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the scripts of a machine on its mutants.  The unchanged machine runs each script once, and these runs are recorded: what the script
-// writes in each step, and at some steps, the *points*, the state of the machine and of the script.
+// writes in each step, and, at certain steps that are called *points*, the states of the machine and of the script.
 //
 // A mutant behaves like the machine until it first executes the changed statement.  So its run begins at the last point before that.  From there
 // it steps with the recorded inputs, without the script.  As long as the script would read the recorded values, it would write what it wrote in
@@ -22,13 +22,13 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const 
                             uint64_t max_steps);
 // Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
 uint32_t mutant_runs_find_failing(const MutantRuns *r);
-// Values in place of a Stmt.number if the change is in no statement: in a part that each step executes, or in an initial value.
+// Used instead of a Stmt.number for a change that is in no statement: in code that each step executes, or in an initial value.
 #define MUTANT_EACH_STEP UINT32_C(0)
 #define MUTANT_START UINT32_MAX
 
-// Returns a script that fails on the mutant, or `scripts`.  *violated receives the requirement with which its run fails, or NULL.  stmt: the n
-// places that were changed, each a Stmt.number or one of the above.  A run that takes more than four times as many steps as before, and 1000,
-// has failed.  `work`: memory for the call.
+// Returns the index of a script that fails on the mutant; `scripts`: all pass.  *violated receives the requirement that this run violates, or
+// NULL.  stmt: the n changed statements, each a Stmt.number or one of the constants above.  A run also fails if it takes more steps than 1000 plus
+// four times those of the unchanged machine.  `work`: memory for the call.
 uint32_t mutant_runs_find_noticing(MutantRuns *r, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated);
 // Returns what a recorded run writes to the inputs of the machine, as a scenario; NULL: the run was not recorded.  What a script writes to
 // variables that the machine stores is left out.

@@ -7,24 +7,25 @@
 #include "stdlib/convert.h"
 
 enum {
-    NODES_MOST = 512,         // stored situations
-    SEEN_SLOTS = 4096,        // a power of two
-    AROUND_MOST = 100000,     // most steps of an extension that waits for a time in the changed condition
-    MINIMISE_STEPS = 200000   // limit on the steps of all replays that make a scenario shorter
+    NODES_MOST = 512,         // the most stored situations
+    SEEN_SLOTS = 4096,        // size of the hash table of situations; a power of two
+    CONTINUE_ONE_IN = 2,      // one extension in so many is the last one before another situation is chosen
+    AROUND_MOST = 100000,     // the most steps of an extension that waits for a time in the changed condition
+    MINIMISE_STEPS = 200000   // the most steps of all replays that test shorter forms of a scenario
 };
 
-// The values of an input from step `step` on: a, or for a ramp a + b each step.
-typedef struct Course { double a, b; uint64_t step; bool is_ramp; } Course;
+// The values of an input since its last change.  step 0: there was none.
+typedef ScenarioChange Course;
 
-// A stored situation.  The path from the root to it is the scenario that reaches it.
+// A stored situation: the states of machine and mutant after some steps.  The nodes from the root to it are the scenario that reaches it.
 typedef struct Node {
     const struct Node *parent;
     const ScenarioChange *change;     // the changes between the parent and this node
     uint32_t changes;
-    const State *start;
-    uint64_t steps;           // steps that have run
-    void *original, *mutant;  // the states of both machines
-    Course *course;           // by input
+    const State *start;       // the state in which the scenario begins
+    uint64_t steps;           // number of steps from the start of the scenario
+    void *original, *mutant;  // the states of the unchanged machine, and of the mutant
+    Course *course;           // by index in MutantValues.input: its current values; step 0: not set by the scenario
     bool differs;             // the states of machine and mutant differ, although no output does yet
 } Node;
 
@@ -35,7 +36,7 @@ struct MutantSearch {
     uint64_t delta_t;
     const State *const *start;
     uint32_t starts;
-    const Scenario *const *given;
+    const Scenario *given;
     uint32_t givens;
     MutantValues v;
     uint64_t random;
@@ -55,7 +56,7 @@ static uint64_t next_random(MutantSearch *k)
 static uint32_t random_below(MutantSearch *k, uint32_t n) { return (uint32_t)(next_random(k) % n); }
 
 MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *original, uint64_t delta_t, const State *const *start, uint32_t starts,
-                                const Scenario *const *given, uint32_t givens)
+                                const Scenario *given, uint32_t givens)
 {
     MutantSearch *k = ARENA_NEW(arena, MutantSearch);
 
@@ -73,6 +74,7 @@ MutantSearch *mutant_search_new(Arena *arena, const Program *p, FlatMachine *ori
 
 // ---- a run ----
 
+// The search for one mutant, in which the unchanged machine and the mutant run in lockstep.
 typedef struct Lockstep {
     MutantSearch *k;
     Arena *work;
@@ -80,17 +82,30 @@ typedef struct Lockstep {
     const double *around;
     uint32_t arounds;
     bool same_layout;
-    uint64_t left;            // steps that can still run
-    uint64_t replayed;        // steps of scenarios that were made shorter
-    VEC(Node *) node;
-    VEC(Node *) apart;        // nodes with `differs`
+    uint64_t left;            // number of steps that the search may still run
+    uint64_t replayed;        // number of steps of all replays that tested shorter scenarios
+    VEC(Node *) node;         // all stored situations
+    VEC(Node *) apart;        // the nodes of `node` with `differs`
     const State *state;       // the state that contains the change; or NULL
     VEC(Node *) inside;       // the nodes of `node` that are in this state
-    uint64_t seen[SEEN_SLOTS];        // hashes of situations; 0: none
-    const Var *what;          // the variable that differs
+    uint64_t seen[SEEN_SLOTS];        // hash table of the situations reached so far: their hashes; 0: empty
+    const Var *what;          // the variable that differs; NULL: S
 } Lockstep;
 
-static double value_at(const Course *c, uint64_t step) { return c->is_ramp ? c->a + c->b * (double)(step - c->step) : c->a; }
+// Returns the value of an input in a step, of which no COPY is asked before the machine has the state that it had then.
+static double value_at(const Lockstep *l, const Node *n, const Course *c, uint64_t step)
+{
+    const MutantSearch *k = l->k;
+    const uint32_t source = k->original->m->var_of[c->source];
+
+    switch (c->kind) {
+    case SCENARIO_HOLD: break;
+    case SCENARIO_ALTERNATE: return (step - c->step) % 2 ? c->b : c->a;
+    case SCENARIO_RAMP: return c->a + c->b * (double)(step - c->step);
+    case SCENARIO_COPY: return source == IR_NONE ? c->a : sm_cell_to_f64(k->p->var.at[c->source]->type, flat_cells(k->original, n->original)[source]);
+    }
+    return c->a;
+}
 
 static void write_cell(const FlatMachine *f, void *state, uint32_t var, uint64_t cell)
 {
@@ -109,7 +124,7 @@ static void write_inputs(const Lockstep *l, Node *n, uint64_t step)
         uint64_t cell;
         if (n->course[i].step == 0 || (k->v.input.at[i].is_stored && step > 1))
             continue;
-        cell = sm_cell_from_f64(k->v.input.at[i].type, value_at(&n->course[i], step));
+        cell = sm_cell_from_f64(k->v.input.at[i].type, value_at(l, n, &n->course[i], step));
         write_cell(k->original, n->original, k->v.input.at[i].var, cell);
         write_cell(l->mutant, n->mutant, k->v.input.at[i].var, cell);
     }
@@ -134,7 +149,7 @@ static bool is_visible(Lockstep *l, Node *n)
     return false;
 }
 
-// Runs one step of the original and of the mutant with the same inputs; returns whether they still do the same.
+// Runs one step of the original and of the mutant with the same inputs; returns whether a difference is visible to a script.
 static bool run_step(Lockstep *l, Node *n)
 {
     n->steps++;
@@ -149,8 +164,8 @@ static bool run_step(Lockstep *l, Node *n)
 
 static bool has_diverged(const Lockstep *l, const Node *n) { return l->same_layout && memcmp(n->original, n->mutant, l->k->original->size) != 0; }
 
-// A number that is equal for situations that are taken as the same: state, whether both machines differ, roughly the time in the state, and
-// what the small variables of the machine are.
+// Returns a hash that is equal for situations that the search treats as the same: it depends on the state, on whether the two machines differ, on
+// the rough time in the state, and on the values of variables of small types.
 static uint64_t hash_of(const Lockstep *l, const Node *n)
 {
     const MutantSearch *k = l->k;
@@ -174,7 +189,7 @@ static uint64_t hash_of(const Lockstep *l, const Node *n)
     return h | 1;
 }
 
-// Stores the situation of n, and returns true, if no situation like this one was stored.
+// Adds the hash of the situation of n to the table of seen ones.  Returns false if it is in the table already.
 static bool record_if_new(Lockstep *l, const Node *n)
 {
     const uint64_t h = hash_of(l, n);
@@ -216,9 +231,15 @@ static Node *new_start(const Lockstep *l, const State *start)
 
 // ---- extensions ----
 
-static double choose_value(const Lockstep *l, const MutantInput *in)
+// Returns a value for an input.  now: its current one.
+static double choose_value(const Lockstep *l, const MutantInput *in, double now)
 {
     MutantSearch *k = l->k;
+
+    if (in->type != SM_BOOL && l->arounds && random_below(k, 8) == 0) {
+        const double by = l->around[random_below(k, l->arounds)];
+        return random_below(k, 2) ? now + by : now - by;
+    }
 
     if (in->type != SM_BOOL && l->arounds && random_below(k, 4) == 0) {
         const double a = l->around[random_below(k, l->arounds)], b = l->around[random_below(k, l->arounds)];
@@ -258,14 +279,14 @@ static void change_inputs(Lockstep *l, Node *n, uint64_t duration, ScenarioChang
         if (k->v.input.at[i].is_stored ? !is_first || random_below(k, 4)
             : !is_first && random_below(k, k->v.readings < 3 ? 2 : k->v.readings / 2 + 1))
             continue;
-        now = c->step ? value_at(c, n->steps + 1) : 0;
-        change.a = choose_value(l, &k->v.input.at[i]);
+        now = c->step ? value_at(l, n, c, n->steps + 1) : 0;
+        change.a = choose_value(l, &k->v.input.at[i], now);
         if (!is_first && k->v.input.at[i].type != SM_BOOL && random_below(k, 5) == 0) {
             change.kind = SCENARIO_RAMP;
             change.b = (change.a - now) / (double)(duration ? duration : 1);
             change.a = now;
         }
-        *c = (Course){change.a, change.b, change.step, change.kind == SCENARIO_RAMP};
+        *c = change;
         list[(*changes)++] = change;
     }
 }
@@ -319,7 +340,7 @@ static bool extend_situation(Lockstep *l, Node *n, ScenarioChange *list)
             stored = store_situation(l, n);
         }
         state = s->state;
-        if (stored && stored->changes)                // the changes belong to the first node that was stored
+        if (stored && stored->changes)                // only the first node of this extension has the changes; later ones follow it without changes
             ((Node *)stored)->change = arena_copy(l->work, list, changes * sizeof *list);
         if (stored) {
             n->parent = stored;
@@ -368,7 +389,7 @@ static void begin_changes(const Lockstep *l, const Node *n, const Scenario *s, s
         const ScenarioChange *c = &s->change[*next];
         Course *course = course_of(l, n, c->var);
         if (course)                                   // else the machine does not read it
-            *course = (Course){c->a, c->b, c->step, c->kind == SCENARIO_RAMP};
+            *course = *c;
     }
 }
 
@@ -390,7 +411,7 @@ static bool replay_scenario(Lockstep *l, Scenario *s)
     return false;
 }
 
-// Runs a given scenario, and stores its new situations.  Returns whether a difference is visible; *n is then the last situation.
+// Runs a scenario of `given`, and stores its new situations.  Returns whether a difference is visible; *n is then the last situation.
 static bool run_given(Lockstep *l, Node *n, const Scenario *s)
 {
     size_t next = 0, stored_at = 0;
@@ -483,7 +504,7 @@ static const Scenario *finish_scenario(Lockstep *l, Arena *out, const Node *last
     return result;
 }
 
-// Sets *at to a stored situation, to be continued.
+// Copies the stored situation `from` to *at, so that it can be continued.
 static void begin_at(const Lockstep *l, Node *at, const Node *from)
 {
     void *original = at->original, *mutant = at->mutant;
@@ -495,6 +516,18 @@ static void begin_at(const Lockstep *l, Node *at, const Node *from)
     memcpy(course, from->course, (l->k->v.input.n + 1) * sizeof *course);
 }
 
+// Makes the changes of the last extension a part of the path, although its situation was not stored.
+static void continue_path(const Lockstep *l, Node *n, const ScenarioChange *list)
+{
+    Node *before = arena_copy(l->work, n, sizeof *n);
+
+    if (n->changes == 0)
+        return;
+    before->change = arena_copy(l->work, list, n->changes * sizeof *list);
+    n->parent = before;
+    n->changes = 0;
+}
+
 static void add_start(Lockstep *l, Node *n)
 {
     vec_push(l->work, &l->node, n);
@@ -502,27 +535,30 @@ static void add_start(Lockstep *l, Node *n)
         vec_push(l->work, &l->inside, n);
 }
 
-const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, FlatMachine *mutant, const State *state, const double *around, uint32_t n,
-                                  uint64_t steps,
-                                  const Var **what)
+const Scenario *mutant_search_run(MutantSearch *k, Arena *out, Arena *work, const MutantTarget *t, uint64_t steps, const Var **what)
 {
     Lockstep *l = ARENA_NEW(work, Lockstep);
     ScenarioChange *list = arena_array(work, k->v.input.n + 1, sizeof *list);
     Node *at = NULL;
 
-    *l = (Lockstep){.k = k, .work = work, .mutant = mutant, .state = state, .around = around, .arounds = n, .left = steps};
-    l->same_layout = flat_have_same_layout(k->p, k->original, mutant);
+    *l = (Lockstep){.k = k, .work = work, .mutant = t->mutant, .state = t->state, .around = t->around, .arounds = t->arounds, .left = steps};
+    l->same_layout = flat_have_same_layout(k->p, k->original, t->mutant);
     k->random = 1;
     for (uint32_t i = 0; i < k->starts; i++)
         add_start(l, new_start(l, k->start[i]));
+    if (t->from && run_given(l, at = new_start(l, t->from->init_state), t->from))
+        return finish_scenario(l, out, at, what);
     for (uint32_t i = 0; i < k->givens; i++)
-        if (run_given(l, at = new_start(l, k->given[i]->init_state), k->given[i]))
+        if (run_given(l, at = new_start(l, k->given[i].init_state), &k->given[i]))
             return finish_scenario(l, out, at, what);
     at = new_start(l, k->start[0]);
     while (l->left) {
         begin_at(l, at, choose_node(l));
-        if (extend_situation(l, at, list))
-            return finish_scenario(l, out, at, what);
+        do {
+            if (extend_situation(l, at, list))
+                return finish_scenario(l, out, at, what);
+            continue_path(l, at, list);
+        } while (random_below(k, CONTINUE_ONE_IN));
     }
     return NULL;
 }

@@ -19,13 +19,13 @@ static void add_number(Arena *arena, MutantNumbers *list, double x)
         vec_push(arena, list, x);
 }
 
-// Which inputs a variable depends on, by assignments and windows: a bit for each of the first 64 inputs.
+// On which inputs each variable depends through assignments and windows, as a set: bit i stands for MutantValues.input[i], i < 64.
 typedef struct Origins {
     ValueLists *k;
-    uint64_t *of;             // by Var.index
-    uint64_t found;           // of the current expression
-    Stmt *stmt;
-    bool changed;
+    uint64_t *of;             // by Var.index: the set of the variable
+    uint64_t found;           // the set of the current expression
+    Stmt *stmt;               // the statement whose expressions are visited
+    bool changed;             // a set has grown in this round
 } Origins;
 
 static void add_origin(Expr *e, void *context)
@@ -104,7 +104,7 @@ static void collect_values_of_statement(Stmt *s, void *context)
         expr_walk(s->value, collect_values, context);
 }
 
-// Adds what is beside each value: the neighbours, and what is in the middle of two values.
+// Adds the values just below and just above each value of the list, and the middle of each two values.
 static void add_neighbours(Arena *arena, MutantNumbers *list, SmType type)
 {
     const uint32_t n = list->n;

@@ -60,18 +60,26 @@ void mutant_write_change(Arena *arena, const Mutant *m, Buf *out)
     buf_str(out, about[m->danger]);
 }
 
-// Appends what an input does from a step on: "pressure = 776", "pressure from 776 by 0.5 a step".
+// Appends the change of an input: "pressure = 776", "pressure from 776 by 0.5 a step".
 static void write_input(const Program *p, const ScenarioChange *c, Buf *out)
 {
     const Var *v = p->var.at[c->var];
 
     buf_printf(out, "%s %s ", v->report_name->text, c->kind == SCENARIO_RAMP ? "from" : "=");
-    format_cell_stored(out, v->type, sm_cell_from_f64(v->type, c->a));
-    if (c->kind != SCENARIO_RAMP)
+    if (c->kind == SCENARIO_COPY) {
+        buf_str(out, p->var.at[c->source]->report_name->text);
         return;
-    buf_str(out, " by ");
-    format_number_shortest(out, c->b);
-    buf_str(out, " a step");
+    }
+    format_cell_stored(out, v->type, sm_cell_from_f64(v->type, c->a));
+    if (c->kind == SCENARIO_ALTERNATE) {
+        buf_str(out, " and ");
+        format_cell_stored(out, v->type, sm_cell_from_f64(v->type, c->b));
+        buf_str(out, " in turn");
+    } else if (c->kind == SCENARIO_RAMP) {
+        buf_str(out, " by ");
+        format_number_shortest(out, c->b);
+        buf_str(out, " a step");
+    }
 }
 
 void mutant_write_scenario(const Program *p, const Mutant *m, size_t most, Buf *out)

@@ -11,11 +11,11 @@ const char *const mutant_verdict_name[] = {"waiting", "noticed", "unnoticed", "e
 
 // ---- changing the program ----
 
-// What an edit has replaced.
+// What an edit has replaced, to restore it.  Comments begin with the kinds of MutantEdit that use the field.
 typedef struct Undo {
-    SmF64 number;             // NUMBER, INITIAL: as it was
-    SmOperator op;            // OPERATOR, LINK, DROP_NOT: as it was
-    Stmt stmt;                // GUARD, TARGET, DELETE: as it was
+    SmF64 number;             // NUMBER, INITIAL: the old number
+    SmOperator op;            // OPERATOR, LINK, DROP_NOT: the old operator
+    Stmt stmt;                // GUARD, TARGET, DELETE: the old statement
 } Undo;
 
 // Computes the initial values of all locals again, in their order.
@@ -133,7 +133,7 @@ static uint32_t find_noticing(Mutation *u, Mutant *m)
     return mutant_runs_find_noticing(u->runs, &u->work, flat_new(&u->work, ir_build(&u->work, u->p), NULL), stmt, n, &m->violated);
 }
 
-// Makes the program that of the mutant.  Returns what undo_edits needs.
+// Changes the program to that of the mutant.  Returns the replaced values, for undo_edits.
 static Undo *apply_edits(Mutation *u, const Mutant *m)
 {
     Undo *undo = arena_array(&u->work, count_edits(m), sizeof *undo);
@@ -168,11 +168,11 @@ bool mutation_run_next(Mutation *u)
 // ---- searching ----
 
 enum {
-    SEARCH_STEP = 10,         // by how much G grows, if it is not known
-    GIVEN_STEPS_MOST = 20000  // of a script whose situations the search uses
+    SEARCH_STEP = 10,         // by how much G advances in each step of a scenario, if mutant_step returns 0
+    GIVEN_STEPS_MOST = 20000  // a script's run with more steps is not given to the search as a scenario
 };
 
-// The numbers that a change concerns.
+// The numbers that a change concerns: values near them are likely to show it.
 typedef struct Around { double at[32]; uint32_t n; } Around;
 
 static void add_number(Around *list, double x)
@@ -275,17 +275,19 @@ static void add_start(Mutation *u, const State *start)
     u->start[u->starts++] = start;
 }
 
+uint64_t mutation_delta_t(const Mutation *u) { return u->step ? u->step : SEARCH_STEP; }
+
 static MutantSearch *new_search(Mutation *u)
 {
-    const uint64_t step = u->step ? u->step : SEARCH_STEP;
-    const Scenario **given = arena_array(u->arena, u->scripts + (size_t)1, sizeof *given);
-    uint32_t n = 0;
+    Scenario *given = arena_array(u->arena, u->scripts + (size_t)1, sizeof *given);
 
     for (uint32_t i = 0; i < u->scripts; i++) {
-        given[n] = mutant_runs_scenario(u->runs, u->arena, i);
-        n += given[n] && given[n]->delta_t == step && given[n]->steps <= GIVEN_STEPS_MOST;
+        const Scenario *s = mutant_runs_scenario(u->runs, u->arena, i);
+        if (s && s->delta_t == mutation_delta_t(u) && s->steps <= GIVEN_STEPS_MOST)
+            given[u->givens++] = *s;
     }
-    return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), step, u->start, u->starts, given, n);
+    u->given = given;
+    return mutant_search_new(u->arena, u->p, mutant_runs_original(u->runs), mutation_delta_t(u), u->start, u->starts, u->given, u->givens);
 }
 
 FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m)
@@ -297,25 +299,27 @@ FlatMachine *mutation_build(Mutation *u, Arena *arena, const Mutant *m)
     return f;
 }
 
+void mutation_search_from(Mutation *u, Mutant *m, const Scenario *from, uint64_t steps)
+{
+    FlatMachine *mutant = mutation_build(u, &u->work, m);
+    const Around around = list_numbers_around(u->p, m);
+    const MutantTarget target = {mutant, find_state(u->p, m), around.at, around.n, from};
+
+    if (!u->search)
+        u->search = new_search(u);
+    m->scenario = mutant_search_run(u->search, u->arena, &u->work, &target, steps, &m->differs);
+    if (m->scenario)
+        m->verdict = MUTANT_GENERATED;
+}
+
 bool mutation_search_next(Mutation *u, uint64_t steps)
 {
-    Mutant *m;
-    FlatMachine *mutant;
-    Around around;
-
     while (u->next_search < u->mutant.n && u->mutant.at[u->next_search].verdict != MUTANT_UNNOTICED)
         u->next_search++;
     if (u->next_search == u->mutant.n)
         return false;
-    m = &u->mutant.at[u->next_search++];
-    if (!u->search)
-        u->search = new_search(u);
     arena_reset(&u->work);
-    mutant = mutation_build(u, &u->work, m);
-    around = list_numbers_around(u->p, m);
-    m->scenario = mutant_search_run(u->search, u->arena, &u->work, mutant, find_state(u->p, m), around.at, around.n, steps, &m->differs);
-    if (m->scenario)
-        m->verdict = MUTANT_GENERATED;
+    mutation_search_from(u, &u->mutant.at[u->next_search++], NULL, steps);
     return true;
 }
 

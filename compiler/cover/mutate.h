@@ -14,15 +14,15 @@
 #include "compiler/script/script.h"
 
 typedef enum MutantVerdict {
-    MUTANT_WAITING,           // it has not been run
+    MUTANT_WAITING,           // the mutant has not been run yet
     MUTANT_NOTICED,           // a script fails, or its run violates a requirement
     MUTANT_UNNOTICED,         // every script passes as before
-    MUTANT_EQUIVALENT,        // it is proved that the change makes no difference
-    MUTANT_GENERATED,         // every script passes as before, and a scenario was found in which the mutant differs
+    MUTANT_EQUIVALENT,        // it is proved that the mutant behaves like the machine
+    MUTANT_GENERATED,         // every script passes as before, but a search found a scenario in which the mutant differs from the machine
     MUTANT_VERDICT_COUNT
 } MutantVerdict;
 
-// How dangerous a change is that no script notices, by what it can affect.
+// What the changed code can affect, the least dangerous first: nothing of the others, a transition, an output, a transition to an @abort state.
 typedef enum MutantDanger { DANGER_OTHER, DANGER_TRANSITION, DANGER_OUTPUT, DANGER_ABORT } MutantDanger;
 
 extern const char *const mutant_danger_name[];        // by MutantDanger: "other", "transition", "output", "abort"
@@ -31,16 +31,18 @@ extern const char *const mutant_verdict_name[];       // by MutantVerdict: "wait
 typedef struct MutantEdit MutantEdit;
 
 typedef struct Mutant {
-    Span span;                // the changed piece of the source
+    Span span;                // the text that is changed
     const char *text;         // what replaces it
     MutantDanger danger;
     const State *state;       // the state that contains the change; NULL: several states, or none
     const MutantEdit *edit;   // a list: one edit for each copy in the program
     MutantVerdict verdict;
-    uint32_t script;          // NOTICED: the index of the script
+    uint32_t script;          // NOTICED: index of the script that fails
     const Requirement *violated;      // NOTICED: the requirement that its run violates; NULL: the script itself fails
-    const Scenario *scenario; // GENERATED: in its last step the mutant differs; it sets what the machine stores in the first step alone
-    const Var *differs;       // GENERATED: in this variable
+    const Scenario *scenario; // GENERATED: the scenario in whose last step the mutant differs from the machine.  Variables that the machine
+                              // stores are only set before the first step
+    const Var *differs;       // GENERATED: the variable that differs; NULL: S
+    bool if_only_inputs_change;       // EQUIVALENT: only as long as no code outside the machine writes what the machine stores
 } Mutant;
 
 typedef struct Mutation Mutation;
@@ -66,7 +68,7 @@ const Mutant *mutation_list(const Mutation *u, uint32_t *n);
 const Mutant **mutation_order(const Mutation *u, Arena *arena, MutantVerdict verdict, uint32_t *n);
 
 typedef struct MutationScore {
-    unsigned long all, of[MUTANT_VERDICT_COUNT];      // how many mutants; by MutantVerdict
+    unsigned long all, of[MUTANT_VERDICT_COUNT];      // number of all mutants; by MutantVerdict, number of mutants with this verdict
     unsigned long noticeable; // mutants that a script can notice, as far as is known
     double percent;           // how many of these are noticed; 100 if none of them is counted
 } MutationScore;
@@ -82,6 +84,6 @@ void mutant_write_change(Arena *arena, const Mutant *m, Buf *out);
 // Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs". `most`: how many inputs it shows, since
 // that of an edited script can have thousands.
 void mutant_write_scenario(const Program *p, const Mutant *m, size_t most, Buf *out);
-enum { MUTANT_INPUTS_SHOWN = 8 };         // of a list for a person
+enum { MUTANT_INPUTS_SHOWN = 8 };         // for `most`, in lists that a person reads
 
 #endif

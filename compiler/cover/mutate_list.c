@@ -15,7 +15,7 @@ static Span own_span(const Mutation *u, Span s) { return (Span){u->p->src, s.at,
 static void add_mutant(Mutation *u, Span span, const char *text, MutantEdit edit)
 {
     MutantEdit *copy;
-    Mutant m = {own_span(u, span), text, u->danger, u->state, NULL, MUTANT_WAITING, 0, NULL, NULL, NULL};
+    Mutant m = {.span = own_span(u, span), .text = text, .danger = u->danger, .state = u->state};
 
     edit.stmt = u->stmt;
     for (uint32_t i = 0; i < u->mutant.n; i++) {
@@ -43,7 +43,7 @@ static uint32_t number_length(const char *at, uint32_t len)
     return n < len && (at[n] == 'e' || at[n] == 'E' || at[n] == 'x' || at[n] == '_' || at[n] == 'b') ? 0 : n;
 }
 
-// Returns where a number is written: its own place, or that of the definition, or of the definition of the definition, that is used there.
+// Returns the position of the digits of a number: s itself, or if a definition is used at s, the position in that definition, and so on.
 static Span written_number(const Mutation *u, Span s)
 {
     const Defines *all = &u->p->define;
@@ -104,7 +104,8 @@ static Span find_operator(Span left, Span right, const char *spelling)
     return (Span){NULL, 0, 0};
 }
 
-typedef struct OtherOperators { SmOperator op, other[2]; } OtherOperators;      // SM_OP_COUNT: none
+// The operators by which a mutant replaces `op`; SM_OP_COUNT: no second one.
+typedef struct OtherOperators { SmOperator op, other[2]; } OtherOperators;
 
 static const OtherOperators others[] = {
     {SM_OP_LT, {SM_OP_LE, SM_OP_GE}}, {SM_OP_LE, {SM_OP_LT, SM_OP_GT}}, {SM_OP_GT, {SM_OP_GE, SM_OP_LE}}, {SM_OP_GE, {SM_OP_GT, SM_OP_LT}},
@@ -112,7 +113,7 @@ static const OtherOperators others[] = {
     {SM_OP_OR, {SM_OP_AND, SM_OP_COUNT}}, {SM_OP_ADD, {SM_OP_SUB, SM_OP_COUNT}}, {SM_OP_SUB, {SM_OP_ADD, SM_OP_COUNT}},
     {SM_OP_MUL, {SM_OP_DIV, SM_OP_COUNT}}, {SM_OP_DIV, {SM_OP_MUL, SM_OP_COUNT}}};
 
-// Whether op, written in place of `was`, has operands that the parser groups in the same way.
+// Whether the parser groups the operands in the same way if the source has `op` instead of `was`.  alone: no other `and` or `or` is next to it.
 static bool keeps_grouping(SmOperator was, SmOperator op, bool alone)
 {
     return alone || (was != SM_OP_AND && was != SM_OP_OR) || op == was;
@@ -175,7 +176,7 @@ static void list_expression(Mutation *u, Expr *e, const Expr *outer)
 
 // ---- statements ----
 
-// Returns the most dangerous thing that the statements do.
+// Returns the highest danger of the statements' effects: of their transitions and assignments.
 static MutantDanger danger_of(const Mutation *u, const Stmts *list)
 {
     MutantDanger most = DANGER_OTHER;
@@ -195,7 +196,7 @@ static MutantDanger danger_of(const Mutation *u, const Stmts *list)
     return most;
 }
 
-// Notes that an expression is used for something of this danger.  Returns whether a local or a window is more dangerous than before.
+// Notes that the value of an expression affects something of this danger.  Returns whether this raises the danger of a local or a window in it.
 static bool note_use(Mutation *u, const Expr *e, MutantDanger danger)
 {
     MutantDanger *of = e->kind == EX_ROLL ? &u->of_window[e->window] : e->kind == EX_VAR && e->var->kind == VAR_LOCAL
@@ -224,7 +225,7 @@ static bool note_uses(Mutation *u, const Stmts *list)
     return any;
 }
 
-// Finds how dangerous locals and windows are: a limit is as dangerous as the guards that compare with it, and a counter as those that read it.
+// Computes the dangers of locals and windows: each is as dangerous as the most dangerous guard or statement that reads it.
 static void find_dangers(Mutation *u)
 {
     bool any = true;

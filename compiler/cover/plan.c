@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists the places of a machine, and finds the temporaries of the IR whose values decide whether a place is covered.
+// Lists the places of a machine (what coverage counts, cover.h), and finds the temporaries of the IR whose values decide whether a place is
+// covered.
 #include "compiler/cover/cover.h"
 
 #include <stdlib.h>
@@ -13,19 +14,20 @@ const char *const cover_kind_name[COVER_KIND_COUNT] = {
 #undef KIND
 };
 
-// A decision of the program.  Copies in several states share their places.
+// A decision of the program: a condition with its and, or and not.  The copies of a decision of [all_states] share their places.
 typedef struct Decision {
-    const Expr *root;
+    const Expr *root;                 // the whole decision
     VEC(FlatNode) node;
     VEC(const Expr *) condition;
     VEC(uint32_t) link;               // by condition: IrNote.link
     VEC(FlatFull) full;               // `window` is the index in Program.window until the IR has been built
-    VEC(Span) read;                   // by entry of `full`: the call of a window function in the source
-    uint32_t hit;                     // index of the first of its places
-    uint32_t note;                    // index of its note; UINT32_MAX: no code computes it, because an equal window has been sampled
+    VEC(Span) read;                   // by entry of `full`: position of the call of the window function
+    uint32_t hit;                     // index of the first place of the decision
+    uint32_t note;                    // index in Cover.notes of the note about `root`; UINT32_MAX: no code computes it, because an equal window
+                                      // has been sampled
 } Decision;
 
-// A place by what it is about; the key of a hash table.
+// The identity of a place, as the key of a hash table: its kind, the position of its text, and a number that distinguishes copies.
 typedef struct Key { uint32_t what, at, len, of; } Key;
 
 enum { KEY_DECISION = COVER_KIND_COUNT };
@@ -33,20 +35,20 @@ enum { KEY_DECISION = COVER_KIND_COUNT };
 typedef struct Plan {
     Arena *arena;
     Cover *c;
-    struct { Key key; uint32_t place; } *slot;        // open addressing; place 0: empty
-    uint32_t cap;                     // a power of two
-    uint32_t used;
+    struct { Key key; uint32_t place; } *slot;        // hash table with open addressing; place 0: an empty slot
+    uint32_t cap;                     // number of slots, a power of two
+    uint32_t used;                    // number of slots that are not empty
     VEC(Decision) decision;
     VEC(const Expr *) pending;        // decisions inside conditions, which are added after the decision that contains them
-    uint32_t *stmt, *transition;      // by Stmt.number: places
+    uint32_t *stmt, *transition;      // by Stmt.number: the place of the statement; of the transition
     const FlatFull **full;            // by Stmt.number: see FlatProbes.full
     VEC(FlatFull) read;               // the windows that the current statement reads outside decisions
     bool in_window;                   // the current expression is what a window samples: no statement reads a window inside it
-    uint32_t *entry, *exit;           // by State.number - 1: places
+    uint32_t *entry, *exit;           // by State.number - 1: the place of entering the state; of leaving it
     const State *state;               // the current state, or NULL
-    uint32_t inside;                  // the place of the current branch, block or statement
-    uint32_t *first_decision;         // by Program.window: its first decision, and that after its last one
-    uint32_t *last_decision;
+    uint32_t inside;                  // the place of the branch, block or statement that contains the current code
+    uint32_t *first_decision;         // by index in Program.window: index of the first decision in the sampled expression
+    uint32_t *last_decision;          // by index in Program.window: index after the last decision
 } Plan;
 
 // ---- places ----
@@ -130,7 +132,7 @@ static bool is_truth(const Expr *e)
     return joins_conditions(e) || is_comparison(e) || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
 }
 
-// Whether a statistic can be read before its window is full, and differs then.  A run of true samples says by itself that it is long enough.
+// Whether it matters for a statistic if its window is full: it can be read before, and its value is then another one.
 static bool has_fill(const Plan *k, const Expr *roll)
 {
     static const uint32_t never = SM_STATS_OF_TIMES | 1u << SM_STAT_OLDEST | 1u << SM_STAT_NEWEST;
@@ -138,7 +140,7 @@ static bool has_fill(const Plan *k, const Expr *roll)
     return k->c->p->window.at[roll->window].size > 1 && !(1u << roll->stat & never);
 }
 
-// Returns the place of a window that is read here.
+// Returns the place of the window of a call that is read in the current code; adds it if it is new.
 static uint32_t add_window_place(Plan *k, Span call, Span where)
 {
     const Key key = {COVER_WINDOW, call.at, call.len, where.at};
@@ -220,7 +222,7 @@ static uint32_t add_tree(Plan *k, Decision *d, const Expr *e)
     return a;
 }
 
-// Sets odd[n] where an odd number of `not` is above node n.
+// Sets odd[n] to whether an odd number of `not` is above node n in the tree.
 static void find_negated(const Decision *d, bool *odd)
 {
     for (uint32_t n = (uint32_t)d->node.n; n-- > 0; ) {
@@ -330,7 +332,7 @@ static void plan_transition(Plan *k, const Stmt *s, uint32_t stmt, bool is_new)
         k->c->place.at[stmt].part_of = k->transition[s->number];
 }
 
-// Ends the list of windows that a statement reads.
+// Stores the list k->read as the windows that statement s reads, and empties it.
 static void finish_read_windows(Plan *k, const Stmt *s)
 {
     const FlatFull end = {0, 0, 0};
@@ -375,7 +377,7 @@ static void plan_statements(Plan *k, const Stmts *list)
     for (size_t i = 0; i < list->n; i++) {
         const uint32_t outer = k->inside;
         if (list->at[i]->span.src->written && outer == k->entry[k->state->number - 1])
-            k->inside = 0;                            // of [all_states]: any state can execute it
+            k->inside = 0;                            // a copy from [all_states]: the statement can also be executed in another state
         plan_statement(k, list->at[i]);
         k->inside = outer;
     }
@@ -441,7 +443,8 @@ static void plan_windows(Plan *k)
 
 // ---- the IR ----
 
-typedef struct NoteTable { const IrNotes *notes; uint32_t *slot; uint32_t cap; } NoteTable;   // slot: 1 + index of a note
+// A hash table of notes, by expression and link.  slot: 1 + index of a note; 0: empty.
+typedef struct NoteTable { const IrNotes *notes; uint32_t *slot; uint32_t cap; } NoteTable;
 
 static uint32_t hash_note(const Expr *e, uint32_t link)
 {
@@ -478,7 +481,7 @@ static int compare_decisions(const void *a, const void *b)
     return x->note < y->note ? -1 : x->note > y->note;
 }
 
-// Sets *out for a decision whose code exists.
+// Sets *out to the probe of a decision; all its conditions have temporaries in the IR.
 static void make_probe(Plan *k, const NoteTable *t, const Decision *d, FlatDecision *out)
 {
     IrRef *ref = ARENA_ARRAY(k->arena, IrRef, d->condition.n);
@@ -521,7 +524,8 @@ static void add_shared_counts(Plan *k, uint32_t from, uint32_t to, uint32_t n)
     vec_push(k->arena, &k->c->shared, s);
 }
 
-// Gives the decisions that no code computes, because their window shares the samples of an equal one, the counts of that window's.
+// If several windows share their samples, code computes only the decisions of the first one.  Adds the copies of counts to the others
+// (Cover.shared).
 static void find_shared(Plan *k)
 {
     const Cover *c = k->c;
@@ -564,7 +568,7 @@ static void add_parameter_value(Plan *k, const Var *v, uint64_t cell)
 
     for (uint32_t i = 1; i < k->c->place.n; i++)
         if (k->c->place.at[i].parameter == v && k->c->place.at[i].cell == cell)
-            return;                                   // the default is an end of the range
+            return;                                   // the value has a place already, because the default is an end of the range
     push_place(k, p);
 }
 

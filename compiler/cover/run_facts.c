@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/cover/run_facts.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "compiler/cover/judge.h"
 
-enum { MOST_ROUNDS = 4 };     // a bound after one transition can lead to another one: each round has the facts of the round before
+// How often facts are computed again: a bound after one transition can lead to a bound after another one in the next round.
+enum { MOST_ROUNDS = 4 };
 
 struct RunFacts {
     Arena *arena;
-    IrMachine m;              // a copy: variables that are no inputs are locals
+    IrMachine m;              // a copy of the machine in which all variables except inputs are locals
     FactMachine *facts;
     uint64_t delta_t;
-    bool counts;              // some transition has a bound
+    bool counts;              // some transition stores a lower bound, so facts depend on delta_t
 };
 
 // ---- the machine ----
 
-// All variables except inputs and times become locals, so that facts about them last from step to step.
-static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input)
+// Turns all variables except inputs and times into locals, so that facts about them remain valid from step to step.  any_elements: the elements may
+// have any value at the start, as facts about a parameter allow every value of its range.
+static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input, bool any_elements)
 {
+    static const Parameter any = {.lo = -INFINITY, .hi = INFINITY};
+
     m->var.at = arena_copy(arena, m->var.at, m->var.n * sizeof *m->var.at);
     for (uint32_t v = 0; v < m->var.n; v++) {
         IrVar *var = &m->var.at[v];
         if (is_input[v] || v == m->g || v == m->s || var->space == IR_TIME)
             continue;
-        if (var->space == IR_ELEMENT)
+        if (var->space == IR_ELEMENT) {
             var->init = 0;
+            var->parameter = any_elements ? &any : NULL;
+        }
         var->space = IR_LOCAL;
         var->outside = false;
     }
@@ -123,7 +130,7 @@ static void append_maximum(RunFacts *r, IrFn *f, IrBlk *blk, uint32_t var, doubl
     append_ins(r->arena, f, blk, store);
 }
 
-// The lower bound of a variable at the end of a block that ends with a transition.
+// Returns the lower bound of a variable where a transition leaves the state.  time: the least T there; end: the drift in that step.
 static double bound_at_end(const RunFacts *r, const DriftInState *d, Drift end, double time, SmType type)
 {
     const double steps = time / (double)r->delta_t, cap = drift_cap(type);
@@ -132,7 +139,7 @@ static double bound_at_end(const RunFacts *r, const DriftInState *d, Drift end, 
     return least < cap ? least : cap;
 }
 
-// Adds the bound of a variable to each transition of a state.  Returns whether that is more than facts know.
+// Adds a lower bound of a variable before each transition of a state.  Returns whether a bound is tighter than the facts.
 static bool bound_transitions(RunFacts *r, uint32_t state, uint32_t var)
 {
     IrFn *f = r->m.state.at[state - 1].block[BLOCK_STEP];
@@ -184,17 +191,17 @@ static bool bound_all_transitions(RunFacts *r)
     return more;
 }
 
-RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t)
+RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t, RunStart start)
 {
     RunFacts *r = ARENA_NEW(arena, RunFacts);
 
     r->arena = arena;
     r->m = *m;
     r->delta_t = delta_t;
-    turn_variables_into_locals(&r->m, arena, is_input);
+    turn_variables_into_locals(&r->m, arena, is_input, start.any_elements);
     make_functions(&r->m, arena);
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        r->facts = facts_from_first_state(arena, &r->m);
+        r->facts = facts_from_state(arena, &r->m, start.state - 1);
         if (round + 1 == MOST_ROUNDS || !bound_all_transitions(r))
             break;
         r->counts = true;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about the runs of a search: they begin in the first state, G advances by the same amount in each step, and no code outside the machine
-// writes other variables than the inputs.  So what the machine stores in an element is known, as if it were a local.
+// Facts about the runs of a search: they begin in one state, G advances by the same amount in each step, and no code outside the machine
+// writes other variables than the inputs.  So an element that is no input keeps what the machine stores in it, as a local does.
 //
-// If each step of a state adds to a variable, and a transition out of it needs a time in the state, then the variable is at least so large after the
-// transition.  The facts are computed for a form of the machine in which that transition stores the maximum of the variable and this bound, which
-// is the variable itself.
+// If each step of a state adds to a variable, and a transition out of this state needs a minimum time in the state, the variable has a lower bound
+// after the transition.  The facts are computed for a changed machine, in which that transition stores max(variable, bound) in the variable.  That
+// does not change its value, but makes the bound known.
 #ifndef SMC_RUN_FACTS_H
 #define SMC_RUN_FACTS_H
 
@@ -13,8 +13,14 @@
 
 typedef struct RunFacts RunFacts;
 
+// How the runs begin.
+typedef struct RunStart {
+    uint32_t state;           // State.number
+    bool any_elements;        // elements that the machine stores have any value before the first step; else they are 0
+} RunStart;
+
 // `is_input`: by IR variable.
-RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t);
+RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t, RunStart start);
 // Sets reason[place] to why no such run covers the place, as a text in `texts`; NULL: unknown.
 void run_facts_exclude(RunFacts *r, const Cover *c, Arena *texts, const char **reason);
 // What is known about a variable in .step of a state (State.number).

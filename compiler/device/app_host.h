@@ -16,7 +16,7 @@ typedef struct ApplicationInfo {
     uint16_t machines;
     uint32_t room;            // most bytes of a swap
     bool requires_signature;
-    uint32_t mark;            // number that identifies its key (smvm_auth_mark)
+    uint32_t mark;            // number that identifies the application's key (smvm_auth_mark)
     uint32_t newest;          // the highest number of a signed swap so far; the application refuses this number and lower ones
     char name[APPLICATION_NAME];
 } ApplicationInfo;
@@ -47,9 +47,9 @@ typedef struct ApplicationItem {
 bool application_query(LinkHost *h, ApplicationInfo *info);
 bool application_read_machine(LinkHost *h, uint16_t machine, ApplicationMachine *out);
 bool application_read_swap(LinkHost *h, ApplicationSwap *out);
-// False with SM_E_MISSING after the last item.
+// Reads item `item`, from 0, of what the last swap did with the states, locals and windows of a machine.  False with SM_E_MISSING after the last one.
 bool application_read_item(LinkHost *h, uint16_t machine, uint32_t item, ApplicationItem *out);
-// `key` may be NULL.
+// Confirms the swap on trial.  key: signs the confirmation; NULL if the application accepts unsigned swaps.
 bool application_confirm(LinkHost *h, const ApplicationSwap *swap, const uint8_t *key);
 
 // ---- a swap ----

@@ -151,7 +151,7 @@ bool device_is_usable(const DeviceInfo *i)
     return i->protocol == LINK_PROTOCOL && i->block > 0 && i->body <= LINK_BODY_MAX && i->block + 5u <= i->body && i->slots >= 1 && i->slots <= 2;
 }
 
-// The board may restart before its answer is sent.  So a missing answer is no failure if the board then answers HELLO.
+// A board can restart before its answer is sent.  So a missing answer to RESTART is no failure if the board then answers HELLO.
 bool device_restart(LinkHost *h, DeviceInfo *info)
 {
     const unsigned tries = h->tries;

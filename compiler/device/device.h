@@ -16,10 +16,10 @@ typedef struct DeviceInfo {
     uint32_t slot_size, ram;  // bytes of a slot, and of memory for a machine
     uint32_t longest;         // maximum number of VM instructions in a step; 0: no limit
     SmResult may;             // SM_OK if an update may begin, otherwise the reason why not
-    bool requires_signature;  // it only accepts images that are signed with its key and have a number above `newest`
-    uint32_t newest;
-    bool reports_mark;        // the board reported the mark of its key (smvm_auth_mark)
-    uint32_t mark;
+    bool requires_signature;  // the board only accepts images that are signed with its key and have a number above `newest`
+    uint32_t newest;          // the highest number of a signed image that the board has accepted
+    bool reports_mark;        // the board has reported `mark`
+    uint32_t mark;            // identifies the board's key (smvm_auth_mark)
     bool reports_limits;      // the firmware reports its limits; the following fields are valid only then
     bool windows;             // the firmware supports rolling windows
     bool parameters;          // the firmware supports parameters (language.md 5.77); older firmware does not
@@ -31,6 +31,7 @@ typedef struct DeviceInfo {
     uint16_t cycles;          // ATmega cycles that a step may take for each millisecond of the period; 0: no limit
 } DeviceInfo;
 
+// DeviceImage.state: the slot has no image; a complete one, neither on trial nor confirmed; one on trial; one whose trial was confirmed.
 enum { DEVICE_EMPTY, DEVICE_WHOLE, DEVICE_TRIAL, DEVICE_CONFIRMED };
 
 typedef enum DeviceEnd { DEVICE_NOT_ENDED, DEVICE_STARTS_USED, DEVICE_NOT_RUNNABLE } DeviceEnd;
@@ -42,9 +43,9 @@ typedef struct DeviceImage {
     uint8_t identity[8];
     bool runs;                // the board runs this image now
     bool chosen;              // the board runs this image after its next start
-    bool before;              // the board falls back to it if the chosen image cannot run
+    bool before;              // the board falls back to this image if the chosen one cannot run
     uint8_t starts;           // remaining starts of a trial
-    uint8_t end;              // why its trial ended (DeviceEnd); only for the image whose trial ended last
+    uint8_t end;              // why its trial ended without confirmation (DeviceEnd); only for the image whose trial ended last
     uint16_t period;          // milliseconds between its steps; 0: the board's default
 } DeviceImage;
 

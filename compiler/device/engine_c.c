@@ -12,8 +12,8 @@ typedef struct EngineC {
     Engine engine;
     EngineCBatch *batch;
     uint32_t machine;         // number of the machine in the batch
-    Buf request;              // the requests for both variants
-    uint8_t *answer;          // the answers of both variants, the first variant's first
+    Buf request;              // the requests that are being sent to both variants (VARIANTS)
+    uint8_t *answer;          // memory for the answers of both variants, the first variant's first
 } EngineC;
 
 struct EngineCBatch {

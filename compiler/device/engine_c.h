@@ -7,8 +7,8 @@
 #include "compiler/ir/ir.h"
 #include "compiler/script/engine.h"
 
-// The variable CC names the compiler and its first options, split and quoted like words in a shell; without it, the compiler is cc.  Unless
-// CC contains an -O option, -O1 is added.
+// The environment variable CC names the compiler and its first options, split and quoted like words in a shell; without it, the compiler is cc.
+// Unless CC contains an -O option, -O1 is added.
 
 // Whether the compiler can be run; if not, *why is a sentence in arena.  Also true if CC has an unclosed quote; engine_c_open then reports
 // that.

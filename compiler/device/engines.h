@@ -11,7 +11,7 @@ extern const char *const engine_name[ENGINE_KINDS];
 
 // The engines of one program, in the order of EngineKind. They can be closed at any time, even twice.
 typedef struct EngineSet {
-    Engine *at[ENGINE_KINDS + 1];     // one more than there are kinds, for the engine that measures coverage
+    Engine *at[ENGINE_KINDS + 1];     // one entry more than there are kinds: for the engine that measures coverage
     size_t n;
     const char *error;        // the reason if engines_open has failed
 } EngineSet;

@@ -74,7 +74,7 @@ void canon_expr(const Canon *c, const Expr *e, Buf *out)
         return;
     case EX_UNARY: buf_printf(out, "u%d(", (int)e->op); break;
     case EX_BINARY:
-        if (e->op == SM_OP_GT || e->op == SM_OP_GE) {     // a > b is b < a
+        if (e->op == SM_OP_GT || e->op == SM_OP_GE) {     // written as b < a, so that both spellings are equal
             buf_printf(out, "b%d(", (int)(e->op == SM_OP_GT ? SM_OP_LT : SM_OP_LE));
             canon_expr(c, e->arg[1], out);
             buf_char(out, ',');

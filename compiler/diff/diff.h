@@ -51,7 +51,7 @@ typedef struct DiffChange {
 
 typedef struct DiffCost { const char *name; uint64_t old, new; } DiffCost;
 
-typedef struct DiffFinding { bool appeared; const Diag *diag; const char *where; } DiffFinding;
+typedef struct DiffFinding { bool appeared; const Diag *diag; const char *where; } DiffFinding;      // appeared: only the new machine has it
 
 enum { DIFF_VALUES_MAX = 8 };
 
@@ -77,11 +77,11 @@ typedef struct ProgramDiff {
     VEC(DiffCost) cost;
     VEC(DiffFinding) finding;
     VEC(DiffRun) run;
-    uint32_t *state_of;           // by number of an old state: the number of the new one; 0: none
-    uint32_t *old_state_of;       // the reverse
-    const Var **var_of;           // by Var.index of the old machine: the variable of the new one; NULL: none
-    const Var **old_var_of;       // the reverse
-    bool *same_state;             // by number of a new state: it has the same behaviour as the old state
+    uint32_t *state_of;           // by State.number of the old machine: the number of the matching state of the new one; 0: none
+    uint32_t *old_state_of;       // by State.number of the new machine: that of the old one; 0: none
+    const Var **var_of;           // by Var.index of the old machine: the matching variable of the new one; NULL: none
+    const Var **old_var_of;       // by Var.index of the new machine: that of the old one; NULL: none
+    bool *same_state;             // by State.number of the new machine: the state has the same behaviour as the matching one of the old machine
     bool same_layout;             // the state vectors have the same elements at the same offsets
     bool same_image;              // the images have the same identity
     const char *swap;             // whether the new machine can continue where the old one is, as a sentence

@@ -6,8 +6,8 @@
 typedef struct CodeMatch {
     const ProgramDiff *d;
     const IrMachine *a, *b;
-    uint32_t *var;                // by IrVar of a: the IrVar of b; IR_NONE: none
-    uint32_t *window, *window_back;           // by window of a and of b: the other one; IR_NONE: not yet matched
+    uint32_t *var;                // by index of a variable of a: that of the matching variable of b; IR_NONE: none
+    uint32_t *window, *window_back;           // window: by window of a, the matching one of b; window_back: the reverse; IR_NONE: not matched yet
     Arena *arena;
 } CodeMatch;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declarations that the files of the comparison share.
+// Internal to the comparison of two machines: what its files share.
 #ifndef SMC_DIFF_PART_H
 #define SMC_DIFF_PART_H
 
@@ -10,8 +10,8 @@
 // values, windows are what they sample.  Types of variables are not in it: compare_variables reports those that differ.
 typedef struct Canon {
     const Program *p;
-    const char **var;             // by Var.index
-    const char **state;           // by State.number
+    const char **var;             // by Var.index: the canonical name of the variable
+    const char **state;           // by State.number: the canonical name of the state
     bool keeps_numbers;           // every state that both machines have has the same number in both
     const char *side;             // "old" or "new": added to a text that depends on the number of a state, so that the two sides never seem equal
 } Canon;
@@ -19,7 +19,7 @@ typedef struct Canon {
 void canon_expr(const Canon *c, const Expr *e, Buf *out);
 void canon_stmt(const Canon *c, const Stmt *s, Buf *out);
 void canon_stmts(const Canon *c, const Stmts *list, Buf *out);
-void canon_state(const Canon *c, const State *s, Buf *out);       // all its blocks
+void canon_state(const Canon *c, const State *s, Buf *out);       // the statements of all its blocks
 const char *canon_condition(Arena *arena, const Canon *c, const Condition *when);
 
 // ---- diff_match.c ----

@@ -15,7 +15,7 @@ typedef struct DiffRecording {
     DiffRun *run;
     uint64_t *now;                // by variable of the old machine: the value after the last step
     VEC(RecordedChange) change;
-    VEC(RecordedStep) state;      // the steps that ran another state than the step before
+    VEC(RecordedStep) state;      // each step that ran another state than the step before
     uint64_t steps;
     size_t next_change, next_state;           // indexes into `change` and `state`: what the comparison reads next
     uint32_t at_state;            // number of the state that the old machine ran in the compared step

@@ -10,7 +10,7 @@ typedef struct Union {
     const ProgramDiff *d;
     Program *p;                   // states of the new machine, then those that only the old one has
     VEC(DiagramChange) state;     // by State.number - 1
-    VEC(const Stmt *) removed;    // the transitions that only the old machine has, as copied
+    VEC(const Stmt *) removed;    // the transitions that only the old machine has: their copies in `p`
 } Union;
 
 // Returns the state of the diagram (the union of both machines) that stands for a state of the old machine. Removed states follow those of the

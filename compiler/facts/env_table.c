@@ -48,7 +48,7 @@ static uint64_t bits_of(double x)
 
 static uint32_t hash_fact(const Fact *f)
 {
-    return hash_word(hash_word(f->whole + 2u * f->f32 + 4u * f->nan + 8u * f->minus_zero, bits_of(f->lo)), bits_of(f->hi));
+    return hash_word(hash_word(f->whole + 2u * f->f32 + 4u * f->nan + 8u * f->minus_zero + 16u * f->round_trips, bits_of(f->lo)), bits_of(f->hi));
 }
 
 static uint32_t hash_node(const Env *e)

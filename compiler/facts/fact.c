@@ -17,6 +17,7 @@ static bool is_finite(Fact a) { return a.lo > -infinity() && a.hi < infinity(); 
 static bool has_infinity(Fact a) { return a.lo == -infinity() || a.hi == infinity(); }
 static bool can_be_negative(Fact a) { return a.lo < 0 || a.minus_zero; }
 static bool is_whole_number(double x) { return sm_trunc(x) == x && x - x == 0; }
+static bool is_wide_integer(SmType type) { return type == SM_I64 || type == SM_U64; }
 static bool is_f32(double x) { return sm_from_f32(sm_round_f32(x)) == x; }
 
 static double next_up(double x)
@@ -39,13 +40,14 @@ static inline Fact normalize_fact(Fact a)
     }
     a.f32 |= a.whole && a.lo >= -16777216.0 && a.hi <= 16777216.0;       // 2^24
     a.minus_zero &= contains_number(a, 0);
+    a.round_trips |= a.whole && a.lo > -FACT_EXACT && a.hi < FACT_EXACT;
     return a;
 }
 
 // Returns a fact with these bounds and properties; `f32` is derived from them.
 static Fact make_fact(double lo, double hi, bool whole, bool nan, bool minus_zero)
 {
-    const Fact a = {lo, hi, whole, false, nan, minus_zero};
+    const Fact a = {lo, hi, whole, false, nan, minus_zero, false};
 
     return normalize_fact(a);
 }
@@ -56,10 +58,10 @@ static Fact any_fact(void) { return make_fact(-infinity(), infinity(), false, tr
 // 2^63 - 1 and 2^64 - 1 are not F64 numbers, so the upper bounds of I64 and U64 are 2^63 and 2^64, one above the largest value.
 #define HALF(bytes) (2.0 * (double)(UINT64_C(1) << (bytes * 8 - 2)))              // half the number of values of that many bytes
 #define BELOW(x, bytes) ((x) - (bytes < 8))
-#define BOUNDS_SM_KIND_SIGNED(bytes) -HALF(bytes), BELOW(HALF(bytes), bytes), true, bytes < 4, false, false
-#define BOUNDS_SM_KIND_UNSIGNED(bytes) 0, BELOW(2 * HALF(bytes), bytes), true, bytes < 4, false, false
-#define BOUNDS_SM_KIND_BOOL(bytes) 0, 1, true, true, false, false
-#define BOUNDS_SM_KIND_FLOAT(bytes) -HUGE_VAL, HUGE_VAL, false, bytes == 4, false, true
+#define BOUNDS_SM_KIND_SIGNED(bytes) -HALF(bytes), BELOW(HALF(bytes), bytes), true, bytes < 4, false, false, bytes < 8
+#define BOUNDS_SM_KIND_UNSIGNED(bytes) 0, BELOW(2 * HALF(bytes), bytes), true, bytes < 4, false, false, bytes < 8
+#define BOUNDS_SM_KIND_BOOL(bytes) 0, 1, true, true, false, false, true
+#define BOUNDS_SM_KIND_FLOAT(bytes) -HUGE_VAL, HUGE_VAL, false, bytes == 4, false, true, false
 
 // Returns the fact of every value that a load of this type can produce; never NaN.
 Fact fact_of_type(SmType type)
@@ -78,15 +80,20 @@ Fact fact_of_type(SmType type)
 Fact fact_of_cell(SmType type, uint64_t bits)
 {
     const SmF64 x = ir_number(type, bits);
+    Fact r;
 
     if (sm_is_nan(x))
         return make_fact(1, 0, false, true, false);
-    return make_fact(x, x, false, false, x == 0 && sm_bits(x) != 0);
+    if (x > 0 && x <= INT32_MAX && x == (double)(int32_t)x)              // a shortcut for most constants
+        return (Fact){x, x, .whole = true, .f32 = is_f32(x), .round_trips = true};
+    r = make_fact(x, x, false, false, x == 0 && sm_bits(x) != 0);
+    r.round_trips = !is_wide_integer(type) || sm_cell_from_f64(type, x) == bits;
+    return r;
 }
 
 Fact fact_of_bool(bool may_be_false, bool may_be_true)
 {
-    return (Fact){may_be_false ? 0 : 1, may_be_true ? 1 : 0, .whole = true, .f32 = true};
+    return (Fact){may_be_false ? 0 : 1, may_be_true ? 1 : 0, .whole = true, .f32 = true, .round_trips = true};
 }
 
 // ---- arithmetic ----
@@ -132,7 +139,7 @@ static void extend_to_number(Fact *r, double x)
 // Returns the smallest interval that contains four numbers: the results of an operation on each pair of its operands' bounds.
 static Fact hull_of_four(SmF64 w, SmF64 x, SmF64 y, SmF64 z)
 {
-    Fact r = {infinity(), -infinity(), false, false, false, false};
+    Fact r = {infinity(), -infinity(), false, false, false, false, false};
 
     extend_to_number(&r, w);
     extend_to_number(&r, x);
@@ -311,7 +318,7 @@ static bool never_equal(Fact a, Fact b) { return a.hi < b.lo || b.hi < a.lo || c
 // From 2^53 on, different numbers may round to the same F64.
 static bool may_be_rounded(Fact a, SmType type)
 {
-    return sm_type_info[type].bytes == 8 && type != SM_F64 && !fact_within(a, -FACT_EXACT, FACT_EXACT);
+    return is_wide_integer(type) && !fact_within(a, -FACT_EXACT, FACT_EXACT);
 }
 
 static Fact fact_of_comparison_ins(const IrIns *i, Fact a, Fact b, SmType type)
@@ -430,6 +437,18 @@ static Fact fact_of_operation(const IrIns *i, Fact a, Fact b)
         return r;
     r = fact_convert(r, i->type);
     r.nan = nan && i->type == SM_F32;
+    r.round_trips = true;
+    return r;
+}
+
+// Returns the fact about a value of type `from` with the fact a, converted to type `to`.  Conversions go through F64, and a 64-bit integer
+// converted from an F64 is this number or the last integer of its type, which is the nearest to an F64.  So it round-trips.
+static Fact fact_of_conversion(Fact a, SmType from, SmType to)
+{
+    Fact r = fact_convert(a, to);
+
+    if (is_wide_integer(to))
+        r.round_trips |= from != to || a.round_trips;
     return r;
 }
 
@@ -438,7 +457,7 @@ Fact fact_of_result(const IrIns *i, const Fact *a, const Fact *b, SmType type_of
 {
     switch (ir_op_info[i->op].types) {
     case IR_T_CONST: return fact_of_cell(i->type, i->bits);
-    case IR_T_CONVERT: return fact_convert(*a, i->type);
+    case IR_T_CONVERT: return fact_of_conversion(*a, type_of_a, i->type);
     case IR_T_SAME: return fact_of_operation(i, *a, *b);
     case IR_T_COMPARE: return fact_of_comparison_ins(i, *a, *b, type_of_a);
     case IR_T_LOGIC: return fact_of_logic(i, *a, *b);
@@ -492,6 +511,7 @@ Fact fact_join(Fact a, Fact b)
         r.whole = a.whole && b.whole;
         r.f32 = a.f32 && b.f32;
         r.minus_zero = a.minus_zero || b.minus_zero;
+        r.round_trips = a.round_trips && b.round_trips;
     }
     r.nan = a.nan || b.nan;
     return r;
@@ -501,7 +521,7 @@ Fact fact_join(Fact a, Fact b)
 Fact fact_meet(Fact a, Fact b)
 {
     Fact r = {a.lo > b.lo ? a.lo : b.lo, a.hi < b.hi ? a.hi : b.hi, a.whole || b.whole, a.f32 || b.f32, a.nan && b.nan,
-              a.minus_zero && b.minus_zero};
+              a.minus_zero && b.minus_zero, a.round_trips || b.round_trips};
 
     if (r.lo > r.hi)
         return a;

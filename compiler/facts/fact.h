@@ -16,6 +16,7 @@ typedef struct Fact {
     bool f32;                 // if the value is a number, F32 represents it exactly; F32 has infinities, too
     bool nan;                 // the value may be NaN
     bool minus_zero;          // the value may be -0
+    bool round_trips;         // an I64 or U64: converting it to F64 and back does not change it.  Means nothing for other types
 } Fact;
 
 // F64 represents every whole number of at most this magnitude, and the sum of two such numbers is exact if it is within it, too.
@@ -41,7 +42,8 @@ Fact fact_join(Fact a, Fact b);                       // returns what is known i
 Fact fact_meet(Fact a, Fact b);                       // returns what is known if both a and b are true; a if they contradict each other
 static inline bool fact_equal(Fact a, Fact b)
 {
-    return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero;
+    return a.lo == b.lo && a.hi == b.hi && a.whole == b.whole && a.f32 == b.f32 && a.nan == b.nan && a.minus_zero == b.minus_zero
+        && a.round_trips == b.round_trips;
 }
 bool fact_is_same(const Fact *a, const Fact *b);      // whether *a and *b have the same bits: unlike fact_equal, distinguishes the bounds 0 and -0
 

@@ -329,6 +329,7 @@ static Fact bounds_before_conversion(Fact bounds, SmType type)
             bounds.lo = t.lo;
         if (!(bounds.hi > -FACT_EXACT && bounds.hi < FACT_EXACT))
             bounds.hi = t.hi;
+        bounds.round_trips = false;
     }
     return bounds;
 }

@@ -25,6 +25,7 @@ typedef struct FactIteration {
     uint32_t state;                   // the state that is visited
     int block;                        // which function of the state is visited: BLOCK_ENTRY, BLOCK_STEP or BLOCK_EXIT
     bool any_start;                   // the machine may be started in any state
+    uint32_t start;                   // else: the index of the state in which it starts
     bool widened;                     // some bound was widened, so the last round may improve facts
     FactLimits limits;                // constants of the program and the numbers next to them, because guards stop counters there
 } FactIteration;
@@ -161,7 +162,9 @@ static void compute_function_facts(FactIteration *v, int block)
 
 static void enter_start_states(FactIteration *v, const Env *env)
 {
-    for (uint32_t s = 0; s < (v->any_start ? v->fm->m->state.n : 1); s++)
+    if (!v->any_start)
+        enter_function(v, v->start, BLOCK_ENTRY, env);
+    for (uint32_t s = 0; v->any_start && s < v->fm->m->state.n; s++)
         enter_function(v, s, BLOCK_ENTRY, env);
 }
 
@@ -183,8 +186,11 @@ static Fact fact_of_initial(const IrVar *v)
     const Parameter *p = v->parameter;
     const Fact any = {p ? p->lo : 0, p ? p->hi : 0, .whole = !ir_is_float(v->type),
                       .minus_zero = ir_is_float(v->type) && p && p->lo <= 0 && p->hi >= 0};
+    const Fact written = p ? any : fact_of_cell(v->type, v->init);
+    Fact r = fact_convert(written, v->type);
 
-    return fact_convert(p ? any : fact_of_cell(v->type, v->init), v->type);
+    r.round_trips |= written.round_trips;
+    return r;
 }
 
 // Returns facts that say that private locals, which only the machine writes, have their initial values.  If `writable_too` is false, says nothing
@@ -218,6 +224,13 @@ static void add_limit(double *limit, size_t *n, double x)
     (*n)++;
 }
 
+// Inserts a constant, and the numbers one below and one above it.  A NaN has none.
+static void add_limits_at_constant(double *limit, size_t *n, Fact c)
+{
+    for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
+        add_limit(limit, n, c.lo + beside);
+}
+
 // Returns the constants of the program, and the numbers one below and one above each.
 static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 {
@@ -229,9 +242,8 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
             const IrFn *f = m->state.at[s].block[b];
             for (size_t i = 0; f && i < f->ins.n && n < LIMITS_MAX; i++) {
                 const IrIns *ins = &f->ins.at[i];
-                const Fact c = ins->op == IR_const ? fact_of_cell(ins->type, ins->bits) : fact_of_type(SM_F64);
-                for (int beside = -1; c.lo == c.hi && beside <= 1; beside++)
-                    add_limit(limit, &n, c.lo + beside);
+                if (ins->op == IR_const)
+                    add_limits_at_constant(limit, &n, fact_of_cell(ins->type, ins->bits));
             }
         }
     add_limit(limit, &n, 0);
@@ -241,11 +253,11 @@ static FactLimits limits_of_program(Arena *arena, const IrMachine *m)
 // ---- the iteration ----
 
 // Visits functions until no fact changes, then narrows the facts if bounds were widened.
-static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
+static void iterate_to_fixed_point(FactMachine *fm, bool any_start, uint32_t start)
 {
     const IrMachine *m = fm->m;
     const Env *initial = initial_values(fm, true);
-    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start};
+    FactIteration v = {.fm = fm, .to = fm->begin, .any_start = any_start, .start = start};
 
     v.limits = limits_of_program(fm->shape.arena, m);
     v.possible = arena_array(fm->shape.arena, m->state.n, sizeof *v.possible);
@@ -263,7 +275,7 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start)
         narrow_facts(&v, initial);
 }
 
-static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, const Env *assumed)
+static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, uint32_t start, const Env *assumed)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
     const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
@@ -286,19 +298,21 @@ static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool
     if (m->sample)
         facts_flow(fm, m->sample, fm->constants, NULL);
     if (fm->has_variable_locals || !any_start)
-        iterate_to_fixed_point(fm, any_start);
+        iterate_to_fixed_point(fm, any_start, start);
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, 0, NULL); }
 
 // Computes the facts of a machine that is only ever started in its first state, as analyses assume.
-FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, false, NULL); }
+FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return facts_from_state(arena, m, 0); }
+
+FactMachine *facts_from_state(Arena *arena, const IrMachine *m, uint32_t state) { return compute_machine_facts(arena, m, false, state, NULL); }
 
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
-    return compute_machine_facts(arena, m, false, assumed);
+    return compute_machine_facts(arena, m, false, 0, assumed);
 }
 
 // ---- results ----

@@ -31,6 +31,8 @@ typedef struct FactFlow {             // valid until the next function is analys
 FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
 // Computes the facts of a machine that is only ever started in its first state, as analyses assume.
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
+// The same for a machine that is only ever started in this state, counted from 0.
+FactMachine *facts_from_state(Arena *arena, const IrMachine *m, uint32_t state);
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
 // Makes later calls of facts_of_function allocate from `arena`.

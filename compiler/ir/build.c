@@ -41,7 +41,7 @@ IrFn *build_end_function(Builder *b)
 
 // ---- statements ----
 
-// Blocks that end an arm of a conditional and whose final jump has no target yet.
+// The blocks that end an arm of a conditional; the target of their jump is set when the block after the conditional exists.
 typedef VEC(IrBlkRef) OpenBlocks;
 
 static IrJump *jump_of(Builder *b, IrBlkRef blk)
@@ -202,7 +202,7 @@ static void build_vars(Builder *b)
 // Builds the unoptimised IR of a machine.
 IrMachine *ir_build(Arena *arena, const Program *p) { return ir_build_noting(arena, p, NULL); }
 
-// As ir_build, and adds a note for each condition.
+// Like ir_build, and adds a note for each condition.
 IrMachine *ir_build_noting(Arena *arena, const Program *p, IrNotes *notes)
 {
     IrMachine *m = ARENA_NEW(arena, IrMachine);

@@ -11,15 +11,17 @@ typedef struct Builder {
     Arena *arena;
     const Program *p;
     IrMachine *m;
-    uint32_t *var;        // by Program.var: index into m->var, or IR_NONE for a local that is a constant
-    uint32_t *window;     // by Program.window: index into m->window
+    uint32_t *var;        // by Var.index: index into m->var, or IR_NONE for a local that is a constant
+    uint32_t *window;     // by index in Program.window: index into m->window
     uint32_t stmt;        // Stmt.number of the statement being built
     IrFn *f;              // the function being built: a buffer reused for all functions, which build_end_function copies
     IrBlkRef b;           // the current block: the last one of f, to which instructions are appended
     IrNotes *notes;       // the notes of ir_build_noting; or NULL
-    size_t noted;         // how many of `notes` are about earlier functions
-    ListStep list_step[LIST_STEPS_MAX];                   // the call of min, max, median or average being built: here and not on the stack,
-    IrRef list_value[SM_LIST_MAX + LIST_STEPS_MAX];       // because expressions are built by recursion
+    size_t noted;         // number of entries of `notes` that are about earlier functions
+    // The operations of the call of min, max, median or average being built, and the temporaries of its arguments and of these operations.
+    // They are here and not on the stack, because expressions are built by recursion.
+    ListStep list_step[LIST_STEPS_MAX];
+    IrRef list_value[SM_LIST_MAX + LIST_STEPS_MAX];
 } Builder;
 
 // Appends the evaluation of an expression to the current block.  The value is an F64 (build_as_f64) or a bool (build_as_bool).

@@ -107,7 +107,7 @@ static IrRef build_chain(Builder *b, const Expr *e)
 
 // ---- builtins ----
 
-// Appends one step of a function of a list; v has the values that it uses.
+// Appends one operation of a function such as median (list.h); v: the temporaries of the list's values and of the earlier operations.
 static IrRef build_list_step(Builder *b, const ListStep *s, const IrRef *v, Span span)
 {
     static const IrOp op_of[] = {[LIST_MIN] = IR_min, [LIST_MAX] = IR_max, [LIST_ADD] = IR_add, [LIST_SUB] = IR_sub, [LIST_DIV] = IR_div};
@@ -136,7 +136,7 @@ static IrRef build_list(Builder *b, const Expr *e, const IrRef *argument)
 // Builds a call of a builtin: one operation, or several for a composed one (SM_COMPOSED in builtins.def).
 static IrRef build_call(Builder *b, const Expr *e)
 {
-    enum { MOST_VALUES = SM_LIST_MAX };               // v[] has the arguments, then the result of each operation of a composed one
+    enum { MOST_VALUES = SM_LIST_MAX };               // v[]: the arguments, then the results of the operations of a composed function
     IrRef v[MOST_VALUES];
     uint32_t n = 0;
 
@@ -157,7 +157,7 @@ static IrRef build_call(Builder *b, const Expr *e)
 #include "stdlib/builtins.def"
 #undef STEP1
 #undef STEP2
-    case SM_FN_COUNT: break;                          // not reached; a roll call is an EX_ROLL
+    case SM_FN_COUNT: break;                          // not reached: roll calls are EX_ROLL, not EX_CALL
     }
     return v[n - 1];
 }

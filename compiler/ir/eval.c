@@ -9,7 +9,7 @@
 // Returns the number that a cell (the bits of a value of this type) represents.  An F64 cell can be NaN, although a load would read it as 0.
 SmF64 ir_number(SmType type, uint64_t cell) { return type == SM_F64 ? sm_from_bits(cell) : sm_cell_to_f64(type, cell); }
 
-// A NaN of type F32 becomes 0: users of an F32 operation read only its F32 conversion, which is 0 for a NaN.
+// The inverse of ir_number.  A NaN of type F32 becomes 0: users of an F32 operation read only the F32 conversion of its result, which is 0 for a NaN.
 uint64_t ir_cell(SmType type, SmF64 x)
 {
     if (type == SM_F64)

@@ -117,7 +117,7 @@ typedef enum IrSpace { IR_ELEMENT, IR_LOCAL, IR_TIME } IrSpace;
 typedef struct IrVar {
     IrSpace space;
     Str name;                         // name of the variable, unique in the machine
-    Str element;                      // ELEMENT: its name in the state vector; NULL: it is `name`
+    Str element;                      // ELEMENT: the name in the state vector, if it differs from `name`; else NULL
     SmType type;
     uint32_t offset;                  // ELEMENT: bytes from the start of the state vector
     uint64_t init;                    // LOCAL: its initial value, as a bit cell
@@ -170,12 +170,12 @@ IrMachine *ir_build(Arena *arena, const Program *p);
 // Which temporary has the value of a condition of the source: of a value that is used as a bool, or of one comparison of a chain.
 typedef struct IrNote {
     const Expr *e;
-    uint32_t link;                    // of a chain: which comparison, from 1; 0: the whole expression
+    uint32_t link;                    // for a chain a < b < c: number of the comparison, from 1; 0: the whole expression
     const IrFn *fn;
-    IrRef ref;                        // of type bool
+    IrRef ref;                        // the temporary, of type bool
 } IrNote;
 typedef VEC(IrNote) IrNotes;
-// As ir_build, and adds notes.  Of several notes about the same value the last one counts.
+// Like ir_build, and adds notes.  If several notes are about the same value, the last one is valid.
 IrMachine *ir_build_noting(Arena *arena, const Program *p, IrNotes *notes);
 // Builds a function that evaluates a condition of the program that m was built from.  Control reaches block 1 if the condition is true,
 // else block 2.

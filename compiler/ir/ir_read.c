@@ -173,7 +173,7 @@ static bool read_window_ref(IrReader *r, IrIns *i)
     return i->var < r->m->window.n || scan_fail(&r->scan, "there is no window w%lu", (unsigned long)i->var);
 }
 
-// In IR text a comparison names the type of its operands, not of its result.
+// Reads the operands of a comparison.  In IR text a comparison names the type of its operands, not of its result.
 static bool read_compare_operands(IrReader *r, IrIns *i)
 {
     SmType type = i->type;

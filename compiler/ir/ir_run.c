@@ -8,14 +8,15 @@
 #include "stdlib/convert.h"
 #include "stdlib/roll.h"
 
+// An instruction of a flattened function; fields as in IrIns.
 typedef struct IrRunOp {
     IrOp op : 8;
     SmType type : 8;                  // cvt, store: the type to which the number is converted
     SmStat stat : 8;
-    IrRef to, a, b;
+    IrRef to, a, b;                   // indices in IrRun.temp: of the result, of the operands
     uint32_t var;
     uint32_t stmt;
-    SmF64 number;                     // const: its value
+    SmF64 number;                     // const: the value
 } IrRunOp;
 
 typedef struct IrRunBlk { uint32_t first, end; IrJump jump; } IrRunBlk;

@@ -26,7 +26,7 @@ typedef struct IrRun {
     uint64_t work;                    // instructions and jumps executed so far; callers limit it
     IrRunFn *sample;
     IrRunFn *(*block)[BLOCK_COUNT];   // by state: its .entry, .step and .exit; NULL: missing
-    double *initial;                  // by variable: the value of a local at the start.  Callers can change those of parameters
+    double *initial;                  // by IR variable: the value of a local at the start.  Callers can change the values of parameters
     double *temp;                     // temporaries of the running function
 } IrRun;
 

@@ -4,10 +4,10 @@
 //     machine "tank"                              its name
 //     vector "tank" size 32 hash 0x1c0ffee5       the state vector it is bound to
 //
-//     element U64 time at 0 is G                  type, name, offset; the roles G and S
+//     element U64 time at 0 is G                  type, name, offset; "is G" and "is S" mark these two
 //     element U32 state at 8 is S
 //     element F64 tankPressure at 16
-//     element bool valveOpen writable at 24       writable by the machine
+//     element bool valveOpen writable at 24       the machine stores to this one
 //     local U64 counter writable = 0              initial value; "outside", "hidden", "parameter LO HI default VALUE": see ir.h
 //     time U64 T
 //     window w0 F64 size 10 stats avg max
@@ -172,8 +172,8 @@ static void print_declarations(const IrMachine *m, Buf *out)
 typedef struct IrPrinter {
     const IrMachine *m;
     const IrFn *f;
-    uint32_t *number;                 // the printed number of each temporary
-    uint32_t next;
+    uint32_t *number;                 // by IrRef: the number under which the temporary is printed
+    uint32_t next;                    // the number of the next temporary
     Buf *out;
 } IrPrinter;
 

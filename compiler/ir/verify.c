@@ -91,7 +91,7 @@ static bool check_element(IrChecker *c, const IrVar *v)
 
 // Elements are at multiples of their size, so each element is within one group of eight bytes.  A hash table records which bytes of each
 // group belong to an element that has been checked.
-typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bytes 0: an empty slot
+typedef struct UsedBytes { uint32_t group, bytes; } UsedBytes;        // bit i of `bytes`: byte i of the group is used; 0: an empty slot
 
 static bool check_no_overlap(IrChecker *c)
 {
@@ -140,7 +140,7 @@ static bool check_local(IrChecker *c, const IrVar *v)
     return !is_nan_cell(v->type, v->init) || report_violation(c, "the initial value of %.80s is not a number", v->name->text);
 }
 
-// Checks the variable with the role G, S or T: its space, its type, and that the machine does not write it.
+// Checks the variable that is G, S or T (`role`): its space, its type, and that the machine does not write it.
 static bool check_role(IrChecker *c, uint32_t index, const char *role, IrSpace space, SmType type)
 {
     const IrVar *v = index < c->m->var.n ? &c->m->var.at[index] : NULL;

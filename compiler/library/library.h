@@ -12,14 +12,14 @@ enum { OPTION_COUNT = SMC_OPTION_TRACE + 1, ENGINE_COUNT = 3, ERROR_TEXT_MAX = 4
 
 // Memory of a session: blocks from malloc, or from one area that the program provided (library_memory.c).
 typedef struct LibraryMemory {
-    uint64_t limit;               // bytes, with the headers of blocks; 0: none
-    uint64_t used, peak;
-    unsigned char *area, *end;    // NULL: malloc
-    unsigned char *search;        // a block of the area; no block before it is free
+    uint64_t limit;               // the most bytes that blocks can use, with their headers; 0: no limit
+    uint64_t used, peak;          // bytes that blocks use now, with their headers; the most so far
+    unsigned char *area, *end;    // begin and end of the program's area; NULL: blocks come from malloc
+    unsigned char *search;        // the block of the area at which the search for a free one begins: none before it is free
 } LibraryMemory;
 
 typedef struct LibrarySource {
-    int32_t kind;                 // KIND_REMOVED: the number is free
+    int32_t kind;                 // SMC_KIND_…; KIND_REMOVED: the source was removed, so its number is free
     char *name, *text;            // text: `size` bytes and a NUL; both NULL if the number is free
     size_t size;
     uint32_t next_free;           // 1 + the next free number; 0: none
@@ -41,7 +41,7 @@ typedef struct LibraryVariable {
     const char *name;
     SmType type;
     int32_t kind;                 // SMC_VARIABLE_…
-    uint32_t offset;              // in bytes
+    uint32_t offset;              // in bytes, in the state vector or among the locals
     uint32_t output;              // 1 + its number among the machine's outputs; 0: it is not an output
 } LibraryVariable;
 
@@ -61,7 +61,7 @@ typedef struct LibraryMachine {
     bool has_names;
 } LibraryMachine;
 
-// An item of the list that a comparison of two machines makes.
+// A state, local or window in the comparison of two machines that can replace each other.
 typedef struct LibrarySwapItem {
     int32_t kind, fate;           // SMC_SWAP_…
     const char *name;             // in the same block of memory, after the items
@@ -85,7 +85,7 @@ typedef struct LibraryModel {
     const Var **variable;         // the variables in the order of their numbers in smc.h
     uint32_t variables, transitions;
     LibraryTransition *transition;
-    bool *is_left;                // by number of a state, from 0: a transition leads to another state
+    bool *is_left;                // by State.number - 1: a transition leads from the state to another one
     VEC(LibraryUse) use;
 } LibraryModel;
 
@@ -101,7 +101,7 @@ typedef struct LibraryImage {
 
 // What runs the scripts of a machine.
 typedef struct LibraryBench {
-    Report *review;               // NULL: not begun.  Runs refer to its transitions
+    Report *review;               // the report data to whose transitions the runs refer; NULL: no script has run
     Engine *engine[ENGINE_COUNT]; // by bit of SMC_ENGINE_…; NULL: not opened
     Arena engine_arena[ENGINE_COUNT], review_arena;
 } LibraryBench;
@@ -112,11 +112,11 @@ typedef struct LibraryResults {
     bool is_compiled;
     uint32_t sources;             // number of sources that were compiled; the arrays below are indexed by source
     const Source **text;          // NULL: no source had this number
-    uint32_t *input;              // 1 + its index in in.at; 0: it is no input of its own
+    uint32_t *input;              // by source: 1 + its index in in.at; 0: it is only part of other inputs
     LibraryModel *model;
     LibraryRun *run;
-    LibraryBench *bench;          // of the machine with this number, for its scripts
-    uint32_t *machine;            // by script: its machine; UINT32_MAX: it has none
+    LibraryBench *bench;          // by source that is a machine: the engines for its scripts
+    uint32_t *machine;            // by source that is a script: the source of its machine; UINT32_MAX: it has none
     LibraryImage *image;          // by source: the image of its machine, with names
     CompileInput in;
     CompileOptions o;
@@ -136,7 +136,7 @@ struct SmcSession {
     uint64_t magic;               // LIBRARY_MAGIC while it is open
     LibraryMemory memory;
     jmp_buf oom;
-    void *locale;                 // "C" (library_locale.h)
+    void *locale;                 // the locale "C", which every call sets for its thread (library_locale.h)
     int is_cancelled;             // accessed atomically
     int is_busy;                  // accessed atomically
     bool is_guarded;              // the running call can be cancelled, so a failed allocation may mean that it was
@@ -148,22 +148,22 @@ struct SmcSession {
     uint32_t sources, sources_cap;
     uint32_t free_source;         // 1 + the number that was freed last; 0: none is free
     uint64_t option[OPTION_COUNT];
-    char *prefix;                 // NULL: none
-    char **word;                  // of smc_warning_select
+    char *prefix;                 // of names in C (smc_prefix_set); NULL: none was set
+    char **word;                  // the words that were passed to smc_warning_select
     uint32_t words, words_cap;
     Arena words_arena;            // for a message about a word; empty between two calls
     LibraryResults of;
     LibraryMachine **machine;     // open machines, sorted by id
     uint32_t machines, machines_cap;
-    uint32_t next_machine;
-    LibrarySwapItem *swap;        // of the last comparison; NULL: none
+    uint32_t next_machine;        // how many machines the session has opened: part of the handle of the newest one
+    LibrarySwapItem *swap;        // the items of the last comparison; NULL: none
     uint32_t swap_items;
     char error[ERROR_TEXT_MAX];
 };
 
 // ---- library_memory.c ----
 
-// Initialises memory of the program, or an account of malloc.
+// Initialises m for the `size` bytes at `area`, or, if `area` is NULL, for malloc with at most `size` bytes (0: no limit).
 void library_memory_init(LibraryMemory *m, void *area, uint64_t size);
 // Works like realloc; size 0 frees `old`.  Blocks are aligned to 16 bytes.  NULL: out of memory.
 void *library_memory_alloc(LibraryMemory *m, void *old, uint64_t size);
@@ -178,9 +178,10 @@ SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text);
 // Allocates memory outside the arenas; NULL: out of memory.
 void *library_compiler_alloc(void *session, void *old, size_t size);      // the SmcAllocFn of the compiler's arenas
 void *library_alloc(SmcSession *s, uint64_t size);
-void library_release(SmcSession *s, void *memory);
-char *library_copy(SmcSession *s, const void *bytes, uint64_t size);      // and a NUL
+void library_release(SmcSession *s, void *memory);                        // frees it; it can be NULL
+char *library_copy(SmcSession *s, const void *bytes, uint64_t size);      // the copy has a NUL after its last byte
 
+// Returns an array with room for one more than n items of `item` bytes: `old`, or a larger copy that replaces it.  *cap: its allocated length.
 void *library_grow(SmcSession *s, void *old, uint32_t n, uint32_t *cap, size_t item);
 
 // Calls work(s, argument), which may allocate in a layer of s->compiler.  If memory runs out or smc_cancel was called, drops the layer, and the

@@ -39,7 +39,7 @@ static SmcResult find_cell(const SmcSession *s, const LibraryMachine *m, uint32_
     return SMC_OK;
 }
 
-// Without rows, columns can be NULL.
+// Finds the cells of all columns, for inputs and then for outputs.  Without rows, columns can be NULL.
 static SmcResult find_cells(const SmcSession *s, const ColumnRun *run)
 {
     static const double no_rows;

@@ -430,7 +430,7 @@ static int compare_outputs(const void *a, const void *b)
     return strcmp(((const LibraryOutput *)a)->name, ((const LibraryOutput *)b)->name);
 }
 
-// Two sources of one file name in different folders would have the same output.
+// Whether two outputs have the same name, as those of two sources with one file name in different folders.
 static bool has_duplicate_output(SmcSession *s, const LibraryOutputs *out)
 {
     LibraryOutput *sorted = arena_copy(&s->compiler.arena, out->at, out->n * sizeof *out->at);
@@ -498,7 +498,7 @@ static SmcResult emit_outputs(SmcSession *s, void *argument)
         out = list_outputs(s, &made, emit);
         r = has_duplicate_output(s, &out) ? SMC_E_STATE : SMC_OK;
     }
-    library_update_shown(s, &diags, 0, NULL);                 // the last allocation
+    library_update_shown(s, &diags, 0, NULL);                 // the last call that can run out of memory: from here on results are stored
     library_keep_layer(s, &of->output_arena);
     of->emitted = diags;
     of->output = out.at;

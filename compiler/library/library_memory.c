@@ -19,7 +19,7 @@ typedef char block_keeps_alignment[sizeof(Block) == BLOCK_ALIGN ? 1 : -1];
 static uint64_t block_size(const Block *b) { return b->size & ~(uint64_t)IN_USE; }
 static Block *block_of(void *content) { return (Block *)content - 1; }
 
-// Initialises memory of the program, or an account of malloc.
+// Initialises m for the `size` bytes at `area`, or, if `area` is NULL, for malloc with at most `size` bytes (0: no limit).
 void library_memory_init(LibraryMemory *m, void *area, uint64_t size)
 {
     memset(m, 0, sizeof *m);

@@ -12,7 +12,7 @@ static int32_t kind_of_variable(const Var *v)
     return v->kind == VAR_ELEMENT ? SMC_VARIABLE_ELEMENT : v->is_constant ? SMC_VARIABLE_CONSTANT : SMC_VARIABLE_LOCAL;
 }
 
-// The order of smc_machine_variable_name, and after it the constants.
+// For qsort: the variables by name, as smc_machine_variable_name numbers them, and then the constants by name.
 static int compare_variables(const void *a, const void *b)
 {
     const Var *x = *(const Var *const *)a, *y = *(const Var *const *)b;

@@ -124,7 +124,7 @@ static SmcResult run_script(SmcSession *s, const RunRequest *q)
         return library_fail(s, SMC_E_CANCELLED, NULL);
     }
     script_report(&run.run.result, m->scripted, &run.report);
-    library_update_shown(s, &s->of.emitted, q->script, &run.run.diags);        // the last allocation
+    library_update_shown(s, &s->of.emitted, q->script, &run.run.diags);        // the last call that can run out of memory
     run.is_done = true;
     run.arena = s->of.run[q->script].arena;
     library_keep_layer(s, &run.arena);

@@ -76,7 +76,7 @@ static void copy_utf8(char *to, size_t room, const char *from)
     *to = '\0';
 }
 
-// The text of an error belongs to the session even where a call only reads it.
+// Writes to the session although `s` is const: a call that only reads it can fail, too, and its error text is stored there.
 SmcResult library_fail(const SmcSession *s, SmcResult r, const char *text)
 {
     copy_utf8(((SmcSession *)(uintptr_t)s)->error, ERROR_TEXT_MAX, text ? text : smc_result_text(r));
@@ -151,7 +151,7 @@ void library_begin_layer(SmcSession *s)
     arena_free(&c->tree);
     arena_free(&c->work);
     arena_free(&c->scratch);
-    c->built = NULL;                              // the passes of the layer would change it in place
+    c->built = NULL;                              // a layer that needs the IR builds its own: its passes change it in place
     s->below = *c;
     s->has_layer = true;
     arena_init(&c->arena, library_compiler_alloc, s, &s->oom);

@@ -450,7 +450,8 @@ void *smc_machine_vector(SmcSession *s, SmcMachine m);
 // SMC_E_REFUSED: the layouts differ, an image has no names, `from` is in a state that is marked neither @swap nor @safe, or `to` has no state of
 // that name; smc_error_text has the reason.  SMC_E_ARGUMENT: they are the same machine.
 SmcResult smc_machine_continue(SmcSession *s, SmcMachine from, SmcMachine to);
-// Lists what `to` would keep of `from`, whatever state that is in, in place of the last list.  Changes neither.  Errors as smc_machine_continue.
+// Lists what `to` would keep of `from`, whatever state `from` is in.  The list replaces that of the last call.  Neither machine changes.  Errors are
+// those of smc_machine_continue.
 SmcResult smc_swap_compare(SmcSession *s, SmcMachine from, SmcMachine to);
 
 enum SmcSwapKind { SMC_SWAP_STATE = 0, SMC_SWAP_LOCAL = 1, SMC_SWAP_WINDOW = 2 };

@@ -104,7 +104,7 @@ static void rewrite_comparison(const Identity *d, IrIns *i)
 
     if (try_rewrite_bool_comparison(d, i) || i->a != i->b)
         return;
-    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x and x > x are false for NaN, too
+    if (i->op == IR_lt || i->op == IR_gt || d->never_nan[i->a])       // x < x and x > x are false even if x is NaN
         replace_by_bool(i, true_if_equal);
 }
 

@@ -19,7 +19,7 @@
 #include "compiler/passes/pass.h"
 #include "stdlib/f64.h"
 
-typedef struct CseSlot { uint32_t block; IrRef ref; } CseSlot;      // empty unless `block`, counted from 1, is the current one
+typedef struct CseSlot { uint32_t block; IrRef ref; } CseSlot;      // empty unless `block` equals Cse.block
 
 typedef struct Cse {
     IrFn *f;
@@ -30,7 +30,7 @@ typedef struct Cse {
     bool *sunk;               // by instruction: its only user is a store or a branch
     CseSlot *table;           // hash table of the block's operations, by CseKey
     size_t cap;               // a power of two
-    uint32_t block;
+    uint32_t block;           // number of the current block, from 1
 } Cse;
 
 static IrIns *ins_at(const Cse *c, IrRef ref) { return &c->f->ins.at[ref]; }
@@ -227,9 +227,12 @@ void pass_cse(Arena *arena, IrFn *f, Facts *facts)
 {
     size_t n = f->ins.n, longest = 0;
     Arena *work = facts->work;
-    Cse c = {f, facts, ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, IrRef, n), ARENA_ARRAY(work, bool, n), NULL, 8, 0};
+    Cse c = {.f = f, .facts = facts, .sunk = ARENA_ARRAY(work, bool, n), .cap = 8};
 
     (void)arena;
+    c.value = arena_alloc_unzeroed(work, n * sizeof *c.value);       // of each instruction, written before it is read
+    c.leader = arena_alloc_unzeroed(work, n * sizeof *c.leader);
+    c.same = arena_alloc_unzeroed(work, n * sizeof *c.same);
     for (size_t b = 0; b < f->blk.n; b++)
         if (f->blk.at[b].ins.n > longest)
             longest = f->blk.at[b].ins.n;

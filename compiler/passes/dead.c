@@ -18,6 +18,8 @@ static void filter_block(const IrFn *f, IrBlk *blk, Facts *facts, VisitFn *visit
     for (size_t p = blk->ins.n; p-- > 0;)                      // instructions that stay are collected at the end of the list
         if (visit(f, blk->ins.at[p], facts))
             blk->ins.at[--kept] = blk->ins.at[p];
+    if (kept == 0)                                             // all stay
+        return;
     while (kept < blk->ins.n)
         blk->ins.at[n++] = blk->ins.at[kept++];
     blk->ins.n = n;

@@ -6,7 +6,7 @@
 //   --x, min(x, x), max(x, x), min(x, inf), max(x, -inf)
 //   floor, ceil, trunc, round  of the result of one of these operations, or of a converted integer, because they do not change whole
 //                            numbers, infinities, NaN or the sign of zero
-//   cvt there and back       such as U8 to F64 to U8: if the intermediate type represents every value of the other type exactly
+//   two conversions          such as U8 to F64 to U8: if the intermediate type represents every value of the first type exactly
 //   cvt to the same type     unless the operand is a float that may be NaN, which cvt would change to 0
 //   and, or                  with a constant that does not decide the result, or with the same operand twice
 //   not of a not

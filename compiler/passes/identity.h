@@ -9,7 +9,7 @@
 typedef struct Identity {
     IrFn *f;
     IrRef *same;          // by instruction: an earlier temporary with the same value, or itself
-    bool *never_nan;      // by instruction: certainly not NaN, or not a float
+    bool *never_nan;      // by instruction: its result is certainly not NaN, or is not a float
 } Identity;
 
 static inline const IrIns *identity_at(const Identity *d, IrRef ref) { return &d->f->ins.at[ref]; }

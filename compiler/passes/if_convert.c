@@ -3,8 +3,8 @@
 //   if p > 775 { open = true } else: open = false     becomes open = p > 775
 //   if p > 775: n = n + 1                             becomes n = n + (p > 775), for a local n that only the machine writes
 // A conditional is converted if both arms lead to the same block and contain only stores of boolean constants, counts by one, and the
-// operations that these need.  If a boolean is stored in one arm, it must also be stored in the other.  Only locals are counted: code
-// without a branch stores the count in every case, and an element must only be stored where the source stores it.
+// operations that these need.  If a boolean is stored in one arm, it must also be stored in the other.  A counter must be a local: code
+// without a branch stores it in every case, and an element must only be stored where the source stores it.
 // Only emitted C profits: on the VM the addition costs as much as the branch.  With numbers in software the counts stay branches, because
 // an 8-bit chip does not predict branches, and adds 64-bit numbers slowly.
 // Needs no facts; invalidates use counts.
@@ -31,7 +31,7 @@ typedef struct IfConvert {
     const IrMachine *m;
     IrFn *f;
     uint32_t *preds;          // by block: number of incoming edges
-    bool counts;              // whether to convert counts
+    bool counts;              // counts by one are converted, too
 } IfConvert;
 
 // Whether adding 0 in `type` leaves every value of a counter unchanged.  That is true of a 64-bit counter in F64: each of its values, the

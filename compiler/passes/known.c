@@ -11,7 +11,7 @@
 typedef struct KnownPass {
     IrFn *f;
     const Fact *fact;     // by temporary: its possible values
-    IrRef *same;          // by temporary: another with the same value, or itself
+    IrRef *same;          // by temporary: an earlier temporary with the same value, or itself
 } KnownPass;
 
 static bool is_never_negative(Fact a) { return a.lo >= 0 && !a.minus_zero; }

@@ -3,11 +3,13 @@
 // not observable.
 //   sums, products, …   of whole numbers whose results stay below 2^53 become operations on I32 or I64.  F64 is exact there, too.  Only the
 //                       sign of a zero is lost, so it must not be observable (by a store to a float, a division, …)
+//   abs, min, max       of large I64 that convert to F64 and back without a change become operations on I64
 //   neg, abs            of an F32 become operations on F32
 //   op, then to F32     an operation on F32 operands whose result is only converted to F32 becomes an operation on F32.  The intermediate
 //                       rounding to F64 changes nothing, because F64 has more than twice the digits of F32, plus two
 //   comparisons         see narrow_compare.c
-//   conversions         of a number that is also available in a narrower type convert from that type
+//   conversions         of a number that is also available in a narrower type convert from that type.  There and back, they are removed
+//                       where they change nothing
 //   windows             store samples in the narrowest type that represents all of them
 // Needs values (FACT_VALUES); invalidates use counts.  dce removes the operations that become unused.
 #include "compiler/passes/narrow.h"
@@ -88,7 +90,7 @@ static void mark_operand_zero_signs(Narrow *n, IrRef ref)
 
 // ---- integers ----
 
-// Whether r's number exists as an integer (or bool).
+// Whether the number of temporary r is also available as a temporary of an integer type or bool, or as a constant.
 bool narrow_has_integer(const Narrow *n, IrRef r)
 {
     const Fact f = n->fact[r];
@@ -151,6 +153,32 @@ static void narrow_to_integer(Narrow *n, IrRef ref)
     replace_by_narrow(n, ref, i);
 }
 
+// ---- large integers ----
+
+bool narrow_same_round_trip(const Narrow *n, IrRef a, IrRef b)
+{
+    return n->round_trips[a] && n->round_trips[b] && narrow_ins(n, n->wide[a])->type == narrow_ins(n, n->wide[b])->type;
+}
+
+// Moves abs, min and max of I64s that round-trip to I64.  The results round-trip, too: abs of -2^63 is 2^63 on F64 and the largest I64 on I64,
+// which convert to each other.
+static void narrow_to_round_trip(Narrow *n, IrRef ref)
+{
+    IrIns i = *narrow_ins(n, ref);
+
+    if (i.type != SM_F64 || (i.op != IR_abs && i.op != IR_min && i.op != IR_max))
+        return;
+    if (!narrow_same_round_trip(n, i.a, i.op == IR_abs ? i.a : i.b) || narrow_ins(n, n->wide[i.a])->type != SM_I64)
+        return;
+    i.type = SM_I64;
+    i.a = n->wide[i.a];
+    if (i.op != IR_abs)
+        i.b = n->wide[i.b];
+    n->wide[ref] = narrow_emit(n, i);
+    n->round_trips[ref] = true;
+    *narrow_ins(n, ref) = make_ins(IR_cvt, SM_F64, n->wide[ref], IR_NONE, i.span);
+}
+
 // ---- F32 ----
 
 // Moves neg and abs of an F32 to F32.  Their results are exact there, so every user gets the same number.
@@ -209,17 +237,18 @@ static void narrow_to_f32(Narrow *n, IrRef cvt)
 static void narrow_conversion(Narrow *n, IrRef ref)
 {
     IrIns *i = narrow_ins(n, ref);
-    IrRef from = narrow_ins(n, i->a)->type == SM_F64 ? n->narrow[i->a] : IR_NONE;
+    const bool from_f64 = narrow_ins(n, i->a)->type == SM_F64;
+    IrRef from = from_f64 ? n->narrow[i->a] : IR_NONE, back = from_f64 && n->round_trips[i->a] ? n->wide[i->a] : from;
     SmType type;
 
-    if (from != IR_NONE && narrow_ins(n, from)->type == i->type) {
-        n->same[ref] = from;
+    if (back != IR_NONE && narrow_ins(n, back)->type == i->type) {
+        n->same[ref] = back;
         return;
     }
     if (from != IR_NONE)
         i->a = from;
     else if (i->type == SM_F32)
-        narrow_to_f32(n, ref);                            // adds instructions, so that i may point to freed memory
+        narrow_to_f32(n, ref);                            // adds instructions, so i may be a dangling pointer from here on
     if (narrow_ins(n, ref)->type != SM_F64)
         return;
     from = narrow_ins(n, ref)->a;                         // a conversion to F64: its operand is the same number in a narrower type
@@ -228,8 +257,10 @@ static void narrow_conversion(Narrow *n, IrRef ref)
         return;
     if (sm_type_info[type].bytes < 8 || fact_within(n->fact[ref], -FACT_EXACT + 1, FACT_EXACT - 1))
         n->narrow[ref] = from;
-    else
+    else {
         n->wide[ref] = from;
+        n->round_trips[ref] = from < n->temps && n->fact[from].round_trips;
+    }
 }
 
 // ---- functions ----
@@ -251,6 +282,7 @@ static void narrow_instruction(Narrow *n, IrRef ref)
     else if (ir_op_info[i->op].types == IR_T_SAME) {
         narrow_neg_or_abs(n, ref);
         narrow_to_integer(n, ref);
+        narrow_to_round_trip(n, ref);
     }
     vec_push(n->work, &n->out, ref);
 }
@@ -285,13 +317,14 @@ static IrRef *new_empty_refs(Arena *arena, size_t count)
 static void narrow_function(Arena *arena, Arena *work, IrFn *f, FactFlow flow)
 {
     const size_t temps = f->ins.n;
-    Narrow n = {.arena = arena, .work = work, .f = f, .fact = flow.of, .uses = ir_count_uses(work, f)};
+    Narrow n = {.arena = arena, .work = work, .f = f, .temps = temps, .fact = flow.of, .uses = ir_count_uses(work, f)};
 
     n.same = ARENA_ARRAY(work, IrRef, temps);
     for (size_t r = 0; r < temps; r++)
         n.same[r] = (IrRef)r;
     n.narrow = new_empty_refs(work, temps);
     n.wide = new_empty_refs(work, temps);
+    n.round_trips = ARENA_ARRAY(work, bool, temps);
     n.as_i32 = new_empty_refs(work, temps);
     n.as_i64 = new_empty_refs(work, temps);
     n.zero_sign_observable = ARENA_ARRAY(work, bool, temps);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Part of `narrow`: moves comparisons to the type of their inputs.  A constant is replaced with the largest number of that type that does
 // not exceed it, and the operator is changed so that the result is the same for every value.  Converting an I64 or U64 to F64 may round
-// it, but preserves its order relative to every constant below 2^53, because numbers of that size are not rounded.
+// it, but preserves its order relative to every constant below 2^53, because numbers of that size are not rounded.  Two integers of one type
+// that convert back to themselves are in the same order as their conversions: these are different where the integers are.
 #include "compiler/ir/comparison.h"
 #include "compiler/passes/narrow.h"
 #include "stdlib/convert.h"
@@ -91,6 +92,10 @@ static void narrow_comparison_of_temporaries(Narrow *n, IrRef ref)
     const IrIns i = *narrow_ins(n, ref);
     IrRef a = n->narrow[i.a], b = n->narrow[i.b];
 
+    if (narrow_same_round_trip(n, i.a, i.b)) {
+        replace_compare(n, ref, i.op, n->wide[i.a], n->wide[i.b]);
+        return;
+    }
     if (a == IR_NONE || b == IR_NONE)
         return;
     if (narrow_ins(n, a)->type != narrow_ins(n, b)->type) {

@@ -26,11 +26,11 @@ typedef struct PassRunner {
     Arena *arena;
     IrMachine *m;
     const PassOptions *o;
-    Facts *facts;                     // facts[0] of the sample function, then those of every state's functions
+    Facts *facts;                     // by function: [0] for the sample function, then entry, step and exit of every state
     VarNotes notes;
     FactMachine *values;              // NULL: not computed yet, or invalidated
     Arena work;                       // for tables about the function on which passes run
-    size_t instructions;              // of the functions about which `work` has tables
+    size_t instructions;              // number of instructions of the functions about which `work` has tables
 } PassRunner;
 
 static const PassInfo *find_pass(const char *name, size_t n)
@@ -66,9 +66,10 @@ VarNote *find_variable_note(VarNotes *n, uint32_t var)
 
 // ---- tables ----
 
-enum { TABLES_MAX = 1000 };           // instructions about which `work` has tables before it is freed: these stay in the processor's cache
+enum { TABLES_MAX = 1000 };           // `work` is freed when its tables are about more instructions: so they stay in the processor's cache
 
-// Frees the tables about functions in `work`, if they are many.  *instructions: of these functions; f is the last of them.
+// Frees the tables in `work` if they are about many instructions.  *instructions: number of instructions of the functions with tables; f is the last
+// of these functions.
 static void free_tables(Arena *work, size_t *instructions, const IrFn *f)
 {
     *instructions += f->ins.n;
@@ -100,7 +101,7 @@ void pass_on_each_function(Arena *arena, IrMachine *m, FactMachine *values, Pass
 static void run_on_function(PassRunner *r, const PassInfo *pass, IrFn *f, Facts *facts)
 {
     if (pass->needs & ~facts->valid & FACT_USES) {
-        facts->uses = ir_count_uses(r->o->verify ? r->arena : &r->work, f);       // verify_machine compares them later
+        facts->uses = ir_count_uses(r->o->verify ? r->arena : &r->work, f);       // `verify`: kept, because verify_machine reads them
         facts->valid |= FACT_USES;
     }
     pass->on_function(r->arena, f, facts);

@@ -32,11 +32,11 @@ void notes_begin_block(VarNotes *n);
 VarNote *find_variable_note(VarNotes *n, uint32_t var);  // an empty note (IR_NONE, false) if the block has stored no note
 
 typedef struct Facts {
-    unsigned valid;       // which facts are valid: FACT_USES or nothing
-    uint32_t *uses;       // by instruction: its use count
+    unsigned valid;       // set of the facts that are valid: FACT_USES or nothing
+    uint32_t *uses;       // by instruction: how many operands and jumps use its result
     const IrMachine *m;   // the machine that contains the function
     VarNotes *notes;      // working memory that any pass may use
-    bool soft;            // PassOptions.soft
+    bool soft;            // as PassOptions.soft
     Arena *work;          // for tables that a pass needs while it runs
 } Facts;
 

@@ -7,7 +7,7 @@
 #include "compiler/prove/prove_near.h"
 
 enum {
-    DELTA_T = 10,             // the step, if neither the machine nor a given run has one
+    DELTA_T = 10,             // time from step to step, if neither the options, the machine nor a given run say it
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
     NEAR_SHARE = 32,          // 1 / NEAR_SHARE of the steps are for runs close to the given runs
     FIRST_SHARE = 16,         // 1 / FIRST_SHARE of the steps run before the proofs that need long
@@ -20,24 +20,24 @@ static const ProveLimits coarse = {.nodes = 1500, .visits = 300000}, fine = {.no
 
 typedef struct ProveRun {
     Arena *arena;
-    Arena work;               // of the current exploration or search
-    Arena models;             // of the current requirement
+    Arena work;               // memory of the current exploration or search
+    Arena models;             // memory of the models of the current requirement
     const Requirements *all;
     const Program *p;
     const IrMachine *m;
     const ProveOptions *o;
     ProveResult *result;
     Cover *cover;
-    Scenario *given;          // the given runs that are used, and the first `givens` of ...
-    const ProveGiven **given_of;      // ... where each is from
-    const GivenResult **judged;       // ... what each shows, by requirement
+    Scenario *given;          // the given runs that are used: `givens` scenarios
+    const ProveGiven **given_of;      // by index into `given`: the script run that it comes from
+    const GivenResult **judged;       // by index into `given`, then by requirement: what the run shows
     uint32_t givens;
     bool stopped;             // go_on has returned false
 } ProveRun;
 
 static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
 
-// Called by what a run starts, too: so a stop that it has noticed counts, even if go_on would return true again.
+// Whether the caller wants to go on.  Once ProveOptions.go_on has returned false, the answer stays false.
 static bool goes_on(void *run)
 {
     ProveRun *v = run;
@@ -115,8 +115,8 @@ enum { ATTEMPTS_FIRST = 5, ATTEMPTS = sizeof attempt / sizeof *attempt };
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
     ProveModel *model[PROVE_LOOSENINGS];
-    unsigned assumed[2];      // sets of assumptions, the weaker one first
-    uint32_t sets, tried;     // how many there are; how many attempts have been made with each
+    unsigned assumed[2];      // sets of assumptions, the one with fewer assumptions first
+    uint32_t sets, tried;     // number of sets; number of attempts that have been made with each of them
 } ProveProof;
 
 // Stores the inputs with numbers that can influence the requirement.

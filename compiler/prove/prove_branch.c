@@ -5,9 +5,9 @@
 
 
 enum {
-    TERMS_MOST = 12,          // the most combinations of operands that give a condition its value; with more, only the condition itself is used
+    TERMS_MOST = 12,          // the most combinations of operands that give a condition its value; if there are more, the condition is not split
     BRANCHES_MOST = 2 * TERMS_MOST,
-    LITERALS_MOST = 12,       // conditions of a way
+    LITERALS_MOST = 12,       // the most conditions of one branch
     STORES_MOST = 3,          // booleans that a block stores and that are split
     DEPTH_MOST = 40
 };
@@ -18,7 +18,7 @@ typedef struct ProveLiteral { IrRef ref; bool value; } ProveLiteral;
 typedef struct ProveTerm {
     ProveLiteral at[LITERALS_MOST];
     uint32_t n;
-    ProveLiteral stored[STORES_MOST];         // by ProveStores entry below `stores`: the variable's number in `ref`, and its value
+    ProveLiteral stored[STORES_MOST];         // `stores` booleans that the block stores: the index of the variable in `ref`, and its value
     uint32_t stores;
 } ProveTerm;
 

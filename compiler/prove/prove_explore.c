@@ -10,16 +10,16 @@
 #include "stdlib/convert.h"
 
 enum {
-    ENVS_MOST = 96,           // the most facts of a block that are not joined, from different paths to the block
-    CHANGES_BEFORE_WIDENING = 4,      // after these, growing bounds of a node are widened to numbers of the program
-    CHANGES_BEFORE_FEW_LIMITS = 14,   // after these, growing bounds are widened to a few round numbers
-    CHANGES_MOST = 40,                // after these, only the types of variables remain
-    PATIENCE = 4,                     // factor on these numbers of changes, if the limits are bounds that an earlier exploration has found
+    ENVS_MOST = 96,                   // how many paths to a block have facts of their own; the facts of further paths are joined
+    CHANGES_BEFORE_WIDENING = 4,      // after this many changes of a node's facts, growing bounds are widened to numbers of the program
+    CHANGES_BEFORE_FEW_LIMITS = 14,   // after this many, growing bounds are widened to a few round numbers
+    CHANGES_MOST = 40,                // after this many, only the types of variables remain
+    PATIENCE = 4,                     // factor on the last two numbers, if the limits are bounds that an earlier exploration has found
     NARROWINGS = 3,
     LIMITS_MOST = 256,
-    ROUNDS = 5,                       // number of explorations; the limits of each are the bounds that the previous one has found
+    ROUNDS = 5,                       // the most explorations; each widens to the bounds that the previous one has found
     MANY_VALUES = 4,                  // a key with more values than this can be named as an obstacle to a proof
-    BESIDE = 5                        // limits of a constant: itself, and its neighbours
+    BESIDE = 5                        // limits that one constant adds: itself, and its neighbours
 };
 
 #define KEY_OPEN UINT64_MAX   // the key is not known exactly.  As an F64 it would be a NaN, which no variable has
@@ -30,9 +30,9 @@ typedef struct ProveNode {
     const Env *env;           // the facts when the step begins
     uint64_t *key;            // by key: its value as the bits of an F64, or KEY_OPEN
     uint64_t hash;
-    uint32_t state;           // number of the state, from 0
-    uint32_t changes;
-    bool first, queued;
+    uint32_t state;           // State.number - 1
+    uint32_t changes;         // how often the facts have changed
+    bool first, queued;       // first: the step is the first one in the state; queued: the steps from the node are to be explored (again)
 } ProveNode;
 
 typedef struct ProveTable {
@@ -48,27 +48,27 @@ typedef struct Explorer {
     Arena *arena;             // reset when the exploration begins again
     FactMachine *fm;
     unsigned assumed;
-    const uint32_t *key;      // the variables that are keys
+    const uint32_t *key;      // the `keys` variables that are keys
     uint32_t keys;
     const ProveLimits *limits;
     uint64_t *visits;
-    FactLimits widening;
-    double *limit;            // the limits of `widening`
-    double *found;            // the bounds of the last nodes, `founds` of them: the limits of the next exploration
+    FactLimits widening;      // the numbers to which growing bounds are widened
+    double *limit;            // memory of `widening`
+    double *found;            // `founds` bounds of the facts of the last exploration: the next one widens to them
     size_t founds;
-    uint32_t patience;
-    ProveTable *table;        // receives nodes
-    bool widens;              // false: in the last rounds
+    uint32_t patience;        // factor on the numbers of changes: 1 or PATIENCE
+    ProveTable *table;        // the table to which nodes are added
+    bool widens;              // whether facts that keep growing are widened; false while facts are narrowed
     ProveExplored *out;
-    const ProveStep *step;    // the current one
-    const ProveNode *from;
-    const ProveBranch *branch;
-    bool is_taken;            // the facts allow the branch, ...
-    const Env *taken;         // ... and these are the facts at its end
-    uint32_t *holder;         // memory for prove_relate, for fewer than `holders` temporaries
+    const ProveStep *step;    // the step that is being explored
+    const ProveNode *from;    // the node from which it begins
+    const ProveBranch *branch;        // the branch that is being followed
+    bool is_taken;            // whether the facts allow the branch
+    const Env *taken;         // the facts at the end of the branch, if `is_taken`
+    uint32_t *holder;         // memory for prove_relate, if a function has fewer than `holders` temporaries
     uint32_t holders;
-    ProveEnvs *at;            // by block of the step: the facts at its beginning, by path
-    uint32_t blocks;          // capacity of `at`
+    ProveEnvs *at;            // by block of the step: for each path to the block, the facts with which it begins
+    uint32_t blocks;          // allocated length of `at`
 } Explorer;
 
 static bool is_assumed(const Explorer *x, ProveAssumption a) { return x->assumed >> a & 1; }
@@ -140,7 +140,7 @@ static Fact fact_at_begin(const Explorer *x, uint32_t v, const Fact *before, uin
         return v < p->machine->var.n && is_assumed(x, PROVE_PARAMETERS) ? fact_of_cell(var->type, p->machine->var.at[v].init) : p->var[v].begin;
     case PROVE_CHOICE: return p->var[v].begin;
     case PROVE_IRRELEVANT: return type;
-    case PROVE_DIFFERENCE: return type;       // begin_differences
+    case PROVE_DIFFERENCE: return type;       // begin_differences adds what is known
     case PROVE_TIME: break;
     }
     if (v == p->ir->s)
@@ -497,7 +497,7 @@ static uint32_t find_widest_key(const Explorer *x, uint32_t least)
             continue;
         memset(seen, 0, 2 * SAMPLE * sizeof *seen);
         for (uint32_t n = 0; n < x->table->node.n && values < SAMPLE; n++) {
-            const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0
+            const uint64_t value = x->table->node.at[n].key[k] + 2;       // never 0, which marks an empty entry of `seen`
             uint64_t at = mix_hash(value, 7) & (2 * SAMPLE - 1);
             while (seen[at] && seen[at] != value)
                 at = (at + 1) & (2 * SAMPLE - 1);

@@ -5,8 +5,8 @@
 #include "compiler/search/scenario_record.h"
 
 enum {
-    STEPS_MOST = 1000000,     // of a script
-    CHANGES_MOST = 1000000    // recorded data sets its inputs in each row
+    STEPS_MOST = 1000000,     // the most steps of a script
+    CHANGES_MOST = 1000000    // the most changes that are recorded: recorded data sets inputs in each row
 };
 
 bool prove_record_script(Arena *arena, Diags *diags, const Program *p, const Program *flown, const Script *s, ProveGiven *out)

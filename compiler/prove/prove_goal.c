@@ -4,12 +4,12 @@
 #include "compiler/ir/comparison.h"
 #include "stdlib/convert.h"
 
-// The goal's own part of a situation, before that of the monitor.
+// What a goal remembers from step to step: the first MEMORY_SIZE bytes of a situation (SearchWatch).  The monitor's memory follows.
 typedef struct GoalMemory {
-    bool seen;                // a step has had b
-    bool outside;             // an input was outside its range, although ranges are assumed
-    uint64_t set;             // by input with a range, the first 64: it has been other than 0
-    bool open;                // AFTER: no step since the last one with b has had c; LEADS_TO: undecided
+    bool seen;                // condition b of the requirement was true in a step
+    bool outside;             // an input was outside its @range, although GoalSearch.assume_ranges is set
+    uint64_t set;             // one bit for each of the first 64 inputs with a range: it has been other than 0
+    bool open;                // AFTER: no step since the last one with b has had c; LEADS_TO: a has occurred, and b not yet
 } GoalMemory;
 
 typedef struct GoalWatch {
@@ -376,7 +376,7 @@ Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *f
     return s->steps == 0 ? NULL : s;
 }
 
-// The reference computes the statistics of a window from all its samples.
+// The reference interpreter computes a statistic from all samples of the window, so long windows make a step expensive.
 uint64_t goal_cost_of_step(const Monitor *m)
 {
     enum { SAMPLES = 64 };                // reading this many samples takes as long as the rest of a step
@@ -416,7 +416,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
         Scenario *s = goal_end_scenario(work, g, &found->chosen[found->find[found->places].scenario].scenario);
         if (s)
             simplify_scenario(work, g, s);
-        out.unconfirmed = !s && !g->assume_ranges;        // the values in the ranges can prevent it
+        out.unconfirmed = !s && !g->assume_ranges;        // with ranges, the values that inputs must have can prevent the violation
         out.scenario = s ? copy_scenario(arena, s) : NULL;
     }
     out.premise_seen = w->premise_seen;

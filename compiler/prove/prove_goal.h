@@ -11,29 +11,29 @@ typedef enum GoalKind { GOAL_VIOLATION, GOAL_PREMISE } GoalKind;
 
 typedef struct GoalSearch {
     const Requirements *all;
-    size_t requirement;
+    size_t requirement;               // index into all->at
     GoalKind kind;
     uint64_t delta_t, seed;
     uint64_t effort;                  // at least 1: a step costs 1, and more if the requirement has long windows
     const State *init_state;
-    bool usual_values;                // no SearchSpecials
+    bool usual_values;                // the search tries no special values (SearchSpecials)
     size_t memory;                    // as SearchOptions.memory
-    const Scenario *given;            // starting points; `givens` of them
+    const Scenario *given;            // `givens` runs from which the search can start
     uint32_t givens;
     bool assume_ranges;               // elements with @range that the machine does not assign have values in it, in each step
-    bool (*go_on)(void *context);     // or NULL
+    bool (*go_on)(void *context);     // returns false to stop the search; or NULL
     void *context;
 } GoalSearch;
 
 typedef struct GoalFound {
-    const Scenario *scenario;         // that reaches the goal in its last step, confirmed by the reference interpreter; NULL: not found
+    const Scenario *scenario;         // reaches the goal in its last step, which the reference interpreter has confirmed; NULL: not found
     bool premise_seen;                // some run has come to the premise
-    const bool *tried;                // by state from 0: some run was in it
+    const bool *tried;                // by state from 0: some run was in the state
     uint64_t steps;
     bool unconfirmed;                 // the search has found a scenario, and the reference interpreter does not agree
 } GoalFound;
 
-// Returns the inputs: elements that the machine never stores, except G and S, by Var.index.
+// Returns, by Var.index, whether the variable is an input: an element that the machine never stores, and not G or S.
 const bool *goal_inputs(Arena *arena, const Program *p);
 // `work` has the memory of the search: it is reset first.
 GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a model is made: the parts that prove_model.c is composed of.
+// How a model (ProveModel) is built.  Only files of this folder include it.
 //
-//     prove_emit.c      variables and instructions of the step that is being made
+//     prove_emit.c      variables and instructions of the function of a step that is being built
 //     prove_window.c    rolling windows as variables, and their samples
 //     prove_threshold.c the samples of windows compared with constants, as windows of booleans
 //     prove_slice.c     removes from the machine what cannot influence the requirement
@@ -13,42 +13,42 @@
 
 #include "compiler/prove/prove_model.h"
 
-// A rolling window of the machine or of the requirement, or one of comparisons.
+// A rolling window of the machine or of the requirement, or one of booleans whose samples are comparisons of another window's samples.
 typedef struct MadeWindow {
-    uint32_t size, stats;
+    uint32_t size, stats;             // size: in samples; stats: 1u << SmStat of each statistic that is read
     bool used;                        // a relevant value reads it (prove_slice)
     bool is_boolean;                  // its samples are 0 or 1
-    double longest;                   // of a run: the times from here on are not distinguished
-    uint32_t var[SM_STAT_COUNT];      // by statistic that is read: the variable with its value
-    uint32_t trues, falses;           // KEPT variables: how many samples since the last false one, and since the last true one; at most `size`
-    uint32_t last;                    // KEPT variable: the newest sample; or IR_NONE
-    const IrFn *sample;               // the sample function that contains it, and the operand of its sample
-    IrRef operand;
-    uint32_t first;                   // index in ProveMaker.same of window 0 of that function
-    const Window *of;                 // one of the calls that read it
+    double longest;                   // of a run: times from this one on are not distinguished
+    uint32_t var[SM_STAT_COUNT];      // by statistic that is read: the model's variable with its value
+    uint32_t trues, falses;           // variables of kind KEPT: number of samples since the last false (true) one; at most `size`
+    uint32_t last;                    // variable of kind KEPT with the newest sample; or IR_NONE
+    const IrFn *sample;               // the function that samples the window
+    IrRef operand;                    // temporary of `sample`: the value that is sampled; IR_NONE: the model does not follow it
+    uint32_t first;                   // index in ProveMaker.same of window 0 of `sample`
+    const Window *of;                 // one of the calls in the source that read the window
     uint32_t base;                    // of comparisons (prove_threshold.c): the window whose samples are compared; else IR_NONE
-    uint32_t outcome;                 // of comparisons: a variable with the sample of this step, once `is_sampled`
-    bool is_sampled;                  // the step that is being made has emitted its sample
-    Fact samples;                     // what is known about them
+    uint32_t outcome;                 // of comparisons: once `is_sampled`, the variable with the sample of the current step
+    bool is_sampled;                  // the function that is being built already contains the window's sample
+    Fact samples;                     // what is known about each sample
 } MadeWindow;
 
 typedef struct ProveMaker {
     ProveModel *model;
     Arena *arena;
-    const IrMachine *m;               // once sliced: the slice
-    IrMachine judge;                  // the windows of the requirement, and their sample function
+    const IrMachine *m;               // the machine; after prove_slice, the part of it that can influence the requirement
+    IrMachine judge;                  // the windows of the requirements, and the function that samples them
     uint32_t *window_of;              // by window of the requirements: index into `window`
     uint32_t *same;                   // by index into `window`: itself, or the window of the machine that has the same samples
-    MadeWindow *window;               // those of the machine, then those of the requirement, then those of comparisons
-    uint32_t windows, of_machine;     // how many there are; of the machine
-    uint32_t of_both;                 // of the machine and the requirement; the others are of comparisons
+    MadeWindow *window;               // `windows` of them: `of_machine` of the machine, then those of the requirement, then those of comparisons
+    uint32_t windows, of_machine;
+    uint32_t of_both;                 // number of windows of the machine and of the requirement
     IrFn *condition[3];               // a, b, c of the requirement; NULL: it has none
-    uint32_t sampled;                 // a variable: whether a step has run
+    uint32_t sampled;                 // variable: whether an earlier step has run
     uint32_t seen, open, age, offset; // variables that carry the state of the requirement from step to step (prove_judge.c)
-    IrFn *f;                          // the step that is being made
-    IrBlkRef b;                       // its current block
-    VEC(ProveEnd) end;                // by block
-    uint32_t vars;                    // capacity of model->var
+    IrFn *f;                          // the function of a step that is being built
+    IrBlkRef b;                       // the block of `f` to which instructions are appended
+    VEC(ProveEnd) end;                // by block of `f`: how a step ends there
+    uint32_t vars;                    // allocated length of model->var
 } ProveMaker;
 
 // ---- variables and instructions ----
@@ -60,7 +60,7 @@ IrBlkRef prove_new_block(ProveMaker *k);
 // These append to the current block, and return the temporary with the value.
 IrRef prove_emit(ProveMaker *k, IrOp op, IrRef a, IrRef b);
 IrRef prove_emit_number(ProveMaker *k, double x);
-IrRef prove_emit_load(ProveMaker *k, uint32_t var);       // as an F64
+IrRef prove_emit_load(ProveMaker *k, uint32_t var);       // the value is converted to F64
 void prove_emit_store(ProveMaker *k, uint32_t var, IrRef value);
 void prove_emit_set(ProveMaker *k, uint32_t var, double x);
 
@@ -72,23 +72,24 @@ void prove_branch_if_above(ProveMaker *k, uint32_t var, double x, IrBlkRef then,
 // Returns the temporary of the current block with the value of `r` of the function `from`.  `copy`: by temporary; IR_NONE: not emitted yet.
 // `first`: index in k->same of window 0 of `from`.
 IrRef prove_copy_value(ProveMaker *k, const IrFn *from, IrRef r, IrRef *copy, uint32_t first);
-IrRef *prove_new_copies(ProveMaker *k, const IrFn *from);
+IrRef *prove_new_copies(ProveMaker *k, const IrFn *from);         // an array `copy` in which nothing is emitted yet
 // Copies the instructions of a block to the current block.
 void prove_copy_block(ProveMaker *k, const IrFn *from, const IrBlk *b, IrRef *copy);
 
 // ---- windows ----
 
 void prove_merge_windows(ProveMaker *k, const Requirements *all);
-// Decides which windows the model follows exactly.  `loose`: which windows of the machine it does not follow, unless the requirement reads them.
+// Decides of which windows the model follows the samples exactly.  `loose`: of which windows of the machine it does not, unless the requirement
+// reads them.
 void prove_find_samples(ProveMaker *k, ProveLoosening loose);
 // Whether a variable follows the samples of the window.  If not, each of its statistics has any possible value in each step.
 bool prove_follows_samples(const MadeWindow *w);
 void prove_add_windows(ProveMaker *k);
-// Adds windows that compare the samples of others.
+// Adds windows of booleans: whether the samples of other windows are above constants of the requirement.
 void prove_compare_samples(ProveMaker *k);
-// Returns the comparisons that have had the same sample in this step as w will have; NULL: none.
+// Returns a window of comparisons that has already sampled, in this step, the same value that w will sample; NULL: none.
 const MadeWindow *prove_find_outcome(const ProveMaker *k, const MadeWindow *w);
-// Emits that the minimum and the maximum of a window agree with its comparison w.
+// Emits the condition that the minimum and the maximum of the window w->base agree with w, the window of comparisons of its samples.
 void prove_agree_with_comparison(ProveMaker *k, const MadeWindow *w);
 // Emits the sampling of the windows `from` to `to` - 1, and of windows that compare their samples.  The block after it becomes the current one.
 void prove_sample_windows(ProveMaker *k, uint32_t from, uint32_t to);
@@ -102,11 +103,11 @@ const bool *prove_slice(ProveMaker *k);
 
 // ---- the requirement, and branches ----
 
-// Emits the judgement of the step, and its two ends.
+// Emits the judgement of the step: it ends in a block where the requirement is met, or in one where it is violated.
 void prove_judge_requirement(ProveMaker *k);
-// Adds the pairs of variables whose differences a proof follows.
+// Adds the pairs of variables (ProvePair) about whose differences a proof computes facts.
 void prove_add_pairs(ProveMaker *k);
-// Appends the branches of block b of f to `to`.
+// Appends the branches (ProveBranch) of block b of f to `to`.
 void prove_split_block(ProveMaker *k, ProveBlock *to, const IrFn *f, const IrBlk *b);
 
 #endif

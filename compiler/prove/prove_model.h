@@ -5,7 +5,7 @@
 // run, and then the requirement is judged.  Rolling windows, and what the requirement has seen, are variables that the function loads and
 // stores.  So only facts about variables are known between steps.
 //
-// Only what can influence the requirement is part of it (prove_make.h).
+// Only what can influence the requirement is part of the functions (prove_make.h).
 //
 // Each block of a function is split into branches.  A branch adds one of several conditions, which exclude each other and of which one is
 // always true.  They are the cases in which the conditions at the end of the block, and the booleans that it stores, get their values.
@@ -18,31 +18,31 @@
 typedef enum ProveVarKind {
     PROVE_INPUT,              // an element that the machine does not assign: any value in each step
     PROVE_OUTPUT,             // an element that the machine assigns
-    PROVE_KEPT,               // changed by the functions alone
-    PROVE_CHOICE,             // begins each step with a value of `begin`, whatever it was
+    PROVE_KEPT,               // only the functions of the model change it, such as a local or a count of samples
+    PROVE_CHOICE,             // any value of `begin` in each step, independent of the step before
     PROVE_TIME,               // G, S or T
-    PROVE_DIFFERENCE,         // of a pair; no function reads or writes it
+    PROVE_DIFFERENCE,         // the difference of a pair of variables (ProvePair); no function reads or writes it
     PROVE_IRRELEVANT          // no function reads it, so nothing is known about it
 } ProveVarKind;
 
 typedef struct ProveVar {
     ProveVarKind kind;
-    Fact begin;               // KEPT: in the first step; CHOICE: in each step
-    bool stored;              // a function stores it
-    bool relevant;            // it can influence the requirement or the next state
+    Fact begin;               // KEPT: the value in the first step; CHOICE: in each step
+    bool stored;              // some function stores the variable
+    bool relevant;            // the variable can influence the requirement or the next state
     bool few;                 // KEPT: it has few values, such as a flag or a count of samples
-    const Window *window;     // it follows the samples of this window; or NULL
+    const Window *window;     // the value of the variable follows from the samples of this window; or NULL
 } ProveVar;
 
 typedef struct ProveBranch {
-    IrFn *fn;                 // the block, which ends with the condition of the branch
-    IrBlkRef then;            // the block of the step to which the edge to block 1 leads; the edge to block 2 is never taken
+    IrFn *fn;                 // a copy of the block as block 0, which ends with the condition of the branch
+    IrBlkRef then;            // the block of the step that follows if the condition is true (block 1 of fn).  Block 2 of fn is never entered
 } ProveBranch;
 
 typedef enum ProveEnd { PROVE_END_NONE, PROVE_END_MET, PROVE_END_VIOLATED, PROVE_END_IMPOSSIBLE } ProveEnd;       // IMPOSSIBLE: no run comes here
 
 typedef struct ProveBlock {
-    ProveEnd end;             // how the step ends in this block; PROVE_END_NONE: it continues
+    ProveEnd end;             // how the step ends in this block; PROVE_END_NONE: another block follows
     VEC(ProveBranch) branch;
     uint64_t *live;           // set of variables that this block or a later one loads
 } ProveBlock;
@@ -59,36 +59,37 @@ typedef struct ProveStep {
 typedef enum ProveLoosening {
     PROVE_EXACT,              // nothing is loosened
     PROVE_COMPARED,           // exact, with more variables: whether each sample is above a constant of the requirement (prove_threshold.c)
-    PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; it follows those of prev, rising and falling
+    PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; the model still follows the windows of prev, rising and falling
     PROVE_LOOSE_ALL,
-    PROVE_RELATED,            // all; and the differences of variables are followed (prove_relate.h)
+    PROVE_RELATED,            // as LOOSE_ALL, and the model has bounds of the differences of variables (prove_relate.h)
     PROVE_LOOSENINGS
 } ProveLoosening;
 
 // Two variables that are compared with each other, and the variable whose fact has the bounds of their difference x - y.
 typedef struct ProvePair { uint32_t x, y, var; } ProvePair;
 
-enum { PROVE_PAIRS = 15 };
+enum { PROVE_PAIRS = 15 };    // the most pairs of a model
 
 typedef struct ProveModel {
     Arena *arena;
-    const IrMachine *machine; // only what is relevant for the requirement (prove_slice)
-    const Requirement *what;
+    const IrMachine *machine; // only the part that can influence the requirement (prove_slice)
+    const Requirement *what;  // the requirement
     uint64_t delta_t;
-    IrMachine *ir;            // the variables: those of the machine, and then others.  It has no states
+    IrMachine *ir;            // has only variables: those of the machine, then those that only the model has
     ProveVar *var;            // by variable of ir
-    uint32_t compared;        // windows of comparisons
-    uint32_t loosened;        // windows that have any value because of `loose`
+    uint32_t compared;        // number of windows of comparisons (PROVE_COMPARED)
+    uint32_t loosened;        // number of windows that have any value because of the ProveLoosening
     ProvePair pair[PROVE_PAIRS];      // `pairs` of them
     uint32_t pairs;
     uint32_t next;            // variable: number of the state that follows; 0: no transition
     uint32_t premise;         // variable: whether the step could have violated the requirement
-    ProveStep *(*step)[2];    // by state from 0, and whether it is the first step in the state; made when first asked for
-    struct ProveMaker *maker;
+    ProveStep *(*step)[2];    // by State.number - 1, and whether it is the first step in the state; NULL until prove_model_step builds it
+    struct ProveMaker *maker; // what prove_model_step needs to build `step`
 } ProveModel;
 
 ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose);
-// `state` is from 0.  The number of states: the requirement is judged alone, without a step of the machine.
+// Returns the function of a step, which is built at the first call.  state: State.number - 1.  If it is the number of states: the function judges the
+// requirement without a step of the machine.
 const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first);
 
 #endif

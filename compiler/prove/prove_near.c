@@ -7,10 +7,10 @@
 #include "stdlib/convert.h"
 
 enum {
-    TAIL = 4,                 // steps that run after the changed inputs
-    MOST_TAIL = 2000,         // also for a `leads to`
-    MOST_LASTING = 4000,      // ... if it runs on because it differs
-    MOST_VISIT = 1500         // steps for which inputs are changed until the visit of the state ends
+    TAIL = 4,                 // steps that a run goes on after those with changed inputs
+    MOST_TAIL = 2000,         // the most steps that are added to TAIL for the time of a `leads to`
+    MOST_LASTING = 4000,      // the most steps after the changes of a run that goes on because it still differs (`lasts`)
+    MOST_VISIT = 1500         // the most steps with changed inputs if they last until the state is left
 };
 
 // ---- runs ----
@@ -67,14 +67,14 @@ NearTrace near_trace(const NearSearch *k)
 
 // A run close to a given one.
 typedef struct Variant {
-    const NearStep *at;
-    NearValue value[NEAR_INPUTS];
+    const NearStep *at;       // the first step with changed inputs
+    NearValue value[NEAR_INPUTS];     // the `values` inputs that are changed, and their values
     uint32_t values;
-    uint64_t most;            // steps for which the values are kept
-    bool for_visit;           // they are kept only as long as the state is the same
-    uint64_t end;             // the first step after that
-    uint64_t given[NEAR_INPUTS];      // the cells that the given run then has
-    bool lasting;             // it runs on to the end of the given run, as long as what it has stored differs
+    uint64_t most;            // the most steps for which the inputs are changed
+    bool for_visit;           // the inputs are changed only until the state is left
+    uint64_t end;             // the first step after the changed ones; 0: not there yet
+    uint64_t given[NEAR_INPUTS];      // by index in `value`: what the given run has instead
+    bool lasting;             // the run goes on to the end of the given run, as long as what it has stored differs
     uint64_t violated;        // the step that violates the requirement; 0: none
 } Variant;
 
@@ -197,7 +197,7 @@ static uint32_t index_in(const Variant *x, uint32_t var)
     return i;
 }
 
-// The changes of a variant: those of the given run, but for its inputs in its steps.
+// Returns the scenario of a variant: the changes of the given run, with the variant's values for its inputs in its steps.
 static Scenario scenario_of(const NearSearch *k, Arena *arena, const Variant *x)
 {
     const Scenario *s = &k->g->given[x->at->given];
@@ -261,7 +261,8 @@ static bool try_variant(NearSearch *k, Arena *arena, Variant *x, NearFound *foun
 
 typedef enum NearPhase { ONE_STEP, ONE_WINDOW, TWO_STEP, LASTING_STEP, LASTING_WINDOW, ONE_VISIT, TWO_WINDOW, NEAR_PHASES } NearPhase;
 
-// percent: of the steps that are left
+// two: inputs are changed in pairs; window: for as many steps as a window has samples; visit: until the state is left; lasting: Variant.lasting;
+// percent: how much of the steps that are left the phase can run
 static const struct { bool two, window, visit, lasting; uint32_t percent; } phase_info[NEAR_PHASES] = {
     [ONE_STEP] = {.percent = 30},
     [ONE_WINDOW] = {.window = true, .percent = 45},
@@ -272,7 +273,7 @@ static const struct { bool two, window, visit, lasting; uint32_t percent; } phas
     [TWO_WINDOW] = {.two = true, .window = true, .percent = 100},
 };
 
-// For most requirements what counts is close to the changed inputs.  `never a after b` can have its a much later.
+// Most requirements are violated soon after the changed inputs, or not at all.  In `never a after b`, the step with a can come much later.
 static const NearPhase usual_order[NEAR_PHASES] = {ONE_STEP, ONE_WINDOW, TWO_STEP, LASTING_STEP, LASTING_WINDOW, ONE_VISIT, TWO_WINDOW};
 static const NearPhase order_of_after[NEAR_PHASES] = {ONE_STEP, LASTING_WINDOW, LASTING_STEP, TWO_STEP, ONE_VISIT, TWO_WINDOW, ONE_WINDOW};
 
@@ -306,7 +307,7 @@ static void prepare_values(NearSearch *k, const NearStep *at)
     near_list_values(k, near_state(k));
 }
 
-// One of two inputs is one that the requirement compares.
+// Whether two values are tried together: they are of different inputs, and the requirement compares at least one of them.
 static bool is_pair(const NearValue *a, const NearValue *b) { return a->var != b->var && (a->is_required || b->is_required); }
 
 // Tries all changes of one phase at a step of a given run.
@@ -318,7 +319,7 @@ static bool try_step(NearSearch *k, Arena *arena, NearPhase phase, const NearSte
     for (uint32_t i = 0; i < k->value.n && k->steps < k->limit; i++) {
         x.value[0] = k->value.at[i];
         if (x.lasting && k->what->kind == REQUIREMENT_AFTER && !x.value[0].is_required)
-            continue;                                 // it cannot change b
+            continue;                                 // the value cannot change whether b is true
         if (x.values == 1 && try_lasting(k, arena, phase, &x, found))
             return true;
         for (uint32_t j = 0; x.values == 2 && j < i && k->steps < k->limit; j++) {

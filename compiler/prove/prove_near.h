@@ -16,21 +16,21 @@
 #include "compiler/ir/ir.h"
 #include "compiler/prove/prove_goal.h"
 
-enum { NEAR_INPUTS = 2 };     // at most, that differ from the given run
+enum { NEAR_INPUTS = 2 };     // the most inputs that differ from the given run
 
 typedef struct NearTurn { const Var *var; double value; } NearTurn;
 
 typedef struct NearFound {
     const Scenario *scenario;         // violates the requirement in its last step, confirmed by the reference interpreter; NULL: not found
     uint32_t given;                   // index of the run to which it is close
-    NearTurn turn[NEAR_INPUTS];       // what differs: `turns` inputs
+    NearTurn turn[NEAR_INPUTS];       // the `turns` inputs that differ, and their values
     uint32_t turns;
     uint64_t from, to;                // the first and the last step with these values
     bool premise_seen;                // some run could have violated the requirement
     uint64_t steps;                   // steps that have run
 } NearFound;
 
-// g->given are the runs, and g->effort limits the steps.  `work` is reset first.
+// g->given are the given runs, and g->effort limits the steps.  `work` is memory for the search, which resets it first.
 NearFound near_search(Arena *arena, Arena *work, const IrMachine *m, const GoalSearch *g);
 // Returns a run with fewer changes and shorter waits that violates the requirement, too, confirmed by the reference interpreter, or the same one.
 // g->effort limits the steps, and *steps receives how many have run.

@@ -39,7 +39,7 @@ static bool try_without_changes(NearSearch *k, Scenario *s, ScenarioChange *chan
     Scenario attempt = *s;
     uint64_t step;
 
-    // With ranges, inputs that are not set have other values than in this run.
+    // If ranges are assumed, an input that is not set in the first step gets a value from its range later, instead of the 0 of this run.
     if (k->g->assume_ranges && s->change[from].step == 1)
         return false;
     memcpy(less, s->change, from * sizeof *less);

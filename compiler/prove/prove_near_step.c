@@ -5,24 +5,25 @@
 #include "compiler/prove/prove_near_parts.h"
 
 enum {
-    MOST_STEPS = 300,         // of all given runs
-    MOST_ALIKE = 3,           // transitions between the same two states, at most one in each given run
-    MOST_CHANGES = 4,         // of a comparison of the requirement
-    MOST_WINDOWS = 4,         // sizes of windows before a transition
+    MOST_STEPS = 300,         // the most steps that are chosen, in all given runs together
+    MOST_ALIKE = 3,           // the most transitions between the same two states that are chosen; one in each given run
+    MOST_CHANGES = 4,         // how often a change of the same comparison of the requirement is chosen
+    MOST_WINDOWS = 4,         // how many sizes of windows are tried as the distance of a step before a transition
     RANKS = 4,
-    UNWANTED = RANKS
+    UNWANTED = RANKS          // the rank of a step that is not chosen
 };
 #define MOST_MEMORY ((size_t)64 << 20)        // bytes of all snapshots
 
-// The first run of a given one.
+// The first replay of a given run, which chooses steps.
 typedef struct Look {
     NearSearch *k;
     uint8_t *rank;            // by step: UNWANTED, or the rank; a smaller one replaces a greater one
-    uint64_t steps;
-    uint64_t entered;         // the first step of the current visit
-    uint8_t *alike, *met;     // by from * states + to: transitions of all runs; of this run
-    uint8_t *changes;         // by comparison of the requirement, of all runs
-    int8_t *was;              // by comparison of the requirement: -1, 0 or 1, as its sides were in the last step; 2: unknown
+    uint64_t steps;           // steps of the given run
+    uint64_t entered;         // the first step since the current state was entered
+    uint8_t *alike, *met;     // by from * states + to: number of such transitions that are chosen in all runs; whether this run has chosen one
+    uint8_t *changes;         // by comparison of the requirement: number of its changes that are chosen in all runs
+    int8_t *was;              // by comparison of the requirement: -1, 0 or 1 if its left side was below, equal to or above its right side in the last
+                              // step; 2: unknown
 } Look;
 
 // Marks a step as one where changes are tried; a smaller rank is tried earlier.
@@ -47,7 +48,7 @@ static void want_transition(Look *l, uint64_t step, uint32_t from, uint32_t to)
     want(l, step - 1, rank);
     want(l, step + 1, rank);
     want(l, (l->entered + step) / 2, rank + 1);
-    // What follows a change of an `after` differs from run to run.
+    // For an `after`, steps before every such transition are chosen: what a change there leads to differs from run to run.
     for (uint32_t i = 0; (l->alike[pair] == 1 || k->what->kind == REQUIREMENT_AFTER) && i < k->window.n && i < MOST_WINDOWS; i++)
         for (uint32_t more = 0; more < 2 && k->window.at[i] + more <= step; more++)
             want(l, step + 1 - k->window.at[i] - more, i < k->required_windows ? rank : rank + 1);
@@ -76,7 +77,7 @@ static void look_at(Look *l, uint32_t given)
 {
     NearSearch *k = l->k;
     const Scenario *s = &k->g->given[given];
-    const size_t places = (size_t)s->steps + 2;       // by number of the step, from 1, and one more
+    const size_t places = (size_t)s->steps + 2;       // entries by number of the step, from 1, and one more
     size_t next = 0;
     MonitorResult last = MONITOR_IDLE;
 

@@ -4,8 +4,8 @@
 #include "stdlib/convert.h"
 
 enum {
-    MOST_DEPTH = 12,          // of a solution
-    MOST_VALUES = 120         // of a step
+    MOST_DEPTH = 12,          // of the recursion that solves an expression for an input
+    MOST_VALUES = 120         // the most values that are listed for a step
 };
 
 // ---- comparisons ----
@@ -25,7 +25,7 @@ static void add_window(NearSearch *k, uint32_t samples)
         vec_push(k->work, &k->window, samples);
 }
 
-// A state is named by `S == NAME`, in an `after` only in its b: its a can come much later.
+// Marks the states that `e` names in comparisons `S == NAME`.  Of a requirement `never a after b`, the caller passes only b: a can come much later.
 static void note_names(NearSearch *k, const Expr *e)
 {
     const bool is_name = e->kind == EX_BINARY && e->op == SM_OP_EQ && e->arg[0]->kind == EX_VAR && e->arg[0]->var == k->p->s &&
@@ -47,7 +47,7 @@ static void add_leaf(NearSearch *k, const Expr *left, const Expr *right, uint32_
 
 static bool is_run(const Expr *e) { return e->kind == EX_ROLL && (e->stat == SM_STAT_RUN_TIME || e->stat == SM_STAT_RUN_STEPS); }
 
-// How many samples in a row make `held` true: e compares them, or their time, with a number.
+// Returns how many samples in a row make `held` true: e compares their number, or their time, with a number.
 static uint32_t samples_of_run(const NearSearch *k, const Expr *e)
 {
     const double x = e->arg[1]->kind == EX_NUMBER ? e->arg[1]->number : 0;
@@ -149,7 +149,7 @@ static void add_cell(NearSearch *k, const Var *v, uint64_t cell, uint32_t sample
     vec_push(k->work, &k->value, value);
 }
 
-// The next value of the type above x, or below it.
+// Returns the next value of the type above the one in `cell`, or below it.
 static uint64_t neighbour_value(SmType type, uint64_t cell, bool above)
 {
     const uint64_t sign = UINT64_C(1) << (8 * sm_type_info[type].bytes - 1);
@@ -180,7 +180,7 @@ static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, b
 
 // ---- solutions ----
 
-// A comparison that is solved: for what its inputs are given values.
+// The comparison that is being solved for its inputs, with the fields that its values get (NearValue).
 typedef struct Solution { NearSearch *k; uint32_t state, samples; bool is_required; } Solution;
 
 static void solve_for_inputs(const Solution *s, const Expr *e, double target, int depth);

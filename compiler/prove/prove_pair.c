@@ -4,7 +4,7 @@
 #include "compiler/ir/comparison.h"
 #include "compiler/prove/prove_make.h"
 
-enum { LEAVES_MOST = 6 };     // 6 leaves make 15 pairs
+enum { LEAVES_MOST = 6 };     // the most variables that are related: 6 variables make PROVE_PAIRS (15) pairs
 
 typedef struct Leaves { uint32_t at[LEAVES_MOST], n; } Leaves;
 

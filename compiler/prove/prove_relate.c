@@ -7,21 +7,21 @@
 #include "stdlib/math.h"
 
 enum {
-    DEPTH_MOST = 24,          // of an expression
-    BUDGET = 400              // differences that are computed for one question: expressions are DAGs, not trees
+    DEPTH_MOST = 24,          // how deep the recursion follows the operands of an expression
+    BUDGET = 400              // the most differences that are computed for one stored value or condition: expressions are DAGs, not trees
 };
 
 typedef struct Relation {
     const ProveModel *p;
     const ProveFlow *flow;
     const IrFn *f;
-    const Fact *of;           // by temporary
-    IrIns load;               // one more temporary, which no block has: the load of a variable, ...
-    Fact loaded;              // ... and what is known about it
+    const Fact *of;           // by temporary: what is known about it
+    IrIns load;               // an extra temporary that no block contains: the load of a variable
+    Fact loaded;              // what is known about the temporary `load`
     uint32_t *holder;         // by temporary: a variable that has its value now; or IR_NONE
-    Fact now[PROVE_PAIRS];    // by pair: the difference
-    Fact next[PROVE_PAIRS];   // after the store of which the differences are computed
-    unsigned budget;
+    Fact now[PROVE_PAIRS];    // by pair: what is known about the difference at the current instruction
+    Fact next[PROVE_PAIRS];   // the same after the store that is being followed
+    unsigned budget;          // how many more differences can be computed
 } Relation;
 
 static Fact fact_between(double lo, double hi) { return (Fact){.lo = lo, .hi = hi, .minus_zero = true}; }
@@ -272,7 +272,7 @@ static uint32_t find_holder(const Relation *w, IrRef r)
 static void add_comparison(Relation *w, const IrIns *i, bool holds)
 {
     const IrOp op = holds ? i->op : ir_negated_comparison(i->op);
-    const double least = 0x1p-1074;           // of two different numbers
+    const double least = 0x1p-1074;           // the smallest difference of two different doubles
     const uint32_t x = find_holder(w, i->a), y = find_holder(w, i->b);
     bool swapped = false;
     Fact *known = x == IR_NONE || y == IR_NONE || !is_exact(w, i->a) || !is_exact(w, i->b) ? NULL : find_pair(w, x, y, &swapped);

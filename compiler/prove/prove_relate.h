@@ -14,14 +14,14 @@
 typedef struct ProveFlow {
     const ProveModel *p;
     const EnvShape *shape;
-    const IrFn *f;            // of a branch
-    const Fact *of;           // by temporary of its block: what is known about it
-    uint32_t *holder;         // memory for one more than the temporaries of f
+    const IrFn *f;            // the function of a branch (ProveBranch.fn)
+    const Fact *of;           // by temporary of its block 0: what is known about it
+    uint32_t *holder;         // memory for prove_relate: one entry more than f has temporaries
     const Env *begin;         // what is known where the block begins
 } ProveFlow;
 
-// Adds what is known about the pairs of the model to *end, the facts at the end of the block.  Returns false if the differences contradict the condition of
-// the branch: no run takes it.
+// Computes what is known about the pairs of the model at the end of the block, and adds that to *end, the facts about variables there.  Returns false
+// if the differences contradict the condition of the branch: no run takes it.
 bool prove_relate(const ProveFlow *flow, const Env **end);
 
 // Returns the bounds of the difference of two variables of which only these facts are known.

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/prove/prove_make.h"
 
-// One function of the machine.
+// What is known about one function of the machine.
 typedef struct SliceFn {
     const IrFn *from;
-    bool *needed;             // by instruction: its value or its effect is needed
+    bool *needed;             // by instruction: the requirement or the next state depends on its value or effect
     bool *decides;            // by block: the branch at its end leads to different effects
-    IrBlkRef *target;         // by block: the block whose effect is the first one from here on.  Equal targets: nothing differs
+    IrBlkRef *target;         // by block: the first block with an effect from here on.  A branch whose edges have the same target decides nothing
 } SliceFn;
 
 typedef struct Slicer {
     ProveMaker *k;
-    SliceFn *fn;              // by state and block
-    bool *relevant;           // by variable
-    bool grown;               // a variable became relevant
+    SliceFn *fn;              // by state, then by function of the state
+    bool *relevant;           // by variable: it can influence the requirement or the next state
+    bool grown;               // a variable became relevant in this pass over the functions, so another pass is needed
 } Slicer;
 
 // ---- what a value needs ----
@@ -38,7 +38,7 @@ static void need_value(Slicer *s, const IrFn *f, IrRef r, bool *needed, uint32_t
     s->grown = true;
 }
 
-// The samples of a window are needed only if a variable follows them.
+// Marks a window as needed, and what its samples are computed from if the model follows them; then the windows of comparisons of its samples.
 static void need_window(Slicer *s, uint32_t window)
 {
     MadeWindow *w = &s->k->window[window];
@@ -86,7 +86,7 @@ static void need_block(Slicer *s, SliceFn *f, IrBlkRef b)
     }
     if (is_end(j)) {
         f->target[b] = b;
-        f->decides[b] = stores;               // an end with an effect is equal to no other
+        f->decides[b] = stores;               // an end with an effect has a target of its own
         if (!stores)
             f->target[b] = find_equal_end(f, b);
         return;

@@ -77,7 +77,7 @@ const char *prove_script(Arena *arena, const Program *p, const ProveOf *of)
 
 // ---- text ----
 
-// By ProveObstacle: for people, and for programs.
+// By ProveObstacle: `obstacle_text` in text, `obstacle_name` in JSON.
 static const char *const obstacle_text[] = {"what is known about the values is too little for a proof",
                                             "a proof needs too many abstract states"};
 static const char *const obstacle_name[] = {"facts-too-weak", "too-large"};

@@ -23,8 +23,7 @@ static bool is_constant(const ProveMaker *k, const IrFn *f, IrRef r)
 }
 
 // Whether two values are computed in the same way.  Variables can change between the two computations: the comparison of
-// a window is one of its own samples,
-// so this only decides which comparisons are worth it.
+// a window is one of its own samples, so this only decides which comparisons are worth it.
 static bool is_equal_value(const IrFn *f, IrRef r, const IrFn *g, IrRef s)
 {
     const IrIns *i, *j;
@@ -124,7 +123,7 @@ static void compare_equal_samples(ProveMaker *k, const IrFn *f, IrRef condition)
         if (!has_bounds(w) || (n >= k->of_machine && k->same[n] != n))
             continue;
         if (w->sample->ins.at[sample].op == IR_cvt && f->ins.at[t.value].op != IR_cvt)
-            sample = w->sample->ins.at[sample].a;             // samples are stored as F64
+            sample = w->sample->ins.at[sample].a;             // skip the conversion to F64, in which windows store samples
         if (is_equal_value(f, t.value, w->sample, sample))
             add_comparison(k, n, &t);
     }

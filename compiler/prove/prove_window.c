@@ -8,7 +8,7 @@
 
 static Fact whole_between(double lo, double hi)
 {
-    const Fact f = {lo, hi, true, false, false, false};
+    const Fact f = {lo, hi, .whole = true};
 
     return f;
 }
@@ -277,7 +277,7 @@ static void sample_boolean(ProveMaker *k, const MadeWindow *w, bool value, IrBlk
         prove_emit_set(k, ends, 0);
     for (int s = SM_STAT_MIN; s <= SM_STAT_MAX; s++)
         if (w->stats >> s & 1) {
-            const bool all = s == SM_STAT_MIN ? value : !value;       // all samples may be equal: then they decide
+            const bool all = s == SM_STAT_MIN ? value : !value;       // it has this value only if all samples of the window have
             if (!all) {
                 prove_emit_set(k, w->var[s], value);
                 continue;
@@ -377,7 +377,7 @@ static void sample_window(ProveMaker *k, MadeWindow *w)
     IrBlkRef next, side[2];
 
     if (!prove_follows_samples(w))
-        return;                                   // its statistics are choices
+        return;                                   // its statistics are variables of kind CHOICE
     next = prove_new_block(k);
     if (w->is_boolean) {
         side[0] = prove_new_block(k);

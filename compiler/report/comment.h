@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The comments that the author of a machine wrote beside its parts.  The compiler does not store comments: they are found by line.
+// The comments that the author of a machine wrote beside its parts.  The parser does not store comments: these functions find them in the source, by
+// line.
 #ifndef SMC_COMMENT_H
 #define SMC_COMMENT_H
 
@@ -18,6 +19,6 @@ const char *comment_of_file(Arena *arena, const Source *src);     // on the firs
 const char *comment_of_variable(Arena *arena, const Var *v);       // at its declaration in the machine, otherwise in the state vector
 // Returns the start of the line of the `else` whose first statement is `first`; `first` itself if it is on that line.
 Span comment_else_line(Span first);
-bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // finds the start of a line's comment; false: the line has no comment
+bool comment_find_start(const char *line, uint32_t len, uint32_t *at);    // sets *at to the index of the comment's '#'; false: no comment
 
 #endif

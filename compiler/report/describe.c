@@ -20,8 +20,8 @@ const char *describe_count(Arena *arena, uint64_t n, const char *one, const char
 const char *describe_time(Arena *arena, const Program *p, uint64_t units)
 {
     TimeUnit unit = p->time_unit;
-    uint64_t per = 1, fraction;               // units of G in one `unit`; `units` % per, without zeros at its end
-    int digits = 0;                           // of the fraction, after the decimal point
+    uint64_t per = 1, fraction;               // per: units of G in one `unit`; fraction: units % per, without zeros at its end
+    int digits = 0;                           // number of digits of the fraction after the decimal point
 
     for (; unit < TIME_S && units >= per * 1000; unit++) {
         per *= 1000;

@@ -2,19 +2,19 @@
 // The state diagram of a machine: laid out and drawn as SVG, or as text for Graphviz and Mermaid.
 //
 // The SVG can be a file of its own or part of a page.  It starts with its <svg> tag, has no id, and loads no font, image or script.  Its
-// style affects only elements below class "smc-graph".  It is light or dark as the reader's screen is.  The same machine produces the same
-// bytes.
+// style affects only elements below class "smc-graph".  Its colours follow the light or dark mode of the reader's screen.  The same machine
+// produces the same bytes.
 #ifndef SMC_DIAGRAM_H
 #define SMC_DIAGRAM_H
 
 #include "compiler/analysis/analysis.h"
 
-// Counts of a run.  States and transitions with count 0 are drawn differently.
+// How often runs entered states and took transitions.  States and transitions with count 0 are drawn differently.
 typedef struct DiagramCounts {
     const uint64_t *state;        // by State.number - 1: how often the state was entered
     const uint64_t *transition;   // by Transition.number: how often it was taken
-    bool by_pair;                 // runs show only from which state to which the machine went: the first transition from one to the other has
-                                  // the count of all of them
+    bool by_pair;                 // it is only known from which state to which the machine went: of all transitions from one state to
+                                  // another, the first has the count of all of them
 } DiagramCounts;
 
 typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels, 1/96 inch
@@ -30,10 +30,10 @@ typedef struct DiagramChanges {
 
 // Additions to the diagram; all zero: none.
 typedef struct DiagramOptions {
-    const Diags *findings;        // marked on their states and transitions; or NULL
-    const DiagramCounts *counts;    // written beside states and transitions; or NULL
-    const DiagramChanges *changes;  // the machine joins two; then Analysis has only arena, p and transition, and everything is reachable; or NULL
-    DiagramSize *size;              // receives the size of the picture from diagram_write_svg; or NULL
+    const Diags *findings;          // findings that are marked on their states and transitions; or NULL
+    const DiagramCounts *counts;    // counts that are written beside states and transitions; or NULL
+    const DiagramChanges *changes;  // a->p joins two machines, whose differences are drawn; only arena, p and transition of *a are then set; or NULL
+    DiagramSize *size;              // diagram_write_svg stores the size of the picture here; or NULL
 } DiagramOptions;
 
 // Each appends the diagram of a->p to `out`.  `a` comes from analysis_begin; its arena provides temporary memory.

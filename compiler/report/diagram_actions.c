@@ -3,7 +3,7 @@
 // not shown: those to locals, and those in the same branch as a transition, which happen when the state is left.
 #include "compiler/report/diagram_model.h"
 
-typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by node, the number of its actions that are not shown
+typedef struct ActionSearch { Diagram *d; uint32_t *hidden; } ActionSearch;     // hidden: by node, how many of its assignments have no line
 
 // Whether a transition follows in the same branch, so that the assignment belongs to the transition.
 static bool belongs_to_transition(const Condition *when)

@@ -38,7 +38,7 @@ static const char *line_style(const Diagram *d, bool possible, uint64_t count, c
 
 // ---- states and sections [all_states] ----
 
-// No state is called "/all1".
+// Returns the name of a node in the output: that of its state; "/all1" for a section, because no state can have such a name.
 static const char *node_id(const Diagram *d, const DiagramNode *n)
 {
     return n->state ? n->title : format_in(d->a->arena, "/all%lu", (unsigned long)((size_t)(n - d->node) - d->states + 1));

@@ -5,8 +5,8 @@
 // ---- layers ----
 
 enum {
-    LABELS_W = 700,               // a band of labels whose total width exceeds this gets another layer
-    NODES_W = 900,                // a band of states whose total width exceeds this gets another layer
+    LABELS_W = 700,               // width of labels, in pixels, for which a band of labels gets one layer
+    NODES_W = 900,                // width of states, in pixels, for which a band of states gets one layer
     ROWS = 8,                     // maximum number of layers of a band
     LABEL_SIDE = 10, BEND_SIDE = 7            // space on each side of a label's text, and of an edge that crosses a layer
 };
@@ -15,12 +15,12 @@ enum {
 typedef struct Band {
     int64_t load;                 // total width of its states or labels
     uint32_t rows, layer;
-    int64_t row_load[ROWS];
+    int64_t row_load[ROWS];       // by layer of the band: width of what is in it so far
 } Band;
 
 typedef struct Bands {
     Band *rank, *gap;             // bands of states, by rank; bands of labels, by the rank above them
-    uint32_t *gap_of;             // by edge: the gap of its label
+    uint32_t *gap_of;             // by edge: index in `gap` of the band that has its label
 } Bands;
 
 static uint32_t top_rank(const Layout *l, const DiagramEdge *e) { return l->rank[e->up ? e->to : e->from]; }
@@ -163,7 +163,7 @@ void layout_create_items(Layout *l)
     l->first_link[l->d->edge.n] = (uint32_t)l->link.n;
     for (uint32_t i = 0; i < l->layers; i++) {
         l->layer[i].item = ARENA_ARRAY(l->arena, uint32_t, l->layer[i].n);
-        l->layer[i].n = 0;        // items are added in order later
+        l->layer[i].n = 0;        // layout_order_items adds them again, in their order
     }
 }
 

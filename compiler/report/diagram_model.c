@@ -161,18 +161,18 @@ static void add_edges(Diagram *d)
 
 // ---- counts ----
 
-// A log shows that the machine went from one state to another, not by which transition.  Then counts are by pair of states, and several
-// edges share one if a state has a transition of its own to where [all_states] also leads.
+// A flight log shows that the machine went from one state to another, but not by which transition.  Then counts are by pair of states.  Two edges
+// share a count if a state has a transition of its own to a state to which [all_states] also leads.
 typedef struct PairCount {
     uint32_t from, to;            // State.number
-    uint32_t edge;                // the first edge that has the pair
+    uint32_t edge;                // index in Diagram.edge of the first edge with a transition between the two states
     bool shared;                  // another edge has the same pair of states
     uint64_t taken;
 } PairCount;
 
 typedef struct PairCounts {
     VEC(PairCount) list;          // by `from`, in any order of `to`
-    uint32_t *of;                 // by Transition.number: its pair
+    uint32_t *of;                 // by Transition.number: index in `list`
 } PairCounts;
 
 // The index of the edge that draws each transition, by the number of the transition.
@@ -229,7 +229,7 @@ static void count_pairs_of_edges(Diagram *d)
 {
     const uint32_t *edge = edges_of_transitions(d);
     const PairCounts p = count_pairs(d, edge);
-    uint32_t *counted = ARENA_ARRAY(d->a->arena, uint32_t, d->edge.n + 1u);       // by edge: 1 + the pair for which it was counted last
+    uint32_t *counted = ARENA_ARRAY(d->a->arena, uint32_t, d->edge.n + 1u);       // by edge: 1 + the index of the pair that was last added to it
 
     for (size_t i = 0; i < d->a->transition.n; i++) {
         const PairCount *pair = &p.list.at[p.of[i]];

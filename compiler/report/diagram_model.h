@@ -11,7 +11,7 @@
 typedef struct Point { int32_t x, y; } Point;
 typedef struct Box { int32_t x, y, w, h; } Box;           // x, y: its upper left corner
 
-typedef struct DiagramLine { const char *text; int32_t w; } DiagramLine;
+typedef struct DiagramLine { const char *text; int32_t w; } DiagramLine;      // w: width of the text
 typedef VEC(DiagramLine) DiagramLines;
 
 typedef VEC(const Diag *) DiagramFindings;
@@ -22,8 +22,8 @@ typedef struct DiagramGuard {
     const char *text;             // the condition as text, complete; never empty
     DiagramLines line;            // the text as shown: wrapped, at most GUARD_LINES, truncated with "…"
     bool possible;                // some run can take the transition
-    DiagramChange change;
-    uint64_t taken;               // how often runs took it, unless counts are by pair
+    DiagramChange change;         // DIAGRAM_SAME unless the diagram shows differences
+    uint64_t taken;               // how often runs took the transition; not set if DiagramCounts.by_pair
     DiagramFindings finding;      // findings on the transition or its guard
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
@@ -37,11 +37,11 @@ typedef enum EdgeForm {
 
 typedef struct DiagramEdge {
     uint32_t from, to;            // indices in Diagram.node
-    VEC(DiagramGuard) guard;      // in file order, at least one
+    VEC(DiagramGuard) guard;      // the conditions of its transitions in file order, at least one
     EdgeForm form;
     bool possible;                // some run can take one of its transitions
     DiagramChange change;         // the change of all its transitions, if they agree; else CHANGED
-    uint64_t taken, shared;       // how often runs took it: at least `taken` times, at most taken + shared times
+    uint64_t taken, shared;       // runs took the edge at least `taken` times, and at most taken + shared times
     bool up;                      // EDGE_LINE: `to` is above `from`
     Box label;                    // box of all guards, stacked
     Box name;                     // EDGE_STUB: box with the name of the target state
@@ -51,7 +51,7 @@ typedef struct DiagramEdge {
 // An assignment to an element of the state vector, as a line in the box of its state.
 typedef struct DiagramAction {
     const char *block_name;       // "entry", "step", "exit"
-    bool first;                   // it is the first of its block, and the name of the block precedes it
+    bool first;                   // the first line of its block, before which the name of the block is written
     const char *text;             // "valve = true if T >= 60", truncated with "…"
     int32_t w;                    // width, including the column of the block names
 } DiagramAction;
@@ -64,10 +64,10 @@ typedef struct DiagramNode {
     int32_t name_w;
     VEC(DiagramAction) action;    // in file order, at most ACTIONS, then a line with the number of the others
     int32_t action_w;             // width of the widest action
-    bool reached;                 // some run can reach it
+    bool reached;                 // some run can reach the state
     DiagramChange change;
-    uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge …]
-    VEC(uint32_t) stub_in;        // incoming edges that are drawn as stubs beside their source states
+    uint32_t first_edge, edges;   // outgoing edges: Diagram.edge[first_edge] … [first_edge + edges - 1]
+    VEC(uint32_t) stub_in;        // indices in Diagram.edge: incoming edges that are drawn as stubs beside their source states
     const char *from;             // text about the edges in stub_in, such as "from 5 states"; NULL: none
     int32_t from_w;
     DiagramFindings finding;      // findings on the state itself, not on one of its transitions
@@ -83,7 +83,7 @@ typedef struct Diagram {
     const size_t *first_of;       // transitions_by_state: the transitions of state s are first_of[s] … first_of[s + 1] - 1
     size_t nodes, states;         // number of all nodes, and of those that are states
     int32_t w, h;                 // size of the whole diagram
-    VEC(int32_t) cut;             // each y where a horizontal line meets only edges, in ascending order
+    VEC(int32_t) cut;             // each y, ascending, where a horizontal line across the picture crosses only edges, so that a slice can end there
     uint64_t crossings;           // number of pairs of edges that cross
 } Diagram;
 
@@ -112,9 +112,9 @@ const char *diagram_text_truncate(Arena *arena, const char *text, int32_t size, 
 
 // ---- how often runs took the transitions of an edge and entered a state; 0 if DiagramOptions.counts is NULL ----
 
-uint64_t diagram_times_taken(const DiagramEdge *e);       // at most
-uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the count for one state of the edge; at most
-// how often runs entered it; of [all_states]: the sum over the states where it runs
+uint64_t diagram_times_taken(const DiagramEdge *e);       // upper bound of how often runs took the edge
+uint64_t diagram_times_taken_in(const Diagram *d, const DiagramEdge *e, const State *from);    // the same, of the transitions from one state
+// how often runs entered the state; of a section [all_states]: the sum over the states where it runs
 uint64_t diagram_times_entered(const Diagram *d, const DiagramNode *n);
 const char *diagram_count_text(const Diagram *d, const char *done, uint64_t count);  // "taken 3 times"
 const char *diagram_times_taken_text(const Diagram *d, const DiagramEdge *e);     // "taken 2 to 5 times" if other edges share the count
@@ -126,7 +126,7 @@ void diagram_add_actions(Diagram *d);
 
 // ---- diagram_findings.c: assigns findings to states and transitions ----
 
-int32_t diagram_mark_width(const DiagramEdge *e);       // the width beside its label that the marks of its guards need; 0: none
+int32_t diagram_mark_width(const DiagramEdge *e);       // width beside the edge's label that the marks of its guards need; 0: no marks
 
 void diagram_attach_findings(Diagram *d, const Diags *findings);
 

@@ -5,7 +5,7 @@
 
 #include "compiler/report/diagram_model.h"
 
-// A line of a note.  `number`: of the note, in its first line; 0 in its other lines, and in the explanation of dotted lines.
+// A line of a note.  number: in its first line the number of the note, as on the mark; 0 in its other lines, and in the explanation of dotted lines.
 typedef struct DiagramNote { uint32_t number; const char *text; int32_t y; } DiagramNote;
 
 typedef struct DiagramNotes {

@@ -11,10 +11,10 @@ enum { APART = 14 };              // minimum gap between neighbours in a layer
 typedef struct Columns {
     Layout *l;
     bool from_below, mirrored;
-    const LayoutLink **above, **below;  // by item: its link on that side that should be straight; or NULL
+    const LayoutLink **above, **below;  // by item: the link to the layer above (below) that should be straight; or NULL
     uint32_t *root;               // by item: the item that represents its column
     uint32_t *next;               // by item: the next item in its column; the last is followed by the first
-    int64_t *x;                   // by item: its position, once columns are placed
+    int64_t *x;                   // by item: the x of its centre, once columns are placed
 } Columns;
 
 // ---- links that can be straight ----
@@ -128,7 +128,7 @@ static void align_columns(Columns *c)
 typedef struct Separation { uint32_t from, to; int64_t apart; } Separation;
 
 typedef struct Separations {
-    uint32_t *first;              // by left column: its separations are at[first[c]] … at[first[c + 1] - 1]
+    uint32_t *first;              // by column: the separations in which it is `from` are at[first[c]] … at[first[c + 1] - 1]
     Separation *at;
 } Separations;
 

@@ -97,7 +97,7 @@ static void break_cycles(Layout *l)
 
 // ---- ranks ----
 
-// The upper and the lower end of an edge.
+// Return the node at the upper, and at the lower end of an edge.
 static uint32_t upper_end(const DiagramEdge *e) { return e->up ? e->to : e->from; }
 static uint32_t lower_end(const DiagramEdge *e) { return e->up ? e->from : e->to; }
 

@@ -4,8 +4,8 @@
 #include "compiler/report/diagram_layout.h"
 
 enum {                            // lengths in pixels
-    MARGIN = 16,
-    NODE_SIDE = 16, NODE_LEAST = 76,
+    MARGIN = 16,                  // around the whole picture
+    NODE_SIDE = 16, NODE_LEAST = 76,          // space beside the name in a state's box; least width of the box
     PORT = 14,                    // minimum distance between two ports of a state
     START_H = 26,                 // height of the mark above the first state
     STUB_AT = 26, STUB_SIDE = 8,  // distance from the state to a stub's name; space on both sides of the name

@@ -501,7 +501,7 @@ static Box box_between(Point a, Point b)
 // Whether the label or a segment of the edge is visible in this part of the picture. A segment counts as its bounding box.
 static bool edge_meets(const DiagramEdge *e, Box part)
 {
-    enum { SLIVER = 40 };                                // pixels: a line that leaves the part so near its top or bottom shows nothing
+    enum { SLIVER = 40 };                                // pixels: a line that is visible only this near to the top or bottom does not count
     const Box inner = {part.x, part.y + SLIVER, part.w, part.h - 2 * SLIVER};
     bool meets = boxes_meet(e->label, part) || (e->form == EDGE_STUB && boxes_meet(e->name, part));
 

@@ -30,11 +30,11 @@ static unsigned bytes_of(const NetField *f) { return sm_type_info[f->element->ty
 static bool is_float(SmType t) { return t == SM_F32 || t == SM_F64; }
 static bool is_signed(SmType t) { return t == SM_I8 || t == SM_I16 || t == SM_I32 || t == SM_I64; }
 
-// A number that every language reads back exactly.
+// Returns a number as text that every language reads back exactly.
 static const char *number_text(const Buf *out, SmF64 x) { return const_text(out->arena, x); }
 
 static const char *link_of(const NetChannel *c) { return net_is_tcp(c) ? "tcp" : "udp"; }
-// The side that waits for the other one, which has the address.
+// Returns which side of a channel waits for the other one.  The dictionary has the address of the side that waits.
 static const char *listener_of(const NetChannel *c) { return net_listens(c) == c->is_send ? "sender" : "receiver"; }
 
 // ---- JSON ----

@@ -2,8 +2,8 @@
 // The content of a report, independent of its output format: sections of paragraphs, tables, lists and figures.  The sections of a report
 // build it; doc_html.c, doc_text.c and doc_json.c each write the whole document.
 //
-// A text has markup: `code` in backticks, and ^Name^ for a state.  So only the compiler's own words may be passed as a text.  What the author of
-// a machine wrote has no markup; pass it where a function accepts plain text or code.
+// A parameter or field `text` has markup: `code` in backticks, and ^Name^ for a state.  So it must be the compiler's own words.  What the author of
+// a machine wrote has no markup; pass it where a function accepts plain text (`plain`) or code.
 #ifndef SMC_DOC_H
 #define SMC_DOC_H
 
@@ -29,16 +29,16 @@ typedef enum DocCellKind {
 typedef struct DocCell {
     DocCellKind kind;
     const char *text;
-    uint64_t number, most;
+    uint64_t number, most;    // NUMBER, TARGET, BAR, LINE: the number; BAR: the number of a full bar
     const char *link;         // SECTION: its id; TARGET: its own id; BADGE: the id that it links to, or NULL
-    const char *tone;         // BADGE: as in DocPart
+    const char *tone;         // BADGE: its colour, as DocPart.tone
 } DocCell;
 
 typedef struct DocColumn { const char *key, *title; } DocColumn;
 
 typedef struct DocTable {
     Arena *arena;
-    const char *key;          // its name in JSON, unique in its section
+    const char *key;          // the table's name in JSON, unique in its section
     const DocColumn *column;
     size_t columns;
     bool facts;               // pairs of name and value: shown without column titles
@@ -58,7 +58,7 @@ typedef struct DocLine {
 
 typedef struct DocList {
     Arena *arena;
-    const char *key;
+    const char *key;          // the list's name in JSON, unique in its section
     const char *label;        // precedes the list, such as "On entry, the machine"; or NULL
     VEC(DocLine) line;
 } DocList;
@@ -78,7 +78,7 @@ typedef enum DocKind {
 
 typedef enum DocFigure {
     FIGURE_PLOT,              // as wide as the text
-    FIGURE_DIAGRAM,           // may be wider than the text; on paper it has a page
+    FIGURE_DIAGRAM,           // can be wider than the text; on paper it has a page of its own
     FIGURE_LOW,               // a diagram that is legible on part of a printed page
     FIGURE_TALL,              // a diagram too high for a page: on paper it is replaced by DocPart.print, slices for upright pages
     FIGURE_LARGE              // a diagram too wide for a page: on paper it is replaced by DocPart.print, slices for landscape pages
@@ -93,8 +93,8 @@ typedef struct DocPart {
     const char *badge;        // HEADING: text of a badge beside it; or NULL
     const char *caption;      // FIGURE: text below it; or NULL
     DocFigure figure;         // FIGURE: how it is laid out
-    const char *print;        // FIGURE: what is printed instead of `text`; or NULL
-    int32_t width;            // FIGURE: of a diagram, in pixels
+    const char *print;        // FIGURE: an SVG that replaces `text` on paper; or NULL
+    int32_t width;            // FIGURE: width of a diagram, in pixels
     DocTable *table;          // TABLE: the table
     DocList *list;            // LIST: the list
     Span span;                // EXCERPT: the marked part of the source
@@ -103,7 +103,7 @@ typedef struct DocPart {
 
 typedef struct DocSection {
     const char *id, *title;
-    const char *chapter;      // the title of the chapter that begins with this section; NULL: none begins
+    const char *chapter;      // the title of the chapter that begins with this section; NULL: no chapter begins
     VEC(DocPart) part;
 } DocSection;
 

@@ -13,7 +13,8 @@ static bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c 
 
 static bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
-enum { DIVIDED = 12, PART_SHORTEST = 4, PART_LONGEST = 16 };    // in characters: the longest word that is not divided; a part of a longer one
+// In characters: the longest word that is not divided; the shortest and the longest part of a longer word.
+enum { DIVIDED = 12, PART_SHORTEST = 4, PART_LONGEST = 16 };
 
 // Whether a word can be divided before `at`: after `_`, `.`, `/` or `(`, and before a capital letter.  `last`: where it was divided before.
 static bool is_word_part(const char *text, size_t last, size_t at)

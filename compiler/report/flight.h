@@ -12,8 +12,8 @@ typedef struct Flight {
     const Log *log;
     const LogSession *session;    // the session to show; NULL, only for flight_write_text: all sessions
     const LogElement *const *element;     // the elements of the session to show
-    size_t elements;              // their number; 0: all elements are shown
-    const LogMachine *machine;    // its states are drawn; or NULL
+    size_t elements;              // length of `element`; 0: all elements of the session are shown
+    const LogMachine *machine;    // the machine whose states are drawn; or NULL
 } Flight;
 
 void flight_write_text(const Flight *f, Buf *out);

@@ -22,7 +22,7 @@ typedef struct LogNames { const char **name; uint32_t n; } LogNames;
 typedef struct LogMachine {
     uint16_t number;
     const char *name;
-    uint16_t s;                   // the element with the number of its state, or LOG_NONE
+    uint16_t s;                   // index in LogDescription.element of the element with the number of the machine's state, or LOG_NONE
     LogNames state;               // names of the states; name[0] is that of state 1
 } LogMachine;
 
@@ -30,27 +30,27 @@ typedef struct LogKindName { uint8_t kind; const char *name; } LogKindName;
 
 // The contents of a description block.
 typedef struct LogDescription {
-    uint32_t pos, size;           // where its block begins in the file, and the size of the block
-    uint8_t version;
+    uint32_t pos, size;           // byte offset of its block in the file, and the size of the block
+    uint8_t version;              // version of the log format
     uint64_t start;               // length of the file when the session began
     uint32_t layout;              // hash of the state vector's layout
-    uint32_t identity;            // unfinished CRC over the session's identity: the CRC of each of its blocks continues from it
-    const char *vector;
+    uint32_t identity;            // unfinished CRC-32 of the session's identity, from which the checksum of each block of the session continues
+    const char *vector;           // name of the state vector
     uint32_t packed;              // bytes of a packed vector
     LogElement *element;
     uint32_t elements;
     LogMachine *machine;
     uint32_t machines;
-    LogNames task, executor;      // by number; empty if the log does not contain them
+    LogNames task, executor;      // names by number of the task or executor; empty if the log does not contain them
     LogKindName *kind;            // names of the kinds of events
     uint32_t kinds;
 } LogDescription;
 
 typedef struct LogEvent {
     uint64_t time;                // nanoseconds since the application started
-    uint8_t kind;
-    uint16_t source;
-    uint32_t a, b;
+    uint8_t kind;                 // LogEventKind, or a kind that this reader does not know
+    uint16_t source;              // number of the machine, task or executor that the event is about
+    uint32_t a, b;                // their meaning depends on the kind (runtime-c/events.def)
 } LogEvent;
 
 // Every kind of event that this reader knows.
@@ -67,7 +67,7 @@ typedef enum LogItemKind { ITEM_RECORD, ITEM_EVENTS, ITEM_GAP } LogItemKind;
 typedef struct LogItem {
     LogItemKind kind;
     uint32_t n;                   // EVENTS: number of events
-    const uint8_t *at;            // the bytes of the block.  RECORD: its time; EVENTS: the first event; GAP: the counts
+    const uint8_t *at;            // bytes in the block from which a reader goes on.  RECORD: its time; EVENTS: the first event; GAP: the counts
 } LogItem;
 
 // The names of the states of an image that has replaced another one.
@@ -79,18 +79,18 @@ typedef struct LogImage {
 
 // A machine's image was replaced at the end of a tick.
 typedef struct LogSwap {
-    uint64_t time;
-    uint16_t machine;
+    uint64_t time;                // nanoseconds since the application started
+    uint16_t machine;             // LogMachine.number
     uint32_t from, to;            // checksums of the images
 } LogSwap;
 
 // One run of an application.
 typedef struct LogSession {
     const LogDescription *d;
-    bool listed;                  // used by flight_log_read.c: Log.session contains it
+    bool listed;                  // Log.session contains the session (only flight_log_read.c uses this)
     VEC(LogItem) item;            // in the order of the file
-    uint64_t records, events;
-    uint64_t first, last;         // times of its first and last record
+    uint64_t records, events;     // how many the session has
+    uint64_t first, last;         // times of its first and last record, in nanoseconds
     VEC(LogImage) image;
     VEC(LogSwap) swap;            // in order
     uint64_t dropped, lost;       // records and events that were left out because the application had no room for them
@@ -101,7 +101,7 @@ typedef struct Log {
     uint64_t size;
     uint64_t damaged;             // bytes outside undamaged blocks
     uint64_t damaged_ranges;      // number of contiguous ranges of such bytes
-    uint64_t torn;                // how many of `damaged` are in the range at the end of the file
+    uint64_t torn;                // how many of the `damaged` bytes are at the end of the file, where a crash can have cut off a block
     uint64_t unread;              // bytes at the end of the file that were not read, because too many checksums before them are wrong
     bool newer;                   // the file contains a description of a later, unknown version
 } Log;
@@ -109,7 +109,7 @@ typedef struct Log {
 // Reads a log.  `bytes` must outlive the result.  The result has no session if nothing is readable.
 Log *log_read(Arena *arena, const uint8_t *bytes, uint32_t n);
 
-typedef struct LogGap { uint32_t records, events; } LogGap;       // records dropped, events lost
+typedef struct LogGap { uint32_t records, events; } LogGap;       // how many were left out, as LogSession.dropped and lost
 LogGap log_read_gap(const LogItem *item);
 LogEvent log_read_event(const LogItem *item, uint32_t i);
 uint64_t log_read_time(const LogItem *record);
@@ -122,7 +122,7 @@ const LogMachine *log_find_machine(const LogDescription *d, const char *name);
 const LogMachine *log_machine_by_number(const LogDescription *d, uint16_t number);
 // Returns the machine of event STATE, with the names of the image that ran then.  NULL: the log does not contain the machine.
 const LogMachine *log_machine_of_event(Arena *arena, const LogSession *s, const LogEvent *e);
-const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: it has none
+const char *log_kind_name(const LogDescription *d, uint8_t kind);                     // name of a kind of events; NULL: the log names none
 const char *log_state_name(Arena *arena, const LogMachine *m, uint32_t state);        // its name, or "state 7" if it has none
 const char *log_swap_refusal(uint32_t reason);        // why a swap was refused, from an event
 

@@ -23,7 +23,7 @@ typedef struct LogReader {
     VEC(LogSession *) sessions;   // the session of each description in `found`; a repeated description repeats its session
     LogSession *current;
     size_t *next_other;           // by index into `sessions`: the next index with a different session
-    uint64_t failed_bytes;        // bytes covered by failed checksums in this step
+    uint64_t failed_bytes;        // bytes covered by failed checksums in this step (1 or 2 above)
     uint32_t searched;            // end of the part of the file in which all descriptions are known
     uint32_t intact_end;          // end of the last undamaged block: a damaged range begins here
     Log *log;

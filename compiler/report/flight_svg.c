@@ -81,7 +81,7 @@ static void fill_series(FlightDrawing *d, TraceSeries *series, const LogElement 
             series->nan = series->nan || x != x;
         }
     }
-    for (uint64_t k = 1; k < d->t.steps; k++)             // a slot without a record has the last value before it
+    for (uint64_t k = 1; k < d->t.steps; k++)             // a slot without a record repeats the last value before it
         if (!filled[k])
             add_value(&series->at[k], series->at[k - 1].last, true);
     for (uint64_t k = 0; k < d->t.steps; k++)
@@ -188,7 +188,7 @@ static void add_visits(FlightDrawing *d)
                 if (e.kind == LOG_EVENT_STATE && e.source == m->number)
                     add_visit(d, state_of_event(d, &e), e.time);
             }
-    if (d->t.visits > 0 || m->s == LOG_NONE || was_swapped(d, m))      // after a swap, the number can be that of another state
+    if (d->t.visits > 0 || m->s == LOG_NONE || was_swapped(d, m))      // after a swap, a number in the element can mean another state
         return;
     for (size_t i = 0; i < d->s->item.n; i++) {
         const LogItem *item = &d->s->item.at[i];

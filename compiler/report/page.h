@@ -18,7 +18,7 @@
 
 // One script's run.
 typedef struct ReportRun {
-    const char *name;             // its file name, without folders
+    const char *name;             // file name of the script, without folders
     const Script *script;         // NULL: the script does not compile
     ScriptResult result;          // the result, if the script ran
     Trace trace;
@@ -27,10 +27,10 @@ typedef struct ReportRun {
 
 typedef struct Report {
     Arena *arena;
-    Analysis analysis;            // its diags hold all findings, including those that an @allow covers
+    Analysis analysis;            // analysis.diags contains all findings, including those that an @allow covers
     bool step_given;              // analysis.step is the user's --step; otherwise it is the delta_t of the scripts
-    Cost cost;                    // cost of steps, in instructions
-    Cost flash, eeprom;           // cost of steps, in estimated cycles of an ATmega328P, with the image in flash or in EEPROM
+    Cost cost;                    // cost of steps, in VM instructions
+    Cost flash, eeprom;           // cost of steps, in estimated cycles of an ATmega328P that runs the image from flash or from EEPROM
     const uint8_t *image;         // the image that `smc build` writes
     size_t image_size;
     ReportRun *run;
@@ -39,12 +39,12 @@ typedef struct Report {
     const Mutation *mutation;     // changes of the machine, tried on the scripts; NULL: none were tried
     const char *not_mutated;      // why no mutants were tried although they were requested, as a phrase; or NULL
     const ReportFaults *faults;   // effects of faulty sensors; NULL: none were tried
-    const ReportSweep *sweep;     // parameters at other values; NULL: none were tried
+    const ReportSweep *sweep;     // runs with parameters at other values; NULL: none were tried
     const char *maker;            // program and version: "smc 0.1"
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
-    VEC(const char *) unfinished; // the parts that were stopped before they were complete, as phrases
+    VEC(const char *) unfinished; // phrases that name what was stopped before it was complete
 } Report;
 
 Doc *report_build(Report *r);
@@ -71,7 +71,7 @@ void report_add_scripts(Report *r, Doc *d);
 void report_add_faults(Report *r, Doc *d);             // nothing if r->faults is NULL
 void report_add_sweep(Report *r, Doc *d);              // nothing if r->sweep is NULL
 
-// Number of findings that count, and of findings that an @allow covers.
+// Number of findings that no @allow covers, and of those that one covers.
 typedef struct FindingCount { size_t open, allowed; } FindingCount;
 FindingCount report_count_findings(const Report *r);
 
@@ -80,7 +80,7 @@ typedef struct Coverage {
     size_t states_covered, states;
     size_t edges_unused;          // edges that no script has taken
     bool shared;                  // without Report.cover: for some edge it is unknown which of its transitions were taken, or whether any was
-    size_t transitions_least, transitions_most, transitions;      // lower and upper bound of the number of transitions that were taken; the number of all
+    size_t transitions_least, transitions_most, transitions;      // bounds of how many transitions were taken; number of all
 } Coverage;
 Coverage report_measure_coverage(const Report *r);
 DiagramCounts report_sum_counts(const Report *r);  // how often the scripts visited states and took transitions, summed over all scripts

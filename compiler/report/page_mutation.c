@@ -73,7 +73,7 @@ static const char *written_line(const Report *r, Span span)
 // A change that no script notices: where, what was changed, and inputs that would show the difference.
 static void add_change_row(const Report *r, DocTable *t, const Mutant *m)
 {
-    Mutant without_danger = *m;                        // the heading names it
+    Mutant without_danger = *m;                        // the heading of the table already names the danger
     Buf change, inputs;
 
     without_danger.danger = DANGER_OTHER;

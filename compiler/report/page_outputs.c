@@ -19,8 +19,8 @@ typedef struct OutputValues {
     uint64_t cell[CONSTANTS_MAX];     // constants that were stored, ascending
     uint8_t n;
     bool assigned;                    // the current state has assigned the output
-    bool computed;                    // also values that are computed, or more constants
-    bool initial;                     // also the one that it has when the machine starts
+    bool computed;                    // further values are possible: computed ones, or more than CONSTANTS_MAX constants
+    bool initial;                     // the value that the output has when the machine starts is possible, too
 } OutputValues;
 
 typedef struct OutputFlow {
@@ -30,10 +30,10 @@ typedef struct OutputFlow {
     uint32_t outputs;
     uint32_t *column;                 // by Var.index: its index in `output`; or UINT32_MAX
     bool *reached;                    // by State.number: a transition leads to it, or it is the first state
-    OutputValues **begin;             // by State.number, then output: when the state is entered
+    OutputValues **begin;             // by State.number, then by index in `output`: the values when the state is entered
     OutputValues **end;               // the same, after a step that stays in the state
-    const State *state;               // the current state
-    bool grew;                        // some set has grown in this round
+    const State *state;               // the state whose statements are being followed
+    bool grew;                        // this pass over the states has added a value to some set
 } OutputFlow;
 
 // ---- values ----

@@ -147,10 +147,10 @@ static void add_summary(Report *r, Doc *d)
     doc_add_paragraph(d, buf_text(&b));
 }
 
-// In pixels: the width of a page of A4 between its margins, and the height of a page of Letter that is left for a diagram below headings, upright
-// and landscape; the height of a diagram on part of a page.  They are those of page_style.c.  Scaled to less than LEGIBLE percent, letters are
-// too small to read.
-enum { PAPER_W = 688, PAPER_H = 812, LANDSCAPE_W = 1017, LANDSCAPE_H = 580, LOW = 416, LEGIBLE = 65 };
+// In pixels, for the margins of page_style.c.  PAPER_W: width of an upright page of A4 between its margins; PAPER_H: height of an upright page of
+// Letter that is left below headings; LANDSCAPE_W and _H: the same of landscape pages; LOW: height of a diagram that shares a page.  Scaled to less
+// than LEGIBLE percent, letters are too small to read: those of conditions, 11 pixels or 8.25 points, would have less than 6 points.
+enum { PAPER_W = 688, PAPER_H = 812, LANDSCAPE_W = 1017, LANDSCAPE_H = 580, LOW = 416, LEGIBLE = 73 };
 
 // Whether a diagram that is scaled to at most w × h pixels is legible.
 static bool is_legible_in(DiagramSize s, int64_t w, int64_t h)

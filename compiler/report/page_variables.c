@@ -18,7 +18,7 @@ typedef struct VarUse { const char *last_read, *last_written; Buf readers, write
 typedef struct VarUses {
     Arena *arena;
     VarUse *of;                   // by Var.index: where the variable is used
-    const char *place;            // the state or section whose statements are being recorded
+    const char *place;            // name of the state or section whose statements are being recorded
 } VarUses;
 
 // Appends the state (or section) that uses a variable. `last`: the one appended last, which is not repeated.
@@ -102,7 +102,7 @@ static const char *role_text(const Program *p, const Var *v)
 
 static const char *unit_of(const Measure *unit) { return unit ? unit->text : ""; }
 
-// The range "lo to hi".
+// Returns a range as text: "lo to hi".
 static const char *numbers_text(Arena *arena, SmF64 lo, SmF64 hi)
 {
     return format_in(arena, "%s to %s", report_format_number(arena, trace_cell_value(SM_F64, sm_bits(lo))),

@@ -4,7 +4,8 @@
 
 #include "compiler/report/plot.h"
 
-enum { COLOURS = 8, PATTERNS = 4, TINTS_MOST = 200, LETTER = 68 };    // LETTER: approximate width of a character
+// TINTS_MOST: with more visits, the rows are not tinted by state.  LETTER: approximate width of a character, in tenths of a unit.
+enum { COLOURS = 8, PATTERNS = 4, TINTS_MOST = 200, LETTER = 68 };
 
 const char plot_defs[] =
     "<defs>\n"

@@ -10,13 +10,14 @@
 
 enum { TRACE_BUCKETS = 1024, TRACE_VISITS_MAX = 4000 };
 
+// The first, smallest, largest and last value of a variable in the steps of a bucket.
 typedef struct TraceBucket { double first, lo, hi, last; } TraceBucket;
 
 typedef struct TraceSeries {
     const Var *v;
     bool changes;                 // the variable had more than one value
     bool infinite;                // the variable was infinite at least once
-    bool nan;                     // only for a log: the value was NaN at least once; a bucket with only NaN is NaN
+    bool nan;                     // only in plots of flight logs: the value was NaN at least once.  A bucket of only NaN has NaN in its fields
     TraceBucket at[TRACE_BUCKETS];
 } TraceSeries;
 
@@ -29,21 +30,21 @@ typedef struct TraceVisit {       // a visit of a state, from its first step on
 typedef struct Trace {
     Arena *arena;
     const Program *p;
-    uint64_t steps;
+    uint64_t steps;               // steps that have been recorded
     uint64_t per;                 // steps per bucket
-    uint64_t first_g, last_g;
-    double unit;                  // units of the time axis per unit of G; 0: 1
+    uint64_t first_g, last_g;     // G in the first and in the last step
+    double unit;                  // how many units of the time axis one unit of G is; 0 stands for 1
     const char *axis;             // label of the axis; NULL: G and its comment
-    uint32_t last;                // number of the last step's state
-    VEC(TraceSeries *) recorded;  // by @compare of the script: the recorded values of the column that the variable is compared with; NaN: none
+    uint32_t last;                // State.number of the last step's state
+    VEC(TraceSeries *) recorded;  // by @compare of the script: values of the data column with which the variable is compared; NaN: none
     VEC(TraceSeries *) series;    // elements except G and S, then locals that are not constants
     VEC(TraceVisit) visit;
     uint64_t visits;              // number of visits, including those no longer added to the list
-    uint64_t *entered;            // by state, from 0: number of visits
-    uint64_t *spent;              // by state: number of steps
+    uint64_t *entered;            // by State.number - 1: number of visits
+    uint64_t *spent;              // by State.number - 1: number of steps
     const Transitions *transition;
-    size_t *first;                // by state, from 0: its first transition
-    uint64_t *taken;              // by transition: moves from its state to its target, all counted at the first transition that does so
+    size_t *first;                // by State.number - 1: index in `transition` of its first transition
+    uint64_t *taken;              // by index in `transition`: moves from its state to its target, counted at the first such transition
 } Trace;
 
 // `transition`: the transitions of the machine, from its analysis, whose states have the same numbers as those of p.

@@ -19,7 +19,8 @@ typedef enum TracedKind { TRACED_STATE, TRACED_ALL_STATES, TRACED_TRANSITION, TR
 
 extern const char *const traced_kind_name[TRACED_KINDS];       // "state", "all_states", "transition", "output"
 
-// The nearest place that has a mark for a part of the machine.
+// Where the nearest mark for a part of the machine is: on the part itself, on a conditional around it, on its state or section, or, for a state or
+// section without a mark, on something inside it.
 typedef enum TracedBy { TRACED_BY_NONE, TRACED_BY_ITSELF, TRACED_BY_CONDITIONAL, TRACED_BY_STATE, TRACED_BY_CONTENTS } TracedBy;
 
 extern const char *const traced_by_name[];                      // "", "itself", "conditional", "state", "contents"
@@ -52,12 +53,12 @@ typedef struct TracedAssert {
     ScriptAssertKind kind;        // never PRINT
     Span span;
     const char *text;             // the text after the assert, or its condition if it has none
-    uint64_t evaluated;           // how often it was evaluated
+    uint64_t evaluated;           // how often the runs evaluated the assert
     const char *result;           // "passed", "failed" or "never evaluated"
     uint32_t requirement;         // 1 + the index of its requirement; 0: none
 } TracedAssert;
 
-typedef struct TracedRun { uint32_t script; uint64_t judged; } TracedRun;
+typedef struct TracedRun { uint32_t script; uint64_t judged; } TracedRun;     // the requirement was judged in this number of steps of the script
 
 typedef struct TracedRequirement {
     Str id;
@@ -65,7 +66,7 @@ typedef struct TracedRequirement {
     VEC(TracedMark) mark;
     VEC(TracedRun) run;           // the scripts that have judged the requirement
     TraceIndices assert;          // indices in Traceability.assert
-    RequirementTotal total;
+    RequirementTotal total;       // how often it was judged and violated, in all scripts
     const char *unvisited;        // the states that it names and no script came to; ""
     const char *result;           // "tested", "violated", "undecided" or "untested"
     const char *proof;            // what a proof has found; "not tried" until traceability_set_proof
@@ -79,15 +80,15 @@ typedef struct TraceCounts {
 typedef struct Traceability {
     Arena *arena;
     const Program *program;
-    const Requirements *what;     // or NULL
+    const Requirements *what;     // the requirements of the .rq files; or NULL
     VEC(TracedRequirement) requirement;       // those of the files in their order, then those that only marks or asserts name
     VEC(TracedPart) part;         // states and sections with their transitions and outputs, in file order
     VEC(TracedScript) script;
     bool *visited;                // by State.number - 1: a script came to the state
     VEC(TracedAssert) assert;     // in the order of the scripts
     TraceCounts counts;           // set by traceability_finish
-    Map by_id;                    // id to 1 + its index, as a pointer into `number`
-    VEC(uint32_t *) number;
+    Map by_id;                    // from the id to a uint32_t: 1 + the index of the requirement
+    VEC(uint32_t *) number;       // the values of by_id
 } Traceability;
 
 // `what` can be NULL: then only marks and asserts name requirements.

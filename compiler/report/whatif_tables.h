@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What faulty sensors and other values of parameters do, as tables for the page.  The command fills them: this layer runs nothing, and does
-// not know how runs are made.  Texts are plain.
+// What faulty sensors and other values of parameters do, as tables for the page.  `smc report` (compiler/cli) makes the runs and fills the tables;
+// this folder only writes them.  Texts are plain (doc.h).
 #ifndef SMC_REPORT_WHATIF_TABLES_H
 #define SMC_REPORT_WHATIF_TABLES_H
 
@@ -25,30 +25,30 @@ typedef struct ReportFaultKind { const char *name, *sentence; } ReportFaultKind;
 typedef struct ReportFaultCell {
     bool applies;             // the input can have the fault
     uint32_t outcome;         // index in ReportFaults.outcome
-    uint32_t line;            // number of its line in the table, from 1; 0: it has no effect
+    uint32_t line;            // number, from 1, of the line in the list that explains it; 0: the fault has no effect
 } ReportFaultCell;
 
-// Faults of the same inputs, kinds and outcome.
+// A line of the list: all faults of the same inputs and kinds with the same outcome.
 typedef struct ReportFaultLine {
     bool is_pair;             // two faults at once
     uint32_t outcome;
     const char *fault;        // "altitude dead"
-    const char *trigger;      // "at Boost -> Coast (G = 1200, chute.ss)": the first one with this outcome
+    const char *trigger;      // when the fault begins, as in "at Boost -> Coast (G = 1200, chute.ss)": the first such time with this outcome
     const char *effect;
-    uint32_t others;          // how many other triggers have the same outcome
+    uint32_t others;          // how many other times at which the fault begins have the same outcome
     const char *script;       // name of the file that reproduces the fault; NULL: none
 } ReportFaultLine;
 
-// The faults that violate a requirement before any other one.
+// The faults with which this requirement is the first one that is violated.
 typedef struct ReportFaultsOf {
     unsigned long faults;
-    uint32_t line;            // number of the first line with one; 0: none
+    uint32_t line;            // number of the first line with such a fault; 0: none
 } ReportFaultsOf;
 
 typedef struct ReportFaults {
     const char *not_run;      // why no fault was tried, as a phrase; the other fields are then empty.  NULL: faults were tried
-    const char *summary;      // a sentence with the counts
-    const ReportOutcome *outcome;     // the least dangerous first; the first one is no effect
+    const char *summary;      // a sentence that says how many runs, faults and effects there were
+    const ReportOutcome *outcome;     // all outcomes, the least dangerous first; outcome[0] is "no effect"
     uint32_t outcomes;
     VEC(ReportFaultKind) kind;
     VEC(const char *) input;
@@ -62,7 +62,7 @@ typedef struct ReportFaults {
 
 // ---- sweeps ----
 
-// Values in a row with the same result.
+// Neighbouring values of a parameter with the same result.
 typedef struct ReportSweepSpan {
     const char *from, *to;
     const char *fails;        // the checks that fail, between commas; "": none

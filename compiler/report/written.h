@@ -12,7 +12,7 @@ const AllStates *written_section(const Program *p, Span span);    // returns the
 // Returns "all states except Abort and Safe", or "the states Fill and Hold" if many are excepted and few are not. `mark` is on both sides of each
 // name of a state: "^" in texts with markup (doc.h), or "".
 const char *written_section_name(Arena *arena, const Program *p, const AllStates *all, const char *mark);
-Stmts written_section_stmts(const Program *p, const AllStates *all);      // as copied into the first state that runs them
+Stmts written_section_stmts(const Program *p, const AllStates *all);      // the section's statements, as copied into the first state that runs them
 const State *written_first_state(const Program *p, const AllStates *all);      // the first state where the section runs; NULL: none
 
 // ---- states ----

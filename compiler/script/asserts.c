@@ -8,7 +8,7 @@
 
 // ---- the operands of an assert ----
 
-enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // limits of a label: number of operands, and length of the source of one
+enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // the most operands in a label; the most bytes of source of one operand
 
 // The operands of an assert with their values, collected for a label.
 typedef struct Operands {
@@ -56,7 +56,7 @@ static bool is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
-// Returns G where it is written at the beginning of an EX_AT.
+// Returns an expression for the variable G in an EX_AT such as `G == 500`, with the position of its name.
 static const Expr *time_of_at(Arena *arena, const Expr *at)
 {
     Expr *g = ARENA_NEW(arena, Expr);
@@ -74,7 +74,7 @@ static void add_operands(Operands *o, const Expr *e, bool is_compared)
         return;
     if (e->kind == EX_AT)
         e = time_of_at(o->r->arena, e);
-    if (e->kind != EX_ROLL)                           // its operands may have changed since they were sampled
+    if (e->kind != EX_ROLL)                           // the operands of a sampled call may have changed since they were sampled
         for (uint32_t i = 0; i < e->n; i++)
             add_operands(o, e->arg[i], is_relation(e));
     if (o->n == OPERANDS_MOST || !(e->kind == EX_VAR || e->kind == EX_CALL || e->kind == EX_ROLL || is_compared) ||
@@ -135,7 +135,7 @@ void assert_report_failure(ScriptRun *r)
 
 // ---- @print ----
 
-enum { PRINTED_MOST = 1000 };         // lines of a run
+enum { PRINTED_MOST = 1000 };         // the most lines that @print shows in a run
 
 static void print_values(ScriptRun *r, const ScriptAssert *a)
 {
@@ -187,7 +187,7 @@ static void fail_pending(ScriptRun *r, const PendingExpect *e)
     fail_assert(r, e->item, &e->item->asserts.at[e->assert]);
 }
 
-// Whether no later step can meet an @expect: the next one is after its time.
+// Whether no later step can meet an @expect, because the next step is after its time limit.
 static bool is_expired(const ScriptRun *r, const PendingExpect *e)
 {
     const uint64_t next = run_next_g(r, e->item->machine);
@@ -195,7 +195,8 @@ static bool is_expired(const ScriptRun *r, const PendingExpect *e)
     return next == UINT64_MAX || next - e->since > e->item->asserts.at[e->assert].remark->within;
 }
 
-// Whether the asserts of an item count in this step: in the script of an application, those of a machine's state count at its own ticks.
+// Whether the asserts of an item are evaluated in this step: in the script of an application, asserts in the section of a machine's state are
+// evaluated only in the ticks in which that machine steps.
 static bool counts_now(const ScriptRun *r, const ScriptItem *item) { return item->machine == 0 || r->machine[item->machine - 1].is_due; }
 
 // Evaluates a pending @expect.  Returns whether it stays pending.
@@ -240,7 +241,7 @@ static void begin_expect(ScriptRun *r, const NotedAssert *note)
     vec_push(r->arena, &r->pending, e);
 }
 
-// Evaluates an assert that is due after this step.
+// Evaluates an assert that was noted in this step.
 static void evaluate_assert(ScriptRun *r, const NotedAssert *note)
 {
     const ScriptAssert *a = &note->item->asserts.at[note->assert];
@@ -288,7 +289,7 @@ static bool may_stay_unevaluated(const ScriptRun *r, const ScriptAssert *a)
     return !a->condition || (a->kind == SCRIPT_ASSERT && expr_is_constant(a->condition) && !is_true(r, a));
 }
 
-// Asserts that were not evaluated for the same reason.  They share one warning, at the first of them.
+// A group of n asserts that were not evaluated for the same reason.  They share one warning, at the first assert of the group.
 typedef struct Unevaluated { const ScriptAssert *first; size_t n; } Unevaluated;
 
 // Counts the asserts of an item that were not evaluated.
@@ -351,7 +352,7 @@ static bool has_assert(const Script *s)
     return false;
 }
 
-// A run that failed has evaluated fewer asserts than it could, so the others are not reported.
+// After a failed run nothing is reported, because it ended before it could evaluate the other asserts.
 void assert_report_unevaluated(const ScriptRun *r)
 {
     if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)

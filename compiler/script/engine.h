@@ -20,21 +20,21 @@ typedef enum EngineStatus {
     ENGINE_BROKEN             // the engine itself failed; `error` is the reason
 } EngineStatus;
 
-// What one machine of an application did in a tick, and does next.
+// Whether one machine of an application ran in a tick, and what its next step will be.
 typedef struct EngineNext {
-    uint32_t state;           // number of the state that its next step runs, among those of all machines
-    bool is_first;            // its next step is a first step
-    bool ran;                 // it ran a step in this tick; false after init
+    uint32_t state;           // State.number, in the joined Program, of the state that the machine's next step runs
+    bool is_first;            // the machine's next step is the first step of that state
+    bool ran;                 // the machine ran a step in this tick; false after init
 } EngineNext;
 
 typedef struct EngineStep {
     EngineStatus status;
-    uint32_t next_state;      // number of the state that the next step runs
-    bool next_is_first;       // the next step is a first step: after init and after a transition, even to the same state
-    EngineNext *machine;      // of an application: by machine; replaces next_state and next_is_first.  Otherwise NULL
+    uint32_t next_state;      // State.number of the state that the next step runs
+    bool next_is_first;       // the next step is the first one of that state: after init and after a transition, even to the same state
+    EngineNext *machine;      // for an application, by machine, instead of next_state and next_is_first; NULL: one machine
     uint64_t *cell;           // every variable after the step; program->var.n of them
-    uint8_t *stored;          // by variable: 1 for each element that the step stored
-    const uint64_t *outside;  // the variables as scripts see them before the next step, if the machine reads others (docs/faults.md); NULL: `cell`
+    uint8_t *stored;          // by variable: 1 if the step stored the element, even with the same value
+    const uint64_t *outside;  // with faulty sensors: the true values of all variables, which the script reads before the next step; else NULL
 } EngineStep;
 
 typedef struct Engine Engine;
@@ -42,7 +42,7 @@ struct Engine {
     const char *name;         // as --engine names it: "ref", "vm", "vm-soft", "c"
     const Program *program;
     const char *error;        // after ENGINE_BROKEN: the reason
-    void *self;
+    void *self;               // the state of this engine, whose type only the engine's own file knows
     // Starts the machine in `state`, as init does (language.md 6): elements are zero, locals have their initial values, then `S` is
     // stored. *out receives the resulting cells.
     EngineStatus (*init)(Engine *e, uint32_t state, EngineStep *out);
@@ -54,7 +54,7 @@ struct Engine {
 
 // Allocates the result of an engine that runs p.
 void engine_step_init(EngineStep *s, Arena *arena, const Program *p);
-// Returns what machine i does next: the only one, or one of an application.
+// Returns what the next step of machine i is, as in EngineNext.  Without an application, i is 0.
 static inline EngineNext engine_next(const EngineStep *s, size_t i)
 {
     return s->machine ? s->machine[i] : (EngineNext){s->next_state, s->next_is_first, true};
@@ -78,16 +78,16 @@ Engine *engine_ref_open(Arena *arena, const Program *p);
 // Returns the transition that the last step of the reference interpreter took; NULL if none.
 const Stmt *engine_ref_transition(const Engine *ref);
 
-// What the reference interpreter knows of a machine.
+// A view of a machine's state in the reference interpreter.
 typedef struct RefView {
-    const uint64_t *cell;     // by variable
+    const uint64_t *cell;     // by Var.index
     const struct RefWindows *windows;
     const State *state;       // before a step and during it, the state that it runs; after it, the state of the next step
     uint64_t g;               // G of the last step that ran, or of the current one
     bool is_first;            // before a step and during it: the step is the first of its state
 } RefView;
 
-// Sees every step and every statement of a machine before it runs.
+// Callbacks that the reference interpreter calls before every step and every statement that it runs.
 typedef struct RefObserver RefObserver;
 struct RefObserver {
     void (*before_step)(RefObserver *o, const RefView *r);        // S, T and the samples of windows are already those of the step

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine for the machines of an application: in each tick it steps those that are due, one after the other, over one state vector
-// (language.md 8.71 to 8.83).  Each machine has an engine of its own, which receives all elements before its step; what the step stored
-// is what the next machine reads.
+// (language.md 8.71 to 8.83).  Each machine has an engine of its own, which receives all elements before its step.  What the step stores is passed on
+// to the next machine.
 #include "compiler/script/engine.h"
 
 #include <string.h>
@@ -13,19 +13,19 @@ typedef struct MachineOfApp {
     const Member *member;
     Engine *engine;
     EngineStep answer;
-    EngineWrite *write;       // writes to the elements that the machine lists, then those of the script to its locals
-    uint32_t elements, writes;
-    uint64_t wait;            // ticks until the machine is due
-    uint64_t periods;         // with ticks of recorded data: its periods until the last tick
-    bool ran;                 // it ran a step in this tick
+    EngineWrite *write;       // first one write for each element that the machine lists, then what the script writes to the machine's locals
+    uint32_t elements, writes;        // number of elements that the machine lists; number of writes
+    uint64_t wait;            // number of ticks until the machine is due
+    uint64_t periods;         // if rows of recorded data are ticks: how many of its periods had ended at the last tick
+    bool ran;                 // the machine ran a step in this tick
 } MachineOfApp;
 
 typedef struct AppEngine {
     Engine engine;
     Arena *arena;
     const Program *p;
-    uint64_t *cell;           // by variable of p
-    uint8_t *stored;
+    uint64_t *cell;           // by Var.index of p: the value as a bit cell
+    uint8_t *stored;          // by Var.index of p: 1 if a machine stored the variable in this tick
     MachineOfApp *machine;
     size_t machines;
     bool by_rows;             // each row of the recorded data is a tick
@@ -34,13 +34,13 @@ typedef struct AppEngine {
 
 // ---- one machine ----
 
-// Takes over a variable of the machine after its step, or after init.
+// Copies variable v of a machine to the variables of the application, after the machine's step or init.
 static void copy_variable(AppEngine *a, const MachineOfApp *m, size_t v)
 {
     a->cell[m->member->var[v]->index] = m->answer.cell[v];
 }
 
-// Takes over what the machine has stored, its locals and its T.
+// Copies the elements that the machine has stored, its locals and its T to the variables of the application.
 static void copy_results(AppEngine *a, const MachineOfApp *m)
 {
     const Program *p = m->member->program;
@@ -89,7 +89,7 @@ static EngineStatus step_machine(AppEngine *a, MachineOfApp *m)
     return ENGINE_OK;
 }
 
-// Keeps a value that the script writes to a local of a machine.
+// Adds a value that the script writes to a local of a machine to the writes of the machine's next step.
 static void write_local(MachineOfApp *m, const Var *v, uint64_t cell)
 {
     const Program *p = m->member->program;
@@ -107,7 +107,7 @@ static void write_local(MachineOfApp *m, const Var *v, uint64_t cell)
     m->write[elements + m->writes++] = (EngineWrite){local, cell};
 }
 
-// Decides in ticks of recorded data whether a machine is due: in the first one, and where a period of it has ended.
+// Decides whether a machine is due if rows of recorded data are ticks: in the first tick, and if one of its periods has ended since the last tick.
 static void wait_for_period(const AppEngine *a, MachineOfApp *m)
 {
     const uint64_t periods = joint_periods_until(a->p->joint, m->member->every, a->cell[a->p->g->index]);
@@ -118,7 +118,7 @@ static void wait_for_period(const AppEngine *a, MachineOfApp *m)
 
 // ---- all machines ----
 
-// Writes a variable of the application.
+// Writes a variable of the application, and if it is a local, passes the value to its machine.
 static void write_variable(AppEngine *a, EngineWrite w)
 {
     const Var *v = a->p->var.at[w.var];
@@ -179,7 +179,7 @@ static EngineStatus init_machine(AppEngine *a, MachineOfApp *m)
     return ENGINE_OK;
 }
 
-// The initial states are those of the .app, so `state` has no meaning.
+// Starts all machines.  `state` is ignored, because the .app declares their initial states.
 static EngineStatus app_init(Engine *e, uint32_t state, EngineStep *out)
 {
     AppEngine *a = e->self;

@@ -7,7 +7,7 @@
 
 #include "compiler/base/buf.h"
 
-// Stores to a variable, and notes it if other code can see the variable.
+// Stores to a variable, and sets r->stored if it is an element.
 static void store_cell(RefEngine *r, const Var *v, uint64_t cell)
 {
     r->cell[v->index] = cell;
@@ -85,7 +85,7 @@ static EngineStatus fill_result(const RefEngine *r, EngineStatus status, EngineS
     return status;
 }
 
-// Whether a step may run with this G: it must be above that of the last step, and not the largest number.
+// Whether a step may run with this G: it must be above G of the last step, and not UINT64_MAX.
 static bool time_advances(const RefEngine *r, uint64_t g)
 {
     return g != UINT64_MAX && !(r->has_run && g <= r->last_g);

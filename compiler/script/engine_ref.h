@@ -10,14 +10,14 @@ typedef struct RefEngine {
     Engine engine;
     Arena *arena;
     const Program *p;
-    uint64_t *cell;           // by variable: its cell
-    uint8_t *stored;          // by variable: the last step stored it
+    uint64_t *cell;           // by Var.index: the value as a bit cell (engine.h)
+    uint8_t *stored;          // by Var.index: 1 if the last step stored the variable
     RefWindows windows;
     const State *state;       // the state that the next step runs
     bool is_first;            // the next step is the first of its state
     bool has_run;             // a step has run since init
     uint64_t last_g;          // G at the last step that ran
-    uint64_t start;           // G at the first step of the state
+    uint64_t start;           // G at the first step of `state`, from which T counts
     const Stmt *transition;   // the transition that the last step took, or NULL
     RefObserver *observer;    // NULL: none
 } RefEngine;

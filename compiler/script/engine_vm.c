@@ -20,8 +20,8 @@ typedef struct VmEngine {
     SmvmDecoded *decoded;
     uint32_t size;            // size in bytes of *vm and of *in_place
     uint64_t *sv, *sv_in_place; // their state vectors
-    uint8_t **at;             // by variable: address of its value; NULL: T and constants
-    uint32_t *output;         // by variable: 1 + its number among the outputs; 0: not an output
+    uint8_t **at;             // by Var.index: address of the value; NULL: T and constants
+    uint32_t *output;         // by Var.index: 1 + the variable's number among the outputs; 0: not an output
 } VmEngine;
 
 // ---- stepping ----
@@ -125,7 +125,7 @@ static void vm_close(Engine *e) { (void)e; }          // all its memory belongs 
 // Finds where elements are stored, and their numbers among the outputs.
 static void bind_elements(VmEngine *v, Arena *arena)
 {
-    uint32_t *var_at = ARENA_ARRAY(arena, uint32_t, v->m.sv_size);       // by offset: 1 + the variable at that offset
+    uint32_t *var_at = ARENA_ARRAY(arena, uint32_t, v->m.sv_size);       // by byte offset in the state vector: 1 + Var.index of the element there
 
     for (uint32_t k = 0; k < v->p->var.n; k++) {
         const Var *var = v->p->var.at[k];

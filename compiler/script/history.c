@@ -8,14 +8,15 @@
 #include <string.h>
 
 enum {
-    STEPS = 5, TRANSITIONS = 3, STOPS = 3,        // most steps, transitions and @stops that are shown
-    COLUMNS = 6, COLUMN_WIDTH = 40,               // most columns of values, and length of the source of one
-    WORK_MOST = 1000000000                        // most samples that the second run may read: a few seconds
+    STEPS = 5, TRANSITIONS = 3, STOPS = 3,        // the most steps, transitions and @stops that are shown
+    COLUMNS = 6, COLUMN_WIDTH = 40,               // the most columns of values; the most bytes of source of a column's expression
+    WORK_MOST = 1000000000                        // the most samples of windows that the second run may read: a few seconds of work
 };
 
+// A step that is shown.
 typedef struct PastStep {
     uint64_t number, g;
-    const char *state;                // of an application: the states of all machines
+    const char *state;                // name of the state; for an application, the states of all machines as text
     const char *value[COLUMNS];       // by column: the value as text
 } PastStep;
 
@@ -30,11 +31,11 @@ typedef struct History {
     ScriptRun run;                    // the second run of the same script
     const Expr *column[COLUMNS];
     size_t columns;
-    PastStep step[STEPS];             // the last steps, in order
+    PastStep step[STEPS];             // the last steps, the oldest first
     size_t steps;
     PastTransition transition[TRANSITIONS];
-    size_t transitions;               // the last transitions, in order
-    Watch **watch;                    // by machine, in the second run; NULL: it is not watched
+    size_t transitions;               // number of entries of `transition`, the oldest first
+    Watch **watch;                    // by machine: what it did in the second run; NULL: machines are not watched
 } History;
 
 static const char *count_text(Arena *arena, uint64_t n) { return format_in(arena, "%" PRIu64, n); }
@@ -205,7 +206,7 @@ static void add_state_note(const ScriptRun *r, size_t machine, Diag *d)
     const uint64_t step = is_new ? r->result.steps + 1 : r->machine[machine].start_step;
     const State *state = r->p->state.at[next.state - 1];
 
-    if (step > 1 && !(is_new && r->result.outcome != SCRIPT_ENDLESS))         // otherwise G has no value for the next step
+    if (step > 1 && !(is_new && r->result.outcome != SCRIPT_ENDLESS))         // otherwise the state would begin in a next step, whose G is unknown
         diag_note(r->diags, d, (Span){0}, DIAG_note_state_since, state->name->text, count_text(r->arena, step),
                   count_text(r->arena, is_new ? r->g : r->machine[machine].start));
     else if (step == 1)
@@ -236,7 +237,7 @@ static void add_stop_notes(const ScriptRun *r, Diag *d)
     }
 }
 
-// Adds the last steps and transitions to d, which reports a run that ended badly.
+// Adds notes with the last steps and transitions to d, which reports a run that failed.
 void history_add(ScriptRun *failed, Diag *d)
 {
     History *h = ARENA_NEW(failed->arena, History);
@@ -245,7 +246,7 @@ void history_add(ScriptRun *failed, Diag *d)
     h->failed = failed;
     if (failed->failed)
         add_columns(h, failed->failed);
-    // For @assert false: the operands of its guard and of the guards around it.
+    // An `@assert false` has no operands itself: add those of the item's guard, or else of an enclosing guard.
     for (const ScriptItem *item = failed->failed_item; failed->failed && h->columns == 0 && item; item = item->parent)
         add_columns(h, item->guard);
     if (stop)

@@ -3,26 +3,25 @@
 
 #include <string.h>
 
-// What the steps so far have shown about a requirement.
+// What is remembered of the steps so far for a requirement.  Comments begin with RequirementKind; a, b and c are its conditions.
 typedef struct Memory {
-    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the step in which a was true, while b has not been true
-                              // since
+    uint64_t since;           // AFTER: G of the last step in which b was true; LEADS_TO: G of the first step with a, for which b is still awaited
     bool seen;                // BEFORE, AFTER: b was true in some step so far
-    bool open;                // AFTER: c has not been true since b was; LEADS_TO: b is still awaited
+    bool open;                // AFTER: c has not been true since b was last true; LEADS_TO: b is still awaited
 } Memory;
 
-// The part of a RefWindow that a step changes, without its samples.
+// The fields of a RefWindow, of the same names, that a step changes; the samples are stored after them.
 typedef struct WindowMemory {
     uint64_t last;
     uint32_t next, filled;
     bool ran;
 } WindowMemory;
 
-// A situation is a Memory for each requirement, a WindowMemory for each window, and the samples.
+// A situation consists of a Memory for each requirement, then a WindowMemory for each window, then the samples of all windows.
 static Memory *memories_of(void *situation) { return situation; }
 static WindowMemory *window_memories(const Monitor *m, void *situation) { return (WindowMemory *)(memories_of(situation) + m->what->at.n); }
 
-// Gives each window that is used its place in a situation.
+// Computes the offset of the samples of each used window in a situation, and the size of a situation.
 static void place_windows(Monitor *m)
 {
     m->size = m->what->at.n * sizeof(Memory) + m->windows.n * sizeof(WindowMemory);
@@ -48,7 +47,7 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     return m;
 }
 
-// the samples of a window, and windows that they read, are parts of its expression, so expr_walk visits them
+// Called by expr_walk for each part of a condition: marks a window as used.  expr_walk also visits the sampled expression and the windows in it.
 static void mark_used(Expr *e, void *context)
 {
     const Monitor *m = context;
@@ -76,7 +75,7 @@ void monitor_start(const Monitor *m, void *situation) { memset(situation, 0, m->
 
 // ---- the windows of a situation ----
 
-// Takes the windows of the requirements from a saved situation.
+// Sets m->windows to the windows of a situation.
 static void load_windows(Monitor *m, void *situation)
 {
     for (size_t i = 0; i < m->windows.n; i++) {
@@ -120,7 +119,7 @@ static MonitorResult judge_after(Memory *mem, bool a, bool b, bool c, uint64_t g
 {
     const MonitorResult result = a && mem->seen ? result_of(!mem->open) : MONITOR_IDLE;
 
-    if (b && result != MONITOR_VIOLATED)              // `since` is only for the message
+    if (b && result != MONITOR_VIOLATED)              // `since` is read only for messages, which need its value before a violation
         mem->since = g;
     mem->seen = mem->seen || b;
     mem->open = b || (mem->open && !c);
@@ -145,13 +144,14 @@ static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool 
     return result_of(b && passed <= within);
 }
 
-// Decides condition e, which is number i of its requirement. The state of a machine that did not step in this tick does not count.
+// Whether condition e, which is number i (0: a, 1: b, 2: c) of requirement r, is true. A condition about the state of a machine is false in a tick in
+// which the machine did not step.
 static bool is_true(const Monitor *m, const Requirement *r, int i, const Expr *e, const uint64_t *cell)
 {
     return e && (r->machine[i] == 0 || m->ran[r->machine[i] - 1]) && ref_true(ref_eval(e, cell, &m->windows));
 }
 
-// Judges one requirement after a step; `mem` has what it remembers of earlier steps.
+// Judges one requirement after a step; `mem`: what is remembered of earlier steps for it.
 static MonitorResult judge_requirement(const Monitor *m, const Requirement *r, Memory *mem, const uint64_t *cell, uint64_t g)
 {
     const bool a = is_true(m, r, 0, r->a, cell), b = is_true(m, r, 1, r->b, cell);

@@ -17,20 +17,20 @@
 
 // What one step has decided about a requirement.
 typedef enum MonitorResult {
-    MONITOR_IDLE,             // the step could not violate the requirement, or it is not decided yet
+    MONITOR_IDLE,             // the step could not violate the requirement, or whether it does is still undecided
     MONITOR_JUDGED,           // the step could have violated the requirement, and did not
     MONITOR_VIOLATED
 } MonitorResult;
 
 typedef struct Monitor {
-    const Requirements *what;
-    size_t first, end;        // it judges the requirements from `first` to end - 1
-    uint64_t step;            // the least by which G advances from a step to the next; at least 1
+    const Requirements *what; // the requirements that are judged
+    size_t first, end;        // the requirements with the indices from `first` to end - 1 are judged
+    uint64_t step;            // the least amount, in units of G, by which G advances from one step to the next; at least 1
     size_t size;              // bytes of a situation
     size_t *samples_at;       // by window: offset of its samples in a situation
-    RefWindows windows;       // the windows of the situation of the last step
+    RefWindows windows;       // the windows that the conditions sample, with the values of the situation of the last step
     uint8_t *result;          // by requirement: the MonitorResult of the last step
-    bool *ran;                // of an application: by machine, whether it stepped in this tick, set by the caller.  NULL: one machine
+    bool *ran;                // for an application, by machine: it stepped in this tick; set by the caller.  NULL: one machine
 } Monitor;
 
 // delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.
@@ -41,7 +41,8 @@ void monitor_judge_only(Monitor *m, size_t requirement);
 void monitor_start(const Monitor *m, void *situation);
 // Judges the step after which the variables of the machine have these cells.  Returns whether it violates a requirement.
 bool monitor_step(Monitor *m, void *situation, const uint64_t *cell);
-// Whether a `leads to` is undecided.  Sets *since to the G at which its time began; for `after` to the G of the last step with B.
+// Whether a requirement of the kind `leads to` is undecided.  Sets *since to G of the step with A from which its time counts; for the kind `after`,
+// to G of the last step with B.
 bool monitor_is_open(const Monitor *m, const void *situation, size_t requirement, uint64_t *since);
 
 #endif

@@ -16,7 +16,7 @@ double ref_read(SmType type, uint64_t cell);          // the value of a cell as 
 uint64_t ref_convert(SmType type, double x);          // returns the cell of a variable of `type` in which x has been stored
 bool ref_true(double x);                              // whether a condition with this value is true: not zero and not NaN
 bool ref_negative(double x);                          // whether x is below zero or -0; false for NaN
-double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone, but for:
+double ref_pure(SmBuiltin fn, const double *arg);     // the result of a builtin that depends on its arguments alone, except those of ref_list:
 double ref_list(SmBuiltin fn, double *x, uint32_t n); // returns min, max, median or average of n numbers; overwrites x
 
 // The elementary functions (ref_elementary.c).
@@ -39,11 +39,11 @@ double ref_hypot(double x, double y);
 typedef struct RefWindow {
     const Window *what;       // the definition of the window in the program
     double *slot;             // the last samples, `what->size` of them, as a ring buffer; NULL: the window stores times
-    uint64_t *time;           // of a window of times: what->size times, a ring buffer; of the window of `held`: when the run of true samples began
-    uint64_t last;            // of the window of `held`: the time of the last sample
-    bool ran;                 // of the window of `held`: there has been a sample
-    bool is_unused;           // nothing reads it: it has no samples
-    uint32_t next;            // index of the next sample
+    uint64_t *time;           // for a window of times: a ring buffer of what->size times; for a window of `held`: when the run of true samples began
+    uint64_t last;            // for a window of `held`: G of the last sample
+    bool ran;                 // for a window of `held`: a sample has been taken
+    bool is_unused;           // nothing reads the window, so no samples are stored
+    uint32_t next;            // index in `slot` or `time` at which the next sample is stored
     uint32_t filled;          // slots 0 … filled - 1 contain samples
 } RefWindow;
 
@@ -51,7 +51,7 @@ typedef struct RefWindow {
 
 enum { REF_DRAWS = 12 };      // random numbers of 32 bits that a call draws in each step
 
-// The stream of one call.
+// The stream of random numbers of one call of random or noise.
 typedef struct RefStream {
     uint64_t state;           // the generator's state after the draws of `step`
     uint64_t step;            // the last step that drew, from 1; 0: none
@@ -60,10 +60,10 @@ typedef struct RefStream {
 
 typedef struct RefRandom {
     const ScriptRandom *call;
-    RefStream *stream;        // by number of the call
-    uint64_t seed;
-    uint64_t step;            // the current step, from 1
-    uint32_t first;           // added to the number of each call, so that an engine with faults has other random numbers than the script
+    RefStream *stream;        // by number of the call: its stream
+    uint64_t seed;            // seed of all streams
+    uint64_t step;            // number of the current step, from 1
+    uint32_t first;           // added to the number of each call: the noise of faulty sensors has other streams than the script
 } RefRandom;
 
 void ref_random_init(RefRandom *r, Arena *arena, const ScriptRandoms *calls, uint64_t seed);
@@ -74,12 +74,13 @@ double ref_random_value(RefRandom *r, uint32_t call);
 typedef struct RefWindows {
     RefWindow *at;
     size_t n;
-    RefRandom *random;        // of a script; NULL: the owner has no random numbers
-    double *scratch;          // room for the samples of the longest window
+    RefRandom *random;        // the random numbers of a script; NULL for a machine or requirements, which have none
+    double *scratch;          // buffer with room for the samples of the longest window
 } RefWindows;
 
 void ref_windows_init(RefWindows *w, Arena *arena, const Windows *list);
-// Like ref_windows_init, without memory for the samples: ref_window_place provides it, ref_window_samples times 8 bytes.  Empties no window.
+// Like ref_windows_init, but allocates no memory for samples, and does not empty the windows.  The caller provides the memory of each window with
+// ref_window_place: 8 bytes times ref_window_samples.
 void ref_windows_init_unplaced(RefWindows *w, Arena *arena, const Windows *list);
 uint32_t ref_window_samples(const Window *what);
 void ref_window_place(RefWindow *w, void *samples);

@@ -67,6 +67,7 @@ static double first_bits(double x)
 
 // ---- sums of two numbers (docs/elementary.md, Pairs) ----
 
+// A number as the exact sum of two doubles: `big` is the sum rounded to a double, `small` the rest.
 typedef struct Sum { double big, small; } Sum;
 
 // Fast2Sum (Dekker): big + small is exactly a + b.  Requires |a| >= |b|, or a = 0.
@@ -98,7 +99,7 @@ static Sum quotient(Sum a, Sum b)
     return s;
 }
 
-// The product of a sum and a constant that is `first` + `second`, and rounded `all`.
+// Returns the product of a and the constant first + second; `all` is this constant rounded to one double.
 static Sum product(Sum a, double first, double second, double all)
 {
     const double head = first_bits(a.big);
@@ -107,7 +108,7 @@ static Sum product(Sum a, double first, double second, double all)
     return s;
 }
 
-// c[0] + c[1] z + ...: even and odd powers apart, each by Horner's rule in z^2.
+// Returns c[0] + c[1] z + ... + c[n - 1] z^(n - 1): the sums of the even and of the odd powers, each by Horner's rule in z^2.
 static double polynomial(const double *c, int n, double z)
 {
     double part[2] = {0, 0};
@@ -152,7 +153,7 @@ static const double log_c[8] = {
     0x1.3b1395b5f08cdp-3, 0x1.1118cd53af741p-3, 0x1.df7bbec160c99p-4, 0x1.e038702fa10fcp-4
 };
 
-// s (base + z (first + second + w)), docs/elementary.md, Pairs.
+// Returns s (base + (z + z_rest) (first + second + w)), as docs/elementary.md, Pairs, specifies.
 static Sum series(Sum s, double z, double z_rest, double base, double first, double second, double w)
 {
     const double p = first_bits(first + w), p_rest = (first - p) + (second + w), head = first_bits(z);
@@ -187,7 +188,7 @@ static Sum log_of_mantissa(double x, double *e)
     return series(s, z, z_rest, 2, 0x1.5555555555555p-1, 0x1.5555555555555p-55, w);
 }
 
-// Whether log x needs no computation; *y is then its value.
+// Whether the logarithm of x is special, because x is not a positive finite number; *y is then the result.
 static bool is_simple_log(double x, double *y)
 {
     *y = is_nan(x) ? x : x == 0 ? -make_infinity() : x < 0 ? make_nan() : x;
@@ -244,7 +245,7 @@ static double pow_of_positive(double x, double y)
     return exp_of_sum(s.big, s.small);
 }
 
-// Whether y is a whole number, infinity included; whether it is an odd one.  From 2^53 on all are even.
+// is_whole: whether y is a whole number or infinite.  is_odd: whether y is an odd whole number; from 2^53 on every double is even.
 static bool is_whole(double y) { return magnitude(y) >= two_to(52) || (double)(int64_t)y == y; }
 static bool is_odd(double y) { return magnitude(y) < two_to(53) && is_whole(y) && (int64_t)y % 2 != 0; }
 
@@ -268,7 +269,7 @@ double ref_pow(double x, double y)
 
 // ---- sin, cos, tan ----
 
-enum { TURN_DIGITS = 39 };
+enum { TURN_DIGITS = 39 };    // number of entries of the table with 2 / pi below
 static const uint32_t turn_digit[TURN_DIGITS] = {
     0x00000000, 0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041,
     0xfe5163ab, 0xdebbc561, 0xb7246e3a, 0x424dd2e0, 0x06492eea, 0x09d1921c, 0xfe1deb1c, 0xb129a73e,
@@ -329,7 +330,7 @@ static int reduce(double x, Sum *r)
     if ((bits_from(product_digit, 2) ^ flip) == 0)
         from = 34;
     for (int i = 0; i < 4; i++) {
-        // the lowest two bits that the specification shifts in are zeros before they are flipped, so they are beyond the 160 bits used
+        // The two lowest bits, which the specification shifts in as zeros before it flips all bits, are beyond the 160 bits used here.
         part[i] = (double)(bits_from(product_digit, from + 32 * i) ^ flip) * two_to(-(from - 2) - 32 * (i + 1));
     }
     s = sum_of(part[0], part[1]);
@@ -452,7 +453,7 @@ static const double arc[4][2] = {
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 };
 
-// The angle of the point (x, y), both at least 0; `left`: x is to the left of the origin.
+// Returns the angle of the point (x, y), or with `left` of (-x, y).  x and y are at least 0.
 static double angle_of_point(Sum y, Sum x, bool left)
 {
     const bool steep = y.big > x.big;
@@ -538,7 +539,7 @@ static Sum square_root(Sum x)
     return root;
 }
 
-// sqrt(1 - x^2) of x from 0 to 1.
+// Returns sqrt(1 - x^2), for x from 0 to 1, as a sum of two doubles.
 static Sum other_leg(double x)
 {
     const Sum sum = sum_of(1, x), difference = sum_of(1, -x);

@@ -44,7 +44,7 @@ static double eval_chain(const Expr *e, const uint64_t *cell, const RefWindows *
 
 static double eval_call(const Expr *e, const uint64_t *cell, const RefWindows *w)
 {
-    double arg[SM_LIST_MAX] = {0};                    // builtins.def: no function has more parameters
+    double arg[SM_LIST_MAX] = {0};                    // no function in builtins.def has more parameters than SM_LIST_MAX
 
     for (uint32_t i = 0; i < e->n && i < SM_LIST_MAX; i++)
         arg[i] = ref_eval(e->arg[i], cell, w);

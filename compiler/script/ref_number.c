@@ -21,11 +21,11 @@ bool ref_negative(double x) { return x < 0 || (x == 0 && 1 / x < 0); }
 
 static double read_signed(uint64_t cell, unsigned bits)
 {
-    uint64_t half = (uint64_t)1 << (bits - 1);        // the cell of the smallest number
+    uint64_t half = (uint64_t)1 << (bits - 1);        // as a cell, the smallest number of the type: -2^(bits - 1)
 
     if (cell < half)
         return (double)cell;
-    return -(double)(half - (cell - half));           // 2^bits - cell, its magnitude
+    return -(double)(half - (cell - half));           // -(2^bits - cell)
 }
 
 static double read_f32(uint64_t cell)
@@ -67,7 +67,8 @@ static double power_of_two(unsigned n)
     return n < 64 ? (double)((uint64_t)1 << n) : 18446744073709551616.0;          // n <= 64
 }
 
-// A C cast from double to integer truncates toward zero.  It is undefined outside the integer's range.
+// Converts x to a signed integer of this many bits: truncated, and saturated; NaN becomes 0.  A C cast truncates, but is undefined outside
+// the integer's range.
 static uint64_t to_signed(double x, unsigned bits)
 {
     uint64_t half = (uint64_t)1 << (bits - 1);
@@ -81,7 +82,7 @@ static uint64_t to_signed(double x, unsigned bits)
         return half;
     if (x > -1)
         return (uint64_t)x;
-    return half + (half - (uint64_t)-x);              // 2^bits - magnitude
+    return half + (half - (uint64_t)-x);              // 2^bits - |x|, the two's complement
 }
 
 // Converts x to an unsigned integer of this many bits: truncated, and saturated; NaN becomes 0.
@@ -94,7 +95,8 @@ static uint64_t to_unsigned(double x, unsigned bits)
     return (uint64_t)x;
 }
 
-// A C cast rounds to nearest even if the result is in range.  FLT_MAX plus half a unit in the last place is already out of range.
+// Converts x to a cell of F32.  A C cast rounds to nearest even if the result is in range.  FLT_MAX plus half a unit in the last place is out of
+// range, and becomes infinity.
 static uint64_t to_f32(double x)
 {
     const double limit = 0x1.ffffffp127;              // 2^128 - 2^103; FLT_MAX is 2^128 - 2^104
@@ -156,7 +158,7 @@ static double ref_ceil(double x) { return -ref_floor(-x); }
 
 static double ref_round(double x)
 {
-    double t = ref_trunc(x), fraction = x - t;        // exact; NaN for an infinity, which is already whole
+    double t = ref_trunc(x), fraction = x - t;        // exact; for an infinity NaN, with which both comparisons below are false
 
     if (fraction >= 0.5)
         return t + 1;
@@ -180,7 +182,7 @@ static double ref_min(double a, double b)
 
 static double ref_max(double a, double b) { return -ref_min(-a, -b); }
 
-// An integer of 128 bits.
+// An unsigned integer of 128 bits.
 typedef struct Wide { uint64_t high, low; } Wide;
 
 static Wide multiply_wide(uint64_t a, uint64_t b)           // long multiplication in halves of 32 bits; a, b < 2^54

@@ -4,7 +4,7 @@
 
 static const uint64_t multiplier = UINT64_C(6364136223846793005);
 
-// The increment of a stream, which is what distinguishes it from the others.
+// Returns the increment of a call's generator.  Generators with different increments produce different streams.
 static uint64_t increment_of(uint32_t call) { return 2 * ((uint64_t)call + 1) + 1; }
 
 // Returns the next number of a PCG generator (XSH-RR, 32 bits).
@@ -17,8 +17,8 @@ static uint32_t next_random(uint64_t *state, uint64_t increment)
     return mixed >> turn | mixed << (-turn & 31);
 }
 
-// Returns the state of a stream before the draws of a step, from 1.  n draws change a state x to a * x + b; a and b of twice as many draws
-// follow from those of n, so the number of iterations is that of the bits of the number of draws.
+// Returns the state of a call's generator before the draws of a step; steps count from 1.  n draws change a state x to a * x + b; a and b for 2 n
+// draws follow from a and b for n, so the loop has one iteration for each bit of the number of draws.
 static uint64_t state_before(uint64_t seed, uint32_t call, uint64_t step)
 {
     const uint64_t increment = increment_of(call);

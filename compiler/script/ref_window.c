@@ -82,7 +82,7 @@ void ref_windows_sample(RefWindows *w, const uint64_t *cell)
     }
 }
 
-static bool sorts_before(double a, double b)          // whether a comes before b: by value, and -0 before +0
+static bool sorts_before(double a, double b)          // whether a comes before b in ascending order, in which -0 is below +0
 {
     return a < b || (a == b && ref_negative(a) && !ref_negative(b));
 }
@@ -160,7 +160,7 @@ double ref_statistic(const RefWindows *w, uint32_t window, SmStat stat)
     double *x = w->scratch;
 
     if (r->filled == 0)
-        return 0;                                     // a run that has ended; otherwise no step has run yet, so no expression reads this result
+        return 0;                                     // only the run of `held` can be read without samples, after it has ended; its length is then 0
     if (r->slot)
         memcpy(x, r->slot, r->filled * sizeof *x);
     switch (stat) {

@@ -15,17 +15,17 @@ typedef struct Cursor {
     Recording file;
     RecordingFormat format;
     RecordingColumn *column;  // the columns of the data that the script declares
-    Span *span;               // by column: where the script names it
-    RecordingRow now, next;
-    bool has_now, has_next;
-    uint64_t between;         // rows that were passed between two times of the cursor
+    Span *span;               // by column: position of its name in the script
+    RecordingRow now, next;   // the last row at or before the cursor's time; the row after it
+    bool has_now, has_next;   // whether these rows exist
+    uint64_t between;         // number of rows that were skipped because they are between the times of two successive steps
 } Cursor;
 
 // A @compare of the script.
 typedef struct ReplayCompare {
-    const ScriptCompare *of;
+    const ScriptCompare *of;  // its definition
     Cursor *cursor;
-    size_t column;            // index in the cursor
+    size_t column;            // index in cursor->column
     CompareResult result;
 } ReplayCompare;
 
@@ -37,7 +37,7 @@ struct Replay {
     Cursor **cursor;          // one for each delay; the first has delay 0 and reads the columns that the script writes to inputs
     size_t cursors;
     ReplayCompare *compare;      // by @compare of the script
-    double *recorded;         // by @compare: the recorded value at the last step
+    double *recorded;         // by @compare: the recorded value that the last step was compared with; NaN: none
 };
 
 static double to_double(SmF64 x) { return ref_read(SM_F64, sm_bits(x)); }
@@ -52,7 +52,7 @@ static size_t add_column(Cursor *c, const ScriptColumn *in)
     return i;
 }
 
-// Adds a reading position in the recorded file: columns with another delay are read at another time, each from its own position.
+// Adds a cursor: columns with different delays are read at different times, so each delay has its own position in the file.
 static Cursor *add_cursor(Replay *r, uint64_t delay)
 {
     Cursor *c = ARENA_NEW(r->arena, Cursor);
@@ -67,7 +67,7 @@ static Cursor *add_cursor(Replay *r, uint64_t delay)
     return c;
 }
 
-// Returns the cursor of a @compare.
+// Returns the cursor for a delay; adds it if no @compare before has this delay.
 static Cursor *find_cursor(Replay *r, uint64_t delay)
 {
     for (size_t i = 0; i < r->cursors; i++)
@@ -76,7 +76,7 @@ static Cursor *find_cursor(Replay *r, uint64_t delay)
     return add_cursor(r, delay);
 }
 
-// Adds the reading positions that the columns of the script need.
+// Adds the cursors that the columns of the script need, and opens nothing.
 static void add_cursors(Replay *r)
 {
     Cursor *first = add_cursor(r, 0);
@@ -135,7 +135,7 @@ static bool open_cursor(const Replay *r, Cursor *c)
     return report_error(r, c);
 }
 
-// Moves a cursor to a time.
+// Moves a cursor to a time, so that c->now is the last row at or before it.
 static bool move_cursor(const Replay *r, Cursor *c, uint64_t time)
 {
     const double t = ref_read(SM_U64, time);
@@ -148,7 +148,7 @@ static bool move_cursor(const Replay *r, Cursor *c, uint64_t time)
     return true;
 }
 
-// Returns the value of a column at a time at which the cursor is; NaN: it has none.
+// Returns the value of column i at time t, to which the cursor has been moved; NaN: the column has no value there.
 static double interpolate(const Cursor *c, size_t i, double t)
 {
     const double a = c->now.value[i], b = c->has_next ? c->next.value[i] : a, from = c->now.time;

@@ -24,9 +24,9 @@ bool replay_advance(Replay *r, uint64_t g, void (*write)(void *context, const Va
 bool replay_compare(Replay *r, uint64_t g, const uint64_t *cell);
 // Returns the recorded values of the last replay_compare, by @compare; NaN: the variable was not compared.
 const double *replay_recorded(const Replay *r);
-// Stores the time of the first row after g.  Returns false if no row follows.
+// Replaces *g by the time of the first row after *g.  Returns false if no row follows.
 bool replay_find_next_time(const Replay *r, uint64_t *g);
-// Whether a @compare was not met.
+// Whether some @compare was not met in some step.
 bool replay_differs(const Replay *r);
 // Sets the results of the @compares, and the counts of rows.
 void replay_set_result(const Replay *r, ScriptResult *result);

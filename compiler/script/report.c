@@ -55,9 +55,9 @@ static void append_decimal(Buf *out, const char *digits)
     }
 }
 
-static void append_fixed(Buf *out, double x)          // appends x as printf's %f does
+static void append_fixed(Buf *out, double x)          // appends x with 6 digits after the point, like printf's %f
 {
-    char digits[400];                                 // 309 before the point, 6 after it
+    char digits[400];                                 // at most 309 digits before the point, 6 after it
 
     if (append_nonfinite(out, x))
         return;
@@ -71,8 +71,8 @@ static bool is_whole(double x)
     return x > -9007199254740992.0 && x < 9007199254740992.0 && x == (double)(int64_t)x && !(x == 0 && 1 / x < 0);
 }
 
-// Searches for the least precision that reads back as x.  For a normal number the search starts at 15 digits, because %.15g prints no
-// superfluous zeros; fewer digits may identify a subnormal number, so its search starts at 1.
+// Tries increasing numbers of digits until the text reads back as x.  For a normal number it starts at 15 digits, because %.15g prints no
+// superfluous zeros; fewer digits may identify a subnormal number, so for that it starts at 1.
 void format_number_shortest(Buf *out, double x)
 {
     const bool is_normal = x >= 2.2250738585072014e-308 || x <= -2.2250738585072014e-308;
@@ -102,7 +102,7 @@ static void append_hex(Buf *out, double x)
     if (append_nonfinite(out, x))
         return;
     memcpy(&bits, &x, sizeof bits);
-    fraction = bits << 12;                            // moves the first digit to the top
+    fraction = bits << 12;                            // moves the first hexadecimal digit of the fraction to the highest four bits
     exponent = (int)(bits >> 52 & 0x7ff);
     buf_str(out, bits >> 63 ? "-0x" : "0x");
     buf_char(out, exponent ? '1' : '0');

@@ -8,15 +8,15 @@ struct RunPoint {
     uint64_t g;
     uint64_t steps, asserts_passed;
     uint64_t prints;
-    size_t printed;           // bytes
+    size_t printed;           // length of ScriptRun.printed in bytes
     ScriptMachine machine;
     EngineNext next;
     PendingExpect *pending;
     uint32_t pendings;
-    char *memory;             // the pieces, one after another
+    char *memory;             // copies of all pieces of memory, one after another, in the order of the list
 };
 
-// A part of the memory of a run that a point has to save.
+// An address range of a run's memory whose content a saved point has to contain.
 typedef struct Piece { void *at; size_t size; } Piece;
 
 typedef VEC(Piece) Pieces;
@@ -38,7 +38,7 @@ static void add_window(Arena *arena, Pieces *list, RefWindow *w)
     add_piece(arena, list, samples, ref_window_samples(w->what) * sizeof(uint64_t));
 }
 
-// Lists the memory whose size does not change in the run.
+// Lists the pieces of the run's memory that steps change and whose size is constant during the run.
 static Pieces list_pieces(ScriptRun *r)
 {
     Pieces list = {0};

@@ -69,7 +69,7 @@ static const char *source_text(Arena *arena, const Expr *e)
     return format_in(arena, "%.*s%s", (int)n, s, n < e->span.len ? "..." : "");
 }
 
-// Adds what the steps before have to do with the violation.
+// Adds a note about the earlier step that makes this step a violation, such as the last step with b.
 static void add_reason(ScriptRun *r, Diag *d, const Requirement *what, uint64_t since)
 {
     const char *at = number_text(r, since);
@@ -108,7 +108,7 @@ void requirement_report_violations(ScriptRun *r)
             report_violation(r, &r->o->requirements->at.at[i], r->requirement[i].since);
 }
 
-// A run that failed ended too early to decide what it could, so this is not reported.
+// After a failed run nothing is reported, because it ended before it could decide the other requirements.
 void requirement_report_undecided(const ScriptRun *r)
 {
     const bool is_complete = r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS;
@@ -140,13 +140,13 @@ void requirement_add_visits(bool *visited, const Program *p, const ScriptResult 
         visited[s] |= r->ran[s] > 0;
 }
 
-// Collects the states that conditions name.
+// The context of the walk that marks the states that conditions name.
 typedef struct NamedStates {
     const Program *p;
     bool *is_named;           // by State.number - 1
 } NamedStates;
 
-// Returns how many states of the program come before those of the machine whose S is this variable; UINT32_MAX: it is the S of no machine.
+// Returns the number of states in the program before those of the machine whose S is v; UINT32_MAX: v is the S of no machine.
 static uint32_t first_state_of(const Program *p, const Var *v)
 {
     if (!p->joint)

@@ -27,7 +27,7 @@ const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step)
     return NULL;
 }
 
-// The last step of a loop that is run.
+// Returns the last step of the scenario in which a loop is active.
 static uint64_t end_of_loop(const Scenario *s, const ScenarioLoop *l) { return l->to <= s->steps ? l->to - 1 : s->steps; }
 
 // Copies the changes of all rounds of a loop, whose changes are the first n of `body`, and returns their number.  to NULL: only counts them.

@@ -3,8 +3,8 @@
 // are written from them.
 //
 // The machine starts in `init_state`.  Step k, counted from 1, runs with G = (k - 1) * delta_t.  Before it runs, the inputs are set: for each
-// variable the last change whose step is not after k decides.  A variable without one keeps the value of the start, as in a script
-// (language.md 8.12).  The scenario ends after step `steps`.
+// variable, the last change with a step of at most k determines the value.  A variable without such a change keeps its initial value, as in a
+// script (language.md 8.12).  The scenario ends after step `steps`.
 #ifndef SMC_SCENARIO_H
 #define SMC_SCENARIO_H
 
@@ -22,21 +22,21 @@ typedef struct ScenarioChange {
     uint64_t step;            // the first step in which the change applies
     uint32_t var;             // index into Program.var: what is set
     ScenarioKind kind;
-    double a, b;              // stored as an assignment stores them (language.md 2.13)
-    uint32_t source;          // COPY: index into Program.var
+    double a, b;              // parameters of `kind`; values are converted to the variable's type as by an assignment (language.md 2.13)
+    uint32_t source;          // COPY: index into Program.var of the variable whose value is copied
 } ScenarioChange;
 
-// Changes that are made again and again: those in the steps from `from` on, below `from + period`.  Each is made again every `period` steps,
-// before step `to`.  They are HOLDs of variables that the machine never stores, and no other change is made from `from` to `to`.
+// A loop repeats the changes in the steps `from` to from + period - 1: each is made again every `period` steps, as long as the step is below
+// `to`.  All of them are HOLDs of variables that the machine never stores, and no other change is made from `from` to `to`.
 typedef struct ScenarioLoop { uint64_t from, period, to; } ScenarioLoop;
 
 typedef struct Scenario {
     const State *init_state;
     uint64_t delta_t;         // by how much G grows in a step; at least 1
     uint64_t steps;
-    const ScenarioChange *change;     // by step; at most one for a variable and a step
+    const ScenarioChange *change;     // sorted by step; at most one for each variable and step
     size_t changes;
-    const ScenarioLoop *loop; // by `from`; none overlaps another one
+    const ScenarioLoop *loop; // sorted by `from`; loops do not overlap
     size_t loops;
 } Scenario;
 

@@ -59,7 +59,7 @@ static Interval interval_of(const Expr *e, const Var *time, const uint64_t *cell
     return all;
 }
 
-// Returns an interval of the variable `time` outside which the item does not run: its guard is false, or one around it.
+// Returns an interval of the variable `time` outside which the item does not run, because its guard or an enclosing one is false.
 static Interval interval_of_item(const ScriptItem *item, const Var *time, const uint64_t *cell)
 {
     Interval all = interval_of(item->guard, time, cell);
@@ -75,10 +75,10 @@ static Interval interval_of_item(const ScriptItem *item, const Var *time, const 
 typedef struct Entry {
     const ScriptItem *item;
     Interval when;
-    double latest;            // the largest when.to in the subtree below this entry, itself included
+    double latest;            // the largest when.to of this entry and of the entries in its subtree
 } Entry;
 
-// Entries sorted by when.from: a binary search tree whose root is the middle of the array.
+// Entries sorted by when.from: an interval tree, a binary search tree whose root is the middle of the array.
 typedef VEC(Entry) Entries;
 
 static int compare_entries(const void *left, const void *right)
@@ -120,12 +120,13 @@ static void add_items_containing(Arena *arena, const Entry *at, size_t from, siz
     }
 }
 
-// ---- items of one moment ----
+// ---- items whose guard is true at one G only ----
 
-// Items with a guard such as `at 5 s`, sorted by its time.  A script can have one for each step, and this is a quarter of the memory of an Entry.
+// Items with a guard such as `at 5 s`, sorted by the time in the guard.  A script can have a million of them, and a pointer needs a quarter of the
+// memory of an Entry.
 typedef struct Moments {
     DueItems item;
-    uint32_t next;            // the first item that had not ended at the last search
+    uint32_t next;            // index of the first item whose time was not over at the last search
 } Moments;
 
 static double moment_of(const ScriptItem *item) { return item->guard->number; }
@@ -139,7 +140,7 @@ static int compare_moments(const void *left, const void *right)
     return (*a)->number < (*b)->number ? -1 : 1;
 }
 
-// Adds to `due` the items of the moment `now`.  Searches from the last moment on, because time advances from call to call.
+// Adds to `due` the items whose guard is true at G = now.  Searches from where the last call ended, because G advances from call to call.
 static void add_moments(Arena *arena, Moments *list, double now, DueItems *due)
 {
     if (list->next > 0 && moment_of(list->item.at[list->next - 1]) >= now)
@@ -152,15 +153,15 @@ static void add_moments(Arena *arena, Moments *list, double now, DueItems *due)
 
 // ---- items with a period ----
 
-// An item whose guard is `every d`, in a heap by the next time.
+// An item whose guard is `every d`.  They are in a heap, ordered by `next`.
 typedef struct Periodic {
     const ScriptItem *item;
-    uint64_t next, period;    // in units of G
+    uint64_t next, period;    // in units of G: when the guard is true next; the duration d
 } Periodic;
 
 typedef VEC(Periodic) Periodics;
 
-// Moves the entry at `i` down to its place, after its time has grown.
+// Restores the order of the heap after the time of the entry at `i` has increased.
 static void sift_down(Periodics *heap, size_t i)
 {
     const Periodic moved = heap->at[i];
@@ -175,7 +176,7 @@ static void sift_down(Periodics *heap, size_t i)
     heap->at[i] = moved;
 }
 
-// Adds to `due` the items of which `now` is a multiple of the period.  `now` grows from call to call, and steps in between may be left out.
+// Adds to `due` the items for which `now` is a multiple of the period.  `now` increases from call to call; not every step makes a call.
 static void add_periodic(Arena *arena, Periodics *heap, uint64_t now, DueItems *due)
 {
     while (heap->n > 0 && heap->at[0].next <= now) {
@@ -191,19 +192,19 @@ static void add_periodic(Arena *arena, Periodics *heap, uint64_t now, DueItems *
 
 // ---- the schedule ----
 
-enum { BY_G, BY_T, TIMES };
+enum { BY_G, BY_T, TIMES };   // the two variables of time by whose intervals entries are sorted
 
 // The items that can run in one state, or those of [all_states].
 typedef struct Group {
-    Entries by[TIMES];
+    Entries by[TIMES];        // entries with an interval of G; of T
     Moments moments;
     Periodics periodic;
 } Group;
 
 struct Schedule {
     Arena *arena;
-    const Var *time[TIMES];
-    bool grows;               // G is another one in each step
+    const Var *time[TIMES];   // G and T
+    bool grows;               // G is larger in each step than in the step before, never equal
     Group all_states;
     Group **of_state;         // by State.number - 1; NULL: the script has no section for it
     size_t states;
@@ -218,23 +219,23 @@ static void add_item(Schedule *h, Group *g, const ScriptItem *item, const uint64
     const Entry e = {item, when, 0};
     const Periodic p = {item, 0, item->guard->kind == EX_EVERY ? (uint64_t)item->guard->number : 0};
 
-    // The guards around an item with a period may limit it, too.  Unless they end, its period is the shorter search.
+    // An item with `every` can be inside other guards.  If these are never false for good after some G, the heap is the faster search.
     if (p.period && h->grows && !by_t && of_g.to == always.to) {
         vec_push(h->arena, &g->periodic, p);
         return;
     }
-    if (item->guard->kind == EX_AT && when.from == when.to)   // an enclosing guard can be false at that time
+    if (item->guard->kind == EX_AT && when.from == when.to)   // the interval is not one time if an enclosing guard is false at that time
         vec_push(h->arena, &g->moments.item, item);
     else
         vec_push(h->arena, &g->by[by_t ? BY_T : BY_G], e);
 }
 
-// Reserves memory for the items of a section: moments, and entries by G for others, also those without a limit on time.
+// Reserves memory for the items of a section: for those with `at` in `moments`, for all others in the entries by G.
 static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
 {
     uint32_t moments = 0;
 
-    if (g->by[BY_G].cap || g->moments.item.cap)               // another section of the group has already reserved the memory
+    if (g->by[BY_G].cap || g->moments.item.cap)               // an earlier section of the same state has already reserved the memory
         return;
     for (size_t i = 0; i < section->item.n; i++)
         moments += section->item.at[i]->guard->kind == EX_AT;
@@ -244,7 +245,7 @@ static void reserve_items(Schedule *h, Group *g, const ScriptSection *section)
     g->by[BY_G].at = ARENA_ARRAY(h->arena, Entry, g->by[BY_G].cap);
 }
 
-// Sorts a list that is not in order; that of a script that is written in order of time is.  Some qsorts need as much memory again.
+// Sorts a list, unless it is in order already, as in a script that is written in order of time: some qsorts need as much memory again.
 static void sort_list(void *list, size_t n, size_t size, int (*compare)(const void *, const void *))
 {
     for (size_t i = 1; i < n; i++)
@@ -281,8 +282,8 @@ Schedule *schedule_new(Arena *arena, const Script *s, const uint64_t *cell)
 
     h->arena = arena;
     h->time[BY_G] = s->program->g;
-    h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has a T for each machine
-    h->grows = s->delta_t > 0 || s->by_rows;                                  // otherwise the ticks of an application are no whole units apart
+    h->time[BY_T] = s->program->t ? s->program->t : s->program->g;            // an application has no common T, so its entries are sorted by G only
+    h->grows = s->delta_t > 0 || s->by_rows;                                  // else a tick can be shorter than a unit of G
     h->of_state = ARENA_ARRAY(arena, Group *, s->program->state.n);
     h->states = s->program->state.n;
     for (size_t i = 0; i < s->section.n; i++) {
@@ -338,7 +339,7 @@ void schedule_find_due(Schedule *h, const State *const *state, size_t n, const u
         qsort(due->at, due->n, sizeof *due->at, compare_items);
 }
 
-// Lets periodic items of the group start again.
+// Resets the next times of the group's periodic items to 0.
 static void rewind_group(Group *g)
 {
     for (size_t i = 0; g && i < g->periodic.n; i++)

@@ -25,9 +25,9 @@ typedef struct ScriptStep {
     uint64_t g;               // G in this step
     const State *state;       // the state that the step ran; in an application, the state of its first machine
     const uint64_t *cell;     // the value of every variable after the step, by index
-    const uint8_t *results;   // by requirement: what the step decided, a MonitorResult; NULL: the run has no requirements
+    const uint8_t *results;   // by requirement: the MonitorResult of the step; NULL: the run has no requirements
     const double *recorded;   // by @compare: the recorded value; NaN: there is none.  NULL: the script has no data
-    const State *const *states;       // of an application: by machine, the state that the step ran, or its next step runs; else NULL
+    const State *const *states;       // for an application, by machine: the state that the step ran, or its next step will run; else NULL
     const Program *program;
 } ScriptStep;
 
@@ -36,43 +36,43 @@ typedef struct ScriptStep {
 enum { COMPARE_SPANS_MAX = 8 };
 
 typedef struct ComparePoint {
-    uint64_t g, row, line;    // G of the step; the row of the file, and the line in which the row begins
-    double element, recorded, difference;         // difference: not negative
+    uint64_t g, row, line;    // G of the step; the number of the row in the file, and the line in which the row begins
+    double element, recorded, difference;         // the element's value, the recorded one, and the magnitude of their difference
 } ComparePoint;
 
 typedef struct CompareSpan { uint64_t from, to; } CompareSpan;       // G of the first and the last of successive steps
 
 typedef struct CompareResult {
-    uint64_t steps, failed;   // in how many steps the @compare was evaluated; in how many of these it was not met
-    bool differs;             // in the last step in which it was evaluated, it was not met
-    ComparePoint first, worst;        // if failed > 0
-    uint64_t spans;           // number of times at which it was not met
-    CompareSpan span[COMPARE_SPANS_MAX];          // the first `spans` of these times, at most COMPARE_SPANS_MAX
+    uint64_t steps, failed;   // number of steps in which the @compare was evaluated; of those, number in which it was not met
+    bool differs;             // the @compare was not met in the last step in which it was evaluated
+    ComparePoint first, worst;        // if failed > 0: the first step in which it was not met; that with the largest difference
+    uint64_t spans;           // number of intervals of G in which it was not met
+    CompareSpan span[COMPARE_SPANS_MAX];          // the first of these intervals, at most COMPARE_SPANS_MAX
 } CompareResult;
 
-// Appends the times at which a @compare was not met: "G = 40 to 80, G = 200".
+// Appends the intervals in which a @compare was not met: "G = 40 to 80, G = 200".
 void compare_write_spans(const CompareResult *c, Buf *out);
 
 typedef struct ScriptOptions {
     uint64_t max_steps;
-    const uint64_t *seed;     // of the random numbers, at most SCRIPT_SEED_MAX; NULL: that of the script
+    const uint64_t *seed;     // seed of the random numbers, at most SCRIPT_SEED_MAX; NULL: the script's own seed
     void (*after_step)(void *context, const ScriptStep *step);      // called after each step, before its asserts are evaluated; or NULL
-    void *context;            // passed to both functions
+    void *context;            // passed to after_step and is_cancelled
     bool (*is_cancelled)(void *context);      // called after each step that does not end the run; or NULL
     const ScriptSetting *setting;     // parameters that have another value in this run; `settings` of them
     size_t settings;
     const Requirements *requirements;         // judged after each step; NULL: none
-    bool is_silent;           // nothing is reported: only the result counts
+    bool is_silent;           // no diagnostics are reported: the caller reads only the result
     bool continues;           // neither a failed assert nor a violated requirement ends the run
-    bool is_compared;         // the report or trace is compared or only displayed, so the script needs no assert
+    bool is_compared;         // the caller compares or displays the report or trace, so a script without asserts is not reported
 } ScriptOptions;
 
 // What a run has decided about a requirement.
 typedef struct RequirementRun {
-    uint64_t judged;          // in how many steps it could have been violated
-    bool violated;            // in the last step
-    bool undecided;           // when the run ended
-    uint64_t since;           // UNDECIDED: G at which its time began
+    uint64_t judged;          // number of steps that could have violated the requirement
+    bool violated;            // the last step violated it
+    bool undecided;           // it was undecided when the run ended
+    uint64_t since;           // if undecided: G from which its time counts
 } RequirementRun;
 
 typedef struct ScriptResult {
@@ -82,34 +82,34 @@ typedef struct ScriptResult {
     uint64_t seed;
     uint64_t asserts_passed;
     uint64_t *cell;           // the final values, by variable
-    const char *printed;      // what @print has shown: lines; "" if nothing
-    const uint64_t *evaluated;        // by number of the assert, in the order of the script: how often it was evaluated
-    const uint8_t *undecided; // by number of the assert: it is an @expect that was neither met nor failed when the run ended
+    const char *printed;      // the lines that @print has shown; "": none
+    const uint64_t *evaluated;        // by number of the assert (its index in the order of the script): how often it was evaluated
+    const uint8_t *undecided; // by number of the assert: 1 for an @expect that was neither met nor failed when the run ended
     const ScriptAssert *failed;       // the first assert that was not met; NULL: none, then SCRIPT_FAILED means a violated requirement or a @compare
     uint64_t failures;        // how many times an assert was not met; at most 1 unless ScriptOptions.continues
-    const uint8_t *failed_asserts;    // by number of the assert: it was not met at least once
-    uint64_t failed_step, failed_g;   // of `failed`: after which step
+    const uint8_t *failed_asserts;    // by number of the assert: 1 if it was not met at least once
+    uint64_t failed_step, failed_g;   // number and G of the step after which `failed` was not met
     bool is_violated;         // SCRIPT_FAILED: a requirement was violated
-    const RequirementRun *requirement;        // by requirement; NULL: the run had none
-    const uint64_t *ran;      // by State.number - 1: the last step that ran the state, 0: none
+    const RequirementRun *requirement;        // by requirement; NULL: the run had no requirements
+    const uint64_t *ran;      // by State.number - 1: number of the last step that ran the state; 0: none
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
     const char *data_file;    // the file with recorded data; NULL: none, or it could not be read
-    uint64_t data_first_bad_line;     // the line of the first row that was skipped
-    uint64_t data_rows, data_bad_rows, data_between;  // number of data rows that were read; that were skipped; that lie between two steps, so that no
-                                                      // step used them
+    uint64_t data_first_bad_line;     // number of the line with the first row that was skipped
+    uint64_t data_rows, data_bad_rows, data_between;  // number of data rows that were read; of skipped rows; of rows
+                                                      // between two steps, which no step used
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 
 // What all runs of a call have decided about a requirement.
 typedef struct RequirementTotal {
-    uint64_t judged;          // in how many steps of all runs
-    uint32_t scripts;         // in how many runs it was judged
-    uint32_t violated, undecided;     // in how many runs
+    uint64_t judged;          // number of steps of all runs that could have violated it
+    uint32_t scripts;         // number of runs with such a step
+    uint32_t violated, undecided;     // number of runs that violated it; that left it undecided
 } RequirementTotal;
 
 // Adds the results of a run to those of the runs before it, by requirement.
 void requirement_add_run(RequirementTotal *total, const Requirements *what, const ScriptResult *r);
-// Sets visited[State.number - 1] for each state that the run came to.
+// Sets visited[State.number - 1] for each state that the run entered.
 void requirement_add_visits(bool *visited, const Program *p, const ScriptResult *r);
 // Returns the states that the conditions of a requirement name and that were not visited: "Hold, Burn"; "": it names no such state.
 const char *requirement_unvisited(Arena *arena, const Requirement *what, const Program *p, const bool *visited);

@@ -165,12 +165,12 @@ static void init_engines(ScriptRun *r)
     check_answers(r);
     memcpy(r->cell, r->answer[0].cell, r->p->var.n * sizeof *r->cell);
     if (r->p->joint)
-        r->g = r->cell[r->p->g->index];               // [start] can set it
+        r->g = r->cell[r->p->g->index];               // [start] of an application can set G
     for (size_t i = 0; i < r->s->local.n; i++)
         r->cell[r->s->local.at[i]->index] = r->s->local.at[i]->init;
 }
 
-// Sets the start of the state of each machine that ran: T is the time since then.
+// In an application, sets the time at which the state of each machine that ran began: G minus T.
 static void update_starts(ScriptRun *r)
 {
     for (size_t i = 0; r->p->joint && i < r->machines; i++)
@@ -213,7 +213,7 @@ static void compare_with_data(ScriptRun *r)
 // Adds n ticks of an application to the time at which G is *g and *rest nanoseconds have passed since. Returns false if G would reach 2^64-1.
 static bool add_ticks(const Joint *j, uint64_t n, uint64_t *g, uint64_t *rest)
 {
-    const uint64_t period = n * j->tick, part = *rest + period % j->unit;         // a period is at most an hour
+    const uint64_t period = n * j->tick, part = *rest + period % j->unit;         // no overflow, because a period is at most an hour
     const uint64_t units = period / j->unit + part / j->unit;
 
     if (*g >= UINT64_MAX - units)
@@ -227,14 +227,14 @@ uint64_t run_next_g(const ScriptRun *r, uint32_t machine)
 {
     uint64_t g = r->g, rest = r->rest;
 
-    if (r->s->by_rows)                                // of a machine of an application, no tick is earlier
+    if (r->s->by_rows)                                // each row is a tick; for a machine of an application this is the earliest possible time
         return replay_find_next_time(r->replay, &g) ? g : UINT64_MAX;
     if (r->p->joint)
         return add_ticks(r->p->joint, machine ? r->machine[machine - 1].every : 1, &g, &rest) ? g : UINT64_MAX;
     return r->g < UINT64_MAX - r->s->delta_t ? r->g + r->s->delta_t : UINT64_MAX;
 }
 
-// Sets how many ticks each machine waits from the next one on, which is at `next`.
+// Sets how many ticks each machine waits, counted from the next tick, in which G is `next`.
 static void advance_waits(ScriptRun *r, uint64_t next)
 {
     const Joint *j = r->p->joint;
@@ -304,7 +304,7 @@ static void run_step(ScriptRun *r)
 
 // ---- the run ----
 
-// Numbers of things in a script, for allocation.
+// How many items and asserts a script has, to allocate arrays.
 typedef struct ScriptTotals { size_t items, asserts; } ScriptTotals;
 
 static ScriptTotals count_script_items(const Script *s)
@@ -448,7 +448,7 @@ void run_to_the_end(ScriptRun *r)
     run_end(r);
 }
 
-// Reports that the data ended before a @stop.  If it cannot be read instead, that has been reported.
+// Reports that the data ended before a @stop.  An error in reading the data has been reported already.
 static void report_data_ended(ScriptRun *r)
 {
     if (r->data_ended)

@@ -15,11 +15,11 @@ typedef struct NotedAssert {
     size_t assert;            // index into item->asserts; asserts.n means the item's @stop
 } NotedAssert;
 
-// An @expect whose condition has not been true since its guard was.
+// An @expect whose guard has been true, and whose condition has not been true since then.
 typedef struct PendingExpect {
     const ScriptItem *item;
     size_t assert;            // index into item->asserts
-    uint64_t since;           // G of the step in which its guard was true
+    uint64_t since;           // G of the step in which the guard was true
 } PendingExpect;
 
 // A machine of a run.
@@ -28,11 +28,11 @@ typedef struct ScriptMachine {
     const Var *mode;          // the element of its @mode; or NULL
     uint32_t first;           // the machine's states have the numbers from first + 1 on
     uint64_t every;           // the machine runs once in this many ticks
-    uint64_t wait;            // ticks until the machine is due
-    bool is_due;              // this step is one of the machine's own: it is due, and enabled when the step begins
-    const State *state;       // the state that its next step runs
-    uint64_t start;           // G of the first step of its state
-    uint64_t start_step;      // number of that step
+    uint64_t wait;            // number of ticks until the machine is due
+    bool is_due;              // the machine steps in this tick: it is due, and its mode enables it
+    const State *state;       // the state that the machine's next step runs
+    uint64_t start;           // G of the first step of that state
+    uint64_t start_step;      // number of the first step of that state
 } ScriptMachine;
 
 typedef struct ScriptRun {
@@ -44,68 +44,68 @@ typedef struct ScriptRun {
     EngineStep *answer;       // by engine: the result of its last step
     size_t engines;           // number of engines
     const ScriptOptions *o;
-    uint64_t *cell;           // the values that the script sees, by variable: those of the machine, then those of the script
+    uint64_t *cell;           // the values that the script reads: of the machine's variables by Var.index, then of the script's own
     RefRandom random;         // the random numbers of the script
     RefWindows windows;       // the windows of the script's own calls, not those of the machine
     Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
     bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     uint64_t g;               // G of this step
-    uint64_t rest;            // of an application: nanoseconds since G was reached
-    ScriptMachine *machine;   // the machine, or those of the application
+    uint64_t rest;            // for an application: nanoseconds by which the time of this tick exceeds g, less than one unit of G
+    ScriptMachine *machine;   // by machine: the only one, or those of the application
     size_t machines;
-    const State **active;     // the states of the machines at whose ticks this step is, `actives` of them
+    const State **active;     // the states of the machines that are due in this step, `actives` of them
     size_t actives;
-    const State **states;     // by machine: its state, for ScriptStep
+    const State **states;     // by machine: buffer for ScriptStep.states
     Schedule *schedule;
     DueItems due;             // the items of this step whose guards can be true
     VEC(EngineWrite) write;   // the inputs that this step writes before the machine runs
     VEC(NotedAssert) noted;   // the asserts that this step has noted, in source order
-    VEC(PendingExpect) pending;       // in the order in which they began; at most one for each @expect
-    uint8_t *is_pending;      // by number of the assert
+    VEC(PendingExpect) pending;       // sorted by `since`; at most one for each @expect
+    uint8_t *is_pending;      // by number of the assert: 1 if it is in `pending`
     Buf printed;              // the lines of @print, at most PRINTED_MOST
     uint64_t prints;          // number of lines that @print would have shown without a limit
-    uint8_t *failed_asserts;  // by number of the assert: it was not met at least once
+    uint8_t *failed_asserts;  // by number of the assert: 1 if it was not met at least once
     uint64_t *evaluated;      // by number of the assert: how often it was evaluated
-    uint64_t *true_in;        // by number of the item: the last step in which its guard was true, 0: none
-    uint64_t *ran;            // by State.number - 1: the last step that ran the state, 0: none
-    uint64_t *ran_at;         // by State.number - 1: G in that step
-    const Expr *failed;       // the condition that failed, or the guard of an @fail, or the condition of a violated requirement; or NULL
-    const ScriptItem *failed_item;    // NULL: a requirement was violated
-    uint64_t failed_since;    // of a failed @expect: G of the step in which it began
-    Monitor *monitor;         // of the requirements; NULL: none
-    void *situation;          // the monitor's copy of its state (monitor.h)
-    RequirementRun *requirement;      // by requirement
-    const Requirement *violated;      // the first that the last step has violated; or NULL
-    const void *pieces;       // of run_point.c; NULL: no point was saved
+    uint64_t *true_in;        // by number of the item: number of the last step in which its guard was true; 0: none
+    uint64_t *ran;            // by State.number - 1: number of the last step that ran the state; 0: none
+    uint64_t *ran_at;         // by State.number - 1: G in the last step that ran the state
+    const Expr *failed;       // why the run failed: the condition of an assert or a violated requirement, or the guard of an @fail; or NULL
+    const ScriptItem *failed_item;    // the item with the assert that failed; NULL: a requirement was violated
+    uint64_t failed_since;    // for a failed @expect: G of the step in which its guard was true
+    Monitor *monitor;         // judges the requirements; NULL: the run has none
+    void *situation;          // what the monitor remembers of the steps so far (monitor.h)
+    RequirementRun *requirement;      // by requirement: the results so far
+    const Requirement *violated;      // the first requirement that the last step has violated; or NULL
+    const void *pieces;       // the list of memory pieces that run_point.c saves; NULL: no point was saved yet
     ScriptResult result;
     bool ended;               // the run has ended, with result.outcome as the reason
 } ScriptRun;
 
-// Returns G of the next step in which an assert of a section counts: `machine` as in ScriptItem. UINT64_MAX: there is none, because G would
-// overflow or reach 2^64-1, or because the recorded data ends.
+// Returns G of the next step in which the asserts of a machine are evaluated: `machine` as in ScriptItem. UINT64_MAX: no such step follows,
+// because G would overflow or reach 2^64-1, or because the recorded data ends.
 uint64_t run_next_g(const ScriptRun *r, uint32_t machine);
-// Returns text for messages: the state in which the machine is in this step, or the states of all machines of an application.
+// Returns the state of the machine in this step as text for messages; for an application, the states of all machines.
 const char *run_state_text(const ScriptRun *r);
 // Ends the run.
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s);
-// Returns the last step in which a section ran; 0: none.  For [all_states], which runs in each step, returns 1.
+// Returns the number of the last step in which a section ran; 0: none.  For [all_states], which runs in each step, returns 1.
 uint64_t run_last_of_section(const ScriptRun *r, const ScriptSection *section);
 // Runs the script from its first step until it ends.  Reports errors of engines and differences between them.
 void run_to_the_end(ScriptRun *r);
-// The three parts of run_to_the_end, for code that stops a run or copies it.  A run without recorded data is in r->arena and in that of its
-// engines alone, so copies of these are a copy of the run.
+// The three parts of run_to_the_end, for code that interrupts a run or copies it.  All memory of a run without recorded data is in r->arena and in
+// the arenas of its engines, so copying these arenas copies the run.
 // Initialises the engines and prepares the first step.
 void run_begin(ScriptRun *r);
 // Runs further steps, until the run has ended or `steps` steps have run since the beginning.
 void run_continue(ScriptRun *r, uint64_t steps);
-// Sets the results.
+// Sets r->result after the last step.
 void run_end(ScriptRun *r);
 
 // ---- run_point.c: runs that are continued more than once ----
 
-// The state of a run of one machine between two steps.  That of the engine is not part of it.
+// The state of a run of one machine between two steps, without the state of the engine.
 typedef struct RunPoint RunPoint;
 
 // Whether the points of a script can be saved: it has no recorded data, and its machine is no application.
@@ -152,10 +152,10 @@ void history_add(ScriptRun *failed, Diag *d);
 
 // ---- why_short.c ----
 
-// Watches the machines of `ref`, the engine of a second run of a run that failed, as far as why_short_add needs it.  steps: of that run.
-// Returns the watches by machine, or NULL if the condition that failed is about nothing that a machine does.
+// A run that failed is repeated on the engine `ref`.  Watches the machines of `ref`, as far as why_short_add needs it.  steps: the number of steps
+// that the repeated run has made.  Returns the watches by machine; NULL: the condition that failed reads nothing that a machine stores.
 Watch **why_short_watch(const ScriptRun *failed, Engine *ref, const uint64_t *steps);
-// Adds why the values and states in the condition that failed are not as it demands: at most WHY_SHORT_MOST notes.
+// Adds at most WHY_SHORT_MOST notes to d that explain why the variables in the condition that failed have their values.
 enum { WHY_SHORT_MOST = 4 };
 void why_short_add(const ScriptRun *failed, Diag *d, Watch *const *watch);
 

@@ -5,7 +5,7 @@
 
 #include "compiler/script/script.h"
 
-// Whether a variable has the name of a column that the trace has beside the variables.
+// Whether a variable has the same name as one of the columns that are not variables, such as the step.
 static bool is_fixed_column_name(const Program *p, const Var *v, bool has_requirements)
 {
     const char *name = v->report_name->text;

@@ -13,7 +13,7 @@ typedef struct TestReader {
     Arena *arena;
     TestFile *f;
     const char *at, *end;
-    uint32_t line;            // line number of the line last read
+    uint32_t line;            // number of the line that was read last, from 1
 } TestReader;
 
 // A line of the file, without its LF or CR LF.

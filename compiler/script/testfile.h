@@ -35,13 +35,13 @@ typedef struct TestExpected {
     size_t part;              // index of the part in TestFile.part
     uint32_t line;            // line within the part, counted from 1
     const char *id;           // "E0204"
-    const char *text;         // text that the diagnostic must contain; may be ""
+    const char *text;         // a part of the message that the diagnostic must have; may be ""
 } TestExpected;
 
 typedef enum TestOutcome {
-    TEST_PASS,
-    TEST_FAIL,                // the script must fail
-    TEST_ERROR                // it must not compile
+    TEST_PASS,                // every script must pass
+    TEST_FAIL,                // a script must fail
+    TEST_ERROR                // the sources must not compile
 } TestOutcome;
 
 typedef struct TestFile {
@@ -51,14 +51,14 @@ typedef struct TestFile {
     VEC(TestPart) part;
     VEC(TestExpected) expected;       // in file order
     TestOutcome outcome;      // from `expect`, else derived from the announced diagnostics
-    uint64_t steps;           // `steps N`; 0 if absent
+    uint64_t steps;           // `steps N`, the most steps of a script; 0 if absent
     uint64_t advance;         // `advance N`, the increment of G per step for the analyses; 0 if absent
 } TestFile;
 
 // Parses text (not copied).  Everything is allocated in the arena.
 TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_t n);
 
-const char *testfile_header(const TestFile *f, const char *key);          // value of the first one; NULL if absent
+const char *testfile_header(const TestFile *f, const char *key);          // value of the first line with this key; NULL if absent
 const TestPart *testfile_part(const TestFile *f, const char *name);       // NULL if absent
 bool testfile_is_source(const TestPart *p);                               // NAME.sv, .sm, .ss, .io, .net, .app or .rq
 bool testfile_has_suffix(const TestPart *p, const char *suffix);

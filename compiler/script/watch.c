@@ -11,7 +11,7 @@ enum { OPERANDS_MOST = 8 };           // of one leaf
 typedef struct Nodes {
     Arena *arena;
     VEC(WatchNode) node;
-    uint32_t leaf;            // index of the leaf whose operands are added
+    uint32_t leaf;            // index of the leaf whose operands are being added
 } Nodes;
 
 bool watch_same_span(Span a, Span b) { return a.src == b.src && a.at == b.at && a.len == b.len; }
@@ -23,7 +23,7 @@ bool watch_is_relation(const Expr *e)
     return sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY;
 }
 
-// Whether e is written as one call, such as rising(x), and only consists of operations: their positions are that of the call.
+// Whether the checker composed e from operations for one call in the source, such as rising(x): all parts of e then have the position of the call.
 static bool is_composed(const Expr *e) { return e->n > 0 && watch_same_span(e->arg[e->n - 1]->span, e->span); }
 
 static bool is_join(const Expr *e) { return e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR) && !is_composed(e); }
@@ -63,10 +63,11 @@ static void add_node(Nodes *n, const Expr *e, WatchKind kind, unsigned depth)
     vec_push(n->arena, &n->node, node);
 }
 
-// Adds what explains the value of a leaf: the variables and calls in it, and what it compares; no calls inside another operand.
+// Adds the operands that explain the value of a leaf: the variables and calls in it, and the sides of comparisons; no calls inside another operand.
 static void add_operands(Nodes *n, const Expr *e, unsigned depth, bool is_compared, bool in_call)
 {
-    const bool is_named = e->kind == EX_NUMBER && e->span.len && !strchr("0123456789.", e->span.src->text[e->span.at]);     // by a definition
+    // the number was written as the name of a definition
+    const bool is_named = e->kind == EX_NUMBER && e->span.len && !strchr("0123456789.", e->span.src->text[e->span.at]);
     const bool explains = is_named || e->kind == EX_VAR || e->kind == EX_ROLL || is_compared || watch_held_run(e) || (e->kind == EX_CALL && !in_call);
 
     if (e->kind == EX_NUMBER && !is_named)
@@ -85,7 +86,7 @@ static void add_leaf(Nodes *n, const Expr *e, unsigned depth)
     add_operands(n, e, depth + 1, false, false);
 }
 
-// Adds e.  `joined_by`: the operator of the node whose operand it is, so that the operands of `a and b and c` are three.
+// Adds the nodes of e.  `joined_by`: the operator of the node that has e as an operand: `a and b and c` becomes one node with three operands.
 static void add_expression(Nodes *n, const Expr *e, unsigned depth, SmOperator joined_by)
 {
     const uint32_t at = (uint32_t)n->node.n;
@@ -96,7 +97,7 @@ static void add_expression(Nodes *n, const Expr *e, unsigned depth, SmOperator j
         add_expression(n, e->arg[0], depth, e->op);
         add_expression(n, e->arg[1], depth, e->op);
         if (joined_by == e->op)
-            return;                                   // the node at `at` is its first operand
+            return;                                   // no node was added for e itself, so node[at] belongs to its first operand
     } else if (e->kind == EX_UNARY && e->op == SM_OP_NOT && !is_composed(e) && is_join(e->arg[0])) {
         add_node(n, e, WATCH_NOT, depth);
         add_expression(n, e->arg[0], depth + 1, SM_OP_COUNT);
@@ -165,7 +166,7 @@ bool watch_truth(const WatchStmt *s, const uint64_t *value, uint32_t i) { return
 
 bool watch_is_decision(const WatchStmt *s) { return s->stmt->kind == ST_IF || (s->nodes && is_decision(s->node[0].e)); }
 
-// Returns the value of a node.  The nodes after it are recorded.
+// Returns the value of node i.  The values of the nodes after it must have been recorded.
 static uint64_t evaluate_node(const WatchStmt *s, uint32_t i, const RefView *r)
 {
     const WatchNode *n = &s->node[i];
@@ -207,7 +208,7 @@ static void record_passage(Watch *w, const WatchStmt *s)
     w->passages++;
 }
 
-// Called before each statement: records the values of its expressions, and since when each has been as it is.
+// Called before each statement: records the values of its expressions, and since when each has been true or false.
 static void watch_stmt(RefObserver *o, const RefView *r, const Stmt *stmt)
 {
     Watch *w = (Watch *)o;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records what a machine does while the reference interpreter runs it: of each statement its last execution, with the values of its
-// parts, and since when each condition has had its value.  The memory that this needs depends on the machine, not on the number of steps.
+// Records what a machine does while the reference interpreter runs it: the last execution of each statement, with the values of its
+// subexpressions, and since when each condition has had its value.  The memory needed depends on the machine, not on the number of steps.
 #ifndef SMC_WATCH_H
 #define SMC_WATCH_H
 
@@ -8,17 +8,17 @@
 #include "compiler/script/ref.h"
 
 typedef enum WatchKind {
-    WATCH_AND, WATCH_OR, WATCH_NOT,   // their operands follow
-    WATCH_LEAF,               // a condition, or a value that is no condition
-    WATCH_OPERAND             // a part of the preceding leaf whose value explains that leaf
+    WATCH_AND, WATCH_OR, WATCH_NOT,   // nodes of conditions; the nodes of their operands follow
+    WATCH_LEAF,               // a condition without and, or, not; or a value that is no condition
+    WATCH_OPERAND             // an operand in the preceding leaf, such as a variable, whose value explains that leaf
 } WatchKind;
 
 // An expression whose value is recorded.  The nodes of a statement are in preorder; node 0 is its guard, or the value that it stores.
 typedef struct WatchNode {
     const Expr *e;
     WatchKind kind;
-    uint8_t depth;            // 0: node 0
-    uint32_t end;             // index after the last node of this expression
+    uint8_t depth;            // depth below node 0, which has depth 0
+    uint32_t end;             // 1 + the index of the last node of this expression
 } WatchNode;
 
 typedef struct WatchStmt WatchStmt;
@@ -27,46 +27,46 @@ struct WatchStmt {
     const State *state;
     BlockKind block;
     const WatchStmt *parent;  // the enclosing conditional; NULL: none
-    bool in_else;             // it belongs to the `else` of the parent
+    bool in_else;             // the statement is in the `else` of the parent
     bool is_recorded;         // every execution is recorded; else only those from Watch.from on
     WatchNode *node;
     uint32_t nodes;
-    uint32_t base;            // number of values of the enclosing guards, the outermost first
-    uint64_t *value;          // values of the last execution: those of its guards, then those of its nodes, in the form that watch_number reads
-    uint64_t step, g;         // of its last execution; step 0: it was never executed
-    uint64_t *since, *since_g;        // by node: step and G since which, in successive steps, it was evaluated and had its present truth
+    uint32_t base;            // number of entries of `value` that belong to the enclosing guards
+    uint64_t *value;          // of the last execution: the values of the enclosing guards, the outermost first, then of `node`; see watch_number
+    uint64_t step, g;         // number and G of the step that executed it last; step 0: it was never executed
+    uint64_t *since, *since_g;        // by node: number and G of the step since which every step evaluated it with the same truth
 };
 
-// A transition that was taken.
+// A transition that the machine has taken.
 typedef struct WatchPassage {
-    uint64_t step, g;
-    const WatchStmt *by;
+    uint64_t step, g;         // number and G of the step that took it
+    const WatchStmt *by;      // the transition's statement
     uint64_t *value;          // values of the guards, then of the nodes, as in WatchStmt
 } WatchPassage;
 
 typedef struct Watch Watch;
 struct Watch {
     RefObserver observer;
-    const Program *p;         // a machine
-    const uint64_t *steps;    // how many steps have run before the current one: a step's number is one more
-    uint64_t from;            // the first step in which every statement is recorded; 0: all steps
-    uint64_t step, g;         // the last step of the machine, 0: none; and its G
-    uint64_t previous;        // the machine's step before `step`; 0: none
-    bool is_first;            // it is the first step of its state
-    const State *state;       // the state that the step ran
-    uint64_t entered, entered_g;      // the first step of that state
-    uint64_t *last_run, *last_run_g;  // by State.number - 1: the last step that ran the state, 0: none
-    WatchStmt *stmt;          // by Stmt.number
-    WatchStmt **stored_by;    // by variable: the statement that stored it last; NULL: none
-    WatchPassage *passage;    // the last transitions, a ring buffer with room for `passages_most`
-    uint32_t passages_most;
-    uint64_t passages;        // number of transitions taken
+    const Program *p;         // the machine that is watched
+    const uint64_t *steps;    // the run's counter of completed steps: the number of the current step is one more
+    uint64_t from;            // number of the first step in which every statement is recorded; 0: all steps
+    uint64_t step, g;         // number and G of the machine's last step; step 0: none
+    uint64_t previous;        // number of the machine's step before `step`; 0: none
+    bool is_first;            // step `step` is the first of its state
+    const State *state;       // the state that step `step` ran
+    uint64_t entered, entered_g;      // number and G of the first step since `state` was entered
+    uint64_t *last_run, *last_run_g;  // by State.number - 1: number and G of the last step that ran the state; 0: none
+    WatchStmt *stmt;          // by Stmt.number: its record
+    WatchStmt **stored_by;    // by Var.index: the statement that stored the variable last; NULL: none
+    WatchPassage *passage;    // the last transitions that were taken: a ring buffer
+    uint32_t passages_most;   // capacity of `passage`
+    uint64_t passages;        // number of transitions taken so far
 };
 
 // Prepares to watch a machine.  passages_most: how many of its last transitions are remembered; 0: none.
 Watch *watch_new(Arena *arena, const Program *p, const uint64_t *steps, uint32_t passages_most);
 // Restricts a watch: only statements that store one of the n variables are recorded in every step, all others from step `from` on.
-// Then only what one of these steps has stored, and the values in steps from `from` on, are known, and no `since`.
+// Then `value` is known for these statements and for executions from step `from` on, and `since` is not known.
 void watch_restrict(Watch *w, const Var *const *stored, size_t n, uint64_t from);
 // Watches an engine of engine_ref_open for one machine.
 void watch_attach(Watch *w, Engine *ref);
@@ -76,7 +76,7 @@ const WatchPassage *watch_passage(const Watch *w, uint32_t i);
 // Returns the value of node i of a statement as a number, and whether it is true. value: of WatchStmt or WatchPassage.
 double watch_number(const WatchStmt *s, const uint64_t *value, uint32_t i);
 bool watch_truth(const WatchStmt *s, const uint64_t *value, uint32_t i);
-// Whether a guard or stored value consists of conditions, so that it has a truth.
+// Whether the expression of a statement is a condition: a guard, or a stored value that is true or false.
 bool watch_is_decision(const WatchStmt *s);
 // Whether e compares its operands.
 bool watch_is_relation(const Expr *e);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers of smc why.  One run, watched, gives the guards and their values; the step in which a variable was stored before needs a second
-// one, and so does the machine before the step, from which changes are tried.
+// The answers of smc why.  A first run of the script, in which the machine is watched, provides the guards and their values.  A second run finds the
+// step in which a variable was stored before, and another one the state of the machine before the step, from which changes are tried.
 #include "compiler/script/why.h"
 
 #include <inttypes.h>
@@ -78,10 +78,10 @@ void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, c
 typedef struct Answer {
     WhyAnswer out;
     WhyRun r;
-    const Watch *w;           // of the machine of the question
+    const Watch *w;           // the watch of the machine that the question is about
     const Program *p;
     WhyWords words;
-    const WatchStmt **guard;  // the guards and conditions of the answer that another value could have changed
+    const WatchStmt **guard;  // the statements whose guards or conditions are in the answer: other inputs are tried for these
     size_t guards;
     const Var *origin[ORIGINS_MOST];  // the variables whose values explain the answer
     size_t origins;
@@ -98,7 +98,7 @@ static WhyLine *add_line(Answer *a, WhyKind kind, unsigned depth, Span at, const
 static void add_remark(Answer *a, unsigned depth, const char *text) { add_line(a, WHY_REMARK, depth, (Span){0}, text); }
 static void add_heading(Answer *a, const char *text) { add_line(a, WHY_HEADING, 0, (Span){0}, text); }
 
-// Lists a variable whose value explains the answer, if it is not clear where it comes from.
+// Lists a variable in a->origin, unless the source of its value is obvious, so that the answer explains where the value comes from.
 static void list_origin(Answer *a, const Var *v)
 {
     if (v == a->p->g || v->kind == VAR_TIME || v->state_of || v->is_constant || a->origins == ORIGINS_MOST)
@@ -109,7 +109,7 @@ static void list_origin(Answer *a, const Var *v)
     a->origin[a->origins++] = v;
 }
 
-// Lists the variables of an expression, whose sources the answer then names.
+// Lists the variables of an expression in a->origin.
 static void list_origins(Answer *a, const Expr *e)
 {
     if (e->kind == EX_VAR)
@@ -118,12 +118,13 @@ static void list_origins(Answer *a, const Expr *e)
         list_origins(a, e->arg[i]);
 }
 
-// Adds the condition of a statement that the step has evaluated, with those of which it consists, unless the answer has it.
+// Adds a line for the guard or stored condition of a statement that the step has evaluated, and one for each condition in it, unless the answer
+// contains them already.
 static void add_condition(Answer *a, unsigned depth, const WatchStmt *s)
 {
     for (size_t i = 0; i < a->guards; i++)
         if (a->guard[i] == s)
-            return;                                   // two transitions share the condition
+            return;                                   // the guard is in the answer already, because it also contains another transition
     for (uint32_t i = 0; i < s->nodes; i++) {
         WhyLine *line;
         if (s->node[i].kind == WATCH_OPERAND)
@@ -157,7 +158,7 @@ static void add_statements(Answer *a, unsigned depth, const Stmts *list)
     for (size_t i = 0; i < list->n; i++) {
         const WatchStmt *s = &a->w->stmt[list->at[i]->number];
         if (s->step != a->w->step)
-            return;                                   // an earlier transition has ended the block
+            return;                                   // the step did not execute the statement, because an earlier transition ended the block
         switch (s->stmt->kind) {
         case ST_ASSIGN:
             add_store(a, depth, s);
@@ -217,7 +218,7 @@ static void explain_transition(Answer *a, unsigned depth, const WatchStmt *s)
     if (!obstacle)
         add_line(a, WHY_TRANSITION, depth, s->stmt->span, format_in(a->r.arena, "-> %s was taken", target));
     else if (obstacle == s && s->parent && !s->parent->parent && !s->in_else && !watch_truth(s->parent, s->parent->value, 0))
-        return;                                       // the line of its only guard says this
+        return;                                       // the line of the transition's only guard already shows that it is false
     else if (why_is_blocked(obstacle))
         add_line(a, WHY_REMARK, depth, s->stmt->span, format_in(a->r.arena, "-> %s was not taken, because %s was %s", target,
                  why_quote(a->r.arena, obstacle->parent->node[0].e->span), obstacle->in_else ? "true" : "false"));
@@ -263,7 +264,7 @@ static void explain_path(Answer *a)
     }
     add_heading(a, format_in(a->r.arena, "the shortest path is %s; its first transition:", why_path_text(a->r.arena, &path)));
     explain_transitions(a, 1, path.at[1]);
-    a->r.q.to = path.at[1];                           // the answer about other values is then about this transition
+    a->r.q.to = path.at[1];                           // so that the changes that are tried are about this transition
 }
 
 // ---- where values come from ----
@@ -276,7 +277,7 @@ static const Var *run_variable(const Answer *a, const Var *v)
     return j ? j->member.at[a->r.q.machine].var[v->index] : v;
 }
 
-// Returns the position of the assignment in the script that wrote a variable last, and the step; without a source: none.
+// Returns the position of the script's assignment that wrote a variable last, and sets *step to its step; a span without source: none.
 static Span find_writer(const ScriptRun *run, const Var *v, uint64_t *step)
 {
     Span found = {0};
@@ -317,7 +318,7 @@ static const ScriptColumn *find_column(const Script *s, const Var *v)
     return NULL;
 }
 
-// Adds where the value of a variable comes from.
+// Adds a line about where the value of a variable of the machine comes from.
 static void add_origin(Answer *a, const Var *local)
 {
     const Var *v = run_variable(a, local);
@@ -424,7 +425,8 @@ static void add_changes(Answer *a, unsigned depth)
 
 // ---- the step that was nearest ----
 
-// Returns the transition to a state that was nearest to being taken.  NULL: no step could take one.  *last: the one that was taken last, or NULL.
+// Returns the transition to a state that was nearest to being taken; NULL: no step could take one.  *last: the transition that was taken last, or
+// NULL.
 static const WatchStmt *find_nearest(const Answer *a, const State *to, const WatchStmt **last)
 {
     const WatchStmt *found = NULL;
@@ -462,7 +464,7 @@ static void explain_nearest(Answer *a, const WatchStmt *t)
     a->out = b->out;
 }
 
-// Adds which step was nearest to a transition to `to` that the run never took.  Returns false if no step could take one.
+// Adds the step that was nearest to taking a transition to `to`, which the run never took.  Returns false if no step could take one.
 static bool add_nearest_step_to(Answer *a, const State *to)
 {
     const WatchStmt *last, *t = find_nearest(a, to, &last);
@@ -492,7 +494,7 @@ static bool add_nearest_step_to(Answer *a, const State *to)
     return true;
 }
 
-// Adds the step that was nearest to taking the machine to `to`, or, if none could, along the path there.
+// Adds the step that was nearest to taking a transition to `to`; if no step could take one, says so, and tries q.to instead.
 static void add_nearest_step(Answer *a, const State *to)
 {
     if (!a->r.near || (a->w->state == to && !transition_taken(a)) || (transition_taken(a) && transition_taken(a)->target == to))
@@ -506,7 +508,7 @@ static void add_nearest_step(Answer *a, const State *to)
 
 // ---- the answers ----
 
-// Returns how the run ended, for a step in which it did; NULL: it did not.
+// Returns how the run ended, if it ended in the step in question; else NULL.
 static const char *ending_text(const Answer *a)
 {
     const ScriptRun *run = &a->r.run;
@@ -522,7 +524,7 @@ static const char *ending_text(const Answer *a)
     }
 }
 
-// Adds the first line: the step, the state, since when, and how the step ended.
+// Adds the first line: the step, its state, the step since which the machine is in this state, and how the step ended.
 static void add_head(Answer *a)
 {
     const Stmt *t = transition_taken(a);
@@ -602,7 +604,7 @@ static void answer_of_input(Answer *a, const Var *v)
     add_origin(a, v);
 }
 
-// Continues with the step in which the variable of the question was stored, if that is an earlier one.
+// Explains where the value of the variable of the question comes from; if an earlier step stored it, by a second run up to that step.
 static void ask_about_store(Answer *a, Arena *arena, const Script *s, const ScriptOptions *o, WhyQuestion q)
 {
     const Var *joined = run_variable(a, q.of);

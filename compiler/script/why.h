@@ -18,18 +18,18 @@
 typedef struct WhyQuestion {
     uint64_t at_step;         // the number of the step; 0: the question names none
     uint64_t at_g;            // G of the step, if has_g
-    bool has_g;               // without at_step and has_g: the step in which the run ended
-    uint32_t machine;         // index of the machine of an application
-    const State *to;          // of that machine: why it did, or did not, go there; NULL: not asked
-    const Var *of;            // of that machine: why the variable has its value; NULL: not asked
-    uint32_t depth;           // how many transitions before the step are listed
+    bool has_g;               // the question names G.  Without at_step and has_g it is about the step in which the run ended
+    uint32_t machine;         // index of the machine that the question is about; 0 without an application
+    const State *to;          // a state of that machine: why did it, or did it not, make a transition there?  NULL: not asked
+    const Var *of;            // a variable of that machine: why does it have its value?  NULL: not asked
+    uint32_t depth;           // how many of the transitions before the step are listed
 } WhyQuestion;
 
 typedef enum WhyStatus {
     WHY_ANSWERED,
-    WHY_BETWEEN_STEPS,        // no step has this G: WhyAnswer.before and .after are those of its neighbours
-    WHY_ENDED_BEFORE,         // the run ended before, with step WhyAnswer.steps at G = .before
-    WHY_NO_STEP,              // the machine has not run a step at or before that time
+    WHY_BETWEEN_STEPS,        // no step has this G: WhyAnswer.before and .after are G of the steps before and after it
+    WHY_ENDED_BEFORE,         // the run ended before that step: its last one was step WhyAnswer.steps at G = WhyAnswer.before
+    WHY_NO_STEP,              // the machine has not run any step up to that one
     WHY_NOT_RUN               // the script does not run: its data cannot be read
 } WhyStatus;
 
@@ -38,14 +38,14 @@ typedef enum WhyStatus {
     KIND(HEADING, "heading")          /* the title of the lines that follow */ \
     KIND(STEP, "step")                /* the step that is explained */ \
     KIND(GUARD, "guard")              /* a guard, or a stored condition; its conditions follow */ \
-    KIND(CONDITION, "condition")      /* a part of it */ \
-    KIND(STORE, "store") \
+    KIND(CONDITION, "condition")      /* a condition in the guard above */ \
+    KIND(STORE, "store")              /* an assignment that the step executed */ \
     KIND(TRANSITION, "transition")    /* in the step that is explained */ \
-    KIND(PASSAGE, "passage")          /* a transition before it */ \
+    KIND(PASSAGE, "passage")          /* a transition in an earlier step */ \
     KIND(ORIGIN, "origin")            /* where the value of a variable comes from */ \
     KIND(NEAREST, "nearest")          /* the step that was nearest to a transition that the run never took; its guards and changes follow */ \
-    KIND(CHANGE, "change")            /* what would have been different */ \
-    KIND(REMARK, "remark")
+    KIND(CHANGE, "change")            /* another value of an input, and what would have been different */ \
+    KIND(REMARK, "remark")            /* a sentence */
 
 typedef enum WhyKind {
 #define KIND(constant, name) WHY_##constant,
@@ -56,31 +56,31 @@ typedef enum WhyKind {
 
 // An input with which the step would have had another outcome.
 typedef struct WhyChange {
-    const Var *var;           // the input
+    const Var *var;           // the input that is changed
     uint64_t cell, was;       // the value that was tried; the value in the run
-    double limit;             // the value with which the variable is compared, if any
-    int side;                 // the value tried is the limit (0), or the next one of its type above (1) or below (-1)
+    double limit;             // the value with which the machine compares the variable, if any
+    int side;                 // `cell` is the limit (0), or the next value of the type above it (1) or below it (-1)
     const State *next;        // the target of the transition that the step then makes; NULL: none
     uint64_t stored;          // if the question is about a variable: its value after the changed step
 } WhyChange;
 
 typedef struct WhyLine {
     WhyKind kind;
-    unsigned depth;           // levels of indentation
+    unsigned depth;           // indentation in levels
     Span at;                  // the position in the source; src NULL: no position
     const char *text;
     const Expr *e;            // GUARD, CONDITION: the expression
     bool truth;               // GUARD, CONDITION: its value
-    bool has_gap;
-    double gap;               // GUARD, CONDITION: by how much a comparison that was false missed
-    uint64_t step, g;         // GUARD, CONDITION: since when it has had this value; other kinds: when it happened.  step 0: unknown
-    WhyChange change;         // CHANGE
+    bool has_gap;             // `gap` is set
+    double gap;               // GUARD, CONDITION: the difference of the two sides of a comparison that was false
+    uint64_t step, g;         // number and G of a step.  GUARD, CONDITION: since then it has had this value; others: it happened then.  0: unknown
+    WhyChange change;         // CHANGE: the input and its value
 } WhyLine;
 
 typedef struct WhyAnswer {
     WhyStatus status;
-    uint64_t step, g;         // the step that is explained; its G
-    uint64_t steps, before, after;
+    uint64_t step, g;         // number and G of the step that is explained
+    uint64_t steps, before, after;    // see WHY_BETWEEN_STEPS and WHY_ENDED_BEFORE
     VEC(WhyLine) line;
 } WhyAnswer;
 

@@ -9,8 +9,8 @@
 #include "stdlib/math.h"
 
 enum {
-    CHANGES_MOST = 6,
-    PARAMETER_STEPS_MOST = 4000000   // steps of all runs with other values of parameters
+    CHANGES_MOST = 6,                // the most changes that an answer lists
+    PARAMETER_STEPS_MOST = 4000000   // the most steps of all runs with other values of parameters together
 };
 
 // A value of a parameter that was tried.
@@ -18,23 +18,23 @@ typedef struct TriedValue { const Var *var; uint64_t cell; } TriedValue;
 
 // ---- the machine before the step ----
 
-// An engine that remembers the state of its machine, and the writes of the script, before one step.
+// An engine that saves the state of its machine, and the writes of the script, just before the step in question.
 typedef struct Before {
     Engine engine;
     Engine *ref;
-    Engine *saved, *again;    // the machine before the step; an engine that runs the step again with other inputs
-    EngineWrite *write, *tried;       // what the script writes before the step; the same with one change
+    Engine *saved, *again;    // the machine before the step in question; an engine that runs that step again with other inputs
+    EngineWrite *write, *tried;       // what the script writes before that step; the same with one change
     uint32_t writes;
-    uint64_t step;            // the number of that step
-    const WhyRun *run;
-    const WhyRun *result;     // the run whose outcome is to be changed
+    uint64_t step;            // number of the step in question
+    const WhyRun *run;        // the run in which the state is saved
+    const WhyRun *result;     // the run of the question, with the outcome that is to be changed
     EngineStep answer;
     VEC(TriedValue) parameter;
-    uint64_t parameter_steps; // of the runs with these
-    bool is_cut;              // a further cause did not fit into the table
+    uint64_t parameter_steps; // number of steps of the runs with the values in `parameter`
+    bool is_cut;              // not all values of parameters were tried, because of PARAMETER_STEPS_MOST
 } Before;
 
-// Sets a variable before the step.  A later write of a variable replaces an earlier one.
+// Adds a write to b->write.  A later write of the same variable replaces the earlier one.
 static void add_write(Before *b, uint32_t var, uint64_t cell)
 {
     uint32_t i = 0;
@@ -88,7 +88,7 @@ static Engine *wrap_to_save_step(void *context, WhyRun *r, Engine *ref)
 // Returns the engine after the step whose outcome is to be changed.
 static const Engine *outcome_of(const Before *b) { return b->result->machine[b->result->q.machine]; }
 
-// Whether c, another outcome of the step, answers the question.
+// Whether the outcome of the step with change c is one that the question asks for.
 static bool is_asked(const Before *b, const WhyChange *c)
 {
     const WhyQuestion *q = &b->result->q;
@@ -104,14 +104,14 @@ static bool is_asked(const Before *b, const WhyChange *c)
 
 // ---- a parameter ----
 
-// An engine that notes which state its machine runs in the step.
+// An engine that notes which state its machine runs in the step in question.
 typedef struct Noting {
     Engine engine;
     Engine *ref;
     const WhyRun *run;
-    uint64_t step;            // the number of that step
-    uint32_t next;            // the state of the machine's next step
-    uint32_t state;           // number of the state that the step ran; 0: the machine has not run the step
+    uint64_t step;            // number of the step in question
+    uint32_t next;            // State.number of the state that the machine's next step runs
+    uint32_t state;           // State.number of the state that the step in question ran; 0: the machine has not run that step
 } Noting;
 
 static EngineStatus noting_init(Engine *e, uint32_t state, EngineStep *out)
@@ -147,17 +147,18 @@ static Engine *wrap_noting(void *context, WhyRun *r, Engine *ref)
     return &k->engine;
 }
 
-// Whether a value of a parameter can be tried: it was not before, and there is room for the steps of a run.
+// Whether a value of a parameter can be tried: it has not been tried yet, and a further run does not exceed PARAMETER_STEPS_MOST.
 static bool can_try_parameter(Before *b, const WhyChange *c)
 {
     for (uint32_t i = 0; i < b->parameter.n; i++)
         if (b->parameter.at[i].var == c->var && b->parameter.at[i].cell == c->cell)
-            return false;                             // two conditions have the limit in common
+            return false;                             // the value has been tried for another condition with the same limit
     b->is_cut |= b->parameter_steps + b->step > PARAMETER_STEPS_MOST;
     return !b->is_cut;
 }
 
-// Runs the script with another value of a parameter.  Returns whether the step then runs the same state with another outcome, which c then has.
+// Runs the script with another value of a parameter.  Returns whether the step then runs the same state with another outcome, and stores that
+// outcome in c.
 static bool try_parameter(Before *b, WhyChange *c)
 {
     const WhyRun *r = b->result;
@@ -191,7 +192,7 @@ static bool try_parameter(Before *b, WhyChange *c)
     return is_asked(b, c);
 }
 
-// Runs the step with the change.  Returns whether it then has another outcome, which c then has.
+// Runs the step with change c.  Returns whether the outcome then differs, and stores it in c.
 static bool try_change(Before *b, WhyChange *c)
 {
     const WhyQuestion *q = &b->result->q;
@@ -218,7 +219,7 @@ static bool try_change(Before *b, WhyChange *c)
     return is_asked(b, c);
 }
 
-// Whether a change of v is among those that change the outcome.
+// Whether `out` already contains a change of variable v.
 static bool has_change_of(const WhyChanges *out, const Var *v)
 {
     for (uint32_t i = 0; i < out->n; i++)
@@ -252,7 +253,7 @@ static double next_value(SmType type, double x, int side)
         return side > 0 ? sm_floor(x) + 1 : -(sm_floor(-x) + 1);
     if (x == 0)
         return ref_read(type, side > 0 ? 1 : type == SM_F32 ? UINT64_C(0x80000001) : UINT64_C(0x8000000000000001));
-    if (ref_read(type, cell) != x)                    // x is no F32: the nearest F32 is above or below
+    if (ref_read(type, cell) != x)                    // x is not a value of F32, and the nearest F32 is above or below x
         return (side > 0) == (ref_read(type, cell) > x) ? ref_read(type, cell) : next_value(type, ref_read(type, cell), side);
     return ref_read(type, away ? cell + 1 : cell - 1);
 }
@@ -265,12 +266,12 @@ static void try_around(Before *b, const Var *v, double limit, WhyChanges *out)
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         const double x = sides[i] ? next_value(v->type, limit, sides[i]) : limit;
         const uint64_t cell = ref_convert(v->type, x);
-        if (x - x == 0 && ref_read(v->type, cell) == x)            // no input is infinite
+        if (x - x == 0 && ref_read(v->type, cell) == x)            // infinite values are not tried as inputs
             try_value(b, v, cell, limit, sides[i], out);
     }
 }
 
-// Tries the operands of a comparison: each variable at the values of its neighbours.
+// Tries the variables of a comparison: each at the values with which it is compared.
 static void try_comparison(Before *b, const WatchStmt *s, const Expr *e, WhyChanges *out)
 {
     double limit;

@@ -17,7 +17,7 @@ static bool is_true_for(SmOperator op, double x, double y)
     }
 }
 
-// Whether the difference of two values of e says how near they are: not for states and truths.
+// Whether the difference of two values of e measures how near they are; for states and bools it does not.
 static bool is_measured(const Expr *e) { return e->kind != EX_VAR || (!e->var->state_of && e->var->type != SM_BOOL); }
 
 bool why_gap(const WatchStmt *s, uint32_t leaf, double *gap)
@@ -37,7 +37,7 @@ bool why_gap(const WatchStmt *s, uint32_t leaf, double *gap)
         if (!(part >= 0 && part - part == 0))
             return false;
         if (truth && any)
-            *gap = part < *gap ? part : *gap;         // an `and` is false if one of its parts is: the nearest part counts
+            *gap = part < *gap ? part : *gap;         // a true chain becomes false if one of its comparisons does: the smallest gap decides
         else if (truth || !is_true_for(e->kind == EX_CHAIN ? expr_ops(e)[i] : e->op, x, y))
             *gap += part;
         any = true;
@@ -47,7 +47,7 @@ bool why_gap(const WatchStmt *s, uint32_t leaf, double *gap)
 
 // ---- conditions of a guard ----
 
-// Returns how far a condition was from the wanted truth: how many of its parts were different, and by how much.
+// Returns the distance of condition i of a statement from the wanted truth: the number of conditions in it that must change, and their scaled gaps.
 static WhyDistance node_distance(const WatchStmt *s, uint32_t i, bool wanted)
 {
     const WatchNode *n = &s->node[i];

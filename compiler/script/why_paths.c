@@ -11,7 +11,7 @@ const WatchStmt *why_find_transition(const Watch *w, const State *from, const St
     return NULL;
 }
 
-// Sets next[i] of each state from which a path leads to `to`: the state that follows it on the shortest one.  Returns when no more are found.
+// For each state from which a path leads to `to`, sets next[State.number - 1] to the state that follows on the shortest path.
 static void search_backwards(Arena *arena, const Watch *w, const State *to, const State **next)
 {
     const State **queue = ARENA_ARRAY(arena, const State *, w->p->state.n + 1);

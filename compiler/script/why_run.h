@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run of a script that is watched, for smc why.
+// A run of a script for smc why, whose machines are watched (watch.h).
 #ifndef SMC_WHY_RUN_H
 #define SMC_WHY_RUN_H
 
@@ -11,17 +11,17 @@
 typedef struct WhyRun {
     Arena *arena;
     const Script *s;
-    const ScriptOptions *given;       // the options of the caller
-    WhyQuestion q;
-    ScriptOptions o;
-    Diags silent;
+    const ScriptOptions *given;       // the options of the caller of why_ask
+    WhyQuestion q;            // the question
+    ScriptOptions o;          // the options of this run
+    Diags silent;             // receives the diagnostics of the run, which nothing shows
     ScriptRun run;
-    Engine *engine;           // of the whole run
+    Engine *engine;           // the engine of the run: the machine, or all machines of the application
     Engine **machine;         // by machine: the engine that runs it
-    Watch **watch;            // by machine; NULL: the run is not watched
-    WhyNear *near;            // by Stmt.number of the machine of the question; NULL: not recorded
+    Watch **watch;            // by machine: what it did; NULL: the run is not watched
+    WhyNear *near;            // by Stmt.number, for the machine of the question: how near each transition was; NULL: not recorded
     uint64_t last_g;          // G of the last step
-    uint64_t g_before;        // G of the previous step
+    uint64_t g_before;        // G of the step before the last one
 } WhyRun;
 
 // Runs the script to the step that `q` names, or to its end.  wrap: replaces the engine of machine q->machine, or NULL; then the run is

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The short form of smc why, for the report of a run that failed: the statements that stored the variables of the condition, and why a machine is not
-// in the state that it demands.
+// The short form of smc why, for the report of a run that failed: the statements that stored the variables of the failed condition, and why a machine
+// is not in a state that this condition demands.
 #include "compiler/script/script_run.h"
 #include "compiler/script/why_paths.h"
 #include "compiler/script/why_words.h"
@@ -8,7 +8,7 @@
 typedef struct WhyShort {
     const ScriptRun *failed;
     Diag *d;
-    const Watch *w;           // of one machine
+    const Watch *w;           // the watch of machine number `machine`
     WhyWords words;
     size_t machine;
     size_t notes;
@@ -16,7 +16,7 @@ typedef struct WhyShort {
 
 static const Program *program_of(const Program *p, size_t machine) { return p->joint ? p->joint->member.at[machine].program : p; }
 
-// Returns the variable of a machine for one of the run; NULL: the machine does not have it.
+// Returns the machine's own variable for variable v of the run's program; NULL: the machine does not have it.
 static const Var *variable_of(const Program *p, size_t machine, const Var *v)
 {
     const Program *m = program_of(p, machine);
@@ -29,8 +29,9 @@ static const Var *variable_of(const Program *p, size_t machine, const Var *v)
 
 // ---- what is watched ----
 
-enum { WATCHED_MOST = 3 };            // variables of a condition
+enum { WATCHED_MOST = 3 };            // the most variables of a condition that are explained
 
+// The variables of a condition that a machine stores; has_state: the condition also reads S.
 typedef struct Watched { const Var *at[WATCHED_MOST]; size_t n; bool has_state; } Watched;
 
 // Adds the variables of a condition that a machine assigns.
@@ -68,14 +69,14 @@ Watch **why_short_watch(const ScriptRun *failed, Engine *ref, const uint64_t *st
 
 // ---- the notes ----
 
-// Adds a note to the message about the failed assert, if it does not have the most already.
+// Adds a note to the message about the failed assert, unless it has WHY_SHORT_MOST notes already.
 static void add_note(WhyShort *n, Span at, const char *text)
 {
     if (n->notes++ < WHY_SHORT_MOST)
         diag_note(n->failed->diags, n->d, at, DIAG_note_why, text);
 }
 
-// Adds which statement stored a variable last, with its operands and the guards around it.
+// Adds a note about the statement that stored a variable last, with its operands and the guards around it.
 static void add_store(WhyShort *n, const Var *v)
 {
     const WatchStmt *s = n->w->stored_by[v->index];
@@ -92,7 +93,7 @@ static void add_store(WhyShort *n, const Var *v)
     add_note(n, s->stmt->span, buf_text(&text));
 }
 
-// Returns the part of a false guard that is missing: of an `and` the first operand that is false.
+// Returns a false guard in words; of an `and` only its first false operand.
 static const char *missing_part(const WhyShort *n, const WatchStmt *guard)
 {
     uint32_t i = 0;
@@ -106,7 +107,7 @@ static const char *missing_part(const WhyShort *n, const WatchStmt *guard)
     return why_condition(&n->words, guard, i, false);
 }
 
-// Adds why the step did not take a transition.
+// Adds a note about why the step did not take a transition.
 static void add_transition(WhyShort *n, const WatchStmt *t)
 {
     const WatchStmt *obstacle = why_obstacle(n->w, t);
@@ -130,7 +131,7 @@ static void add_transitions(WhyShort *n, const State *to)
     }
 }
 
-// Adds why the machine is not in a state.
+// Adds a note about why the machine is not in a state.
 static void add_state(WhyShort *n, const State *to)
 {
     const State *from = n->w->state;

@@ -8,7 +8,7 @@
 #include "compiler/diag/diag.h"
 #include "compiler/script/script.h"
 
-enum { QUOTE_MOST = 60 };             // bytes of a quoted source
+enum { QUOTE_MOST = 60 };             // the most bytes of source that are quoted
 
 const char *why_quote(Arena *arena, Span span)
 {
@@ -19,7 +19,7 @@ const char *why_quote(Arena *arena, Span span)
     buf_init(&out, arena);
     while (n < span.len && n < QUOTE_MOST && s[n] != '\n' && s[n] != '\r' && s[n] != '#')
         n++;
-    while (n < span.len && n > 0 && (s[n] & 0xC0) == 0x80)           // not inside a character
+    while (n < span.len && n > 0 && (s[n] & 0xC0) == 0x80)           // do not cut inside a UTF-8 character
         n--;
     buf_char(&out, '`');
     diag_put_printable(&out, s, n);
@@ -65,7 +65,7 @@ static void append_samples(const WhyWords *words, const WatchStmt *s, const Expr
         buf_printf(out, " from %lu of %lu samples", (unsigned long)w->filled, (unsigned long)w->what->size);
 }
 
-// Whether an operand is part of what is written as one call, and has no source of its own.
+// Whether an operand has the source of the whole call that contains it, because the checker composed the call from operations.
 static bool is_inside_call(const WatchStmt *s, uint32_t leaf, uint32_t operand)
 {
     const Expr *e = s->node[operand].e;
@@ -118,12 +118,12 @@ static SmOperator mirrored(SmOperator op)
     }
 }
 
-// A comparison of what changes with a limit, and the values of both.
+// A comparison `left op limit`, where `limit` does not change, and the value x of `left`.
 typedef struct LimitComparison { const Expr *left; SmOperator op; double x, limit; } LimitComparison;
 
 static bool is_fixed(const Expr *e) { return e->kind == EX_NUMBER || expr_is_constant(e) || (e->kind == EX_VAR && e->var->parameter); }
 
-// Reads a comparison with a limit: the value, the limit, and which of them is which operand.
+// Splits a leaf into a value that changes, an operator and a limit that does not.  Returns false if the leaf is no such comparison.
 static bool read_comparison(const WatchStmt *s, uint32_t leaf, LimitComparison *c)
 {
     const Expr *e = s->node[leaf].e;
@@ -138,7 +138,7 @@ static bool read_comparison(const WatchStmt *s, uint32_t leaf, LimitComparison *
     return !(x != x || y != y);
 }
 
-// Returns the distance with few digits; NULL if these do not express it exactly.
+// Returns the distance of two numbers as text; NULL if a few digits do not express it exactly.
 static const char *distance_text(Arena *arena, double from, double to)
 {
     const double d = to > from ? to - from : from - to;
@@ -174,7 +174,7 @@ static void append_due(const WhyWords *words, const LimitComparison *c, Buf *out
                    start + (uint64_t)c->limit, words->w->state->name->text);
 }
 
-// Appends how full held(c, t) is.
+// Appends for how much of its time the condition of held(c, t) has been true.
 static void append_held(const WhyWords *words, const WatchStmt *s, uint32_t leaf, Buf *out)
 {
     const Expr *e = s->node[leaf].e, *run = watch_held_run(e);

@@ -7,11 +7,11 @@
 
 typedef struct GoalTexts GoalTexts;
 
-// Lists the transitions and statements of the machine of c.
+// Lists the transitions and statements of c's machine, from which the functions below take their words.  A `place` is an index into c->place.
 GoalTexts *goal_texts_new(Arena *arena, const Cover *c);
-// Returns what a run does that reaches a place: "Fill -> Abort, taken because pressure > 825."
+// Returns what a run does when it covers a coverage point: "Fill -> Abort, taken because pressure > 825."
 const char *goal_sentence(const GoalTexts *t, uint32_t place);
-// Returns a name for a file without ending, in lower case, that differs for each place: "tank-3-fill-to-abort".
+// Returns the name of the goal's script, without ending and in lower case, unique among all places: "tank-3-fill-to-abort".
 const char *goal_file_stem(const GoalTexts *t, uint32_t place);
 // Returns text in lower case, with a '-' for each run of other characters than letters and digits.
 const char *goal_name_part(Arena *arena, const char *text);

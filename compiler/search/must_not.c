@@ -48,6 +48,7 @@ double must_not_distance(const Expr *e, bool wanted, const uint64_t *cell)
 
 // ---- pairs ----
 
+// What the conditions of a transition read: a window; a variable other than G, S and T (`reads`).
 typedef struct Reading { const Program *p; bool has_window, reads; } Reading;
 
 static void check_usable_expr(Expr *e, void *context)
@@ -67,7 +68,7 @@ static bool is_usable(const Program *p, const Transition *t)
     return r.reads && !r.has_window;
 }
 
-// Whether the machine has a transition from one state to the other.
+// Whether the machine has a transition from state `from` to state `to`.
 static bool leads_to(const Transitions *all, const State *from, const State *to)
 {
     for (uint32_t i = 0; i < all->n; i++)
@@ -92,7 +93,7 @@ static void add_pairs_of(Arena *arena, MustNots *m, const Transitions *all, cons
 
 // ---- the watch ----
 
-// The situation: by goal, whether the condition was true in the last step, in state A.
+// Initialises the situation (SearchWatch): by goal, whether the last step was in state A and its condition was true.
 static void start_situation(void *self, void *situation)
 {
     const MustNots *m = self;

@@ -17,13 +17,13 @@ typedef struct MustNot {
 typedef struct MustNots {
     VEC(MustNot) at;
     const Program *p;
-    SearchWatch watch;        // goal i is at.at[i]: the condition was true in a step in A, and the next step is in A, too
-    const Expr **condition;   // SearchWatch.condition
+    SearchWatch watch;        // for search_run.  Goal i is at.at[i]: the condition of `other` was true in a step in A, and the next step is in A, too
 } MustNots;
 
 MustNots *must_not_list(Arena *arena, const Program *p);
 
-// Returns how far `e` is from being true (or false, without `wanted`) with these cells: 0 if it is, else above 0.  e has no windows.
+// Returns how far `e` is from being true (or false, without `wanted`) with these values of the variables (cell: by Var.index): 0 if
+// it is, else above 0.  e has no windows.
 double must_not_distance(const Expr *e, bool wanted, const uint64_t *cell);
 
 #endif

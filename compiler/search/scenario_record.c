@@ -10,12 +10,12 @@ typedef struct ScenarioRecorder {
     Arena *arena;
     Scenario s;
     VEC(ScenarioChange) change;
-    uint64_t *last;           // by variable: the cell of its last change
-    bool *is_set;
-    const bool *writable;     // by variable: a search can set it
-    size_t most;              // changes
+    uint64_t *last;           // by Var.index: the value that the run last wrote to the variable
+    bool *is_set;             // by Var.index: the run has written to it
+    const bool *writable;     // by Var.index: a search can set the variable
+    size_t most;              // the most changes that are recorded
     uint64_t step;
-    bool has_ended;           // the rest of the run is no scenario
+    bool has_ended;           // nothing more is recorded: a scenario cannot express the rest of the run
     const Var *ended_by;      // the variable of the write that ended it
 } ScenarioRecorder;
 

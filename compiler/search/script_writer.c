@@ -26,12 +26,12 @@ typedef enum Rank { RANK_EARLY, RANK_INPUT, RANK_ASSERT, RANK_STOP } Rank;
 
 // An item of the script: its guard, and a line of text for each item of its body.  A guard that begins with # is a comment without a body.
 typedef struct TimelineItem {
-    uint64_t step;            // the first step with it
-    Rank rank;
+    uint64_t step;            // the first step in which the guard can be true
+    Rank rank;                // order among the items of one step
     const char *guard;
     VEC(const char *) body;
-    bool is_block;            // in braces, even if the body is one line
-    uint32_t number;
+    bool is_block;            // the body is written in braces, even if it is one line
+    uint32_t number;          // order in which items were added: the last key of the sort
 } TimelineItem;
 
 typedef struct Writer {
@@ -70,7 +70,7 @@ void script_write_value(Buf *out, SmType type, double x)
     if (type == SM_BOOL)
         buf_str(out, cell ? "true" : "false");
     else if (stored - stored != 0 && type == SM_F32)
-        buf_str(out, stored < 0 ? "-1e39" : "1e39");            // becomes infinite when it is stored
+        buf_str(out, stored < 0 ? "-1e39" : "1e39");            // beyond the range of F32: it becomes infinite when it is stored
     else if (stored - stored != 0)
         buf_str(out, stored < 0 ? "-1e308 * 10" : "1e308 * 10");
     else if (type == SM_F32)
@@ -188,7 +188,7 @@ static void add_alternation(Writer *w, const ScenarioChange *c, uint64_t to)
     }
 }
 
-// The assignment with the value of the change in its first step.
+// Returns the assignment, as text, with the value that the change has in its first step.
 static const char *first_assignment(const Writer *w, const ScenarioChange *c)
 {
     const Var *v = w->p->var.at[c->var];
@@ -274,7 +274,7 @@ static void name_phases(Writer *w)
         } while (is_name_used(w->p, w->phase[i]));
 }
 
-// The changes of a loop are n from index *i on.
+// Returns how many changes a loop repeats, and sets *i to the index of the first of them.
 static size_t find_changes(const Scenario *s, const ScenarioLoop *l, size_t *i)
 {
     size_t n = 0;
@@ -406,7 +406,7 @@ typedef struct RunRecord {
     const Writer *w;
     Part *part;               // a ring of SPANS_MOST + 1
     uint64_t parts;           // how many the run had; the last ones are in the ring
-    uint64_t *changes;        // by Var.index
+    uint64_t *changes;        // by Var.index: how often the output has changed in the run
     uint64_t *last;           // by Var.index: cells after the last step
 } RunRecord;
 
@@ -504,7 +504,7 @@ static const char *term_of(const Writer *w, const Var *v, uint64_t cell)
     if (rounded == x || sm_type_info[v->type].kind != SM_KIND_FLOAT || size > 1e290 || size < 1e-280)
         return format_in(w->arena, "%s == %s", name, value_text(w, SM_F64, x));
     while (part * 1e6 < size)
-        part *= 10;                                             // ends as one to ten units of the sixth digit
+        part *= 10;                                             // `part` becomes the power of ten that is one to ten units of the sixth digit
     snprintf(digits, sizeof digits, "%.6g", x - part);
     rounded = strtod(digits, NULL);
     snprintf(digits, sizeof digits, "%.6g", x + part);
@@ -660,7 +660,7 @@ bool script_write(Arena *arena, const ScriptPage *page, Buf *out)
     const Scenario unrolled = scenario_unroll(arena, page->scenario);
     bool can_write = add_inputs(&w);
 
-    if (!can_write && page->scenario->loops) {        // a change in a loop, such as a ramp, that only the rounds one after the other can show
+    if (!can_write && page->scenario->loops) {        // a loop has a change, such as a ramp, that a script cannot repeat: write out all rounds
         w = (Writer){.arena = arena, .page = page, .p = page->p, .s = &unrolled};
         can_write = add_inputs(&w);
     }

@@ -5,8 +5,8 @@
 //     buf_init(&out, arena);
 //     script_write(arena, &(ScriptPage){.p = p, .scenario = s, .engine = engine, .comment = comment, .comments = n}, &out);
 //
-// Run by the script engine, the text sets exactly the cells of the scenario in each step.  Its asserts are those of the run on `engine`, so
-// it passes.  They are a time line: each line is true in all of its steps, and the lines together cover the run.
+// Run by the script engine, the text stores exactly the scenario's values, bit for bit, in each step.  Its asserts are those of the run on `engine`,
+// so it passes.  They are a time line: each line is true in all of its steps, and the lines together cover the run.
 #ifndef SMC_SCRIPT_WRITER_H
 #define SMC_SCRIPT_WRITER_H
 

@@ -7,24 +7,24 @@
 #include "compiler/search/search_run.h"
 
 enum {
-    // X_PART: 1 / X_PART of the effort is for a purpose.  X_PERCENT: that many attempts of a hundred are made in a way.
-    SEARCH_PART = 4,          // choosing and simplifying scenarios
-    GIVEN_PART = 2,           // running given scenarios; the last one that begins in time is run to its end
-    MANY_CHANGES = 4,
-    SHORTER_PART = 8,         // at most: searching runs with fewer changes
+    // X_PART: 1 / X_PART of the effort is for this purpose.  X_PERCENT: of a hundred attempts, so many are of this kind.
+    SEARCH_PART = 4,          // choosing and simplifying scenarios, after the search
+    GIVEN_PART = 2,           // running the caller's scenarios (SearchOptions.given); the last one that begins in time is run to its end
+    MANY_CHANGES = 4,         // goals reached after more changes than this are searched again first, for runs with fewer
+    SHORTER_PART = 8,         // searching runs with fewer changes, at most
     SHORTER_TIMES = 4,        // the search for shorter scenarios runs at most this multiple of the steps before it
-    WALK_PERCENT = 20,        // without a goal: random walks
+    WALK_PERCENT = 20,        // random walks, without a goal
     WALK_LENGTH = 6,          // number of transitions of a walk
-    SPECIAL_PART = 16,        // special values at the start, before everything else
-    SPECIAL_PERCENT = 10,     // later: special values, from an entry
-    SPECIAL_RUNS = 20,        // number of runs of each such attempt
+    SPECIAL_PART = 16,        // runs with special values (search_special.c) before all other attempts
+    SPECIAL_PERCENT = 10,     // later: runs with special values from an entry
+    SPECIAL_RUNS = 20,        // number of runs of each attempt with special values
     DEEP = 12,                // a snapshot after more changes than this is chosen less often
-    ENTRY_PERCENT = 33,       // for a goal: from an entry of its state instead of its pool
-    EASY_STEPS = 4000,        // a goal on which more steps were spent is hard: attempts for it repeat the same changes, as follows
-    AROUND_PERCENT = 30,      // if another state must store a variable: go through that state and back
-    FOREIGN_PERCENT = 60,     // percentage of the remaining ones that walk to where the variable is nearest to its wanted value
-    COUNT_PERCENT = 50,       // if the state itself must count a variable: make pulses of inputs
-    PULSE_PERCENT = 4         // in all other cases: make pulses
+    ENTRY_PERCENT = 33,       // attempts for a goal that begin at an entry of its state instead of a snapshot of its pool
+    EASY_STEPS = 4000,        // a goal on which more steps were spent is hard
+    AROUND_PERCENT = 30,      // hard goal, and another state must store a variable: go through that state and back, again and again
+    FOREIGN_PERCENT = 60,     // any goal, and another state must store a variable: walk from the entry where it is nearest to the wanted value
+    COUNT_PERCENT = 50,       // hard goal, and its state must count a variable: make pulses of inputs
+    PULSE_PERCENT = 4         // any other hard goal: make pulses of inputs
 };
 
 // SplitMix64: every seed, 0 included, is as good as another.

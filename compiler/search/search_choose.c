@@ -7,19 +7,20 @@
 #include "compiler/search/search_choose.h"
 
 enum {
-    MANY_CHANGES = 2,         // a scenario with more is split, if it has several goals
-    LONG_CHANGES = 12,        // a scenario with more is simplified for one goal first: that shows shorter runs to the others
-    FEW_CHANGES = 2,          // a scenario with more is simplified once more, at most IMPROVED_ROUNDS times
+    MANY_CHANGES = 2,         // a scenario with more changes is split, if it is for several goals
+    LONG_CHANGES = 12,        // a scenario with more changes is simplified for one of its goals first, which can show shorter runs to the other goals
+    FEW_CHANGES = 2,          // a scenario with more changes is simplified again, at most IMPROVED_ROUNDS times
     IMPROVED_ROUNDS = 3,
     IMPROVED_PART = 2,        // this part of the remaining effort (1 / n) is for the scenario with most changes
     LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)
 };
 
+// A run that reached a goal, as a scenario that can be chosen.
 typedef struct Candidate {
     Scenario s;
-    uint32_t end;             // number of the state after it
-    uint8_t *reached;         // a set of goals
-    bool used;
+    uint32_t end;             // State.number of the state after its last step
+    uint8_t *reached;         // set of the goals that its replay has reached, one bit for each
+    bool used;                // it has been chosen
 } Candidate;
 
 static bool is_in_set(const uint8_t *set, uint32_t i) { return set[i / 8] >> i % 8 & 1; }
@@ -121,6 +122,7 @@ static void build_wanted(Chooser *c, const GoalSet *want)
         k->is_open[k->counter[k->goal[want->at[i]].place]] = true;
     arena_reset(&c->flats);
     c->wanted = search_new_flat(k, &c->flats);
+    chooser_forget_marks(c);
 }
 
 // Returns a list of goals as a set, one bit for each.
@@ -311,6 +313,7 @@ static void begin_chooser(Chooser *c)
     c->current = arena_array(&k->work, k->inputs + 1, sizeof *c->current);
     c->seen = arena_alloc(&k->work, k->o->watch ? k->o->watch->goals + 1 : 1);
     c->way = arena_array(&k->work, k->p->state.n, sizeof *c->way);
+    chooser_begin_marks(c);
     c->input_of = ARENA_ARRAY(&k->work, uint32_t, k->p->var.n);
     for (uint32_t i = 0; i < k->inputs; i++)
         c->input_of[k->input[i].var] = i;
@@ -333,7 +336,7 @@ void search_choose(SearchRun *k)
     while ((best = choose_best(&c, all, n, &want)) != NULL) {
         best->used = true;
         choose_scenario(&c, best, &want);
-        if (find_unreached(&c, want.at, want.n).n)     // what results of it can reach less than it does
+        if (find_unreached(&c, want.at, want.n).n)     // the simplified scenarios can reach less than `best` does
             store_chosen(&c, &best->s, best->end, best->reached);
     }
     improve_longest(&c);

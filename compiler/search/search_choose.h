@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of choosing and simplifying scenarios, after the search.  Only files of this folder include it.
+// Choosing and simplifying scenarios, after the search.  Only files of this folder include it.
 //
 //     search_choose.c    which scenarios together reach what was reached
 //     search_simplify.c  fewer changes, shorter times, rounder values
 //     search_rounds.c    loops in place of changes that are made again and again
-//     search_replay.c    runs a scenario from its start
+//     search_replay.c    runs a scenario
+//     search_marks.c     snapshots along a scenario, from which replays begin
 #ifndef SMC_SEARCH_CHOOSE_H
 #define SMC_SEARCH_CHOOSE_H
 
@@ -18,37 +19,71 @@ typedef struct SearchEnter { uint32_t state; uint64_t step; } SearchEnter;    //
 // the recorded run.  So the changes of later states move with it when an earlier state takes more or fewer steps.
 typedef struct SearchAnchor { uint32_t enter; uint64_t wait; } SearchAnchor;
 
+enum { MOST_MARKS = 64 };
+
+// A snapshot along the scenario that is simplified: after `step` steps.
+typedef struct SearchMark {
+    uint64_t step;
+    uint32_t enters;          // how many transitions have been recorded until then
+    char *block;              // as Chooser.block
+    uint8_t *reached;         // by wanted goal: it is reached until then
+} SearchMark;
+
+// What is known about the scenario that is simplified, from its last replay.
+typedef struct SearchMarks {
+    SearchMark of[MOST_MARKS], fresh[MOST_MARKS];     // by step: those of the known scenario; those that the current replay adds
+    uint32_t n, freshes, most;
+    uint32_t shared;          // the first snapshots that the current replay shares with the known scenario
+    uint64_t spacing;         // between snapshots that the current replay adds
+    VEC(ScenarioChange) change;       // of the known scenario, without loops
+    VEC(SearchEnter) enter;   // its transitions
+    uint64_t patience;        // an attempt that has waited for so many steps fails
+    bool is_known;
+} SearchMarks;
+
 typedef struct Chooser {
-    SearchRun *k;
-    FlatMachine *f;           // of the current replay
-    Arena flats;              // of the machine with the probes of wanted goals
-    Arena tries;              // of the current attempt to simplify
-    Arena unrolled;           // of the current replay
-    FlatMachine *wanted;      // the machine in `flats`
-    char *block;              // the state of the run, and the situation of the caller's goals
-    const ScenarioChange **current;   // by input
+    SearchRun *k;             // the search whose runs are chosen from
+    FlatMachine *f;           // the machine that the current replay runs
+    Arena flats;              // memory of `wanted`
+    Arena tries;              // memory of the current attempt to simplify
+    Arena unrolled;           // memory of the current replay: the scenario without loops
+    FlatMachine *wanted;      // a machine with the probes of only the goals for which a scenario is simplified
+    char *block;              // the state of the machine in the current replay, then the situation of the caller's goals (SearchWatch)
+    const ScenarioChange **current;   // by input: its last change in the current replay; NULL: none yet
     bool *covered;            // by goal: a chosen scenario reaches it
-    bool *seen;               // by goal of the caller: reached in this run
+    bool *seen;               // by goal of the caller: reached in the current replay
     VEC(SearchScenario) chosen;
-    uint32_t *input_of;       // by Var.index
-    VEC(SearchEnter) enters;  // of the last replay
-    Scenario *way;            // by State.number - 1: the fewest changes of a chosen scenario that lead to its entry; init_state NULL: none
-    uint32_t end;             // number of the state after the scenario that is simplified
+    uint32_t *input_of;       // by Var.index of an input: index into SearchRun.input
+    VEC(SearchEnter) enters;  // the states that the last replay has entered
+    Scenario *way;            // by State.number - 1: of all beginnings of chosen scenarios that enter the state, the one with the fewest changes;
+                              // init_state NULL: none
+    uint32_t end;             // number (State.number) of the state after the scenario that is simplified
+    SearchMarks *marks;       // snapshots along the scenario that is simplified
     uint64_t limit;           // simplifying the current scenario ends when this many steps have run
 } Chooser;
 
 // Whether the last replay has reached a goal.
 bool chooser_has_reached(const Chooser *c, uint32_t goal);
-uint32_t chooser_end_state(const Chooser *c);         // of the last replay: number of the state that its next step would run
-bool chooser_has_effort(const Chooser *c);
+void chooser_set_reached(Chooser *c, uint32_t goal);   // records that the current replay has reached the goal
+uint32_t chooser_end_state(const Chooser *c);         // State.number of the state in which the last replay has ended
+bool chooser_has_effort(const Chooser *c);            // whether simplifying the current scenario can run more steps
 // Runs a scenario from its start on machine `f`, which has probes of the wanted goals.  Returns the step after which the scenario has reached all of
 // `want`; 0: it does not, or the effort has ended.  An empty `want` runs to the end.  With anchors it moves each change to `wait` steps after its
 // transition.
 uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *s, const GoalSet *want, const SearchAnchor *anchor);
 
+// Snapshots along the scenario that is simplified, in search_marks.c.
+void chooser_begin_marks(Chooser *c);
+void chooser_forget_marks(Chooser *c);                // before another scenario, or other wanted goals
+// Prepares a replay: restores the last snapshot before the first difference to the known scenario.  Returns how many steps it has run, and sets
+// *next to the index of the change that is next; 0: the replay has to begin at the start.
+uint64_t chooser_resume(Chooser *c, const Scenario *s, const GoalSet *want, size_t *next);
+void chooser_mark(Chooser *c, uint64_t step, const GoalSet *want);    // offers a snapshot after step `step` of the current replay
+void chooser_keep_marks(Chooser *c, const Scenario *s);       // the last replay was one of `s`, which is the known scenario from now on
+
 // Simplifies a scenario that reaches all of `want`.  Returns false if no effort is left for it: then the scenario is unchanged.
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want);
-// A scenario that differs from the current one, in memory that the next attempt reuses.
+// A variant of the current scenario, which is replayed to see whether it still reaches the goals.  Its memory is reused by the next attempt.
 typedef struct Attempt {
     Scenario s;
     ScenarioChange *change;   // s.change
@@ -66,12 +101,12 @@ bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, co
 bool chooser_join_equal(Chooser *c, Scenario *s);
 // Replaces changes that a scenario makes again and again by loops: tries shorter ones.  Returns whether there is a new one.
 bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want);
-// Gives loops periods that a person would write.
+// Changes the periods of loops to round times, such as 100 ms, where the scenario still reaches all of `want`.
 void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);
 
 // Stores in `way` the beginnings of `s`, as its last replay has shown, that enter a state with fewer changes than known so far.
 void chooser_keep_ways(Chooser *c, const Scenario *s);
-// Returns the scenario that leads to a node.
+// Returns the scenario that leads from the start to a node.
 Scenario chooser_scenario_of(SearchRun *k, Arena *arena, uint32_t node);
 
 #endif

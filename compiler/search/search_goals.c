@@ -151,7 +151,7 @@ void search_make_goals(SearchRun *k)
 
 // ---- distances ----
 
-// The binary logarithm of 1 + x, linear between powers of two, scaled to below 1: the same bits on every computer.
+// Returns the binary logarithm of 1 + |difference|, linear between powers of two and scaled to below 1: the same bits on every computer.
 double search_near(double difference)
 {
     const double x = difference < 0 ? 1 - difference : 1 + difference;
@@ -202,7 +202,7 @@ static void find_costs(SearchRun *k, const SearchDecision *x)
     for (uint32_t n = 0; n < d->nodes; n++) {
         const FlatNode *node = &d->node[n];
         double out[2];
-        const bool all = node->kind == NODE_AND;          // which value both operands need
+        const bool all = node->kind == NODE_AND;          // the value that the node has only if both operands have it
         switch (node->kind) {
         case NODE_CONDITION: find_costs_of_truth(k->flat->frame, d->fn, slot, d->condition[node->a], out); break;
         case NODE_NOT:
@@ -310,7 +310,7 @@ static const uint32_t *open_counters(SearchRun *k, Arena *arena, const uint32_t 
     return out;
 }
 
-// Whether some place of the decision is an open goal.  Then all places of the decision are counted.
+// Whether an open goal needs a counter of the decision.  The callers then have all its outcomes counted.
 static bool is_open(const SearchRun *k, const FlatDecision *d)
 {
     for (uint32_t i = 0; i < 2 + 2 * d->conditions; i++)

@@ -4,7 +4,8 @@
 // 1. The samples of a window are between its smallest and its largest, and so are its median, its newest sample and, except for rounding, its
 //    average.  The newest sample is the value of the window's argument in this step.
 // 2. If all samples of a condition are true, or its run of true samples has any length, the condition is true in this step; if none is, it is false.
-// 3. What a state counts in each step is at most what it was when the state began, and what each step can add times the steps in the state.
+// 3. A variable to which each step in a state can add a limited amount is at most its value when the state began, plus that amount times the
+//    number of steps in the state.
 #include "compiler/search/search_regions.h"
 
 // ---- windows ----
@@ -50,7 +51,7 @@ static void relate_condition(Prover *p, uint32_t group, IrRef condition)
     const SmStat stat = p->value.at[p->group[group].x].stat;
     RegionLemma all = above, none = below;
 
-    all.bound = 0.99999999;                       // an average of less than 100000 samples is below it, unless all are true
+    all.bound = 0.99999999;                       // above the average of 0 and 1 if one of less than 100000 samples is 0
     none.bound = 1e-8;
     switch (stat) {
     case SM_STAT_MIN: case SM_STAT_RUN_TIME: add_lemma(p, above); break;
@@ -139,7 +140,7 @@ static void relate_windows(Prover *p)
 
 // ---- counts ----
 
-// By how much a load of a variable is at most above what the variable was when the function began.  Loads with the same number have the same value.
+// Returns how far the variable that value `value` loads can be from what it was when the function began, over all its loads with this value number.
 static Drift drift_of_loads(const Prover *p, uint32_t value)
 {
     const uint32_t var = p->value.at[value].var;
@@ -189,7 +190,7 @@ static bool is_order_possible(const RegionLemma *l, const RegionGroup *low, cons
     double room;
 
     if (!region_bounds(low, a, in_a) || !region_bounds(high, b, in_b))
-        return true;                              // a NaN is sampled as 0
+        return true;                              // a NaN excludes nothing: the window has stored it as 0
     room = l->tolerance * (a[0] < 0 ? -a[0] : a[0]);
     if (l->tolerance > 0 && !(room < 1e200))
         return true;

@@ -118,7 +118,7 @@ static void find_guards(SearchRun *k)
     }
 }
 
-typedef VEC(SearchElem) Elems;        // in the order of their decisions
+typedef VEC(SearchElem) Elems;        // outcomes of decisions, the outermost decision first
 
 // Whether a statement of the list, or one inside it, is a transition.
 static bool has_transition(const Stmts *list)

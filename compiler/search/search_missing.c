@@ -20,7 +20,7 @@ static uint32_t find_culprit(const SearchRun *k, const SearchDecision *x, uint32
     return find_culprit(k, x, search_node_value(k, x, node->a) != value ? node->a : node->b, value, wanted);
 }
 
-// By how much a comparison misses the other outcome; SEARCH_UNKNOWN: the condition is no comparison of numbers.
+// Returns by how much the numbers of a comparison must change for the other outcome; SEARCH_UNKNOWN: `ref` is no comparison of numbers.
 static double find_miss(const SearchRun *k, uint32_t fn, IrRef ref)
 {
     const IrFn *f = k->fn[fn].fn;

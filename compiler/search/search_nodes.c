@@ -8,13 +8,13 @@
 #include "stdlib/convert.h"
 
 enum {
-    REPORT_STEPS = 100000,
+    REPORT_STEPS = 100000,    // after each so many steps, the caller is asked whether to go on
     LEAP_AFTER = 64,          // after this many steps in a state, only every LEAP_EVERY-th step measures distances
     LEAP_EVERY = 32,
-    STAY_PERCENT = 10,        // this part of the segments is not shortened at transitions: some machines only count while they go around
+    STAY_PERCENT = 10,        // of a hundred segments, so many are not shortened at transitions: some counters only count while states alternate
     STALE_STEPS = 2000000,    // after this many steps without progress, few segments measure distances
-    // Bytes that count for a node, a turn and a setting, whatever the computer: so the limit on memory has the same effect everywhere.  They are
-    // generous, because an array that grows also needs its old memory.
+    // Bytes that the memory limit assumes for a node, a turn and a setting, on every computer: so it has the same effect everywhere.  They are more
+    // than the structs need, because an array that grows also needs its old memory.
     NODE_BYTES = 192,
     TURN_BYTES = 64,
     SETTING_BYTES = 48
@@ -225,8 +225,8 @@ static uint64_t key_of(const SearchRun *k, const char *block)
 
 // The segment that is running.
 typedef struct Segment {
-    uint32_t from;
-    const SearchTurn *turn;
+    uint32_t from;            // the node where it begins
+    const SearchTurn *turn;   // `turns` changes of inputs before its first step
     uint32_t turns;
     bool is_exact;            // all steps run, even if a goal is reached: the segment is part of a given run
 } Segment;
@@ -368,7 +368,7 @@ static void finish_goal(SearchRun *k, uint32_t goal, uint32_t node)
     const uint32_t before = g->found;
 
     g->found = node;
-    k->node.at[node].followers++;         // kept until its scenario is chosen
+    k->node.at[node].followers++;         // so that it is not freed before search_choose replays it
     if (before != SEARCH_NONE) {
         k->node.at[before].followers--;
         free_unneeded(k, before);
@@ -424,7 +424,7 @@ static bool reserve_replay(SearchRun *k)
 static void finish_reached(SearchRun *k, const Segment *seg)
 {
     uint32_t node = SEARCH_NONE;
-    bool is_worse = false;                // a goal that was reached before is reached after no fewer changes
+    bool is_worse = false;                // a goal is reached again, and with no fewer changes than before
 
     for (uint32_t g = 0; g < k->goals; g++) {
         if (k->goal[g].done || !is_reached(k, &k->goal[g]))
@@ -675,5 +675,5 @@ void search_begin_nodes(SearchRun *k)
         k->o->watch->start(k->o->watch->self, k->now + machine);
     k->root = add_node(k, &seg);
     k->visited[k->start->number - 1] = true;
-    add_entry(k, k->root, 0);                  // the user that add_node has counted stays
+    add_entry(k, k->root, 0);                  // the use that add_node counted is never ended, so the root stays
 }

@@ -138,7 +138,7 @@ static RunFacts *facts_of_runs(SearchRun *k)
 
     for (uint32_t i = 0; i < k->inputs; i++)
         is_input[k->input[i].at] = true;
-    return k->start->number == 1 ? run_facts_new(&k->work, k->m, is_input, k->delta_t) : NULL;
+    return run_facts_new(&k->work, k->m, is_input, k->delta_t, (RunStart){k->start->number, k->o->any_elements});
 }
 
 // Marks the goals that facts about all runs exclude.
@@ -182,7 +182,7 @@ static void prove_states(SearchRun *k)
     for (uint32_t i = 0; i < k->goals; i++) {
         SearchGoal *g = &k->goal[i];
         const CoverPlace *place = g->place < k->r->places ? &k->c->place.at[g->place] : NULL;
-        bool excluded = place && g->site.n > 0 && !g->done && place->kind != COVER_STATE;       // a start enters a state without a transition
+        bool excluded = place && g->site.n > 0 && !g->done && place->kind != COVER_STATE;       // a run can begin in a state
         if (!place || g->done)
             continue;
         for (uint32_t s = 0; s < g->site.n && excluded; s++)

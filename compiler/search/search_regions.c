@@ -68,7 +68,7 @@ static void number_function(Prover *p, RegionView *v, const bool *before, bool s
                 x.a = v->value_of[i->a];
             if (i->b != IR_NONE && has_operands(i) && i->op != IR_store && i->op != IR_sample)
                 x.b = v->value_of[i->b];
-            // A conversion to F64 changes no number.
+            // A conversion to F64 keeps the number, so it has the same value number as its operand.
             v->value_of[ref] = i->op == IR_cvt && (i->type == SM_F64 || i->type == v->fn->ins.at[i->a].type) ? v->value_of[i->a] : add_value(p, x, is_unique);
         }
 }
@@ -165,6 +165,7 @@ static void add_constant(Prover *p, uint32_t x, double c)
 }
 
 // What a comparison, or any other truth, compares: a value with a constant, or two values.
+// `x op y`, or with y SEARCH_NONE `x op c`; swapped: the operands are in the other order.
 typedef struct Leaf { IrOp op; uint32_t x, y; double c; bool swapped; } Leaf;
 
 // Returns a condition as a comparison of two values, or of a value with a constant.
@@ -287,7 +288,7 @@ bool region_truth(Prover *p, const RegionView *v, IrRef ref)
     else
         order = (int)g->region == 3 ? 2 : (int)g->region - 1;
     if (ir_op_info[i->op].types != IR_T_COMPARE)
-        return order != 0 && order != 2;          // NaN is false
+        return order != 0 && order != 2;          // no comparison: true if not 0, and false for NaN
     return judge_order(l.op, l.swapped && order != 2 ? -order : order);
 }
 

@@ -10,10 +10,10 @@
 #include "stdlib/convert.h"
 
 enum {
-    MOST_LEGS = 24,
-    LEG_TRIES = 4,            // attempts to leave a state
-    MOST_ROUNDS = 2048,
-    OWN_PERCENT = 33,         // of the rounds begin in the state of the goal
+    MOST_LEGS = 24,           // segments of a round
+    LEG_TRIES = 4,            // failed attempts to leave a state, after which a detour is given up
+    MOST_ROUNDS = 2048,       // rounds that one attempt runs
+    OWN_PERCENT = 33,         // of a hundred detours, so many are asked to go through the state of the goal
     SHARE = 16                // an attempt uses at most 1 / SHARE of the effort
 };
 
@@ -211,7 +211,7 @@ static double value_at(const SearchRun *k, uint32_t node, uint32_t var)
 
 void search_go_around(SearchRun *k, uint32_t goal)
 {
-    // From another state, perhaps no path leads to the goal without losing the count.
+    // A detour through another state may lose the count on every path back to the goal.
     const uint32_t own = search_chance(k, OWN_PERCENT) ? k->site_state : 0;
     const uint32_t var = k->foreign, to = choose_storing_state(k, var, own);
     const double wanted = k->foreign_value;

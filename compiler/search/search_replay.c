@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs scenarios from their start.  Each step counts as effort.
+// Runs scenarios: from their start, or from a snapshot (search_marks.c).  Each step that runs counts as effort.
 #include <string.h>
 
 #include "compiler/search/search_choose.h"
@@ -13,6 +13,16 @@ bool chooser_has_reached(const Chooser *c, uint32_t goal)
     const uint32_t place = k->goal[goal].place;
 
     return place < k->r->places ? c->f->hits[k->counter[place]] > 0 : c->seen[place - k->r->places];
+}
+
+void chooser_set_reached(Chooser *c, uint32_t goal)
+{
+    const uint32_t place = c->k->goal[goal].place;
+
+    if (place < c->k->r->places)
+        c->f->hits[c->k->counter[place]] = 1;
+    else
+        c->seen[place - c->k->r->places] = true;
 }
 
 uint32_t chooser_end_state(const Chooser *c) { return ((const FlatState *)(const void *)c->block)->state; }
@@ -101,23 +111,25 @@ static size_t make_changes(Chooser *c, Scenario *s, const SearchAnchor *anchor, 
     return next;
 }
 
-uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *looped, const GoalSet *want, const SearchAnchor *anchor)
+// Whether a replay waits for what will not happen: no change is due at a fixed step, and nothing has happened for longer than in the known scenario.
+static bool is_stuck(const Chooser *c, const Scenario *s, const SearchAnchor *anchor, size_t next, uint64_t waited)
+{
+    return c->marks->is_known && waited > c->marks->patience && (anchor || next == s->changes);
+}
+
+// Runs the steps of a scenario after `at`, until all of `want` is reached, and takes snapshots if `marks`.
+static uint64_t run_scenario(Chooser *c, Scenario *s, const GoalSet *want, const SearchAnchor *anchor, uint64_t at, size_t next, bool marks)
 {
     SearchRun *k = c->k;
+    FlatMachine *f = c->f;
     const FlatState *run = (const FlatState *)(const void *)c->block;
-    Scenario *s = looped, unrolled;
-    size_t next = 0;
-    uint64_t fresh = 0;
+    uint64_t fresh = f->fresh, event = at;
 
-    if (s->loops) {
-        arena_reset(&c->unrolled);
-        unrolled = scenario_unroll(&c->unrolled, looped);
-        s = &unrolled;
-    }
-    c->f = f;
-    begin_replay(c, s);
-    for (uint64_t step = 1; step <= s->steps && k->r->steps < k->effort; step++) {
+    for (uint64_t step = at + 1; step <= s->steps && k->r->steps < k->effort; step++) {
+        const size_t before = next;
         flat_cells(f, c->block)[k->m->g] = (step - 1) * s->delta_t;
+        if (marks && (event == step - 1 || (next < s->changes && is_due(c, &s->change[next], anchor ? &anchor[next] : NULL, step))))
+            chooser_mark(c, step - 1, want);
         next = make_changes(c, s, anchor, next, step);
         flat_step(f, c->block);
         k->r->steps++;
@@ -125,6 +137,7 @@ uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *looped, const Goal
             const SearchEnter e = {run->state, step};
             vec_push(&k->work, &c->enters, e);
         }
+        event = run->first || next != before ? step : event;
         if (k->o->watch)
             judge_watch(c);
         if (want->n && f->fresh != fresh) {
@@ -136,6 +149,27 @@ uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *looped, const Goal
             search_goes_on(k);
         if (want->n == 0 && step == s->steps)
             return step;
+        if (marks && is_stuck(c, s, anchor, next, step - event))
+            return 0;
     }
     return 0;
+}
+
+uint64_t chooser_replay(Chooser *c, FlatMachine *f, Scenario *looped, const GoalSet *want, const SearchAnchor *anchor)
+{
+    const bool marks = f == c->wanted && want->n;
+    Scenario *s = looped, unrolled;
+    size_t next = 0;
+    uint64_t at;
+
+    if (s->loops) {
+        arena_reset(&c->unrolled);
+        unrolled = scenario_unroll(&c->unrolled, looped);
+        s = &unrolled;
+    }
+    c->f = f;
+    at = marks ? chooser_resume(c, s, want, &next) : 0;
+    if (at == 0)
+        begin_replay(c, s);
+    return run_scenario(c, s, want, anchor, at, next, marks);
 }

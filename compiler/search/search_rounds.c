@@ -10,11 +10,11 @@
 #include "compiler/search/search_choose.h"
 
 enum {
-    MOST_BODY = 12,           // changes of a round
-    LEAST_SAVED = 2,          // a loop has to save so many changes
-    SOME = 3,                 // entries of a state that are tried as the beginning, as the end of a round, and as the last one
-    MOST_TRIES = 48,
-    MOST_UNROLLED = 1 << 16   // changes, in all rounds
+    MOST_BODY = 12,           // the most changes that a loop repeats
+    LEAST_SAVED = 2,          // a loop has to replace at least so many changes
+    SOME = 3,                 // how many entries of a state are tried as RoundTry.first, as `next`, and as `last`
+    MOST_TRIES = 48,          // loops that are tried
+    MOST_UNROLLED = 1 << 16   // changes of a loop, in all its rounds together
 };
 
 // Whether n changes can be the body of a loop: they only hold values, and no loop contains them yet.
@@ -100,7 +100,8 @@ bool chooser_join_equal(Chooser *c, Scenario *s)
 // ---- going around ----
 
 // A loop that could be tried: it repeats the changes from transition `first` up to transition `next`, and replaces those up to transition `last`;
-// last 0: all until the goal is reached.  Numbers are indices into RoundTries.enter.
+// last 0: all until the goal is reached.  These three are indices into RoundTries.enter.  times: number of rounds if `last` is not 0; left: number of
+// changes of the scenario with the loop.
 typedef struct RoundTry { uint32_t first, next, last, times; size_t left; } RoundTry;
 
 typedef struct RoundTries {
@@ -108,7 +109,7 @@ typedef struct RoundTries {
     const Scenario *s;
     SearchEnter *enter;       // the transitions of a replay
     uint32_t enters;
-    size_t *before;           // by transition: number of changes that are made before the step after it
+    size_t *before;           // by index in `enter`: number of changes that are made before the step that follows the transition
     VEC(RoundTry) round;
 } RoundTries;
 
@@ -173,7 +174,7 @@ static Attempt repeat_round(RoundTries *r, const RoundTry *x)
     memmove(t.change + end, s->change + after, (s->changes - after) * sizeof *t.change);
     t.s.changes -= after - end;
     if (x->last) {
-        const uint64_t was = r->enter[x->last].step + 1;              // the step after the repeated rounds, which moves to l.to
+        const uint64_t was = r->enter[x->last].step + 1;              // the scenario's step after the replaced changes: it moves to l.to
         for (size_t i = end; i < t.s.changes; i++)
             t.change[i].step = t.change[i].step - was + l.to;
         for (size_t i = 0; i < t.s.loops; i++)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a running search.  Only files of this folder include it.
 //
-//     search_machine.c   what is constant: inputs, decisions, stores, and the path to each place
+//     search_machine.c   what no run changes: inputs, decisions, stores, and the path to each statement
 //     search_goals.c     goals, and how far a step was from each
 //     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
@@ -21,28 +21,30 @@
 //     pool       the snapshots that came nearest to a goal
 //     entry      a snapshot taken when a state of the machine was entered
 //
-// Letters: k the search, f a flat machine, n a node, g a goal.
+//     flat       a machine compiled to a flat list of instructions (FlatMachine); with probes it counts what runs reach, or measures distances
+//
+// Letters: k the search, f a flat machine, n a node, g a goal.  A state's number is State.number, from 1.
 #ifndef SMC_SEARCH_RUN_H
 #define SMC_SEARCH_RUN_H
 
 #include "compiler/search/search.h"
 
-enum { SEARCH_POOL = 4, SEARCH_ENTRIES = 32 };        // snapshots for each goal, and for each state
+enum { SEARCH_POOL = 4, SEARCH_ENTRIES = 32 };        // the most snapshots in the pool of a goal, and the most entries of a state
 #define SEARCH_NONE UINT32_MAX
 
 // ---- the machine ----
 
 typedef struct SearchInput {
-    uint32_t var, at;         // index into Program.var; into IrMachine.var
+    uint32_t var, at;         // var: index into Program.var; at: index into IrMachine.var
     SmType type;
-    bool forced;              // the machine writes the input, too, so it is set again before every step
-    const Range *range;       // or NULL
-    VEC(double) constant;     // numbers with which the machine compares the input
+    bool forced;              // the machine writes the input, too, so that runs set it again before every step
+    const Range *range;       // @range of the input; NULL: none
+    VEC(double) constant;     // numbers with which the machine compares the input, and hints of the caller for it
 } SearchInput;
 
-// A decision, and the outcome that a goal needs.
+// A decision on the path to a statement, and the outcome that leads there.
 typedef struct SearchElem {
-    uint32_t decision;
+    uint32_t decision;        // index into SearchRun.decision
     bool value;
     bool is_certain;          // no run executes the statement without this outcome; false: some runs can
 } SearchElem;
@@ -55,72 +57,73 @@ typedef struct SearchDecision {
     uint32_t fn;              // index into FlatMachine.fn
     uint32_t state;           // number of the state that contains the decision; 0: a sampled expression contains it
     SearchPath path;          // the path to the statement that contains the decision
-    uint32_t *operand;        // indices into the frame: the values on which its distance depends
-    double *last;             // the values of `operand` when the distance was last computed
+    uint32_t *operand;        // indices into FlatMachine.frame: the numbers from which the distances of the outcomes are computed
+    double *last;             // the values of `operand` when the distances were last computed
     uint32_t operands;
     bool is_known;            // `last` has been set
-    VEC(struct SearchEdge) edge;      // the goals whose paths contain it
-    uint64_t *inputs;         // the set of inputs on which it depends
+    VEC(struct SearchEdge) edge;      // the goals whose paths contain the decision
+    uint64_t *inputs;         // set of inputs on which the decision depends, one bit for each index into SearchRun.input
 } SearchDecision;
 
-// A store to a variable.
+// A store to a variable: instruction `ref` of function `fn`, in statement `stmt` (Stmt.number) of state `state`, stores temporary `value`.
 typedef struct SearchStore { uint32_t fn, state, stmt; IrRef ref, value; } SearchStore;
 
 typedef struct SearchVar {
     uint32_t input;           // index into SearchRun.input; SEARCH_NONE: it is no input
-    VEC(SearchStore) store;
-    uint64_t *inputs;         // the set of inputs on which its value depends
+    VEC(SearchStore) store;   // all stores to the variable
+    uint64_t *inputs;         // set of inputs on which the variable's value depends
 } SearchVar;
 
 typedef struct SearchFn {
     const IrFn *fn;
-    uint32_t state;           // number of its state; 0: the function that samples windows
-    bool is_step;             // the code of .step, which runs in each step of its state
-    uint8_t *handle;          // by IrRef: on what the value depends, a set of HANDLE_…
+    uint32_t state;           // number of the state to which the function belongs; 0: it samples the windows
+    bool is_step;             // the function is the code of .step, which runs in each step of the state
+    uint8_t *handle;          // by IrRef: how the search can influence the value, a set of HANDLE_… bits
 } SearchFn;
 
-enum { HANDLE_INPUT = 1, HANDLE_VAR = 2, HANDLE_TIME = 4, HANDLE_WINDOW = 8 };
+enum { HANDLE_INPUT = 1, HANDLE_VAR = 2, HANDLE_TIME = 4, HANDLE_WINDOW = 8 };       // through an input, a stored variable, T or G, a window
 
-// A transition of the machine.
+// A transition: statement `stmt` (Stmt.number), and the numbers of the states that it leaves and enters.
 typedef struct SearchExit { uint32_t stmt, from, to; SearchPath path; } SearchExit;
 
 // ---- goals ----
 
-// A state and a path on which a goal can be reached.  With a condition, this condition of the innermost decision must decide with `value`.
+// A state and a path on which a goal can be reached.  With a condition (else SEARCH_NONE), this condition of the innermost decision must determine
+// the outcome of the decision, with `value`.
 typedef struct SearchSite { uint32_t state; SearchPath path; uint32_t condition; bool value; } SearchSite;
 
-// A goal that needs a decision: at position `level` of its path.
+// A goal whose path contains a decision.  level: index of the decision in the path, so the number of decisions that still follow it.
 typedef struct SearchEdge { uint32_t goal, level, condition; bool value; } SearchEdge;
 
-// A node, and its distance from a goal.
+// A node of a pool, and the distance from the goal that its next step had.
 typedef struct SearchNear { uint32_t node; double distance; } SearchNear;
 
 typedef struct SearchGoal {
     uint32_t place;           // index into SearchResult.find
-    VEC(SearchSite) site;
-    bool done;
+    VEC(SearchSite) site;     // the states and paths in which the goal can be reached
+    bool done;                // reached, or proved impossible
     SearchNear pool[SEARCH_POOL];
     uint32_t pooled;
     double best;              // the smallest distance of all runs
-    SearchElem best_elem;     // the decision that was missing then
-    uint32_t best_condition;  // the condition of this decision that must decide with its value; SEARCH_NONE: the whole decision must have it
-    uint64_t cost;            // steps that attempts for this goal have run
+    SearchElem best_elem;     // the decision that did not have the needed outcome in the step with that distance
+    uint32_t best_condition;  // the condition that must determine the outcome of `best_elem`; SEARCH_NONE: only the outcome matters
+    uint64_t cost;            // steps that attempts for this goal have run, and 100 for each attempt
     uint32_t found;           // the node after the step that reached the goal
     double run_best;          // the smallest distance in the current segment
-    uint64_t run_step;        // the step that had it
-    bool touched;             // the goal is in SearchRun.touched
-    uint32_t fill;            // WINDOW: how many steps fill the window; they must run before the goal can be reached
+    uint64_t run_step;        // the step with `run_best`, counted from the start
+    bool touched;             // the goal is in the list SearchRun.touched
+    uint32_t fill;            // coverage point of kind WINDOW: size of the window in steps; the goal cannot be reached before the window is full
 } SearchGoal;
 
 // ---- nodes ----
 
-// How an input is set.
+// How an input is set from a step on: held at a value, alternating, a ramp, or a copy of a variable (ScenarioChange).
 typedef struct SearchSetting {
-    bool set;
+    bool set;                 // false: the run has not set the input yet
     ScenarioKind kind;
-    double a, b;
+    double a, b;              // HOLD: a is the value; ALTERNATE: a and b; RAMP: a is the first value, b is added in each step
     uint32_t source;          // COPY: index into Program.var
-    uint64_t since;           // the step of the change
+    uint64_t since;           // the step in which the change was made
 } SearchSetting;
 
 typedef struct SearchTurn { uint32_t input; SearchSetting setting; } SearchTurn;
@@ -128,19 +131,19 @@ typedef struct SearchTurn { uint32_t input; SearchSetting setting; } SearchTurn;
 // A node: it is reached from its parent by the changes `turn` and the steps up to `at`.
 typedef struct SearchNode {
     uint32_t parent;
-    uint32_t users;           // number of pools and entries that contain the node; 0: it has no copy
-    uint32_t followers;       // number of its children, and of goals that it has reached; 0, and no users: it is freed
+    uint32_t users;           // number of pools and entries that contain the node, and of running attempts; 0: it has no snapshot
+    uint32_t followers;       // number of its children, and of goals that were reached there; a node without followers and users is freed
     uint64_t at;              // number of steps from the start
-    SearchTurn *turn;         // the changes between its parent and the node
+    SearchTurn *turn;         // `turns` changes that are made at the parent
     uint32_t turns;
     uint32_t depth;           // number of changes from the start; changes of equal rounds count once
-    char *copy;               // the snapshot; or NULL
-    uint32_t state;           // number of the state that its next step runs
+    char *copy;               // the snapshot: SearchRun.block bytes; NULL: none
+    uint32_t state;           // number of the state that the next step after the node runs
     uint64_t key;             // a hash of the snapshot
 } SearchNode;
 
 typedef struct SearchRun {
-    Arena *arena, work;       // `arena` has the result, `work` what only the search needs
+    Arena *arena, work;       // `arena`: memory of the result; `work`: memory of what only the search needs
     Arena flats;              // memory of the current machine with probes (`flat`, below)
     Arena legs;               // memory of the parts of the current detour (search_go_around)
     const Cover *c;
@@ -148,66 +151,66 @@ typedef struct SearchRun {
     const IrMachine *m;
     const SearchOptions *o;
     SearchResult *r;
-    uint64_t effort, random, delta_t;
-    uint64_t reserve;         // steps that will replay what was found: a part of the effort
+    uint64_t effort, random, delta_t;     // random: state of the random number generator
+    uint64_t reserve;         // steps of the effort that are set aside for replaying the runs that reached goals
     uint64_t stop_at;         // the search ends when this many steps have run
-    const State *start;
-    FlatMachine *plain;       // without probes
-    FlatMachine *flat;        // with the probes of open goals, and watched decisions
-    FlatMachine *quiet;       // with the probes of open goals only
+    const State *start;       // the state in which every run begins
+    FlatMachine *plain;       // the machine without probes
+    FlatMachine *flat;        // the machine with the probes of open goals; calls measure_goals for decisions on their paths
+    FlatMachine *quiet;       // the machine with the probes of open goals only
     FlatMachine *running;     // the machine of the current segment: `flat` or `quiet`
-    uint64_t progress;        // steps that had run when a snapshot of a goal was last stored
-    FlatMachine *judge;       // with all probes
+    uint64_t progress;        // value of r->steps when a snapshot was last added to the pool of a goal
+    FlatMachine *judge;       // the machine with all probes, which search_choose runs
     uint32_t *kept;           // by decision of `flat`: index into `decision`
-    uint32_t done_since;      // goals reached since `flat` was built
+    uint32_t done_since;      // number of goals that were reached since `flat` was built
     // the machine
     SearchInput *input;
     uint32_t inputs, words;   // words: length of a set of inputs, in uint64_t
-    SearchVar *var;           // by IR variable
-    SearchFn *fn;             // as FlatMachine.fn
-    SearchDecision *decision; // as FlatProbes.decision
+    SearchVar *var;           // by index into IrMachine.var
+    SearchFn *fn;             // by index in FlatMachine.fn
+    SearchDecision *decision; // by index in FlatProbes.decision
     uint32_t decisions;
-    SearchPath *path;         // by Stmt.number
-    uint32_t *guard;          // by Stmt.number of an IF: its decision; SEARCH_NONE
+    SearchPath *path;         // by Stmt.number: the path to the statement
+    uint32_t *guard;          // by Stmt.number of an IF: index of its decision; SEARCH_NONE for other statements
     VEC(SearchExit) exit;
-    VEC(double) constant;     // all numbers of the machine
+    VEC(double) constant;     // all numbers in the machine's code
     VEC(uint32_t) output;     // variables that the machine writes, as indices into Program.var
-    uint32_t longest;         // samples of the longest window
+    uint32_t longest;         // size of the longest window, in samples
     // goals
     SearchGoal *goal;
-    uint32_t goals, open;
-    uint32_t *goal_of;        // by place: its goal; SEARCH_NONE
-    uint32_t *counter;        // by place (CoverPlace): the counter of `running` that counts how often it was executed
-    bool *is_open;            // by counter
-    VEC(uint32_t) touched;    // goals that came nearer in the current segment
-    double *cost[2];          // by node of a decision: its distance from being false; from being true
+    uint32_t goals, open;     // number of goals, and of those that are not done
+    uint32_t *goal_of;        // by index into SearchResult.find: index into `goal`; SEARCH_NONE: no goal
+    uint32_t *counter;        // by coverage point: number of the counter that counts it; points that always occur together share a counter
+    bool *is_open;            // by counter: an open goal needs it, so the machine with probes counts it
+    VEC(uint32_t) touched;    // goals for which a distance was measured in the current segment
+    double *cost[2];          // by node of the decision that is being measured: distance from being false (cost[0]), from being true (cost[1])
     // nodes
     VEC(SearchNode) node;
-    uint32_t root;            // the start; it always has a copy
-    SearchNear *entry;        // by State.number - 1, SEARCH_ENTRIES each
-    uint32_t *entries;
-    bool *visited;            // by State.number - 1
-    size_t block, settings;   // bytes of a snapshot; offset of the settings of inputs in it
-    size_t nominal;           // bytes that count for a snapshot, the same on every computer, so that results do not depend on the computer
-    size_t used, memory;
+    uint32_t root;            // the node of the start, before the first step; it always has a snapshot
+    SearchNear *entry;        // the entries of each state: SEARCH_ENTRIES from index (State.number - 1) * SEARCH_ENTRIES on
+    uint32_t *entries;        // by State.number - 1: number of entries of the state
+    bool *visited;            // by State.number - 1: some run was in the state
+    size_t block, settings;   // bytes of a snapshot; offset in bytes of the inputs' settings within a snapshot
+    size_t nominal;           // bytes that the memory limit assumes for a snapshot: the same on every computer, so that results do not depend on it
+    size_t used, memory;      // bytes that are in use, with `nominal` for each snapshot; the limit of `used` (SearchOptions.memory)
     VEC(char *) free;         // unused memory of snapshots
-    SearchTurn **free_turn;   // by number of turns: a list of arrays
+    SearchTurn **free_turn;   // by number of turns: a list of unused arrays of that length
     uint32_t free_node;       // the first unused node; SearchNode.parent is the next one; SEARCH_NONE ends the list
     VEC(uint32_t) active;     // inputs that are set before each step of the current run
-    char *now, *scratch;      // the state of the current run; memory for the state of another run
+    char *now, *scratch;      // the state of the current run; `scratch`: a copy of a snapshot, on which one trial step is run
     uint64_t at;              // steps that the current run has run
-    uint64_t *cell;           // by Var.index, for the caller's goals
-    double *distance;
-    uint64_t next_report;
+    uint64_t *cell;           // by Var.index: the variables after the current step, for the caller's goals
+    double *distance;         // by goal of the caller: what SearchWatch.step has set
+    uint64_t next_report;     // value of r->steps at which the caller is next asked whether to go on
     // solving
-    struct SearchWish *wish;  // by input
-    uint64_t wait;            // how many steps a solution must last
+    struct SearchWish *wish;  // by index into `input`: what the solution wants the input to be
+    uint64_t wait;            // how many steps the solved changes must last; 0: no condition asks for a time
     uint32_t foreign;         // a variable that only another state can store as needed; SEARCH_NONE: there is none
-    double foreign_value;     // the value that it needs
-    uint64_t rounds;          // how often a counter must be counted up or down, one after another; 0: the solution needs no counter
+    double foreign_value;     // the value that `foreign` needs to have
+    uint64_t rounds;          // how many times a counter of the machine must be incremented or decremented; 0: the solution needs no counter
     bool is_round;            // the current changes repeat earlier ones: they do not count in SearchNode.depth
     uint32_t site_state;      // the state of the snapshot for which changes are solved
-    VEC(SearchTurn) turn;
+    VEC(SearchTurn) turn;     // the changes that were solved for
 } SearchRun;
 
 uint64_t search_random(SearchRun *k);
@@ -232,18 +235,19 @@ uint32_t search_run_exactly(SearchRun *k, uint32_t from, const SearchTurn *turn,
 // Opens the goals again that were reached after more than so many changes: only a run with fewer changes counts.  Returns whether there are any.
 bool search_reopen(SearchRun *k, uint32_t changes);
 void search_close_again(SearchRun *k);        // closes the goals that search_reopen has opened
-void search_drop(SearchRun *k, uint32_t node);
+void search_drop(SearchRun *k, uint32_t node);        // ends a use of the node: without other users it loses its snapshot
 bool search_goes_on(SearchRun *k);            // whether effort is left and the caller wants to go on
-void search_load(SearchRun *k, uint32_t node, char *to);
+void search_load(SearchRun *k, uint32_t node, char *to);      // copies the node's snapshot
+// Makes changes in the state `block` of a run that has run `at` steps.
 void search_apply(SearchRun *k, char *block, uint64_t at, const SearchTurn *turn, uint32_t turns);
-void search_set_inputs(SearchRun *k, char *block, uint64_t step);
+void search_set_inputs(SearchRun *k, char *block, uint64_t step);     // sets all inputs and the time before step `step`
 static inline SearchSetting *search_settings(const SearchRun *k, char *block) { return (SearchSetting *)(void *)(block + k->settings); }
 
 // Solve for changes of inputs at a node, and store them in k->turn.  Return the length of the segment, in steps.
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
 
-// Returns the entry of a state (0: any) at which a variable is nearest to a value; SEARCH_NONE: it has not been entered.
+// Returns the entry of a state (0: of any state) whose snapshot has the variable nearest to the wanted value; SEARCH_NONE: there is no entry.
 uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, uint32_t state);
 // Makes the changes of k->turn and undoes them, again and again, from the node for which they were solved.
 void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal);
@@ -258,8 +262,8 @@ void search_add_change(SearchRun *k, const ScenarioChange *c);
 
 void search_begin_solving(SearchRun *k);
 
-void search_choose(SearchRun *k);
-void search_describe_missing(SearchRun *k);
+void search_choose(SearchRun *k);             // chooses and simplifies the scenarios of the result
+void search_describe_missing(SearchRun *k);   // sets nearest, blocked_by and so on of the goals that were not found
 
 // The value of an instruction in the last step of k->plain, and the truth of node n of a decision there.
 static inline double search_value_of(const SearchRun *k, uint32_t fn, IrRef ref) { return k->plain->frame[k->plain->fn[fn].slot[ref]]; }

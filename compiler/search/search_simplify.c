@@ -12,7 +12,7 @@
 #define UNUSUAL_SIZE 1e15     // no sensor has values of this magnitude
 
 enum {
-    MOST_ROUNDS = 3,
+    MOST_ROUNDS = 3,          // how often all edits are tried, as long as they leave more than one change
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
     // skip_wait tries to replace a wait of more than LONG_WAIT steps before a change by a wait of 1 to SHORTEST_WAITS steps.  What follows the change
     // can then be delayed by up to MOST_DELAY steps.
@@ -20,7 +20,7 @@ enum {
     SHORTEST_WAITS = 2,
     MOST_DELAY = 3,
     MANY_CHANGES = 12,        // a scenario with more changes is first simplified by the edits that take few replays
-    MOST_JOINS = 64           // a shorter beginning is tried for the last transitions of a run, at most this many
+    MOST_JOINS = 64           // how many of a run's last transitions are tried as the end of a beginning that is replaced by a shorter one
 };
 
 // ---- attempts ----
@@ -51,7 +51,7 @@ static void remove_changes(Attempt *t, size_t i, size_t n)
     t->s.changes -= n;
 }
 
-// Of several changes of a variable in one step, only the last one has an effect.
+// Removes all but the last of several changes of a variable in one step: only the last one has an effect.
 static void remove_overwritten(Scenario *s, ScenarioChange *change)
 {
     size_t n = 0;
@@ -135,6 +135,7 @@ bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, co
     remove_overwritten(&t->s, t->change);
     remove_idle(c, &t->s, t->change);
     tidy_loops(&t->s, t->loop);
+    chooser_keep_marks(c, &t->s);
     chooser_store_attempt(c, s, t);
     return true;
 }
@@ -354,7 +355,7 @@ static bool skip_wait(Chooser *c, Scenario *s, const GoalSet *want, size_t i, ui
     return false;
 }
 
-// The first step in which change i could be made: that of the change before it, or the end of a loop.
+// Returns the first step in which change i could be made: that of the change before it, or the end of a loop.
 static uint64_t earliest_step(const Scenario *s, size_t i)
 {
     const ScenarioLoop *l = i ? scenario_loop_at(s, s->change[i - 1].step) : NULL;
@@ -611,6 +612,7 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
     start = begin_attempt(c, s);
     remove_idle(c, &start.s, start.change);
     chooser_store_attempt(c, s, &start);
+    chooser_keep_marks(c, s);
     store_enters(&r);
     if (s->changes > MANY_CHANGES)
         shorten_long(&r);

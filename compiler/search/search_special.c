@@ -8,8 +8,8 @@
 
 enum {
     RUN_STEPS = 8,            // the most changes of a run, one after another
-    MOST_FIRST = 6,           // inputs that change together at the beginning
-    MOST_LATER = 2,           // inputs that change together later
+    MOST_FIRST = 6,           // the most inputs that the first change of a run sets together
+    MOST_LATER = 2,           // the most inputs that a later change sets together
     SETTLE_PERCENT = 10       // after so many of a hundred changes, the machine runs for more than one step
 };
 

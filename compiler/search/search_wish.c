@@ -7,8 +7,8 @@
 #include "stdlib/convert.h"
 
 enum {
-    MOST_DEPTH = 12,
-    SPIKE_PERCENT = 15        // of the solutions for an average change it by its newest sample alone
+    MOST_DEPTH = 12,          // of the recursion through operands and stores
+    SPIKE_PERCENT = 15        // of a hundred solutions for an average, so many change only its newest sample
 };
 
 typedef enum Rel { REL_GE, REL_GT, REL_LE, REL_LT, REL_EQ, REL_NE } Rel;

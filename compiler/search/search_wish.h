@@ -9,17 +9,17 @@
 
 #include "compiler/search/search_run.h"
 
-#define SEARCH_BIG 1e30       // a bound of this magnitude or more means no bound
+#define SEARCH_BIG 1e30       // lo and hi of this magnitude or more mean: no bound
 
 // The value that a solution wants an input to have: a *wish*.
 typedef struct SearchWish {
-    double lo, hi;            // bounds
-    bool above, below;        // lo, hi themselves are excluded
+    double lo, hi;            // bounds of the input
+    bool above, below;        // above: lo itself is excluded; below: hi itself is
     bool needed;              // the current value contradicts a bound
     bool differs;             // the input should not equal `other`
-    double other;
-    double vary;              // amplitude of noise; 0: none
-    double slope;             // change in each step; 0: none
+    double other;             // the value that the input should not have, if `differs`
+    double vary;              // the input should alternate between two values that differ by this much; 0: it need not
+    double slope;             // the input should grow by this much in each step; 0: it need not
     uint32_t copies;          // the output that the input should follow, as a feedback does: index into Program.var; SEARCH_NONE: none
 } SearchWish;
 

@@ -16,7 +16,7 @@ typedef struct AppCheck {
     const Network *net;           // the messages of the application, or NULL
     unsigned guesses;             // how many more unknown names may be compared with all known ones
     Map machine_file;             // the file name as written of a machine without bindings, to the Span of its first use
-    Map machine_state;            // "FILE ELEMENT" of a machine: the number of its file and its S, to the AppMachine
+    Map machine_state;            // "N ELEMENT" of a machine, its file's index and the element that is its S, to the AppMachine
     Map task, executor;           // the name of a task or executor, to the Span of its first use
     Map statistic;                // the name of an element that an executor writes, to a description of its content (const char *)
     Map start;                    // the name of an element in [start], to the Span of its first value
@@ -35,7 +35,7 @@ const AstAppOption *app_find_option(const AstApp *ast, AstAppOptionKind kind);  
 
 // ---- check_app_names.c ----
 
-void check_app_products(AppCheck *k);
+void check_app_products(AppCheck *k);           // the files that are generated: no two may have the same name
 void check_app_platform_files(AppCheck *k);     // the files that the log and keep tasks write
 
 // ---- check_app_net.c ----
@@ -51,11 +51,12 @@ typedef enum AppRangeId {
     APP_RANGES
 } AppRangeId;
 
+// The values that a number of an application can have: a row of app_ranges.def.
 typedef struct AppRange {
-    const char *what;
-    uint64_t least, most;
-    bool power_of_two;
-    const char *limits;
+    const char *what;         // for the message: "the watchdog's time"
+    uint64_t least, most;     // in nanoseconds, bytes, Hz or without a unit
+    bool power_of_two;        // the number must be a power of two
+    const char *limits;       // for the message: "1 ms to 1 h"
 } AppRange;
 
 extern const AppRange app_ranges[APP_RANGES];

@@ -21,9 +21,6 @@ typedef struct CheckContext {
 
 StateVec *check_state_vector(CheckContext *c, const AstFile *sv);
 
-// `sv` may be NULL: then the machine's own [state_vector] section is the whole vector.  `written_outside` names the locals that
-// code outside the machine (a state script) writes.  Read-only locals among them are treated as variables, not constants.  Pass
-// NULL if no code outside writes any.
 // How a machine that is used under another name differs from its file.
 typedef struct MachineInstance {
     Str name;                 // names its program and the files generated from it; NULL: the file's stem does
@@ -33,14 +30,16 @@ typedef struct MachineInstance {
     bool lost;                // a binding is missing, because an error was reported
 } MachineInstance;
 
-// `instance`: NULL, or only with `sv`.
+// `sv` may be NULL: then the machine's own [state_vector] section is the whole vector.  `written_outside` names the locals that
+// code outside the machine (a state script) writes.  Read-only locals among them are treated as variables, not constants.  Pass
+// NULL if no code outside writes any.  `instance`: NULL, or how the machine differs from its file; then `sv` is not NULL.
 Program *check_machine(CheckContext *c, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance);
 
 // Checks a script of n files: those that it includes in the order of their sections, and the script itself as the last.
 Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, const Program *program);
-// The same for files without syntax errors whose items are not in memory.  `outline`: the trees of parse_script, without items.  Parses
-// each source again, with only some of its items in memory at a time: they are in `items`, the rest of the syntax tree is in `tree`.  The
-// caller frees both arenas.
+// Like check_script, for files without syntax errors whose items are not in memory.  `outline`: the trees of parse_script, without items.
+// Parses each source again, with only some of its items in memory at a time: the items are in `items`, the rest of the syntax tree is in
+// `tree`.  The caller frees both arenas.
 Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program);
 
 // Whether the parameter `name` of p can have the value x; *cell is then the value as a bit cell of its type.  If not, reports why at `span`.
@@ -62,7 +61,7 @@ void app_list_files(Arena *arena, const AstFile *app, AppFiles *out);
 // `sv`, `pins`, `net` and a machine's program are NULL if that file has errors, which are already reported.  Everything else is still checked.
 App *check_app(CheckContext *c, const AstFile *app, const StateVec *sv, const IoMap *pins, const Network *net, const AppFiles *files);
 
-// Adds the names that the script assigns to `names`; each is key and value. `names` is then the parameter written_outside of check_machine.
+// Adds the names that the script assigns to `names`, a set: each name maps to itself. The caller passes it to check_machine as written_outside.
 void script_add_written_names(const AstFile *ss, Map *names);
 void script_add_names_of_section(const AstSection *section, Map *names);      // adds the names of the columns of [data]
 void script_add_names_of_item(const AstStmt *item, Map *names);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // [all_states] of a machine (language.md 5.68 to 5.75). The statements of such a section are checked once for each state in which they run,
-// and become the first statements of its .step. The copies have positions in a copy of the source that tells the state (Source.written).
+// and become the first statements of .step of that state. Each copy has positions in a copy of the source that records the state
+// (Source.state).
 #include "compiler/sema/sema.h"
 
 // ---- the states in which a section runs ----
@@ -129,7 +130,7 @@ void warn_of_skipped_all_states(Sema *s, const Program *p)
 
 // ---- statements ----
 
-enum { COPIES_MAX = 100000 };         // the most statements that the sections can become in all states together
+enum { COPIES_MAX = 100000 };         // the most copies of statements that all sections together can have
 
 // Adds the statements of all sections that run in the state to its .step, which is still empty.
 void add_all_states(Sema *s, Program *p, State *state)

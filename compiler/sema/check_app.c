@@ -478,7 +478,7 @@ static void report_unused_pins(AppCheck *k, bool output, AstAppTaskKind task, As
 // Builds an application from its tree.  `sv`, `pins` and a machine's program are NULL if that file has errors, which are already reported.
 App *check_app(CheckContext *c, const AstFile *f, const StateVec *sv, const IoMap *pins, const Network *net, const AppFiles *files)
 {
-    enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
+    enum { GUESSES = 30 };        // the most unknown names for which a similar name is suggested: more than the reports that are shown
     size_t errors = c->diags->errors_seen;
     AppCheck k;
 

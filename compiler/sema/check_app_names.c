@@ -62,7 +62,7 @@ static bool is_reserved_stem(const char *stem)
 // Reports a stem that generated C cannot use.
 static void check_stem(AppCheck *k, const char *stem, Span span)
 {
-    bool includable = true;                       // can appear in #include "…" and in a one-line comment
+    bool includable = true;                       // the name can appear in #include "…" and in a // comment
 
     for (const char *c = stem; *c; c++)
         includable = includable && (unsigned char)*c >= 0x20 && *c != 0x7f && *c != '"';
@@ -143,7 +143,7 @@ static bool is_written(AstAppOptionKind kind) { return kind == AST_APP_log || ki
 // Whether an option names another file of the running application.
 static bool is_file(AstAppOptionKind kind) { return is_written(kind) || kind == AST_APP_swap_key || kind == AST_APP_swap_at; }
 
-// Reports a file that the running application writes, and that is also one of another option or a source.
+// Reports a file that the running application writes and that another option or a source names, too.
 void check_app_platform_files(AppCheck *k)
 {
     static const char *const what[] = {[FILE_SV] = "the state vector's", [FILE_SM] = "a machine's", [FILE_IO] = "that of the pins",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks where a running application is reached (docs/config.md 10.25, 10.26).
+// Checks the path, address or line on which a running application accepts swaps, and its key (docs/config.md 10.25, 10.26).
 #include "compiler/sema/app_check.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ static bool read_number(const char **text, unsigned long most, unsigned long *va
     return true;
 }
 
-// Reads "10.0.0.5:4711" or ":4711", which is the loopback.
+// Reads an address with a port, "10.0.0.5:4711", or only a port, ":4711", which means the loopback address.
 static bool read_address(const char *text, AppSwapAt *out)
 {
     static const uint8_t loopback[4] = {127, 0, 0, 1};

@@ -63,7 +63,7 @@ static void check_machine_time(AppCheck *k, const AstAppTask *in, const Program 
 
     for (size_t i = 0; i < k->ast->options.n; i++)
         if (k->ast->options.at[i].kind == AST_APP_time && !time)
-            return;                               // reported: the element does not exist
+            return;                               // the option names an element that does not exist, which is already reported
     if (!time) {
         if (!k->ast->lost)
             diag_report(k->c->diags, DIAG_app_missing, in->name.span,
@@ -176,7 +176,7 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in, u
 static void warn_of_mode_without_safe(AppCheck *k, const AppTask *t)
 {
     const Program *p = t->machine ? t->machine->program : NULL;
-    const Var *written = NULL;    // the first element that the machine assigns (`written` is not set for S)
+    const Var *written = NULL;    // the first element that the machine assigns, other than S, for which `written` is never set
 
     for (size_t i = 0; p && !written && i < p->var.n; i++)
         if (p->var.at[i]->element && p->var.at[i]->written)
@@ -234,7 +234,7 @@ void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
             AppTask *task = check_task(k, written, rate->period);
             if (k->app->task.n == MOST)
                 diag_report(k->c->diags, DIAG_app_too_many, task->span, "tasks", "65535");
-            // A machine refuses a step in which the time is the same as in the step before.
+            // A machine refuses a step if the time has not advanced, so a period must not be shorter than one unit of the time.
             if (written->kind == AST_TASK_machine && k->app->time && rate->period && rate->period < k->app->unit)
                 diag_note(k->c->diags, diag_report(k->c->diags, DIAG_app_time_coarse, written->name.span, written->name.text->text,
                                                    app_time_text(k->c->arena, rate->period), k->app->time->name->text,

@@ -14,10 +14,10 @@ typedef struct LocalDecl { Var *var; const AstDecl *decl; } LocalDecl;
 typedef struct Declarations {
     Sema *s;
     Program *p;
-    StateVec *sv;                 // without a .sv: filled with the elements that the machine declares
+    StateVec *sv;                 // the state vector; without a .sv, the machine's own elements are added to it
     const Map *written_outside;
-    const MachineInstance *instance;      // or NULL
-    VEC(LocalDecl) local;
+    const MachineInstance *instance;      // how the machine differs from its file; or NULL
+    VEC(LocalDecl) local;         // the locals, with their declarations
     Str time;                     // the interned name "T"
     const AstSection *list;       // the machine's [state_vector] section, or NULL
 } Declarations;
@@ -171,7 +171,7 @@ static Element *find_element(Declarations *k, const AstDecl *decl)
     Diag *d;
 
     if (!e && k->instance && k->instance->lost)
-        return NULL;                  // a binding of the element may be missing
+        return NULL;                  // the element may be bound by a binding that had an error
     if (!e) {
         d = diag_report(k->s->diags, DIAG_element_not_in_vector, decl->name_span, decl->name->text);
         suggest_element(k->s->diags, d, &k->s->guesses, k->sv, decl->name);
@@ -300,7 +300,7 @@ static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode
 {
     Str key = str_c(k->s->strings, name);
     Var *v = map_find(&k->p->by_name, key);
-    bool is_reported;             // the list has the wrong type but the state vector the right one: already reported as E0206
+    bool is_reported;             // [state_vector] has another type than the .sv, whose type is right: already reported as E0206
 
     if (!v && !k->s->lost->names)
         diag_report(k->s->diags, missing, k->list->header);
@@ -315,7 +315,7 @@ static Var *find_g_or_s(Declarations *k, const char *name, SmType type, DiagCode
 
 static void find_g_and_s(Declarations *k)
 {
-    bool any = k->p->var.n > k->local.n + 1;       // whether the machine lists an element: a variable besides locals and T
+    bool any = k->p->var.n > k->local.n + 1;       // the machine lists an element, because it has more variables than locals and T
 
     if (any && k->list) {
         k->p->g = find_g_or_s(k, "G", SM_U64, DIAG_no_global_time, DIAG_global_time_type);

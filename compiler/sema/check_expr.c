@@ -17,7 +17,7 @@ Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args)
 
     e->kind = kind;
     e->span = sema_span(s, span);
-    e->n = args & 0xffffff;              // AST_DEPTH_MAX limits the number of arguments, so no bits are lost
+    e->n = args & 0xffffff;              // e->n has 24 bits, and AST_DEPTH_MAX limits the number of arguments
     return e;
 }
 

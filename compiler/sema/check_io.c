@@ -8,9 +8,9 @@
 typedef struct IoCheck {
     const CheckContext *c;
     IoMap *io;
-    Map taken[2];                 // [0] analog, [1] digital: a pin number, to the first AstPin that uses it
-    Map input;                    // the name of an element that an input writes, to the first AstPin that does
-    Map unknown;                  // unknown names that are already reported
+    Map taken[2];                 // [0] analog, [1] digital: a pin number, to the first AstPin with this number
+    Map input;                    // the name of an element that an input pin writes, to the first such AstPin
+    Map unknown;                  // set of the unknown names that are already reported
     unsigned guesses;             // how many more unknown names may be compared with all known ones
 } IoCheck;
 
@@ -185,8 +185,8 @@ static void check_pin(IoCheck *k, const AstPin *pin, bool digital)
 
 IoMap *check_io(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
-    enum { GUESSES = 30,              // unknown names that get a suggestion: more than the reports that are shown
-           MOST = 65535 };            // runtime-c/io.h counts pins with 16 bits
+    enum { GUESSES = 30,              // the most unknown names for which a similar name is suggested: more than the shown reports
+           MOST = 65535 };            // the most pins: runtime-c/io.h counts them in 16 bits
     size_t errors = c->diags->errors_seen;
     const Map none = {c->arena, NULL, NULL, 0, 0};
     IoCheck k = {c, ARENA_NEW(c->arena, IoMap), {none, none}, none, none, GUESSES};

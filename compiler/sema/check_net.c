@@ -41,7 +41,7 @@ const char *net_address_text(Arena *arena, const NetChannel *c)
     return format_in(arena, "%u.%u.%u.%u:%u", c->ip[0], c->ip[1], c->ip[2], c->ip[3], (unsigned)c->port);
 }
 
-// A UDP channel and a client have one socket.  A server has one that listens, one for each peer, and one for a peer that replaces another.
+// A UDP channel and a TCP client need one socket.  A server needs one that listens, one for each peer, and one for a peer that replaces another.
 uint32_t net_sockets(const Network *net)
 {
     uint32_t n = 0;
@@ -90,7 +90,7 @@ static bool check_address(NetCheck *k, const AstWord *word, uint8_t *ip, uint16_
     if (good && port && *s == ':')
         s++;
     else if (good && port && s != word->text->text)
-        good = false;                         // an address without a port
+        good = false;                         // an address must be followed by a port
     if (good && port) {
         good = read_number(&s, 65535, &n) && n >= 1;
         *port = (uint16_t)n;
@@ -131,7 +131,8 @@ static void report_unknown_endpoint(NetCheck *k, const AstWord *word)
         diag_label(k->d, d, DIAG_label_did_you_mean, near);
 }
 
-// Whether the word before the address fits.  TCP allows both sides, because either computer can be the server (config.md 11.4, 11.21).
+// Whether the word before the address (`to`, `on` or `from`) fits the channel.  Over TCP, `on` is allowed for both directions, because either
+// computer can be the server (config.md 11.4, 11.21).
 static bool check_side(NetCheck *k, const AstNetChannel *in)
 {
     const AstNetSide other = in->is_send ? AST_NET_FROM : AST_NET_TO, of_udp = in->is_send ? AST_NET_TO : AST_NET_ON;
@@ -198,14 +199,14 @@ static const Element *check_integer(NetCheck *k, const AstWord *word, const char
     return NULL;
 }
 
-// Whether a channel can count this.
+// Whether a channel can have the counter `count`, which depends on its direction and transport.
 static bool can_count(const NetChannel *c, NetCount count)
 {
     switch (count) {
     case NET_COUNT_sent: case NET_COUNT_lost:            return c->is_send;
     case NET_COUNT_full: case NET_COUNT_unconnected:     return c->is_send && net_is_tcp(c);
     case NET_COUNT_connected: case NET_COUNT_broken:     return net_is_tcp(c);
-    case NET_COUNT_long_:                                return !c->is_send && !net_is_tcp(c);      // a stream has no lengths
+    case NET_COUNT_long_:                                return !c->is_send && !net_is_tcp(c);      // a stream has no datagrams
     default:                                             return !c->is_send;
     }
 }
@@ -329,7 +330,7 @@ static void report_wrong_value(NetCheck *k, const AstNetAnnotation *a, const Ele
     diag_edit(k->d, d, a->value.span, edit);
 }
 
-// Sets what becomes of an element while no message comes (config.md 11.9).
+// Sets the value that an element has while no message arrives (config.md 11.9).
 static void check_silence(NetCheck *k, const AstNetPart *part, const NetChannel *out, NetField *f)
 {
     const AstNetAnnotation *a = NULL;
@@ -422,7 +423,7 @@ static void finish_message(NetCheck *k, const AstNetChannel *in, NetChannel *out
         diag_report(k->d, DIAG_net_too_long, out->span, out->name->text, format_in(k->c->arena, "%lu", (unsigned long)out->size));
 }
 
-// ---- channels that are confused, messages that return ----
+// ---- channels that cannot be distinguished, messages that return to their sender ----
 
 static bool is_any(const uint8_t *ip) { return (ip[0] | ip[1] | ip[2] | ip[3]) == 0; }
 
@@ -435,7 +436,7 @@ static bool are_ambiguous(const NetChannel *a, const NetChannel *b)
     return memcmp(a->ip, b->ip, 4) == 0 || (net_listens(a) && (is_any(a->ip) || is_any(b->ip)));
 }
 
-// What two ambiguous channels both do.
+// Returns, for a message, what two ambiguous channels both do.
 static const char *activity_of(const NetChannel *c)
 {
     static const char *const words[2][2] = {{"send to", "receive on"}, {"connect to", "listen on"}};
@@ -500,7 +501,7 @@ static void check_channel(NetCheck *k, const AstNetChannel *in)
 
 Network *check_net(CheckContext *c, const AstFile *f, const StateVec *sv)
 {
-    enum { GUESSES = 30, MOST = 250 };            // a handle of a socket is a byte
+    enum { GUESSES = 30, MOST = 250 };            // the most suggestions; the most sockets, whose handles are bytes
     size_t errors = c->diags->errors_seen;
     NetCheck k;
 

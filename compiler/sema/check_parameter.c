@@ -16,7 +16,7 @@ static const AstAnnotation *find_annotation(const AstAnnotations *all, AstAnnota
     return NULL;
 }
 
-// Sets *end to an end of a range, as the type stores it.  Reports one that the type cannot store; F32 rounds.
+// Sets *end to the lower or upper end of a range, as the type stores it.  Reports an end that the type cannot store; an F32 is rounded.
 static bool store_end(Sema *s, const Var *v, const AstNumber *written, SmF64 *end)
 {
     const SmF64 x = sm_parameter_rounded(v->type, written->value), stored = sm_cell_to_f64(v->type, sm_cell_from_f64(v->type, x));
@@ -32,7 +32,7 @@ static bool store_end(Sema *s, const Var *v, const AstNumber *written, SmF64 *en
     return false;
 }
 
-// Sets both ends, so that each is reported that the type cannot store.
+// Sets both ends of the range, also if the first has an error, so that both are reported.
 static bool store_ends(Sema *s, const Var *v, const AstAnnotation *range, Parameter *p)
 {
     const bool lo = store_end(s, v, &range->lo, &p->lo), hi = store_end(s, v, &range->hi, &p->hi);

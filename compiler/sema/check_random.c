@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// random(lo, hi) and noise(sigma), which only scripts have (language.md 8.48 to 8.53): the numbers of their calls, and their arguments.
+// random(lo, hi) and noise(sigma), which only scripts have (language.md 8.48 to 8.53): gives each call a number, and checks its arguments.
 #include "compiler/sema/sema.h"
 
 #include <string.h>
@@ -8,7 +8,7 @@ static bool is_noise(Str name) { return strcmp(name->text, "noise") == 0; }
 
 bool is_random_function(Str name) { return strcmp(name->text, "random") == 0 || is_noise(name); }
 
-// ---- numbers of calls, in the order of the text ----
+// ---- numbering of calls, in the order of the text ----
 
 static bool is_at(Span a, Span b) { return a.src == b.src && a.at == b.at; }
 

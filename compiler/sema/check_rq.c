@@ -220,7 +220,7 @@ void add_stmt_marks(Sema *s, const AstStmt *in, const Stmt *stmt)
         add_mark(s, in->marks->at.at[i], s->state, stmt, true, in->marks->span.at[i]);
 }
 
-// The marks whose requirement no file has, each id once.
+// The marks whose id no requirement has; each id is reported once.
 typedef struct UnknownIds { Map reported; VEC(const RequirementMark *) at; } UnknownIds;
 
 static void note_mark(CheckContext *c, const Requirements *r, UnknownIds *unknown, const RequirementMark *m)

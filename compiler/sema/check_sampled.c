@@ -126,7 +126,7 @@ Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn)
 
     if (!check_samples_allowed(s, call))
         return NULL;
-    sample = check_expr(s, call->args->at[0]);                 // gives roll calls in the sample lower indices
+    sample = check_expr(s, call->args->at[0]);                 // checked first, so that windows in the sample have lower indices
     size = check_window_size(s, call, &in_time);
     if (!sample || !size)
         return NULL;
@@ -228,7 +228,7 @@ Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn)
     if (!(x = check_expr(s, call->args->at[0])))
         return NULL;
     if (fn != SM_FN_prev)
-        x = new_not(s, call, new_not(s, call, x));             // 1 or 0
+        x = new_not(s, call, new_not(s, call, x));             // `not not x` is 1 or 0
     old = new_statistic(s, call, x, 2, SM_STAT_OLDEST);
     if (fn == SM_FN_prev)
         return old;

@@ -15,7 +15,7 @@ typedef struct ScriptCheck {
     Script *script;
     Str delta_t, init_state, seed, set;   // the names of the options
     bool has_delta_t, has_stop;
-    uint32_t items, asserts;      // how many items and asserts have been checked
+    uint32_t items, asserts;      // number of items, and of asserts, that have been checked so far
     bool proposes_guards;         // CheckContext.proposes_guards
     size_t errors;                // Diags.errors_seen when this check began
     Map section;                  // state name to the Span of its section in the current file
@@ -36,7 +36,7 @@ static void check_declared_step(ScriptCheck *k, const AstOption *o)
     diag_note(k->s.diags, d, p->step_span, DIAG_note_declared_here, "step");
 }
 
-// Whether G is 0 in the first step. In an application, [start] can set another one.
+// Whether G is 0 in the first step. In an application, [start] can set another value.
 static bool starts_at_zero(const Program *p)
 {
     const Joint *j = p->joint;
@@ -138,7 +138,7 @@ static void check_option(ScriptCheck *k, const AstOption *o)
         if (o->word && k->s.p->step > 0)
             diag_note(k->s.diags, diag_report(k->s.diags, DIAG_delta_t_file, o->value_span, "the machine declares a step"), k->s.p->step_span,
                       DIAG_note_declared_here, "step");
-        if (k->script->delta_t == 0 && o->number)                                     // otherwise the parser has reported it
+        if (k->script->delta_t == 0 && o->number)                                     // without a number the parser has reported the option
             diag_report(k->s.diags, DIAG_step_value, o->value_span, "delta_t");
         check_declared_step(k, o);
         k->s.step = k->script->delta_t;
@@ -190,7 +190,8 @@ static const ScriptRemark *check_remark(ScriptCheck *k, const AstStmt *in)
     return r;
 }
 
-// Whether e compares S with the number of a state and is true in the state `in`.  A step keeps S to its end, also when it makes a transition.
+// Whether e compares S with the number of a state and is true in the state `in`.  S does not change during a step, even if the step makes a
+// transition.
 static bool is_true_in_state(const ScriptCheck *k, const Expr *e, const State *in)
 {
     const Joint *j = k->s.p->joint;
@@ -255,8 +256,8 @@ static ScriptItem *add_unconditional_item(ScriptCheck *k, Span span, const Scrip
     return item;
 }
 
-// Checks the statements of an item: those of the body from number `from` on, up to a conditional. Returns the number of the next one. The
-// lists have exactly the capacity that they need, because a script can have a million items.
+// Checks the statements of an item: those of the body with the indices from `from` on, up to a conditional. Returns the index after the last of
+// them. The lists have exactly the capacity that they need, because a script can have a million items.
 static size_t check_statements(ScriptCheck *k, ScriptItem *item, const AstStmts *body, size_t from)
 {
     size_t i, end;
@@ -319,7 +320,7 @@ static void check_conditional(ScriptCheck *k, const AstStmt *in, const ScriptIte
 {
     ScriptItem *item = add_item(k, parent, otherwise);
 
-    k->s.searched_left = NULL;                // a freed tree of an earlier item may have been at this address
+    k->s.searched_left = NULL;                // it may point into the freed tree of an earlier item, at an address that is used again
     warn_of_time_as_guard(&k->s, in->value);
     item->guard = check_guard(&k->s, in->value);
     item->by_time = in->value->kind == AST_WHEN;
@@ -428,7 +429,7 @@ static void warn_of_missed_times(ScriptCheck *k, const Expr *e)
         warn_of_missed_time(k, e, e->var, e->number);
 }
 
-// Whether G is a multiple of delta_t in every step.
+// Whether G is certain to be a multiple of delta_t in every step.
 static bool has_regular_times(const ScriptCheck *k) { return k->script->delta_t > 0 && starts_at_zero(k->s.p); }
 
 // Reports guards by time that no step has, and warns of missed times in other guards, those of conditionals without asserts.  If a guard with asserts

@@ -64,7 +64,7 @@ static void compute_value(Sema *s, Script *script, size_t n, const AstDecl *decl
         local->init = sm_cell_from_f64(local->type, expr_constant_value(e));
 }
 
-// Calls f for each declaration, with its number.
+// Calls f for each declaration in the [local] sections of the files; n counts them from 0.
 static void each_local(const AstFile *const *file, size_t files, void (*f)(Sema *s, Script *script, size_t n, const AstDecl *decl), Sema *s,
                        Script *script)
 {

@@ -61,7 +61,7 @@ static Expr *new_at(Sema *s, const Expr *time, Span span, uint32_t name)
     return e;
 }
 
-// Checks an expression without windows whose nodes are not kept.
+// Checks an expression that contains no windows.  Its nodes are temporary, because the caller only needs its value.
 static Expr *check_unkept(Sema *s, const AstExpr *e)
 {
     Expr *out;
@@ -88,7 +88,7 @@ Expr *check_when(Sema *s, const AstExpr *e)
 {
     const bool is_one_node = e->when == AST_AT || e->when == AST_EVERY;
     Expr *a = is_one_node ? check_unkept(s, e->a) : check_expr(s, e->a), *b = e->b ? check_expr(s, e->b) : NULL;
-    const Span at = {e->span.src, e->span.at, 0};        // of G, which is not written
+    const Span at = {e->span.src, e->span.at, 0};        // position of the node for G, which the text does not contain
 
     if (!a || (e->b && !b))
         return NULL;
@@ -133,7 +133,7 @@ bool report_compared_state_value(Sema *s, const AstExpr *e)
 // Whether a clock that starts at 0 and advances by delta_t is ever equal to x.
 bool is_reached_time(SmF64 x, uint64_t delta_t)
 {
-    const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it some whole numbers are not an F64
+    const SmF64 limit = sm_from_u64(0x20000000000000u);          // 2^53: above it, not every whole number is an F64
 
     if (sm_lt(x, sm_from_i32(0)) || !sm_eq(sm_trunc(x), x))
         return false;
@@ -160,7 +160,7 @@ static SmF64 time_of_number(const Sema *s, const AstExpr *e)
 
 // ---- comparisons with G that a guard by time can replace ----
 
-// A bound of G: G == time, G >= time or G < time.
+// A comparison that limits G: G == time, G >= time or G < time.
 typedef struct Bound { SmOperator op; const AstExpr *time; } Bound;
 
 // Whether e is written as a number that is a whole time, other than in hexadecimal.
@@ -188,7 +188,7 @@ static bool is_comparison(const AstExpr *e)
     return e->kind == AST_BINARY && (sm_op_info[e->op].op_class == SM_CLASS_RELATION || sm_op_info[e->op].op_class == SM_CLASS_EQUALITY);
 }
 
-// Finds the bounds of a guard such as 5 <= G < 6, or G >= 5 and G < 6. Returns how many there are; 0: the guard is something else, too.
+// Finds the bounds of a guard such as 5 <= G < 6, or G >= 5 and G < 6. Returns their number; 0: the guard contains something else.
 static int find_bounds(const Sema *s, const AstExpr *e, Bound out[2])
 {
     if (e->kind == AST_BINARY && e->op == SM_OP_AND)

@@ -69,7 +69,7 @@ static const State *state_named_by(const Sema *s, const AstExpr *e)
 // Returns false if the statement is no such assignment.
 static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
 {
-    const bool may_mean = !s->in_script && (v ? v == s->p->s : in->value->kind == AST_NAME && !scope_find_variable(s, in->value->name));
+    const bool may_mean = v ? v == s->p->s && !s->in_script : in->value->kind == AST_NAME && !scope_find_variable(s, in->value->name);
     const State *to = may_mean ? state_named_by(s, in->value) : NULL;
     Diag *d;
 
@@ -79,7 +79,10 @@ static bool report_state_assignment(Sema *s, const Var *v, const AstStmt *in)
         d = diag_report(s->diags, DIAG_write_state_element, in->name_span, in->name->text);
     else
         d = diag_report(s->diags, DIAG_unknown_element, in->name_span, in->name->text);
-    diag_label(s->diags, d, DIAG_label_go_to, to->name->text, to->name->text);
+    if (s->in_script)
+        diag_label(s->diags, d, DIAG_label_first_state);
+    else
+        diag_label(s->diags, d, DIAG_label_go_to, to->name->text, to->name->text);
     return true;
 }
 
@@ -123,7 +126,7 @@ bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
     if (v && !s->in_script)
         v->written = true;
     out->var = v;
-    if (!good && v == s->p->s && state_named_by(s, in->value))         // S = Vent in a script
+    if (!good && v == s->p->s && state_named_by(s, in->value))         // `S = Vent` is reported; the value would be reported as well
         return false;
     check_value(s, in, out);
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
@@ -158,11 +161,27 @@ static Stmt *check_transition(Sema *s, const AstStmt *in)
 
 // ---- conditionals ----
 
+// Reports a call such as `transition(Vent)` alone on its line: the user wants a transition to Vent.  Returns false if it is no such call.
+static bool report_call_with_state(Sema *s, const AstExpr *e)
+{
+    const AstExpr *argument = e->kind == AST_CALL && e->args->n == 1 ? e->args->at[0] : NULL;
+    Diag *d;
+
+    if (!e->alone || !argument || scope_find_function(s, e->name) || scope_find_variable(s, e->name) || argument->kind != AST_NAME ||
+        scope_find_variable(s, argument->name) || !map_find(&s->p->state_by_name, argument->name))
+        return false;
+    d = diag_report(s->diags, DIAG_unknown_function, ast_op_span(e), e->name->text);
+    diag_label(s->diags, d, DIAG_label_go_to, argument->name->text, argument->name->text);
+    return true;
+}
+
 static Stmt *check_if(Sema *s, const AstStmt *in)
 {
     Stmt *out = stmt_new(s, ST_IF, in);
     size_t before = s->diags->errors_seen;
 
+    if (report_call_with_state(s, in->value))
+        return NULL;
     if (in->arms->braces && in->arms->then.n == 0)
         diag_report(s->diags, DIAG_empty_braces, in->arms->body_span);
     if (in->arms->has_else && in->arms->else_braces && in->arms->otherwise.n == 0)
@@ -210,7 +229,7 @@ void check_stmts(Sema *s, const AstStmts *in, Stmts *out)
         }
         if (stmt)
             vec_push(s->arena, out, stmt);
-        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines before it
+        for (size_t k = i; s->building && !is_repeated && k-- > 0 && in->at[k]->kind == AST_ALLOWED; )       // the @allow lines just before it
             add_stmt_allow(s, in->at[k]->allow, in->at[i]);
         if (in->at[i]->marks && s->building && !is_repeated)
             add_stmt_marks(s, in->at[i], stmt);

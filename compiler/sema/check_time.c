@@ -46,8 +46,8 @@ void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal)
                 time_unit_name(s->p->time_unit), time->name->text);
 }
 
-// Returns the expression that e means without parentheses and names of definitions, and in *named what e contains in its parentheses.
-// Ends, because a definition can only use earlier ones.
+// Returns e without parentheses, and with the names of definitions replaced by their expressions; *named: e without parentheses only.
+// The loop ends, because a definition can only use earlier ones.
 static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExpr **named)
 {
     uint32_t before = s->inside ? s->inside->number : UINT32_MAX;
@@ -210,7 +210,7 @@ void check_time_options(Sema *s, Program *p, const AstFile *sm)
 
 // ---- applications ----
 
-// Reports a machine whose meaning depends on the unit of G, or that has a step, in an application with another unit or rate.
+// Reports a machine whose behaviour depends on the unit of G, or that declares a step, in an application with another unit or period.
 // `unit`, `period`: in nanoseconds; 0: unknown.
 void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period)
 {

@@ -2,7 +2,7 @@
 // @unit of elements, locals and definitions (language.md 2.24 to 2.27).
 #include "compiler/sema/sema.h"
 
-// Reports a name that is no unit. Its value then has no unit, and is compared with nothing.
+// Reports a name that is no unit. The variable then has no unit, so its unit is compared with no other one.
 static void warn_of_unknown(const CheckContext *c, const AstAnnotation *a, const MeasureError *error)
 {
     const Span span = {a->name_span.src, a->name_span.at + error->at, error->len};

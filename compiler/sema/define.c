@@ -22,7 +22,7 @@ static AstExpr *copy_tree(Arena *arena, const AstExpr *e)
     return out;
 }
 
-// Returns how many operations and values the expression has once its definitions are expanded; more than EXPANDED_MAX counts as that and 1.
+// Returns the number of operations and values of the expression after all definitions in it are expanded, but at most EXPANDED_MAX + 1.
 static uint32_t expanded_size(const Sema *s, const AstExpr *e)
 {
     const Define *d = e->kind == AST_NAME ? map_find(&s->defines, e->name) : NULL;
@@ -118,7 +118,7 @@ static bool check_use(Sema *s, const Define *d, const AstExpr *use)
     return false;
 }
 
-// Lists a use for reports.  An expression that contains it can be expanded many times, and the use is listed once.
+// Adds a use to d->use, for reports.  The use is listed once, even if the definition that contains it is expanded many times.
 static void add_use(Sema *s, Define *d, const AstExpr *use)
 {
     const DefineUse here = {sema_span(s, use->span), s->inside};
@@ -131,7 +131,7 @@ static void add_use(Sema *s, Define *d, const AstExpr *use)
 // Builds the expression of a definition that `use` names. The root has the span of the use, because messages quote what the user wrote there.
 Expr *expand_definition(Sema *s, Define *d, const AstExpr *use)
 {
-    const bool own = !s->in_script || d->number >= s->p->define.n;    // a script does not change its machine
+    const bool own = !s->in_script || d->number >= s->p->define.n;    // false: a script uses a definition of its machine, and does not change it
     Define *outer = s->inside;
     Expr *out;
 

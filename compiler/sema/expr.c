@@ -74,7 +74,7 @@ static SmF64 eval_binary(SmOperator op, SmF64 a, SmF64 b)
     case SM_OP_DIV: return sm_div(a, b);
     case SM_OP_NOT: case SM_OP_NEG: case SM_OP_PLUS: case SM_OP_COUNT: break;
     }
-    return sm_from_i32(0);                                  // not reached: the others are not binary operators
+    return sm_from_i32(0);                                  // not reached: these operators are not binary
 }
 
 // Evaluates a chain of comparisons such as a < b <= c.
@@ -124,7 +124,7 @@ SmF64 expr_eval(const Expr *e, const SmF64 *value)
     case EX_BINARY: return eval_binary(e->op, expr_eval(e->arg[0], value), expr_eval(e->arg[1], value));
     case EX_CHAIN:  return eval_chain(e, value);
     case EX_CALL:   return eval_call(e, value);
-    case EX_EVERY: case EX_AT: case EX_RANDOM: break;             // scripts evaluate them themselves
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;             // only scripts have these, and the script engine evaluates them
     case EX_ROLL:   return value && e->stat != SM_STAT_RANGE && e->stat < SM_STAT_CHANGE ? expr_eval(e->arg[0], value) : sm_from_i32(0);    // all samples are equal
     }
     return sm_from_i32(0);
@@ -183,7 +183,7 @@ typedef struct Namer {
 
 static void append_expr_name(const Namer *n, const Expr *e);
 
-// An operand with an operator is in parentheses, whatever the precedence: different trees have different texts.
+// Appends an operand.  One that contains an operator is put in parentheses, whatever the precedence, so that different trees have different texts.
 static void append_operand_name(const Namer *n, const Expr *e)
 {
     const bool enclosed = (e->kind == EX_UNARY || e->kind == EX_BINARY || e->kind == EX_CHAIN) && !expr_is_constant(e);
@@ -193,7 +193,7 @@ static void append_operand_name(const Namer *n, const Expr *e)
     buf_str(n->out, enclosed ? ")" : "");
 }
 
-// An infinity and NaN are written as divisions, because `inf` and `NaN` can be names.
+// Appends a constant.  An infinity and NaN are written as divisions, because `inf` and `NaN` can be names of variables.
 static void append_constant_name(const Namer *n, SmF64 x)
 {
     if (sm_is_nan(x))
@@ -249,7 +249,7 @@ static void append_expr_name(const Namer *n, const Expr *e)
         return;
     }
     switch (e->kind) {
-    case EX_NUMBER: break;                                  // a constant
+    case EX_NUMBER: break;                                  // not reached: a number is a constant expression
     case EX_VAR: append_variable_name(n, e->var); break;
     case EX_UNARY:
     case EX_BINARY:
@@ -271,7 +271,7 @@ void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t 
 // Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.
 const char *const_text(Arena *arena, SmF64 x)
 {
-    enum { FEW = 6, ENOUGH = 17 };             // decimal digits; 17 digits distinguish any two F64
+    enum { FEW = 6, ENOUGH = 17 };             // numbers of decimal digits; 17 digits distinguish any two F64
     const char *text = "";
 
     if (sm_is_nan(x))

@@ -15,7 +15,7 @@ typedef struct Pin {
     bool inverted, pull_up, pull_down;
     uint8_t hold;             // inputs: how many steps in a row the element keeps its value while the pin cannot be read
     SmF64 scale, offset;      // analog: element = volts * scale + offset
-    SmF64 safe;               // outputs, in the element's unit; digital: 0 or 1
+    SmF64 safe;               // outputs: the value before the first step and while outputs are safed, in the element's unit; digital: 0 or 1
     Span span;                // position of the element's name
 } Pin;
 

@@ -3,13 +3,13 @@
 
 #include <string.h>
 
-// The Program of an application, while its machines are added to it.
+// The construction of the Program of an application.
 typedef struct Join {
     const CheckContext *c;
     const App *app;
     Program *p;
     Joint *joint;
-    Var **element;            // by Element.index: its variable
+    Var **element;            // by Element.index: the variable of the joined Program
 } Join;
 
 static Str dotted_name(Join *k, Str machine, Str name) { return str_c(k->c->strings, format_in(k->c->arena, "%s.%s", machine->text, name->text)); }
@@ -109,7 +109,7 @@ static void add_member(Join *k, const AppTask *task, const AppRate *rate, const 
     vec_push(k->c->arena, &k->joint->member, m);
 }
 
-// Returns how many machines the executor runs, after adding them.
+// Adds the machines that the executor runs to the joined program.  Returns their number.
 static size_t add_members_of(Join *k, const AppExecutor *x, const Program *const *program)
 {
     size_t before = k->joint->member.n;

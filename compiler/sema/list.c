@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Composes min, max, median and average of several values.  The median is a network of min and max: these order -0 below 0, and return NaN if
-// an operand is NaN.  Both results of an exchange then are NaN, and every value of the list has a path to the median, so it is NaN, too.
+// Composes min, max, median and average of several values.  The median is a selection network of min and max: these order -0 below 0, and return
+// NaN if an operand is NaN.  Both results of an exchange are then NaN.  A path leads from every value of the list to the median, so a NaN in the list
+// makes the median NaN.
 #include "compiler/sema/list.h"
 
 #include <stdbool.h>
@@ -10,10 +11,10 @@
 
 // ---- steps ----
 
-// The operations that a call is composed of, while they are added.
+// The list of operations of which a call is composed, while operations are added.
 typedef struct Steps {
     ListStep *step;
-    uint32_t values, n;       // the numbers of values in the list, and of steps
+    uint32_t values, n;       // number of values in the list; number of steps so far
 } Steps;
 
 static uint8_t add_step(Steps *s, ListOp op, uint8_t a, uint8_t b)
@@ -44,7 +45,8 @@ static void add_extreme(Steps *s, ListOp op)
 
 // ---- average ----
 
-// Adds in pairs, then the sums in pairs, and so on; an odd one passes on unchanged (language.md 7.12).
+// Adds the steps of the average: adds the values in pairs, then the sums in pairs, and so on; a last value without a partner is copied (language.md
+// 7.12).
 static void add_average(Steps *s)
 {
     uint8_t sum[SM_LIST_MAX];
@@ -60,16 +62,17 @@ static void add_average(Steps *s)
 
 // ---- median ----
 
-// A comparison of two wires of the network: afterwards `low` carries the smaller value and `high` the larger.
+// A comparator between two wires of the network: after it, `low` carries the smaller value and `high` the larger.  needs_low, needs_high: whether a
+// later comparator, or the result, uses that wire.
 typedef struct Exchange { uint8_t low, high; bool needs_low, needs_high; } Exchange;
 
-#define EXCHANGES_MAX 64      // 62 for 16 values
+#define EXCHANGES_MAX 64      // the most exchanges of a network: 16 values need 62
 
 // A network of exchanges that selects the median: each exchange orders two values.
 typedef struct Selection {
     Exchange exchange[EXCHANGES_MAX];
     uint32_t n;
-    uint8_t wire[SM_LIST_MAX];        // the candidates for the median, without those that are known to be too small or too large
+    uint8_t wire[SM_LIST_MAX];        // the wires whose values can still be the median
     uint32_t candidates;
 } Selection;
 
@@ -94,8 +97,8 @@ static void drop_extremes(Selection *net)
         net->wire[i] = net->wire[i + 1];
 }
 
-// Finds the middle value, or the two in the middle.  Of n / 2 + 2 values the smallest has n / 2 + 1 above it, and the largest as many below, so
-// neither is in the middle: each is dropped, and the next value of the list joins.
+// Builds the network that finds the middle value, or the two in the middle, of n values.  Among n / 2 + 2 candidates the smallest has n / 2 + 1
+// values above it, and the largest as many below, so neither is in the middle: both are dropped, and the next value of the list is added.
 static void select_middle(Selection *net, uint32_t n)
 {
     uint32_t next = n < 4 ? n : n / 2 + 2;
@@ -112,7 +115,7 @@ static void select_middle(Selection *net, uint32_t n)
         add_exchange(net, 0, 1);
 }
 
-// Marks the results of exchanges that the candidates depend on.
+// Sets needs_low and needs_high: whether the remaining candidates depend on that result of the exchange.
 static void mark_needed(Selection *net)
 {
     bool needed[SM_LIST_MAX] = {false};
@@ -134,7 +137,7 @@ static void add_middle_of_two(Steps *s, uint8_t lo, uint8_t hi)
 {
     const uint8_t infinity = add_number(s, sm_from_bits(0x7FF0000000000000u));
     const uint8_t finite = add_step(s, LIST_LT, add_step(s, LIST_SUB, hi, lo), infinity);
-    const uint8_t bound = add_step(s, LIST_DIV, finite, add_step(s, LIST_SUB, add_whole_number(s, 1), finite));       // infinity or 0
+    const uint8_t bound = add_step(s, LIST_DIV, finite, add_step(s, LIST_SUB, add_whole_number(s, 1), finite));       // infinity if `finite`, else 0
     const uint8_t near = add_step(s, LIST_MIN, add_step(s, LIST_MAX, lo, add_step(s, LIST_NEG, bound, 0)), bound);
     const uint8_t zero = add_whole_number(s, 0), two = add_whole_number(s, 2);
     const uint8_t share = add_step(s, LIST_DIV, lo, add_step(s, LIST_SUB, two, finite));                       // lo, or lo / 2
@@ -146,7 +149,7 @@ static void add_middle_of_two(Steps *s, uint8_t lo, uint8_t hi)
 
 static void add_median(Steps *s)
 {
-    uint8_t value[SM_LIST_MAX];       // by wire
+    uint8_t value[SM_LIST_MAX];       // by wire: the number of the value that it carries
     Selection net;
 
     for (uint32_t i = 0; i < s->values; i++)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of a list of values, min, max, median and average (language.md 3.42 to 3.46), as steps.  Every engine has the operations of
-// the steps, so images, boards and emitted C need nothing new.
+// The functions of a list of values, min, max, median and average (language.md 3.42 to 3.46), as lists of simple operations, here called steps.
+// Every engine has these operations, so images, boards and emitted C need nothing new.
 #ifndef SMC_LIST_H
 #define SMC_LIST_H
 
@@ -14,8 +14,8 @@ typedef enum ListOp { LIST_NUMBER, LIST_MIN, LIST_MAX, LIST_ADD, LIST_SUB, LIST_
 // One operation on values.  Values are numbered: first those of the list, then the results of the steps.
 typedef struct ListStep {
     ListOp op;
-    uint8_t a, b;             // its operands; NEG has only a, NUMBER none
-    SmF64 number;             // NUMBER: the value
+    uint8_t a, b;             // numbers of its operands; NEG has only a, NUMBER has none
+    SmF64 number;             // NUMBER: the constant that the step produces
 } ListStep;
 
 // The longest function is the median of 16 values: 110 steps find the two in the middle, and 20 the value between them.

@@ -89,7 +89,7 @@ static void add_hidden_range(HiddenWords *k, uint32_t from, uint32_t to)
         k->done = to;
 }
 
-// Adds the names that error d may have hidden: all words up to the end of its section, those of its line, or none.
+// Adds the words that error d may have hidden: all words up to the end of its section, all words of its line, or none.
 static void add_names_hidden_by(HiddenWords *k, const Diag *d)
 {
     const Span error = d->span;

@@ -30,10 +30,10 @@ static const struct { const char *name; double scale; } prefixes[] = {
 
 enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
-// The zero points, in K, of temperature scales that do not begin at 0 K.
+// The temperatures in K of the zero points of scales that do not begin at 0 K.
 static const struct { const char *name; double zero; } zeros[] = {{"degC", 273.15}, {"degF", 273.15 - 32 * 5 / 9.0}};
 
-// What users write for a unit.
+// Other names that users write for a unit; is_certain: the name has no other meaning.
 static const struct { const char *written, *unit; bool is_certain; } other_names[] = {
     {"sec", "s", true}, {"secs", "s", true}, {"second", "s", true}, {"seconds", "s", true}, {"msec", "ms", true}, {"usec", "us", true},
     {"minute", "min", true}, {"minutes", "min", true}, {"hour", "h", true}, {"hours", "h", true}, {"hr", "h", true},
@@ -103,8 +103,8 @@ static bool is_same_but_case(const char *a, size_t n, const char *b)
     return i == n && !b[i];
 }
 
-// Finds the units that differ from the name in capital letters alone; kpa is kPa. Sets *count to how many there are, and `found`, of 16
-// characters, to the first.
+// Finds the units that differ from the name only in capital letters, as kPa for kpa. Sets *count to their number, and `found`, which has room for 16
+// characters, to the first of them.
 static void find_other_case(const char *name, size_t n, char *found, unsigned *count)
 {
     char tried[16];
@@ -152,14 +152,14 @@ static void explain_unknown(const char *name, size_t n, MeasureError *error)
 
 // ---- grammar: term { (* | /) term }; term: (1 | name | '(' unit ')') [ ^ [-] number ] ----
 
-enum { DEPTH_MAX = 8 };
+enum { DEPTH_MAX = 8 };           // the most nested parentheses
 static const double power_max = 99;
 
 typedef struct MeasureReader {
     const char *text;
     uint32_t at;
-    unsigned depth;               // open parentheses
-    MeasureFlaw flaw;                // of the first flaw
+    unsigned depth;               // number of open parentheses
+    MeasureFlaw flaw;                // kind of the first error; GOOD: none so far
     MeasureError *error;
 } MeasureReader;
 
@@ -400,7 +400,7 @@ const char *measure_text(Arena *arena, const Measure *u)
     buf_init(&b, arena);
     if (!named && !is_equal(u->scale, 1))
         buf_printf(&b, "%g ", u->scale);
-    for (int sign = 1; sign >= -1; sign -= 2)                       // factors first, then divisors
+    for (int sign = 1; sign >= -1; sign -= 2)                       // first the factors (positive exponents), then the divisors
         for (size_t i = 0; i < n; i++) {
             const double power = named ? (double)u->name[i].power : u->power[i];
             if (power * sign <= 1e-6)

@@ -9,7 +9,8 @@
 
 #include "compiler/base/arena.h"
 
-enum { MEASURE_BASES = 8, MEASURE_NAMES = 6, MEASURE_LENGTH_MAX = 80 };      // base units; names in a Measure; the longest text in characters
+// The number of base units; the most names in a Measure; the length of the longest text of a unit, in characters.
+enum { MEASURE_BASES = 8, MEASURE_NAMES = 6, MEASURE_LENGTH_MAX = 80 };
 
 typedef struct MeasureName {
     const char *name;             // `len` characters, not terminated
@@ -19,11 +20,11 @@ typedef struct MeasureName {
 
 typedef struct Measure {
     const char *text;             // as written; NULL: computed
-    double scale;                 // one of this unit in base units: 6894.757… for psi; finite and above 0
+    double scale;                 // how many base units (Pa for psi) one of this unit is: 6894.757… for psi; finite and above 0
     double zero;                  // a temperature scale that does not begin at 0 K (degC): its zero point in K; other units: 0
-    double power[MEASURE_BASES];     // of m, kg, s, A, K, mol, cd, rev
-    MeasureName name[MEASURE_NAMES];    // for messages: the units whose product it is
-    uint8_t names;                // more than MEASURE_NAMES: too many, so `name` has no meaning
+    double power[MEASURE_BASES];     // the exponents of m, kg, s, A, K, mol, cd and rev in the product of base units
+    MeasureName name[MEASURE_NAMES];    // the units of whose powers this unit is the product, for messages
+    uint8_t names;                // number of entries in `name`; above MEASURE_NAMES: the product has too many units, and `name` has no meaning
 } Measure;
 
 typedef enum MeasureFlaw { MEASURE_GOOD, MEASURE_MALFORMED, MEASURE_UNKNOWN } MeasureFlaw;
@@ -46,7 +47,7 @@ Measure measure_power(const Measure *a, double power);
 
 bool measure_is_usable(const Measure *u);                            // false: scale or powers have become too large to compare
 bool measure_is_same_kind(const Measure *a, const Measure *b);         // m and ft
-bool measure_is_same_scale(const Measure *a, const Measure *b);          // of units that measure the same: equal, so no factor or zero differs
+bool measure_is_same_scale(const Measure *a, const Measure *b);          // for units of the same kind: whether scale and zero are equal
 bool measure_is_number(const Measure *u);                            // whether u measures nothing, as rad, percent and m/m do
 bool measure_is_temperature(const Measure *u);                       // whether u is a temperature alone, not a product or quotient with one
 bool measure_is_g(const Measure *u);                                 // whether u is gn, the acceleration of gravity, alone

@@ -19,7 +19,7 @@ static bool split_at_dot(Sema *s, Str name, Dotted *out)
 
 static bool has_name(const Program *p, Str name, bool is_state) { return map_find(is_state ? &p->state_by_name : &p->by_name, name) != NULL; }
 
-// Reports `deploy.T` in the script of one machine, where it is T.
+// Reports `deploy.T` in the script of a single machine, where the variable is called T.
 static void report_one_machine(Sema *s, Str name, const Dotted *d, Span span, bool is_state)
 {
     Diag *x = diag_report(s->diags, DIAG_member_of_machine, span, name->text);
@@ -31,7 +31,7 @@ static void report_one_machine(Sema *s, Str name, const Dotted *d, Span span, bo
         diag_edit(s->diags, x, span, d->rest->text);
 }
 
-// Reports `deploy.x`, where the application has no machine `deploy`, or that has no `x`.
+// Reports `deploy.x`, if the application has no machine `deploy`, or if this machine has no `x`.
 static void report_unknown_member(Sema *s, const Dotted *d, Span span, bool is_state)
 {
     const Joint *j = s->p->joint;
@@ -59,10 +59,10 @@ static void report_unknown_member(Sema *s, const Dotted *d, Span span, bool is_s
     guess_add_label(s->diags, diag_report(s->diags, DIAG_member_unknown, span, d->machine->text, is_state ? "state" : "variable", d->rest->text), &g);
 }
 
-// What a name without a machine can be: a part of machines, in a section's header a state, or a state in an expression.
+// Where a name without a machine is, which decides what it can mean: a variable, a state in a section's header, or a state in an expression.
 typedef enum Bare { BARE_VARIABLE, BARE_SECTION, BARE_STATE } Bare;
 
-// Reports `T`, which the machines have. Returns false if no machine has the name.
+// Reports a name such as `T`, which needs the name of a machine before it. Returns false if no machine has a variable or state of this name.
 static bool report_missing_machine(Sema *s, Str name, Span span, Bare bare)
 {
     static const char *const form[] = {"%s.%s", "%s.%s", "%s.S == %s"};

@@ -6,7 +6,7 @@
 
 #include "compiler/sema/program.h"
 
-// The bytes around the elements of a message (docs/config.md 11.14), and the most bytes of a message.
+// Bytes of the header, authentication code and CRC of a message (docs/config.md 11.14), and the most bytes of a whole message.
 enum { NET_HEADER = 16, NET_CODE = 16, NET_CRC = 4, NET_MOST = 1472 };
 
 typedef enum NetCount {
@@ -16,10 +16,11 @@ typedef enum NetCount {
     NET_COUNTS
 } NetCount;
 
-extern const char *const net_count_words[NET_COUNTS];     // the word of each after @count
-extern const char *const net_count_texts[NET_COUNTS];
+extern const char *const net_count_words[NET_COUNTS];     // the word after @count that selects the counter
+extern const char *const net_count_texts[NET_COUNTS];     // what the counter counts, for messages
 
-// What becomes of an element while no message comes; ordered as SmNetSilent of runtime-c/net.h.
+// The value of an element while no message arrives: the last one, NaN, or one that the user gave with @default or @safe.  Ordered as SmNetSilent
+// of runtime-c/net.h.
 typedef enum NetSilent { NET_HOLD, NET_UNKNOWN, NET_DEFAULT, NET_SAFE } NetSilent;
 
 typedef struct NetField {
@@ -38,14 +39,14 @@ typedef struct NetChannel {
     NetTransport transport;
     uint32_t peers;           // connections at once: 0 for UDP, 1 for a client
     Str name;
-    Span span, where;         // positions of its name and its address
-    uint8_t ip[4];            // UDP: of the receiver, or the local one (0.0.0.0: any), or a group; client: of the server; server: local
+    Span span, where;         // positions of the channel's name and of its address
+    uint8_t ip[4];            // UDP: the receiver, a multicast group, or the local address (0.0.0.0: any); client: the server; server: local address
     uint16_t port;
-    uint8_t interface[4];     // 0.0.0.0: the system chooses
+    uint8_t interface[4];     // address of the local network interface for multicast; 0.0.0.0: the system chooses
     uint64_t period, timeout; // nanoseconds; timeout 0: none
-    Str key;                  // or NULL
-    const Element *run;       // or NULL
-    const Element *age;       // or NULL
+    Str key;                  // the argument of @key; or NULL
+    const Element *run;       // @run: the element with the number of starts of the sender; or NULL
+    const Element *age;       // @age: the element that receives the milliseconds since the last message; or NULL
     VEC(NetField) field;
     VEC(NetStatistic) statistic;
     uint32_t hash;            // of the message's name and its elements' names, types and order
@@ -60,7 +61,7 @@ typedef struct Network {
 } Network;
 
 static inline bool net_is_tcp(const NetChannel *c) { return c->transport != NET_UDP; }
-// Whether this computer waits for the other one: it receives by UDP, or is a server.
+// Whether this computer waits for messages or connections from another one: it receives by UDP, or is a server.
 static inline bool net_listens(const NetChannel *c) { return net_is_tcp(c) ? c->transport == NET_TCP_SERVER : !c->is_send; }
 uint32_t net_sockets(const Network *net);     // sockets that all channels need at once, at most
 static inline bool net_is_multicast(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }

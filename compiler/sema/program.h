@@ -51,7 +51,7 @@ typedef struct Element {
 
 struct Region {
     Str name;
-    uint32_t offset, size;    // bytes in memory, without padding after the last element
+    uint32_t offset, size;    // in bytes: distance from the start of the state vector; size in memory, without padding after the last element
     uint32_t packed_size;     // bytes in a message, where elements have no padding
     uint32_t first, count;    // its elements are StateVec.element[first] and the following, `count` in all
     Span span;
@@ -65,7 +65,7 @@ typedef struct StateVec {
     VEC(Region *) region;
     VEC(Allow) allow;         // the @allow annotations of the elements in a .sv
     Map by_name;              // name to Element
-    uint32_t size;            // bytes in memory, a multiple of 8
+    uint32_t size;            // size in memory in bytes, a multiple of 8
     uint32_t hash;            // hash of names, types and order: machines run only with a vector that has this hash
 } StateVec;
 
@@ -80,7 +80,7 @@ typedef enum VarKind {
 // A parameter (language.md 5.77): a local whose value is set before the machine starts.
 typedef struct Parameter {
     SmF64 lo, hi;             // its range: both ends are finite and exactly of its type; 0 and 1 of a bool
-    uint64_t standard;        // its default, as a bit cell of its type; Var.init is the current value
+    uint64_t standard;        // the default, as a bit cell of the parameter's type; Var.init has the value that is set now
     const Measure *unit;      // its @unit as written, or NULL
     Span span;                // the annotation
 } Parameter;
@@ -90,12 +90,12 @@ struct Program;
 
 typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only this kind has
     VarKind kind;
-    Str name;                 // as written in the list or declaration
+    Str name;                 // as written in [state_vector] or [local]
     Str alias;                // or NULL
-    Str report_name;          // its name in reports: name or alias, whichever comes first in ASCII
+    Str report_name;          // the name in reports: of name and alias the one that sorts first in ASCII
     SmType type;
     uint32_t index;           // index in Program.var; for a variable of a script, Program.var.n plus the index in Script.local
-    Element *element;         // ELEMENT: its element
+    Element *element;         // ELEMENT: the element of the state vector that it names
     const Range *range;       // ELEMENT: from the machine, or else from the .sv; or NULL
     bool read_only;           // the machine cannot assign the variable; true for G, S and T
     bool command;             // ELEMENT: marked @command, here or in the .sv
@@ -107,10 +107,10 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool is_constant;         // LOCAL: read-only and not written from outside, so `init` is always its value
     bool written;             // the machine contains an assignment to it
     bool read;                // the machine reads it
-    bool sizes;               // LOCAL: the size of a window depends on it
+    bool sizes;               // LOCAL: the size of a window is computed from it
     bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
     const struct Program *state_of;   // ELEMENT: the machine whose S it is; NULL: none
-    Span span;                // position of its name in the list or declaration
+    Span span;                // position of its name in [state_vector] or [local]
 } Var;
 
 // ---- definitions ----
@@ -130,11 +130,11 @@ struct Define {
     Str name;
     struct AstExpr *value;
     Span value_span;          // the expression
-    uint32_t number;          // its index among the definitions of the file; definitions of a script follow those of its machine
+    uint32_t number;          // index among the definitions of the file, from 0; the numbers of a script's definitions follow those of its machine
     uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
     const Measure *unit;         // its @unit, or NULL
     uint32_t names;           // if its expression is only the name of another definition, which has a unit: 1 + `number` of that definition; else 0
-    bool used;                // the file uses it somewhere else, or a requirement does
+    bool used;                // a statement, a declaration, a used definition or a requirement uses it
     bool expanded;            // its expression has been checked, so the uses in it are listed in `use`
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
@@ -182,10 +182,10 @@ typedef struct Window {
     uint32_t size;            // n: 1 … SM_WINDOW_MAX
     SmStat stat;
     const Var *time;          // only in a window of times (SM_STATS_OF_TIMES): G
-    uint64_t gap;             // only for a run: the run restarts if G has advanced by more than this since the last step; 0: never
-    uint32_t clock;           // only for a run with a gap: the window (SM_STAT_ELAPSED) with the times of the last two steps
+    uint64_t gap;             // only for the run of `held`: the run restarts if G has advanced by more than this since the last step; 0: never
+    uint32_t clock;           // only with a gap: index of the window (SM_STAT_ELAPSED) with the times of the last two steps
     Span span;
-    bool in_time;             // the call has a time instead of n: (size - 1) * Program.step
+    bool in_time;             // the call was written with a time instead of n: (size - 1) * Program.step
 } Window;
 
 typedef VEC(Window) Windows;  // a roll call inside another one comes first, so sample windows in index order
@@ -230,8 +230,8 @@ typedef struct AllStates {
     const struct AstSection *section;     // only for the checker
     Span span;                // the whole section
     bool *excepted;           // by State.number: the section does not run in this state
-    bool *proposed;           // by State.number: an edit that excepts the state has been proposed
-    uint32_t copies;          // for how many states its statements have been checked
+    bool *proposed;           // by State.number: an edit that adds the state to the section's @except has been proposed
+    uint32_t copies;          // number of states for which its statements have been checked so far
 } AllStates;
 
 enum { MODE_ENABLED = 2 };    // a machine steps while the element of its @mode has this value (config.md 10.16): SM_ENABLED of runtime-c/task.h
@@ -245,7 +245,7 @@ typedef struct Member {
     uint32_t first;           // its states are Program.state[first] and the following
     const State *initial;     // a state of `program`
     const Var *mode;          // the element of its @mode in the joined Program; or NULL
-    uint64_t every;           // the machine steps once in this many ticks
+    uint64_t every;           // the machine steps once in this many ticks (Joint.tick)
 } Member;
 
 typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
@@ -254,7 +254,7 @@ typedef struct MemberStart { const Var *var; uint64_t cell; } MemberStart;
 typedef struct Joint {
     VEC(Member) member;       // in the order in which they step in a tick
     VEC(MemberStart) start;   // the values of [start]
-    uint64_t tick, unit;      // in nanoseconds: the time between two ticks; one unit of G
+    uint64_t tick, unit;      // in nanoseconds: the time between two ticks; the duration of one unit of G
     const struct App *app;
 } Joint;
 
@@ -275,8 +275,8 @@ typedef struct Program {
     VEC(Var *) var;           // listed elements in order, then locals in order, then T
     Var *g, *s, *t;
     VEC(State *) state;       // at[0] is number 1, the initial state
-    TimeUnit time_unit;       // in which G counts: us, ms or s
-    bool uses_time_unit;      // what the machine does depends on time_unit: it has a time literal, or a step
+    TimeUnit time_unit;       // the unit in which G counts: us, ms or s
+    bool uses_time_unit;      // the behaviour depends on time_unit: the machine contains a time literal, or declares a step
     uint64_t step;            // how much G advances in a step; 0: not declared
     Span step_span;           // position of the value of step in [options]
     uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
@@ -287,7 +287,7 @@ typedef struct Program {
     Defines define;
     VEC(AllStates *) all_states;      // in file order
     VEC(RequirementMark) mark;        // in the order of the check
-    VEC(Allow) allow;         // also those of the .sv, which cover the position where the machine lists the element
+    VEC(Allow) allow;         // the machine's own @allow annotations, and those of the .sv, which cover the line where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
     const Joint *joint;       // of an application as its scripts see it; NULL: a machine.  s and t are then NULL, and variables and states of
@@ -303,12 +303,12 @@ typedef enum ScriptAssertKind {
     SCRIPT_PRINT              // @print: shows values, and tests nothing
 } ScriptAssertKind;
 
-// What an assert says besides its condition.
+// What an @assert, @fail, @expect or @print contains besides its condition.
 typedef struct ScriptRemark {
     Span span;                // the whole item
     Str text, requirement;    // NULL: none
-    uint64_t within;          // EXPECT: in units of G
-    VEC(Expr *) printed;      // PRINT
+    uint64_t within;          // EXPECT: in how many units of G the condition must become true
+    VEC(Expr *) printed;      // PRINT: the values that it shows
 } ScriptRemark;
 
 typedef struct ScriptAssert {
@@ -323,7 +323,7 @@ typedef struct ScriptItem ScriptItem;
 typedef struct ScriptInput {
     Var *var;
     Expr *value;              // converted to var's type
-    uint32_t at, len;         // the position of the assignment, in the source of ScriptItem.guard
+    uint32_t at, len;         // offset and length of the assignment, in the source that contains ScriptItem.guard
 } ScriptInput;
 
 // The items of one body, up to the first conditional in it.  Such a conditional is an item of its own; so is what follows it in the body, with
@@ -332,12 +332,12 @@ struct ScriptItem {
     Expr *guard;
     const ScriptItem *parent; // the conditional around it; NULL: none
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
-    uint32_t first_assert;    // number of asserts in the items of the section before it
+    uint32_t first_assert;    // number of asserts in the earlier items of the section
     uint32_t machine : 24;    // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
     bool otherwise : 1;       // it belongs to the `else` of the parent
-    bool by_time : 1;         // the guard is one of check_when
+    bool by_time : 1;         // the guard is a guard by time, built by check_when
     bool stop : 1;            // the item's body ends with @stop
-    uint32_t stop_at;         // the position of the @stop, in the source of the guard
+    uint32_t stop_at;         // offset of the @stop, in the source that contains `guard`
     VEC(ScriptInput) inputs;  // executed at once when the guard is true
     VEC(ScriptAssert) asserts;        // evaluated after the step, in order
 };
@@ -347,7 +347,7 @@ static inline Span script_stop_span(const ScriptItem *item) { return (Span){item
 
 typedef struct ScriptSection {
     State *state;             // the state of the section; NULL for [all_states]
-    uint32_t machine;         // the machine of its items (ScriptItem.machine)
+    uint32_t machine;         // ScriptItem.machine of all its items
     VEC(ScriptItem *) item;
 } ScriptSection;
 
@@ -356,20 +356,20 @@ typedef struct ScriptSection {
 // A call of random(a, b) or noise(a) in the text of a script.
 typedef struct ScriptRandom {
     bool is_noise;
-    double a, b;
+    double a, b;              // the arguments; noise: only a
     Span span;                // position of its name
 } ScriptRandom;
 
 typedef VEC(ScriptRandom) ScriptRandoms;
 
-// A parameter that a script sets, or another caller for the run of a script.
+// A new value for a parameter, set by a script, or by the caller that runs the script.
 typedef struct ScriptSetting { const Var *parameter; uint64_t cell; Span span; } ScriptSetting;
 
 // A column of recorded data: its value is cell * scale + offset.
 typedef struct ScriptColumn {
     Var *var;                 // receives the value, or is compared with it
-    Str name;                 // of the column
-    Span span;                // of the name
+    Str name;                 // name of the column in the file
+    Span span;                // position of that name in the script
     bool is_scaled;           // otherwise the value is the cell itself
     SmF64 scale, offset;
 } ScriptColumn;
@@ -383,14 +383,14 @@ typedef struct ScriptCompare {
 
 // The section [data] of a script.
 typedef struct ScriptData {
-    Span span;                // of its header
+    Span span;                // position of the header [data]
     Str file, time;           // the names of the file, and of the column with the times
     Span file_span, time_span;
-    TimeUnit unit;            // of the times
+    TimeUnit unit;            // unit of the times in the file
     bool is_linear;           // between two rows, values are interpolated; else they are those of the earlier row
     bool stops_at_bad_time, skips_bad_times;      // the section has `on_bad_time error`; it has `on_bad_time skip`
     bool missing_is_nan;
-    VEC(ScriptColumn) column; // written to variables
+    VEC(ScriptColumn) column; // columns that are written to variables
     VEC(ScriptCompare) compare;
     const struct DataFile *source;    // the file; set after checking
 } ScriptData;
@@ -409,13 +409,13 @@ typedef struct Script {
     bool has_units;           // a variable or definition of the script has an @unit
     VEC(ScriptSection) section;       // in file order
     Windows window;           // of the roll calls in all sections of the script
-    ScriptRandoms random;     // by number of the call, from 0
-    uint64_t seed;            // of its random numbers
+    ScriptRandoms random;     // the calls of random and noise, by their number from 0
+    uint64_t seed;            // seed of the random numbers
 } Script;
 
-// Returns the index of the machine that has state `number` of a joined Program.
+// Returns the index of the machine to which the state with this number in the joined Program belongs.
 uint32_t joint_machine_of(const Joint *j, uint32_t number);
-// Returns how many periods of a machine that is due once in `every` ticks are over when G is g.
+// For a machine that steps once in `every` ticks: returns how many of its periods have ended when G is g.
 uint64_t joint_periods_until(const Joint *j, uint64_t every, uint64_t g);
 
 // ---- parameters ----
@@ -441,8 +441,8 @@ SmF64 expr_constant_value(const Expr *e);
 // Returns the value of any expression for the given values of variables (by Var.index).  Assumes that every window is filled with
 // its current sample.  NULL: uses the initial values.
 SmF64 expr_eval(const Expr *e, const SmF64 *value);
-// Appends the canonical name of what a window samples, as in `roll(tankPressure + 1, 10)` (swapping.md 12.11).  If that has more than
-// `most` characters, appends a part of it that is also longer than `most`.
+// Appends the canonical name of what a window samples, as in `roll(tankPressure + 1, 10)` (swapping.md 12.11).  If the name has more than
+// `most` characters, parts of it are left out, but more than `most` are still appended.
 void expr_name_window(Arena *arena, const Windows *all, const Window *w, size_t most, Buf *out);
 // Formats a value for messages, with the fewest digits from which the same number can be read back, but at least 6.
 const char *const_text(Arena *arena, SmF64 x);

@@ -19,8 +19,8 @@ typedef struct Requirement {
     Str id, text;
     Span span;                // position of the id
     Expr *a, *b, *c;          // the conditions of the requirement, as RequirementKind names them; NULL: its kind has no such condition
-    uint32_t machine[3];      // of a, b, c: 1 + the number of the machine of an application of which it names a state. It is true only in the
-                              // ticks in which that machine steps. 0: any other condition
+    uint32_t machine[3];      // for a, b and c: 0, or if the condition names a state of an application's machine, 1 + the index of that
+                              // machine. Such a condition is true only in ticks in which the machine steps
     uint64_t within;          // LEADS_TO: in units of G
 } Requirement;
 

@@ -124,7 +124,7 @@ void scope_note_declared(Sema *s, Diag *d, Str name)
 typedef struct ForeignName {
     const char *name;
     DiagCode label;
-    const char *argument;         // the argument of the label; "" if it has none
+    const char *argument;         // text for the placeholder of the label; "" if the label has none
 } ForeignName;
 
 static const ForeignName foreign_names[] = {
@@ -282,7 +282,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
     if (foreign)
         diag_label(s->diags, d, foreign->label, foreign->argument);
     if (!s->functions_noted && (!foreign || foreign->label == DIAG_label_no_such_function)) {
-        const char *list[2] = {"", ""};           // [0] functions of values, [1] functions of windows
+        const char *list[2] = {"", ""};           // the names of the functions: [0] of values, [1] of windows
         for (int i = 0; i < SM_FN_COUNT; i++) {
             const char **to = &list[sm_builtin_info[i].is_roll];
             *to = format_in(s->arena, "%s%s%s", *to, **to ? ", " : "", sm_builtin_info[i].name);

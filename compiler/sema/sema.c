@@ -7,7 +7,7 @@
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows)
 {
-    enum { GUESSES = 30 };        // unknown names that get a suggestion: more than the reports that are shown
+    enum { GUESSES = 30 };        // the most unknown names for which a similar name is suggested: more than the reports that are shown
 
     memset(s, 0, sizeof *s);
     s->arena = s->nodes = s->scratch = c->arena;

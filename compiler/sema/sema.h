@@ -23,7 +23,7 @@ typedef struct HiddenNames {
     bool any;                 // the parser reported errors in the file
     bool names;               // some errors may have hidden declarations
     bool sections;            // some errors may have hidden whole sections
-    Map word;                 // the words that the hidden parts may have declared
+    Map word;                 // set of the words that the hidden parts may have declared
 } HiddenNames;
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
@@ -39,33 +39,33 @@ typedef struct Sema {
     Diags *diags;
     const Program *p;         // the machine being checked, or the machine that the script belongs to
     StateVec *sv;             // machine with a .sv: the elements that it can list; else NULL
-    Windows *windows;         // destination of roll calls: the machine's list or the script's
+    Windows *windows;         // the list to which the windows of roll calls are added: the machine's or the script's
     bool in_script;           // a script, or requirements
     bool in_requirements;
     Map script_local;         // in a script: the name of a variable in its [local] to Var
     Diag *unknown;            // in a script: the first report of a name that the machine does not have
     bool knows_a_name;        // in a script: at least one name in it, other than G, S and T, exists in the machine
-    const HiddenNames *lost;
+    const HiddenNames *lost;  // names that syntax errors may have hidden: they are not reported as unknown
     Map functions;            // name to SmBuiltinInfo
     Map unknown_name, unknown_state, unknown_function;   // unknown names that are already reported: sets, name to itself
-    bool functions_noted;     // the list of functions has been shown
-    Map remarked;             // names with a warning that is given only once per name
-    Map doubtful;             // names declared twice: they cause no further reports
+    bool functions_noted;     // a note with the list of all functions has been added to a report
+    Map remarked;             // set of names about which a warning was given that appears once per name
+    Map doubtful;             // set of names declared twice: they cause no further reports
     Map declared_at;          // name or alias to the Span of its declaration
     unsigned guesses;         // how many more unknown names may be compared with all known ones
 
-    Map defines;              // name to Define: those that the text can use
+    Map defines;              // name to Define: the definitions that can be used
     Define *inside;           // the definition whose use is being checked; NULL: none
-    uint32_t expanded;        // number of operations and values in the uses of definitions so far
+    uint32_t expanded;        // operations and values into which the uses of definitions have been expanded so far
     uint32_t depth;           // the depth of the current expression below the root of its statement
     AllStates *all_states;    // the section whose statements are being checked; NULL: none
-    uint32_t copied;          // number of statements into which they have been copied so far
-    const Source *copy;       // the source of their positions; NULL: that of the file
+    uint32_t copied;          // number of copies of statements of all [all_states] sections so far
+    const Source *copy;       // while statements are copied: the copy of the source in which they have positions (sema_span); NULL: the file
     uint64_t step;            // how much G advances in a step; 0: unknown
     ExprContext at;
     const Var *local;         // EXPR_IN_INITIAL: the local whose initial value is being checked
     Str size_of;              // EXPR_IN_SIZE: the roll function whose size argument is being checked
-    const AstExpr *searched_left;     // the leftmost operand of this operand has already been examined for a `not`
+    const AstExpr *searched_left;     // an operand whose leftmost operand has already been checked for a `not`
     bool no_elements;         // the machine lists no elements; already reported
     bool *no_value;           // by Var.index: the local's initial value has an error
     VEC(DependentLocal) dependent;    // the locals whose initial values read a parameter; propose_definitions reads it
@@ -74,7 +74,7 @@ typedef struct Sema {
     const State *state;       // the state of the current statement; NULL in [all_states]
     bool has_units;           // a variable or definition has an @unit
     uint32_t stmts;           // the number of statements so far
-    uint32_t operators;       // of the value that is being checked; becomes Stmt.operators
+    uint32_t operators;       // 1u << SmOperator of each operator in the value that is being checked; becomes Stmt.operators
     bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
     ScriptRandoms *random;    // of the script; NULL for a machine
@@ -123,10 +123,10 @@ void check_script_locals(Sema *s, Script *script, const AstFile *const *file, si
 void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, const Map *written_outside, const MachineInstance *instance);
 // Returns NULL after an error, which is reported.
 Expr *check_expr(Sema *s, const AstExpr *e);
-// Calls that sample their first argument (check_sampled.c); NULL after an error, too.
+// Check calls that sample their first argument (check_sampled.c); return NULL after an error, which is reported.
 Expr *check_roll_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn);
-// Calls of min, max, median and average (check_list.c); NULL after an error, too.
+// Checks a call of min, max, median or average (check_list.c); returns NULL after an error, which is reported.
 Expr *check_list_call(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn);
 void sema_record_operator(Sema *s, SmOperator op);     // records that the value being checked, and the machine, contain an operator
 // Sets the variable and the value of an assignment; false after an error, which is reported.
@@ -170,9 +170,10 @@ void check_bindings(Sema *s, Program *p, const MachineInstance *instance);      
 
 // ---- check_parameter.c: parameters ----
 
-// Returns what the annotations of a local make of it: a parameter whose default is not known yet, or NULL.  Reports a missing or invalid range.
+// Returns the parameter that the annotations of a local declare, without its default; NULL: the local is no parameter.  Reports a missing or
+// invalid range.
 const Parameter *check_parameter(Sema *s, const Var *v, const AstDecl *decl);
-// Sets the default of parameter v, which is also its value until another one is set.  Reports a default that v cannot have.
+// Sets the default of parameter v, which is also its value until a script or caller sets another one.  Reports a default that v cannot have.
 void check_default(Sema *s, Var *v, SmF64 x);
 // Reports an assignment to parameter v, in a machine or a script.
 void report_parameter_assigned(Sema *s, const Var *v, Str name, Span span);
@@ -198,7 +199,7 @@ void warn_of_skipped_all_states(Sema *s, const Program *p);
 
 // ---- define.c: definitions ----
 
-// Adds the definitions of one section to those that the following text can use, and to `into`.
+// Adds the definitions of one section to s->defines, so that later code can use them, and to `into`.
 void declare_definitions(Sema *s, const AstSection *section, Defines *into);
 void add_definitions_of_machine(Sema *s);              // makes the definitions of the machine usable in a script
 Expr *expand_definition(Sema *s, Define *d, const AstExpr *use);      // builds the expression of a definition that `use` names
@@ -232,14 +233,14 @@ void check_app_machine_time(const CheckContext *c, const Program *p, Span named,
 
 // ---- check_script_when.c: guards by time of a script ----
 
-Expr *check_guard(Sema *s, const AstExpr *e);              // the guard of a conditional of a script: `G == 5000` becomes one node, as `at 5 s`
+Expr *check_guard(Sema *s, const AstExpr *e);              // the guard of a conditional of a script: `G == 5000` becomes one node, like `at 5 s`
 Expr *check_when(Sema *s, const AstExpr *e);               // at 5 s, from 1 s to 2 s, after 5 s, every 10 ms
 Expr *check_state_value(Sema *s, const AstExpr *e);        // state Burn
 // Reports `S == state Burn`, which compares twice. Returns false, and reports nothing, if e is another comparison.
 bool report_compared_state_value(Sema *s, const AstExpr *e);
 // Proposes a guard by time for a comparison with G, as in `G == 5000:`.
 void propose_when(Sema *s, const AstExpr *guard, uint64_t delta_t);
-// Reports a guard of check_when, with delta_t above 0, that no step has.
+// Reports a guard by time that is true at no multiple of delta_t, so in no step.  delta_t is above 0.
 void check_when_times(Sema *s, const Expr *guard, uint64_t delta_t);
 bool is_reached_time(SmF64 x, uint64_t delta_t);          // whether a clock that starts at 0 and advances by delta_t is ever equal to x
 
@@ -265,7 +266,7 @@ void add_listed_allows(Sema *s, const Element *e, const AstDecl *listed);
 
 // ---- check_rq.c: marks @req of a machine ----
 
-void add_section_marks(Sema *s, const AstSection *section, const State *state);      // of a state; NULL: of [all_states]
+void add_section_marks(Sema *s, const AstSection *section, const State *state);      // adds the marks on a section; state: NULL for [all_states]
 void add_stmt_marks(Sema *s, const AstStmt *in, const Stmt *stmt);
 
 Expr *expr_new(Sema *s, ExprKind kind, Span span, uint32_t args);

@@ -4,7 +4,7 @@
 
 #include "stdlib/crc32.h"
 
-// language.md 4: each element starts at the next multiple of its size.
+// Returns the smallest multiple of `to` that is not below `offset`: each element starts at a multiple of its size (language.md 4).
 static uint32_t align_up(uint32_t offset, uint32_t to)
 {
     return (offset + to - 1) / to * to;

@@ -56,7 +56,7 @@ enum { AST_DEPTH_MAX = 2000 };    // the greatest depth of expressions and of ne
 
 // ---- annotations ----
 
-// A row of annotations.def: AST_READ_ONLY, AST_ALIAS.
+// One constant for each row of annotations.def: AST_READ_ONLY, AST_ALIAS.
 typedef enum AstAnnotationKind {
 #define ANNOTATION(name, spelling, takes, where) AST_##name,
 #include "compiler/syntax/annotations.def"
@@ -149,7 +149,7 @@ typedef struct AstDecl {
     Span name_span;
     AstExpr *value;           // the initial value of a local
     AstAnnotations annotations;
-    bool is_incomplete;       // an error was reported after its name, so that the value or an annotation can be missing
+    bool is_incomplete;       // an error was reported after the name, so `value` or an annotation can be missing
 } AstDecl;
 
 // A line of [define]: name = value.
@@ -172,11 +172,12 @@ typedef struct AstOption {
 
 // ---- [data] of a script ----
 
+// The settings of [data], by the column `slot` of data_words.def: of two words with the same slot, a section can have only one.
 typedef enum AstDataSlot { AST_DATA_FILE, AST_DATA_TIME, AST_DATA_BETWEEN, AST_DATA_BAD_TIME, AST_DATA_MISSING, AST_DATA_SLOTS } AstDataSlot;
 
 // A setting, as in data_words.def: `time "t_ms" ms`.
 typedef struct AstDataSetting {
-    Str word;                 // "time"; NULL: there is no such setting
+    Str word;                 // "time"; NULL: the section lacks this setting
     Span span;                // of the word
     Str text;                 // FILE and TIME
     Span text_span;

@@ -57,8 +57,8 @@ typedef enum AstAppTaskKind {
 
 // A binding of a machine: `fire = fireDrogue`. Its right side is a name, or a value.
 typedef struct AstBinding {
-    AstWord name;             // of the machine
-    AstWord element;          // of the state vector; absent: a value
+    AstWord name;             // the name that the machine uses
+    AstWord element;          // the element to which the name is bound; absent: the right side is a value
     AstExpr *value;           // the right side of the assignment
     Span span;
 } AstBinding;
@@ -67,9 +67,9 @@ typedef VEC(AstBinding) AstBindings;
 
 typedef struct AstAppTask {
     AstAppTaskKind kind;
-    AstWord name;             // of a task without a name: its word, such as "log"
+    AstWord name;             // for a task that the user cannot name: the word of its kind, such as "log"
     AstWord file;
-    AstBindings bindings;     // of a machine: the braces after its file; empty: none
+    AstBindings bindings;     // for a machine: the bindings in the braces after its file; empty: it has no braces
     AstAppAnnotations annotations;
 } AstAppTask;
 
@@ -84,13 +84,13 @@ typedef struct AstAppExecutor {
     Span header;
     AstAppAnnotations annotations;
     VEC(AstAppRate) rates;
-    bool lost;                // a part of the file could not be parsed
+    bool lost;                // tasks of this executor may be missing, because errors were reported
 } AstAppExecutor;
 
 // An @allow, and the line or section that it covers.
 typedef struct AstAppAllow {
-    const AstAnnotation *is;
-    Span covers;
+    const AstAnnotation *is;  // the annotation
+    Span covers;              // the line or section
 } AstAppAllow;
 
 typedef struct AstApp AstApp;

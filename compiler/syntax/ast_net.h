@@ -16,10 +16,10 @@ typedef enum AstNetAnnotationKind {
 typedef struct AstNetAnnotation {
     AstNetAnnotationKind kind;
     Span span;                // including its @ and its arguments
-    AstWord word;             // an element, an address or a key; of @count the name of the counter
-    AstWord element;          // the element of @count
-    AstAmount amount;         // the time of @timeout, the number of @peers
-    AstNumber value;          // of @default and @safe
+    AstWord word;             // the argument: an element, an address or a key; for @count the name of the counter
+    AstWord element;          // for @count: the element that receives the counter
+    AstAmount amount;         // for @timeout: the time; for @peers: the number
+    AstNumber value;          // for @default and @safe: the value
     bool is_truth;            // `value` was written as true or false
 } AstNetAnnotation;
 
@@ -37,7 +37,7 @@ typedef enum AstNetSide { AST_NET_ON, AST_NET_TO, AST_NET_FROM } AstNetSide;
 typedef struct AstNetChannel {
     bool is_send;
     AstWord name;
-    AstAmount period;         // of a send
+    AstAmount period;         // for a `send`: the time between two messages
     AstNetSide side;          // the word before the address
     Span side_span;
     bool is_tcp;

@@ -19,7 +19,7 @@ typedef struct AstRequirement {
     Str id, text;
     Span id_span;
     Span span;                // the whole line
-    AstExpr *a, *b, *c;       // of NEVER_BEFORE and NEVER_AFTER: names of states, or expressions in parentheses
+    AstExpr *a, *b, *c;       // the conditions; for NEVER_BEFORE and NEVER_AFTER each is the name of a state, or is in parentheses
     AstExpr *within;          // LEADS_TO: the time
 } AstRequirement;
 

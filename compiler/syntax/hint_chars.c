@@ -6,7 +6,7 @@
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 
-// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: a space.
+// Unicode characters that word processors and mathematical texts use where this language has an ASCII operator. TOK_END: the character is a space.
 static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookalikes[] = {
     {0xa0, " ", TOK_END}, {0x2007, " ", TOK_END}, {0x2009, " ", TOK_END}, {0x202f, " ", TOK_END},
     {0x2010, "-", TOK_MINUS}, {0x2011, "-", TOK_MINUS}, {0x2012, "-", TOK_MINUS}, {0x2013, "-", TOK_MINUS},
@@ -21,7 +21,7 @@ enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
 // ---- characters that are not allowed ----
 
-// Returns the row of the character in lookalikes; NO_LOOKALIKE if it has none.
+// Returns the row of `lookalikes` with this character; NO_LOOKALIKE: none.
 static size_t find_lookalike(uint32_t code)
 {
     size_t i = 0;
@@ -37,7 +37,7 @@ static bool is_quote(uint32_t code)
     return code == '"' || code == '\'' || (code >= 0x2018 && code <= 0x201f) || code == 0xab || code == 0xbb;
 }
 
-// Returns the length of the letter of another alphabet at p; 0 if another character is there.
+// Returns the length in bytes of the letter at p if it is of another alphabet, such as ö; else 0.
 static size_t skip_foreign_letter(const Lexer *l, uint32_t p)
 {
     uint32_t code = 0;
@@ -83,7 +83,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
         len++;
     }
     if (like < NO_LOOKALIKE && lookalikes[like].kind == TOK_ARROW && !l->stores && hint_follows_value(l, l->first))
-        ascii = ": ->";                         // x > 5 → Vent
+        ascii = ": ->";                         // the user wrote `x > 5 → Vent`
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
@@ -174,15 +174,17 @@ static uint32_t find_remark_start(const Lexer *l, uint32_t end)
            l->last == TOK_COMMA ? from : 0;
 }
 
-// Whether the quote at l->at is the first argument of a function that prints, as in print("on").
+// Whether the quote at l->at is the first argument of a function or statement that prints, as in print("on") and echo "on".
 static bool is_printed(const Lexer *l)
 {
     static const char *const functions[] = {"print", "printf", "println", "log", "disp", "puts", "echo"};
     const char *s = l->src->text;
     uint32_t end = l->at, from;
 
-    if (end == 0 || s[--end] != '(')
-        return false;
+    if (end > 0 && s[end - 1] == '(')
+        end--;
+    while (end > 0 && is_space_tab_or_return(s[end - 1]))
+        end--;
     for (from = end; from > 0 && lexer_is_word(s[from - 1]); from--) {}
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (end - from == strlen(functions[i]) && memcmp(s + from, functions[i], end - from) == 0)
@@ -224,6 +226,19 @@ static void read_unclosed_text(Lexer *l, Token *t, uint32_t end)
     lexer_finish_token(l, t, TOK_TEXT, end);
 }
 
+// Whether the quote at l->at is assigned to a state, as in state = "Hold". Then the assignment is the mistake, and the checker reports it.
+static bool is_assigned_to_state(const Lexer *l)
+{
+    uint32_t at = l->at;
+
+    while (at > 0 && is_space_tab_or_return(l->src->text[at - 1]))
+        at--;
+    if (l->last != TOK_ASSIGN || at == 0)
+        return false;
+    at -= at > 1 && l->src->text[at - 2] == ':' ? 2 : 1;
+    return hint_follows_state(l, at);
+}
+
 // Reports quoted text where the grammar allows none. The token ends at the closing quote or at the end of the line.
 static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
@@ -235,6 +250,11 @@ static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
     }
     if (!closing && l->src->text[l->at] == '"' && lexer_may_be_remark(l)) {
         read_unclosed_text(l, t, p);
+        return;
+    }
+    if (closing && lex_is_identifier(l->src->text + l->at + quote_len, p - l->at - quote_len) && is_assigned_to_state(l)) {
+        t->text = str_intern(l->strings, l->src->text + l->at + quote_len, p - l->at - quote_len);
+        lexer_finish_token(l, t, TOK_NAME, p + closing);
         return;
     }
     if (lexer_mark_line_reported(l))

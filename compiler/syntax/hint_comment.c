@@ -106,7 +106,7 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
     const int division = estimate_division(l);
     Diag *d;
 
-    if (division == 2) {                      // read as a single /
+    if (division == 2) {                      // `//` for division without remainder: it is read as /
         d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, at, 2), "//");
         diag_label(l->diags, d, DIAG_label_floor);
         lexer_finish_token(l, t, TOK_SLASH, at + 2);

@@ -5,9 +5,10 @@
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/lexer.h"
 
-enum { ARGUMENTS_MAX = 4, SEARCHES_MAX = 20 };    // later errors search no use, so that hostile text cannot cost quadratic time
+// The most arguments; the most errors in a file that search for uses, so that hostile text cannot cost quadratic time.
+enum { ARGUMENTS_MAX = 4, SEARCHES_MAX = 20 };
 
-// ArgumentList between parentheses: those of the definition, or of a use.
+// The names or values between the parentheses of a definition or of a use.
 typedef struct ArgumentList {
     Span whole;               // `(x, y)`
     Span at[ARGUMENTS_MAX];
@@ -21,7 +22,7 @@ static uint32_t skip_blanks(const char *text, uint32_t at)
     return at;
 }
 
-// Reads the arguments whose ( is at `open`. Returns false if it is not closed on its line, or if there are too many.
+// Reads the arguments whose ( is at `open`. Returns false if the ( is not closed on its line, or if there are too many arguments.
 static bool read_arguments(const Source *src, uint32_t open, ArgumentList *a)
 {
     const char *text = src->text;
@@ -65,7 +66,7 @@ static bool find_use(const Source *src, Str name, const ArgumentList *declared, 
     return false;
 }
 
-// Returns the argument of the use that the word at `at` stands for; NULL if the word is no argument.
+// Returns the value that the use has for the declared argument whose name is at `at`; NULL if the word there is no declared argument.
 static const Span *find_argument(const char *text, uint32_t at, uint32_t len, const ArgumentList *declared, const ArgumentList *used)
 {
     for (size_t i = 0; i < declared->n; i++)

@@ -278,7 +278,7 @@ enum { UNO_A0 = 14, UNO_ANALOGS = 6, MEGA_A0 = 54, MEGA_ANALOGS = 16 };
 HintResult hint_report_printed_pin(HintCase *c)
 {
     Parser *p = c->p;
-    const char *name = p->tok.text->text, letter = (char)(*name & ~0x20), *digits = name + 1;          // in upper case: a3 counts as A3
+    const char *name = p->tok.text->text, letter = (char)(*name & ~0x20), *digits = name + 1;          // in upper case, so that a3 is read as A3
     const bool analog_input = p->pin_target == AST_ON_ANALOG_INPUT;
     const size_t n = strspn(digits, "0123456789");
 

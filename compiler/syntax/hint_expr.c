@@ -194,7 +194,7 @@ static bool is_colon_before_assignment(const Parser *p)
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign)
 {
     const char *text = p->lex.src->text;
-    bool assigns_in_c;                        // the = is an assignment in C, as inside the parentheses of `x = (p = 9)`
+    bool assigns_in_c;                        // in C the = would be an assignment here, as in `x = (p = 9)`
     Diag *d;
 
     if (text[sign.at + 1] == '!') {
@@ -254,7 +254,7 @@ HintResult hint_read_comparison(HintCase *c)
 
     if (!p->is_guard && p->parens == 0)
         return HINT_NONE;
-    if (p->last.first && p->parens)                    // a new statement: an earlier parenthesis was never closed
+    if (p->last.first && p->parens)                    // a new statement begins, because an earlier parenthesis was never closed
         return HINT_NONE;
     hint_report_assign_in_guard(p, c->e, parser_token_span(p));
     p->tok.kind = TOK_EQ;

@@ -6,13 +6,13 @@
 #include "compiler/syntax/lexer.h"
 
 enum {
-    STATEMENTS_MAX = 16,      // statements on one line; for a line with more no edit is proposed
-    LINE_MAX = 1000           // bytes; a longer line gets no hint, so that hostile text cannot cost time quadratic in its length
+    STATEMENTS_MAX = 16,      // the most statements on a line; for a line with more, no edit is proposed
+    LINE_MAX = 1000           // the most bytes of a line; a longer one gets no hint, so that hostile text cannot cost time quadratic in its length
 };
 
 typedef struct HintLine {
     const Source *src;
-    const char *text;         // text of the source
+    const char *text;         // src->text
     uint32_t from, end;       // the line is text[from … end), without its line end and trailing spaces
     const char *line_end;     // "\n" or "\r\n", as this line ends
 } HintLine;
@@ -154,9 +154,9 @@ static bool has_deeper_line_below(const HintLine *l)
 
 // ---- the preceding statement ----
 
-// What the line of a statement shows about it.
+// What the text before a statement on its line says about the statement.
 typedef struct PriorStatement {
-    enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: after a condition's colon on this line
+    enum { PLAIN, GUARDED, UNKNOWN } is;      // GUARDED: a condition's colon precedes the statement on its line
     uint32_t colon;           // GUARDED: position of that colon
     uint32_t begin;           // start of the statement
     bool braces;              // a brace opened on this line is still open before the statement
@@ -216,7 +216,7 @@ static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 
 typedef struct LineStatements {
     size_t n;
-    uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];  // gap: start of the separator before each statement; begin: its first byte
+    uint32_t gap[STATEMENTS_MAX], begin[STATEMENTS_MAX];  // by statement: start of the separator before it; its first byte
     uint32_t end;             // end of the last statement
     uint32_t trailing;        // end of a ';' after the last statement; 0 if no ';' follows it
     bool clear;               // several statements, all of them executed, and nothing else follow
@@ -341,7 +341,7 @@ bool hint_is_first_of_several(const Source *src, uint32_t at)
 
 // ---- lines below a colon ----
 
-enum { LEVELS_MAX = 16 };     // levels of indentation; for a block with more no edit is proposed
+enum { LEVELS_MAX = 16 };     // the most levels of indentation; for a block with more, no edit is proposed
 
 // The indentations of the current line and of the lines that enclose it, in bytes; each is larger than the previous one.
 typedef struct IndentLevels {

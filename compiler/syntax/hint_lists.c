@@ -7,13 +7,13 @@
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/lexer.h"
 
-enum { MEMBERS_MAX = 16 };
+enum { MEMBERS_MAX = 16 };        // the most values in a list
 
 // A value that is compared with several others.
 typedef struct Membership {
     Span written;             // `S not in (A, B)`
     const char *left;         // `S`
-    bool left_is_operand;     // an operator of higher precedence can take the left value: `a + b in (1, 2)`
+    bool left_is_operand;     // an operator precedes the left value, as in `a + b in (1, 2)`, so `left` is only a part of the value
     bool is_negated, has_brackets, is_range;
     size_t n;
     Span member[MEMBERS_MAX];
@@ -107,6 +107,23 @@ static uint32_t read_members(Membership *m, uint32_t at, char close)
     }
 }
 
+// Reads `3 to 5` after `in`. Returns false if something else is there.
+static bool read_range_in_words(Membership *m, uint32_t at)
+{
+    const Source *src = m->written.src;
+    const char *text = src->text;
+    const uint32_t lo = skip_member(text, at), word = skip_blanks(text, lo), second = skip_blanks(text, end_of_name(text, word));
+    const uint32_t hi = skip_member(text, second);
+
+    if (lo == at || hi == second || !is_word_at(text, word, end_of_name(text, word), "to"))
+        return false;
+    m->member[0] = (Span){src, at, lo - at};
+    m->member[1] = (Span){src, second, hi - second};
+    m->n = 2;
+    m->written.len = hi - m->written.at;
+    return true;
+}
+
 // Reads a range after `in`, as in 3..5. Returns false if something else is there.
 static bool read_range(Membership *m, uint32_t at)
 {
@@ -132,13 +149,13 @@ static bool read_list(Membership *m, uint32_t at, bool is_enclosed)
     uint32_t end;
 
     at = skip_blanks(text, at);
-    m->is_range = read_range(m, at);
+    m->is_range = read_range(m, at) || read_range_in_words(m, at);
     if (m->is_range)
         return true;
     open = text[at] ? strchr(brackets, text[at]) : NULL;
     m->has_brackets = open && (open - brackets) % 2 == 0;
     end = read_members(m, at + m->has_brackets, m->has_brackets ? open[1] : '\0');
-    if (!m->has_brackets && is_enclosed && m->n > 1) {       // in parentheses, a comma separates arguments
+    if (!m->has_brackets && is_enclosed && m->n > 1) {       // the comma separates arguments of a call, so the list has one value
         m->n = 1;
         end = m->member[0].at + m->member[0].len;
     }
@@ -211,10 +228,10 @@ static void label_membership(Diags *diags, Diag *d, const Membership *m)
     } else if (m->is_range) {
         diag_label(diags, d, DIAG_label_write, format_in(diags->arena, m->is_negated ? "not (%s <= %s <= %s)" : "%s <= %s <= %s",
                                                          text_of(diags->arena, m->member[0]), m->left, text_of(diags->arena, m->member[1])));
-    } else if (!is_state && are_numbers(m) && m->n == 2) {                    // [0, 5] can be a range
+    } else if (!is_state && are_numbers(m) && m->n == 2) {                    // [0, 5] can mean a list or a range
         diag_label(diags, d, DIAG_label_compare_or_range, comparisons,
                    format_in(diags->arena, "%s <= %s <= %s", text_of(diags->arena, m->member[0]), m->left, text_of(diags->arena, m->member[1])));
-    } else if (!is_state && !are_numbers(m) && !m->is_negated) {              // valve in Burn: while the machine is in that state
+    } else if (!is_state && !are_numbers(m) && !m->is_negated) {              // `valve in Burn` can mean: while the machine is in state Burn
         const char *states = format_comparisons(diags->arena, m, "S");
         diag_label(diags, d, DIAG_label_compare_or_state, format_in(diags->arena, m->n > 1 ? "%s and (%s)" : "%s and %s", m->left, states),
                    comparisons);
@@ -247,7 +264,7 @@ static uint32_t skip_in_operator(const char *text, uint32_t at, bool *is_negated
 static bool follows_arithmetic(const char *text, uint32_t at)
 {
     at = skip_blanks_back(text, at);
-    if (at == 0 || (text[at - 1] == '=' && (at < 2 || !strchr("=<>!", text[at - 2]))))        // x = S in (A, B)
+    if (at == 0 || (text[at - 1] == '=' && (at < 2 || !strchr("=<>!", text[at - 2]))))        // the list is assigned, as in `x = S in (A, B)`
         return false;
     return strchr("+-*/<>=", text[at - 1]) != NULL;
 }
@@ -273,7 +290,7 @@ HintResult hint_report_membership(HintCase *c)
 
     if (!in)
         return HINT_NONE;
-    if (p->ahead.kind == TOK_ERROR && !p->ahead.first) {       // x in 3..5, reported as a number
+    if (p->ahead.kind == TOK_ERROR && !p->ahead.first) {       // `x in 3..5`: the lexer has reported 3..5 as a malformed number
         c->e->kind = AST_ERROR;
         p->failed = true;
         return HINT_SKIPPED;
@@ -473,7 +490,7 @@ HintResult hint_report_index(HintCase *c)
     p->failed = true;
     do
         parser_advance(p);
-    while (p->tok.kind == TOK_HEADER && hint_are_adjacent(&p->last, &p->tok));       // a[1][2]
+    while (p->tok.kind == TOK_HEADER && hint_are_adjacent(&p->last, &p->tok));       // further brackets, as in `a[1][2]`
     return HINT_SKIPPED;
 }
 
@@ -490,7 +507,7 @@ HintResult hint_report_array(HintCase *c)
     if (!p->failed && lex_is_header_name(p->tok.text->text, p->tok.text->len))
         report_array(p->diags, both, p->tok.at);
     p->failed = true;
-    if (!p->ahead.first) {                    // its initial values
+    if (!p->ahead.first) {                    // skip the initial values of the array
         while (p->lex.at < src->len && src->text[p->lex.at] != '\n')
             p->lex.at++;
         parser_advance(p);

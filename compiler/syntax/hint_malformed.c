@@ -128,7 +128,7 @@ static const char *move_annotations_outside(Arena *arena, Str name)
 }
 
 // Reports a header whose name is malformed, such as [two words]. The header begins at l->at; its ] is at `end`.
-static void report_header_name(Lexer *l, uint32_t end, Str name)
+static void report_header_name(Lexer *l, bool first, uint32_t end, Str name)
 {
     const uint32_t from = l->at + 1;
     Span whole = lexer_span(l, l->at, end + 1 - l->at);
@@ -137,6 +137,8 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
 
     if (l->last == TOK_NAME && hint_report_brackets(l->diags, l->src, l->at, end + 1))
         return;
+    if (!first && (l->last == TOK_LPAREN || l->last == TOK_COMMA || l->last == TOK_ASSIGN))
+        return;                               // max([p, q]): the parser reports a list in place of a value
     d = diag_report(l->diags, DIAG_header_name, lexer_span(l, from, end - from), lexer_text(l, l->at, end + 1));
     if (lex_is_header_name(name->text, name->len))
         fixed = format_in(l->diags->arena, "[%s]", name->text);
@@ -151,7 +153,7 @@ static void report_header_name(Lexer *l, uint32_t end, Str name)
                 diag_label(l->diags, d, DIAG_label_name_ascii);
                 return;
             }
-        if (strpbrk(name->text, "<>="))        // a transition as in Stateflow: [p > 5] -> Vent
+        if (strpbrk(name->text, "<>="))        // the brackets contain a condition, as in Stateflow: `[p > 5] -> Vent`
             diag_label(l->diags, d, DIAG_label_guard_in_brackets, name->text);
         else
             diag_label(l->diags, d, DIAG_label_section_name);
@@ -167,6 +169,6 @@ uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, u
         return report_malformed_number(l, l->at, end);
     if (kind == TOK_NAME)
         return hint_skip_foreign_letters(l, end);
-    report_header_name(l, end, t->text);
+    report_header_name(l, t->first, end, t->text);
     return end;
 }

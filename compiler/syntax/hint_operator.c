@@ -34,9 +34,9 @@ static bool is_bit_operator(const Lexer *l, const Token *t)
            lexer_byte(l, after) != '>' && lexer_byte(l, after) != '.';
 }
 
-// The text on one side of a & or |, up to the next operator that joins conditions (&& || & | and or) in the same parentheses: `until`.
+// The text on one side of a & or |, up to the nearest operator in the same parentheses that joins conditions (&& || & | and or).
 typedef struct ConditionSide {
-    bool compares;            // contains a comparison
+    bool compares;            // the text contains a comparison
     enum { SIDE_END, SIDE_AND, SIDE_OR, SIDE_BIT_AND, SIDE_BIT_OR } until;
 } ConditionSide;
 
@@ -124,7 +124,7 @@ static bool has_unclear_meaning(const Lexer *l, const Token *t)
     ConditionSide left, right;
 
     if (t->len > 1 || sign == '~')
-        return t->len == 1 && l->stores && !t->first;      // for the first token of a line, l->stores still describes the previous line
+        return t->len == 1 && l->stores && !t->first;      // at the first token of a line, l->stores is still about the previous line
     if (sign != '&' && sign != '|')
         return false;
     left = scan_left_side(l, t->at);
@@ -292,7 +292,7 @@ HintResult hint_read_bars(Lexer *l, Token *t)
     }
     if (hint_follows_value(l, t->first) || (lexer_byte(l, end) == '|' && is_space_tab_or_return(lexer_byte(l, end + 1))))
         return HINT_NONE;
-    end += lexer_byte(l, end) == '|';                  // ||a| - b|
+    end += lexer_byte(l, end) == '|';                  // `||a| - b|` begins with two bars
     while (lexer_byte(l, end) != '|' && !hint_ends_line(l, end))
         end++;
     if (lexer_byte(l, end) != '|')

@@ -7,7 +7,7 @@
 
 // ---- two names in a row ----
 
-// Verbs, and the value that they give to what follows them; %s is its name. NULL: not a verb of assignments.
+// Verbs, and the assignment that they mean; %s is the name after the verb. NULL: the verb means no assignment.
 static const struct { const char *verb, *assignment; } verbs[] = {
     {"toggle", "%s = not %s"},     {"invert", "%s = not %s"},  {"flip", "%s = not %s"},      {"open", "%s = true"},
     {"start", "%s = true"},        {"enable", "%s = true"},    {"activate", "%s = true"},    {"energize", "%s = true"},
@@ -44,6 +44,10 @@ bool hint_label_prose(Parser *p, Diag *d, const AstExpr *e)
 
     if (strcmp(word, "print") == 0) {
         diag_label(p->diags, d, DIAG_label_print_in_script);
+        return true;
+    }
+    if (strcmp(word, "string") == 0 || strcmp(word, "String") == 0 || strcmp(word, "str") == 0) {
+        diag_label(p->diags, d, DIAG_label_no_texts);
         return true;
     }
     if (is_guard && (strcmp(word, "state") == 0 || strcmp(word, "in") == 0)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints in requirements: sentences about time and consequences that are spelled otherwise here, as in `always a implies b within 1 s`.
+// Hints in requirements: other languages' spellings of time limits and consequences, as in `always a implies b within 1 s` for `leads to`.
 #include <string.h>
 
 #include "compiler/syntax/hint_rules.h"
@@ -55,7 +55,7 @@ static void label_consequence(Parser *p, Diag *d, uint32_t condition)
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "always %s implies ...", text));
 }
 
-// Reports another word than never or always.
+// Reports a word that is neither `never` nor `always`, where a requirement must have one of these.
 HintResult hint_report_demand_word(HintCase *c)
 {
     static const char *const words[] = {"never", "always"}, *const ifs[] = {"if", "when", "whenever"},

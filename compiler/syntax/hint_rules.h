@@ -12,7 +12,7 @@
 typedef struct HintCase {
     Parser *p;
     HintContext context;
-    AstExpr *e;               // the argument of hint_explain: a name, a left operand or a condition before the error; or NULL
+    AstExpr *e;               // the argument of hint_explain: the name, left operand or condition that precedes the error; or NULL
     Diag *general;            // the general diagnostic of the context; NULL until it is reported
 } HintCase;
 
@@ -40,6 +40,7 @@ bool hint_is_and_then(const Parser *p);                 // whether the current `
 
 // Returns the word or number after spaces at *at, and moves *at to its end; returns "" if neither follows.
 const char *hint_read_word(const Parser *p, uint32_t *at);
+const char *hint_read_value(const Parser *p, uint32_t *at);        // likewise, with the unit after a number if it is a time
 // Returns the advice for `x > 5 for 3 s` and `x > 5 for 3 samples`. The current token is `for`; e is the condition.
 const char *hint_format_held(const Parser *p, const AstExpr *e);
 

@@ -36,8 +36,8 @@ static bool is_token_in(uint64_t set, const Token *t)
     return (set >> t->kind & 1u) && !((set & FIRST) && !t->first) && !((set & SAME_LINE) && t->first);
 }
 
-// Reports the general diagnostic of the context, such as "expected a value", once for each case.  Returns it, so that the caller can add to
-// it.
+// Reports the general diagnostic of the context, such as "expected a value", unless that was done for this case already.  Returns the
+// diagnostic, so that the caller can add labels and edits.
 Diag *hint_report_general(HintCase *c)
 {
     Parser *p = c->p;

@@ -24,7 +24,7 @@ const char *hint_read_word(const Parser *p, uint32_t *at)
 }
 
 // Returns the value at *at, with its unit if that is a time, and moves *at to its end.
-static const char *read_value_at(const Parser *p, uint32_t *at)
+const char *hint_read_value(const Parser *p, uint32_t *at)
 {
     const char *value = hint_read_word(p, at);
     uint32_t end = *at;
@@ -40,9 +40,9 @@ static const char *read_value_at(const Parser *p, uint32_t *at)
 static const char *format_between(const Parser *p, const AstExpr *e)
 {
     uint32_t at = p->ahead.at;
-    const char *lo = read_value_at(p, &at);
+    const char *lo = hint_read_value(p, &at);
     const bool known = strcmp(hint_read_word(p, &at), "and") == 0;
-    const char *hi = known ? read_value_at(p, &at) : "";
+    const char *hi = known ? hint_read_value(p, &at) : "";
 
     return format_in(p->arena, "write %s <= %s <= %s", *hi ? lo : "3", parser_text(p, e->span), *hi ? hi : "5");
 }
@@ -116,7 +116,7 @@ HintResult hint_report_unit_in_guard(HintCase *c)
 {
     Parser *p = c->p;
 
-    if (!(p->lex.src->text[p->tok.at] & 0x80))         // 5° is already reported
+    if (!(p->lex.src->text[p->tok.at] & 0x80))         // a word such as ° that is not ASCII is already reported
         hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)),
                         parser_text(p, parser_span(p, &p->last)), p->tok.text->text, span_join(parser_span(p, &p->last), parser_token_span(p)));
     p->failed = true;
@@ -131,7 +131,7 @@ HintResult hint_report_comma_for_colon(HintCase *c)
     if (c->e->kind == AST_NAME)
         return HINT_NONE;
     diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)),
-               hint_line_is_guard(p) ? DIAG_label_and_instead : DIAG_label_colon_instead);            // x > 5, y: ...
+               hint_line_is_guard(p) ? DIAG_label_and_instead : DIAG_label_colon_instead);            // in `x > 5, y:` the comma means `and`
     return HINT_SKIPPED;
 }
 
@@ -335,7 +335,7 @@ static const char *end_of_braced_target(const char *text)
     return *at == '}' ? at + 1 : NULL;
 }
 
-// Returns the condition with == for each =, and sets *assigns if it has one.
+// Returns the condition, of n bytes at `text`, with == in place of each =; sets *assigns if it contains a =.
 static const char *braced_condition(Parser *p, const char *text, uint32_t n, bool *assigns)
 {
     Buf out;
@@ -370,7 +370,7 @@ bool hint_report_guard_in_braces(Parser *p)
     fixed = format_in(p->arena, "%s: %.*s", fixed, (int)length, text + n);
     d = parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
     diag_label(p->diags, d, DIAG_label_write, fixed);
-    if (!assigns)                                     // a statement with `=` can be an assignment and a transition
+    if (!assigns)                                     // no edit if the braces contain a single =, which can be an assignment before the transition
         diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, (uint32_t)(end - text) + 1}, fixed);
     while (p->tok.kind != TOK_RBRACE && p->tok.kind != TOK_END)
         parser_advance(p);
@@ -388,7 +388,7 @@ HintResult hint_report_op_assign(HintCase *c)
     Diag *d = parser_report(p, DIAG_op_assign, parser_token_span(p), sign);
     const char *text = p->lex.src->text;
     uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
-    bool one_operand;                         // the right side needs no parentheses
+    bool one_operand;                         // the right side is one operand, so it needs no parentheses
 
     end += (uint32_t)strspn(text + end, " \t\r");
     one_operand = !text[end] || strchr("\n#;}", text[end]);
@@ -400,6 +400,7 @@ HintResult hint_report_op_assign(HintCase *c)
 typedef enum HintEffect {
     HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as that token
     HINT_DROP,                            // the word is skipped
+    HINT_CLOSE,                           // the word is read as the } that an open brace lacks
     HINT_SKIP,                            // the statement is skipped up to the next one
     HINT_WAIT                             // the statement is skipped, and the advice contains the time to wait
 } HintEffect;
@@ -413,12 +414,12 @@ static const struct { const char *word; HintEffect effect; const char *text; } f
 static bool is_used_as_foreign(const Parser *p, HintEffect effect)
 {
     const Token *next = &p->ahead;
-    const bool gives_up = effect == HINT_SKIP || effect == HINT_WAIT;
+    const bool gives_up = effect == HINT_SKIP || effect == HINT_WAIT || effect == HINT_CLOSE;
 
     if (next->first)
         return gives_up && next->kind != TOK_LBRACE;              // `stop` followed by a { on the next line is a guard
     if (effect == HINT_ELSE)
-        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // `ELSE:` can be a guard: a variable named ELSE
+        return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // `ELSE:` can be a guard, if ELSE is a variable
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
 }
 
@@ -436,26 +437,46 @@ static const char *find_decl_value(const Parser *p, uint32_t at)
     return text[at] == '=' && end > at + 1 ? parser_text(p, (Span){p->lex.src, at, end - at}) : "";
 }
 
-// Reports the declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3. As a statement it would
+// Whether the current word begins declarations in other languages: const U8 x = 3, let x = 3.
+static bool is_word_of_declaration(const Parser *p)
+{
+    return hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var") || hint_is_word(&p->tok, "let") || hint_is_word(&p->tok, "auto");
+}
+
+// Whether such a word is followed by the name of a new variable and its value, as in let x = 3.
+static bool is_untyped(const Parser *p)
+{
+    const Token *name = &p->ahead;
+
+    return is_word_of_declaration(p) && name->kind == TOK_NAME && !name->text->declared && *find_decl_value(p, name->at + name->len);
+}
+
+// Reports the declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3, let x = 3. As a statement it would
 // assign its value every time it is executed; the initial value of a local is assigned only once.
 HintResult hint_report_decl_in_state(HintCase *c)
 {
     Parser *p = c->p;
     Diag *d = parser_fail(p, DIAG_decl_in_state, parser_token_span(p));
-    const bool word = p->tok.kind == TOK_NAME && (hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var"));
+    const bool word = p->tok.kind == TOK_NAME && is_word_of_declaration(p);
     uint32_t at = p->ahead.at;
-    const char *type = word ? hint_read_word(p, &at) : p->tok.text->text, *name = hint_read_word(p, &at);
+    const char *type = is_untyped(p) ? "F64" : word ? hint_read_word(p, &at) : p->tok.text->text, *name = hint_read_word(p, &at);
     const char *value = find_decl_value(p, at), *initial = "= 0";
 
     if (hint_find_synonym(HINT_TYPES, type))
         type = hint_find_synonym(HINT_TYPES, type);
     if (!lex_is_identifier(name, strlen(name)))
         return HINT_SKIPPED;
+    if (*value && strpbrk(value, "\"'")) {
+        diag_label(p->diags, d, DIAG_label_no_texts);
+        return HINT_SKIPPED;
+    }
     if (*value) {
         const char *number = value + 1 + strspn(value + 1, " ");
-        if (strcmp(number, "true") == 0 || strcmp(number, "false") == 0 ||
-            (*number && number[strspn(number, "-+.0123456789eE_")] == '\0'))
+        const bool is_truth = strcmp(number, "true") == 0 || strcmp(number, "false") == 0;
+        if (is_truth || (*number && number[strspn(number, "-+.0123456789eE_")] == '\0'))
             initial = value;
+        if (is_truth && is_untyped(p))
+            type = "bool";
     }
     if (word && hint_is_word(&p->tok, "const") && initial == value)
         diag_label(p->diags, d, DIAG_label_decl_constant, type, name, value);
@@ -470,8 +491,8 @@ HintResult hint_report_decl_in_state(HintCase *c)
 HintResult hint_report_foreign_decl(HintCase *c)
 {
     const Parser *p = c->p;
-    const bool is_decl = p->ahead.kind == TOK_TYPE ? hint_is_word(&p->tok, "const") || hint_is_word(&p->tok, "var")
-                                                   : hint_find_synonym(HINT_TYPES, p->tok.text->text) != NULL;
+    const bool has_type = p->ahead.kind == TOK_TYPE || hint_find_synonym(HINT_TYPES, p->ahead.text->text) != NULL;
+    const bool is_decl = is_word_of_declaration(p) ? has_type || is_untyped(p) : hint_find_synonym(HINT_TYPES, p->tok.text->text) != NULL;
 
     return is_decl ? hint_report_decl_in_state(c) : HINT_NONE;
 }
@@ -528,9 +549,62 @@ static void skip_header_of_loop(Parser *p)
     }
 }
 
+// Reads `goto` and `transition to` as an arrow. In a script, the transition itself is the mistake, and the parser reports it.
+static void read_as_arrow(Parser *p)
+{
+    const Span word = parser_token_span(p);
+    const char *const written = p->tok.text->text;
+
+    if (hint_is_word(&p->ahead, "to") && !p->ahead.first)              // go to, transition to
+        parser_advance(p);
+    p->tok.kind = TOK_ARROW;
+    if (p->kind == FILE_SM) {
+        Diag *d = parser_report(p, DIAG_foreign_word, word, written);
+        diag_label(p->diags, d, DIAG_label_write, "->");
+        diag_edit(p->diags, d, (Span){p->lex.src, word.at, p->tok.at + p->tok.len - word.at}, "->");
+    }
+}
+
+enum { BRACE_SEARCHES_MAX = 100 };    // in a file, so that hostile text cannot cost time quadratic in its length
+
+// Whether a brace that is open here has no } in its section.
+static bool is_brace_missing(Parser *p)
+{
+    const char *text = p->lex.src->text;
+    unsigned open = p->braces;
+
+    if (p->brace_searches++ >= BRACE_SEARCHES_MAX)
+        return false;
+    for (uint32_t at = p->tok.at; text[at] && open > 0; at++) {
+        if (text[at] == '#')
+            at += (uint32_t)strcspn(text + at, "\n");
+        if (text[at] == '\n' && text[at + 1 + strspn(text + at + 1, " \t")] == '[')
+            break;
+        open += text[at] == '{';
+        open -= text[at] == '}';
+        if (!text[at])
+            break;
+    }
+    return open > 0;
+}
+
+// Reads `end` as the } that an open brace lacks. If none lacks one, the word ends a block whose begin is reported.
+static HintResult read_as_brace(Parser *p, const char *text)
+{
+    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
+
+    diag_label(p->diags, d, DIAG_label_text, text);
+    if (is_brace_missing(p)) {
+        p->tok.kind = TOK_RBRACE;
+    } else {
+        p->failed = true;
+        parser_advance(p);
+    }
+    return HINT_SKIPPED;
+}
+
 static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *text)
 {
-    const uint32_t at = p->tok.at;
     Diag *d;
 
     switch (effect) {
@@ -542,13 +616,10 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
         p->lost_body = true;
         return HINT_READ;
     case HINT_ARROW:
-        d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
-        if (hint_is_word(&p->ahead, "to") && !p->ahead.first)          // go to, transition to
-            parser_advance(p);
-        diag_label(p->diags, d, DIAG_label_write, "->");
-        diag_edit(p->diags, d, (Span){p->lex.src, at, p->tok.at + p->tok.len - at}, "->");
-        p->tok.kind = TOK_ARROW;
+        read_as_arrow(p);
         return HINT_READ;
+    case HINT_CLOSE:
+        return read_as_brace(p, text);
     case HINT_DROP:
         d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
         diag_label(p->diags, d, DIAG_label_leave_out);
@@ -558,7 +629,7 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     case HINT_SKIP: case HINT_WAIT:
         break;
     }
-    if (hint_is_word(&p->tok, "case") && p->in_switch) {        // reported at `switch`
+    if (hint_is_word(&p->tok, "case") && p->in_switch) {        // the report about `switch` covers its cases
         p->failed = true;
         parser_advance(p);
         return HINT_SKIPPED;

@@ -39,7 +39,7 @@ static bool is_spelling_at(const HintText *row, const char *s, bool first)
 void hint_init(Lexer *l)
 {
     for (size_t row = LEX_HINTS; row > 0; row--) {
-        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // [0]: rows of HINT_AFTER, whose spelling is ""
+        uint8_t *first = &l->first_hint[(unsigned char)*rows[row - 1].spelling];     // rows of HINT_AFTER have the spelling "", so they are in [0]
         l->next_hint[row - 1] = *first;
         *first = (uint8_t)row;
     }
@@ -135,6 +135,26 @@ bool hint_follows_value(const Lexer *l, bool first)
 {
     return !first && (l->last == TOK_NAME || l->last == TOK_NUMBER || l->last == TOK_RPAREN || l->last == TOK_TRUE ||
                       l->last == TOK_FALSE || l->last == TOK_ERROR);
+}
+
+bool hint_follows_state(const Lexer *l, uint32_t at)
+{
+    const char *text = l->src->text;
+    uint32_t from;
+
+    while (at > 0 && is_space_tab_or_return(text[at - 1]))
+        at--;
+    for (from = at; from > 0 && lexer_is_word(text[from - 1]); from--) {}
+    return at - from == 5 && (memcmp(text + from, "state", 5) == 0 || memcmp(text + from, "State", 5) == 0) && !hint_is_declared(l, from, at);
+}
+
+// Reads the := of `state := Hold` as =.  The assignment itself is the mistake, and the checker reports it.
+HintResult hint_read_state_assignment(Lexer *l, Token *t)
+{
+    if (!hint_follows_state(l, l->at))
+        return HINT_NONE;
+    lexer_finish_token(l, t, TOK_ASSIGN, l->at + 2);
+    return HINT_READ;
 }
 
 // ---- whole lines in the syntax of other languages ----
@@ -330,7 +350,7 @@ HintResult hint_read_semicolon(Lexer *l, Token *t)
     }
     l->at = next;
     l->first = true;
-    if (span.at < l->hinted)                  // an earlier hint has reported this line
+    if (span.at < l->hinted)                  // an earlier report already covers this line
         return HINT_SKIPPED;
     d = diag_report(l->diags, DIAG_semicolon, span);
     if (next == l->src->len || strchr("\n#}", lexer_byte(l, next)) || else_follows) {

@@ -27,6 +27,8 @@ uint32_t hint_skip_name(const Lexer *l, uint32_t p);        // end of the identi
 bool hint_knows_word(const Lexer *l, uint32_t from, uint32_t end);
 // Whether the word is an element or a variable that is declared before this position; true for T.
 bool hint_is_declared(const Lexer *l, uint32_t from, uint32_t end);
+// Whether the word `state` ends at `at`, before blanks, and no variable is declared with this name.
+bool hint_follows_state(const Lexer *l, uint32_t at);
 // Whether prose begins at p: two words in a row. `size AND` and `size then` are no prose if `size` is declared.
 bool hint_is_prose(const Lexer *l, uint32_t p);
 // Whether the last token ends a value. `first`: whether the next token is the first on its line; then the result is false. After a value a

@@ -36,7 +36,7 @@ static void skip_to(Parser *p, uint32_t end)
         parser_advance(p);
 }
 
-// Returns the offset after the braces that open after the current token, and after a name and a ';' behind them; 0 if no braces open.
+// Returns the end of the braces that open after the current token, with a name and a ';' that follow them; 0 if no braces open there.
 static uint32_t end_of_braces(const Parser *p)
 {
     const char *text = p->lex.src->text;
@@ -150,6 +150,6 @@ HintResult hint_report_untyped_decl(HintCase *c)
         end--;
     text = format_in(p->arena, "%.*s", (int)(end - p->ahead.at), text + p->ahead.at);
     diag_label(p->diags, d, DIAG_label_type_instead, text, text);
-    parser_advance(p);                          // the word is the first of its line: parser_skip_line stops before such a token
+    parser_advance(p);                          // parser_skip_line would stop before the first token of a line, which the word is
     return HINT_SKIPPED;
 }

@@ -6,7 +6,7 @@
 
 #include "compiler/syntax/time_unit.h"
 
-// What users write for a unit of time.
+// Names that users write for units of time.
 static const struct { const char *name; TimeUnit unit; } times[] = {
     {"us", TIME_US}, {"usec", TIME_US}, {"micros", TIME_US}, {"microseconds", TIME_US},
     {"ms", TIME_MS}, {"msec", TIME_MS}, {"millis", TIME_MS}, {"milliseconds", TIME_MS},

@@ -2,8 +2,10 @@
 // Hints about guards by time, which only scripts have: at 5 s, from 1 s to 2 s, after 5 s, every 10 ms.
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_words.h"
+#include "compiler/syntax/time_unit.h"
 
-// Returns the same condition as a comparison, which can be joined to others; NULL if no comparison means the same. `hi`: NULL without `to`.
+// Returns the guard by time `when lo` or `when lo to hi` as a comparison with G, which can be joined to others; NULL if no comparison means the
+// same. `hi`: NULL without `to`.
 static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo, const AstExpr *hi)
 {
     const char *a = parser_text(p, lo->span);
@@ -15,9 +17,9 @@ static const char *format_comparison(Parser *p, AstWhen when, const AstExpr *lo,
     return format_in(p->arena, "G %s %s", when == AST_AT ? "==" : ">=", a);
 }
 
-enum { TIMES_MAX = 16 };
+enum { TIMES_MAX = 16 };      // the most times in a list
 
-// The times of a list, as in `at 1 s, 2 s:`; hi is NULL if they are no ranges.
+// A list of n times, as in `at 1 s, 2 s:`.  hi: the ends of ranges, or NULL for times that are no ranges; units: how many times have a unit.
 typedef struct Times { size_t n, units; const AstExpr *lo[TIMES_MAX], *hi[TIMES_MAX]; } Times;
 
 // Adds a time range from lo to hi. t->units counts the ranges whose lo has a unit.
@@ -119,19 +121,51 @@ HintResult hint_report_joined_when(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Reports a second time after `at 5 s` or `after 5 s`, as in `after 5 s to 6 s:`.
+// Reports a second time after `at 5 s` or `after 5 s`, as in `after 5 s to 6 s:` and `at 5 s until 6 s:`.
 HintResult hint_report_second_time(HintCase *c)
 {
     Parser *p = c->p;
     AstExpr *e = c->e;
+    uint32_t at = p->ahead.at;
     Diag *d;
 
     if (e->when != AST_AT && e->when != AST_AFTER)
         return HINT_NONE;
     d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
-    diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, "from %s to %s", parser_text(p, e->a->span), parser_text(p, parser_span(p, &p->ahead))));
+    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "from %s to %s", parser_text(p, e->a->span), hint_read_value(p, &at)));
     diag_edit(p->diags, d, ast_op_span(e), "from");
+    if (!hint_is_word(&p->tok, "to"))
+        diag_edit(p->diags, d, parser_token_span(p), "to");
+    e->kind = AST_ERROR;
+    return HINT_SKIPPED;
+}
+
+// Returns the guard for a time that begins at `begin` and lasts as long as the number after the current word `for`.
+static const char *format_duration(Parser *p, const AstExpr *begin)
+{
+    const AstExpr *length;
+    const char *end = "...";
+
+    parser_advance(p);
+    length = parse_number(p);
+    if (length->unit == begin->unit)
+        end = format_in(p->arena, "%.12g%s%s", begin->number + length->number, begin->unit == TIME_NONE ? "" : " ",
+                        begin->unit == TIME_NONE ? "" : time_unit_name(begin->unit));
+    return format_in(p->arena, "from %s to %s", parser_text(p, begin->span), end);
+}
+
+// Reports a duration after a guard by time, as in `at 5 s for 1 s:`.
+HintResult hint_report_duration_of_when(HintCase *c)
+{
+    Parser *p = c->p;
+    AstExpr *e = c->e;
+    uint32_t at = p->ahead.at;
+    const char *const every = format_in(p->arena, "from 0 to %s { %s: ... }", hint_read_value(p, &at), parser_text(p, e->span));
+    const char *const from = format_duration(p, e->a);
+    Diag *d = parser_fail(p, DIAG_when_joined, e->span, parser_text(p, e->span));
+
+    if (e->when != AST_FROM)
+        diag_label(p->diags, d, DIAG_label_write, e->when == AST_EVERY ? every : from);
     e->kind = AST_ERROR;
     return HINT_SKIPPED;
 }
@@ -150,6 +184,8 @@ HintResult hint_report_no_to(HintCase *c)
     } else if (p->tok.kind == TOK_NAME && parser_is_before_number(p) && (hint_is_word(&p->tok, "until") || hint_is_word(&p->tok, "till"))) {
         diag_label(p->diags, d, DIAG_label_write, "to");
         diag_edit(p->diags, d, parser_token_span(p), "to");
+    } else if (parser_is_word(p, "for") && parser_is_before_number(p)) {
+        diag_label(p->diags, d, DIAG_label_write, format_duration(p, e->a));
     }
     return HINT_SKIPPED;
 }
@@ -204,7 +240,7 @@ HintResult hint_report_when_without_number(HintCase *c)
     return HINT_SKIPPED;
 }
 
-// Other words that users write before a time, and the guard that is meant; %s is the time.
+// Other words that users write before a time, and the guard that is meant; %s is the time; certain: the word has no other meaning.
 static const struct { const char *word, *guard; bool certain; } time_words[] = {
     {"since", "after %s", true}, {"starting", "after %s", true}, {"each", "every %s", true},   {"on", "at %s", true},
     {"once", "at %s", false},    {"when", "at %s", true},        {"until", "from 0 to %s", false}, {"till", "from 0 to %s", false},
@@ -222,6 +258,10 @@ static HintResult report_time_word(Parser *p, const char *guard, bool certain)
     parser_advance(p);
     time = parse_number(p);
     text = format_in(p->arena, guard, parser_text(p, time->span));
+    if (!certain && p->ahead.kind == TOK_NUMBER && (p->tok.kind == TOK_AND || parser_is_word(p, "to") || parser_is_word(p, "until"))) {
+        uint32_t at = p->ahead.at;                        // between 5 s and 6 s, during 5 s to 6 s
+        text = format_in(p->arena, "from %s to %s", parser_text(p, time->span), hint_read_value(p, &at));
+    }
     diag_label(p->diags, d, DIAG_label_write, text);
     if (certain && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE))
         diag_edit(p->diags, d, parser_span_since(p, word.at), text);

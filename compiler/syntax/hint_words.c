@@ -116,7 +116,7 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
     if (negated)
         return lex_is_digit(text[skip_spaces(text, negated)]) || skip_words(text, skip_spaces(text, negated), "not");
     if (text[p] && strchr("=<>", text[p]))
-        return true;                                   // p = > 5
+        return true;                                   // `p = > 5`
     end = hint_skip_operand(text, p);
     next = skip_spaces(text, end);
     if (next > end && lexer_is_word(text[next]) && lex_is_letter(text[p])) {

@@ -9,7 +9,7 @@
 
 typedef struct HintPhrase {
     const char *words;        // lower case, separated by single spaces
-    const char *native;
+    const char *native;       // the operator of this language that means the same, as written: "=="
     TokenKind kind;
 } HintPhrase;
 

@@ -43,7 +43,7 @@ typedef enum HintContext {
     HINT_AFTER_GUARD,         // expects : or { after the condition e
     HINT_AT_LONE_VALUE,       // has read the value e as a statement of its own; general diagnostic
     HINT_AFTER_ELSE,          // expects : or { after `else`
-    HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e, or of `else`: NULL
+    HINT_AFTER_COLON,         // expects a statement directly after the colon of the condition e; after that of `else`, e is NULL
     HINT_AT_END,              // expects the end of a statement or of a requirement, whose condition is e; general diagnostic
     HINT_AFTER_WHEN,          // expects : or { after the guard by time e
     HINT_AT_TO,               // expects `to` and a number after the guard by time e, which has only its first number

@@ -18,7 +18,7 @@ static const Word words[] = {
 #undef SM_TYPE
 };
 
-static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // 1 + the row, from lex_init
+static const Word *find_reserved(Str s) { return s->mark ? &words[s->mark - 1] : NULL; }      // lex_init sets mark to 1 + the row of `words`
 
 typedef struct Punctuator {
     const char *spelling;
@@ -149,7 +149,7 @@ void lexer_read_word(Lexer *l, Token *t)
     lexer_finish_token(l, t, w ? w->kind : TOK_NAME, end);
 }
 
-// Returns the end of the digits at p, which can have single underscores between them. belongs(c): whether c is a digit.
+// Returns the end of the digits at p, which can have single underscores between them. belongs(c): whether c is a digit of the number's base.
 static uint32_t skip_digits(const Lexer *l, uint32_t p, bool (*belongs)(char c))
 {
     while (belongs(lexer_byte(l, p)))
@@ -259,7 +259,9 @@ static void lex_header(Lexer *l, Token *t)
     while (from < to && (s[from] == ' ' || s[from] == '\t'))
         from++;
     t->text = str_intern(l->strings, s + from, to - from);
-    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && !(l->script && lex_is_member(s + l->at + 1, end - l->at - 1)) && (t->first || l->last != TOK_ASSIGN))  // x = [1, 2]: the value is missing
+    // After =, as in `x = [1, 2]`, the parser reports that the value is missing.
+    if (!lex_is_header_name(s + l->at + 1, end - l->at - 1) && !(l->script && lex_is_member(s + l->at + 1, end - l->at - 1))
+        && (t->first || l->last != TOK_ASSIGN))
         hint_report_malformed_token(l, t, TOK_HEADER, end);
     lexer_finish_token(l, t, TOK_HEADER, end + 1);
 }
@@ -396,7 +398,7 @@ static bool lex_try_token(Lexer *l, Token *t)
     return true;
 }
 
-// Returns the value of l->allow after token t. It says that the position is in an @allow until a token that cannot be part of one.
+// Returns the value of l->allow after token t. The position is considered to be in an @allow until a token that cannot be part of one.
 static LexAllow next_allow_state(const Lexer *l, const Token *t)
 {
     static const char word[] = "allow";

@@ -57,6 +57,7 @@ typedef struct Lexer {
     uint32_t at;              // the next byte to read
     uint32_t line_start;      // offset of the current line's first byte
     uint32_t reported_line;   // 1 + line_start of the last line in which a wrong character was reported
+    uint32_t reported_before; // the same of the line before that one in which there was one: the lexer can be a line ahead of the parser
     bool first;               // the next token is the first on its line
     bool keep_comments;       // lex_next returns comments as tokens
     bool config;              // a .io, .app or .net: file names are quoted, and units follow numbers
@@ -66,18 +67,18 @@ typedef struct Lexer {
     bool data;                // in a section [data] of a script: texts in quotes can follow anywhere
     bool texts;               // in a script or a .rq: quoted text can follow in this statement
     TokenKind last;           // kind of the last token returned
-    bool unit;                // the last token was @unit
+    bool unit;                // the last token returned was @unit
     LexAllow allow;           // the current position relative to an @allow( )
 
     // Only the hints read these.
     uint8_t first_hint[256];  // by character: 1 + the first row of hints.def whose spelling begins with it; 0: none
     uint8_t next_hint[LEX_HINTS];     // by row: 1 + the next row that begins with the same character
-    bool stores, annotated;   // whether an = precedes the current position on its line; whether an annotation does
+    bool stores, annotated;   // whether an = precedes the current position on its line; whether an annotation precedes it there
     bool no_comment_end;      // the rest of the source contains no */
     uint32_t bar;             // position of the | that closes |x|
     uint32_t parens;          // number of parentheses opened on this line and still open
     uint32_t open_parens;     // number of parentheses opened in this statement, on any line, and still open
-    uint32_t hinted;          // before this position, lines with several statements need no further report
+    uint32_t hinted;          // end of the lines about whose several statements a hint has reported
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);

@@ -11,8 +11,25 @@ bool lexer_mark_line_reported(Lexer *l)
 {
     bool first = l->reported_line != l->line_start + 1;
 
+    if (first)
+        l->reported_before = l->reported_line;
     l->reported_line = l->line_start + 1;
     return first;
+}
+
+// Whether the line that begins at line - 1 contains the byte at `at`.
+static bool is_in_line(const Lexer *l, uint32_t line, uint32_t at)
+{
+    const uint32_t from = line - 1;
+
+    return line > 0 && from <= at && !memchr(l->src->text + from, '\n', at - from);
+}
+
+bool lexer_is_line_reported(const Lexer *l, uint32_t at)
+{
+    if (at >= l->line_start)
+        return l->reported_line == l->line_start + 1;
+    return is_in_line(l, l->reported_line, at) || is_in_line(l, l->reported_before, at);     // once a line, where the lexer is ahead
 }
 
 // ---- comments ----
@@ -86,7 +103,7 @@ static const char *find_binary_format(const Source *s)
         zeros++;
     if (zeros > 1)
         return zeros == n ? "nothing but NUL bytes" : "binary data";
-    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // a [ with a zero byte beside it
+    if (n >= 4 && ((s->text[0] == 0 && s->text[2] == 0) || (s->text[1] == 0 && s->text[3] == 0)))  // every second of the first four bytes is zero
         return "UTF-16";
     for (uint32_t i = 0; i < n; i++)
         controls += (unsigned char)s->text[i] < 0x20 && !strchr("\t\n\r\f", s->text[i] ? s->text[i] : '?');

@@ -15,7 +15,8 @@ uint32_t lexer_skip_word(const Lexer *l, uint32_t p);       // returns the end o
 const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // a part of the source, cut to a readable length
 void lexer_skip_comment(Lexer *l);                          // skips to the end of the line
 void lexer_end_line(Lexer *l);                              // consumes the line end
-// Whether quoted text here can be that of an item of a script: it follows a complete value, or the word of the item.
+// Whether quoted text at the current position can be the text of an item of a script, as in `@fail "text"`: it follows a complete value, or the word
+// that begins the item.
 bool lexer_may_be_remark(const Lexer *l);
 void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end);
 void lexer_read_word(Lexer *l, Token *t);                        // reads the name or reserved word at the current position
@@ -25,6 +26,8 @@ bool lexer_is_hex_prefix(const Lexer *l, uint32_t p);       // whether 0x is at 
 
 // Returns true when first called for the current line, so that only the first wrong character of a line is reported.
 bool lexer_mark_line_reported(Lexer *l);
+// Whether the line of the byte at `at` is one of the last two in which a wrong character was reported.
+bool lexer_is_line_reported(const Lexer *l, uint32_t at);
 void lexer_report_control(Lexer *l, uint32_t at);           // reports the control character at `at`
 uint32_t lexer_report_not_utf8(Lexer *l, uint32_t at);      // reports a byte that is not UTF-8; returns 1
 void lexer_check_comment(Lexer *l, uint32_t at, uint32_t end);  // reports characters that a comment must not contain

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts literals exactly. A literal is digits times a power of ten, so it equals a fraction of two big integers. Their quotient is
-// computed bit by bit, to 63 or 64 bits and a flag for a nonzero remainder, and is rounded once. Short literals take an exact shortcut.
+// Converts literals exactly. A literal is digits times a power of ten, so it equals a quotient of two big integers. This quotient is
+// computed bit by bit, to 63 or 64 bits and a flag for a nonzero remainder, and is rounded once. Short literals are converted by one exact
+// multiplication or division.
 #include "compiler/syntax/number.h"
 
 #include <string.h>
 
 // ---- 64 bits to F64 ----
 
-enum { E_MIN = -1022, E_MAX = 1023 };
+enum { E_MIN = -1022, E_MAX = 1023 };     // exponents of the smallest and of the largest normal F64
 
 // Rounds q * 2^e to an F64; returns false if it is too large. `more`: the exact value is larger by less than one unit of q. q is not 0.
 static bool round_to_f64(uint64_t q, long e, bool more, SmF64 *value)
@@ -20,7 +21,7 @@ static bool round_to_f64(uint64_t q, long e, bool more, SmF64 *value)
     e += 63;                                          // now 2^e <= exact value < 2^(e + 1)
     if (e > E_MAX)
         return false;
-    if (e < E_MIN) {                                  // subnormal: fewer bits remain
+    if (e < E_MIN) {                                  // subnormal: fewer than 53 bits remain
         drop += E_MIN - e;
         e = E_MIN;
     }
@@ -130,8 +131,8 @@ static uint64_t big_divide(Big *top, Big *bottom)
 
 enum {
     DIGITS_MAX = 800,         // digits stored. The midpoint between two adjacent F64 has at most 767 digits; further digits only break ties
-    FACTOR_DIGITS = 2,        // digits of the largest factor of number_to_scaled_f64
-    LARGEST = 310, SMALLEST = -330    // above this Decimal.point every value is too large; below it every value is 0
+    FACTOR_DIGITS = 2,        // decimal digits of the largest factor of number_to_scaled_f64
+    LARGEST = 310, SMALLEST = -330    // limits of Decimal.point: above LARGEST every value is too large, below SMALLEST every value rounds to 0
 };
 
 typedef struct Decimal {
@@ -185,14 +186,14 @@ static void read_decimal(Decimal *d, const char *s, const char *end)
     while (d->n && !d->more && d->digit[d->n - 1] == '0')
         d->n--;
     if (d->more)
-        d->digit[d->n++] = '1';                       // for the digits left out: more than 0, less than 1 in the last place
+        d->digit[d->n++] = '1';                       // stands for the digits left out, which are more than 0 and less than 1 in the last place
 }
 
 // Converts a literal with few digits and a small power of ten by one F64 operation on two exact numbers, which rounds only once. Returns
 // false if the literal has too many digits or too large a power.
 static bool convert_exactly(const Decimal *d, SmF64 *value)
 {
-    enum { EXACT = 15 };                              // 10^15 < 2^53
+    enum { EXACT = 15 };                              // integers of up to 15 digits are exact, because 10^15 < 2^53
     int64_t power = d->point - d->n;
     uint64_t digits = 0, ten = 1;
 

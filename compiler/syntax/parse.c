@@ -4,6 +4,7 @@
 #include "compiler/syntax/ast_net.h"
 #include "compiler/syntax/ast_rq.h"
 #include "compiler/syntax/hints.h"
+#include "compiler/syntax/lexer.h"
 #include "compiler/syntax/parser.h"
 #include "compiler/syntax/parser_app.h"
 
@@ -130,8 +131,20 @@ Diag *parser_fail(Parser *p, DiagCode code, Span span, ...)
     va_start(args, span);
     d = report_unless_failed(p, code, span, args);
     va_end(args);
+    if (!p->failed && span.src == p->lex.src && span.at >= p->lex.line_start)
+        lexer_mark_line_reported(&p->lex);                // quoted text later in a wrong statement is no second mistake
     p->failed = true;
     return d;
+}
+
+const char *parser_text_of_line(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+    uint32_t end = at + (uint32_t)strcspn(text + at, "#\r\n");
+
+    while (end > at && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    return parser_text(p, (Span){p->lex.src, at, end - at});
 }
 
 // Returns the source text, cut to a readable length.
@@ -254,7 +267,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parse_block(p, &ignored);
     else
         parser_skip_line(p);
-    if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // otherwise the header is wrong
+    if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // an invalid header is reported instead
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
     parse_block(p, &ignored);
     if (d && colon)
@@ -412,7 +425,7 @@ static void check_state_name(Parser *p, const AstSection *s)
 {
     TokenKind reserved;
 
-    if (!lex_is_header_name(s->name->text, s->name->len))             // the lexer has reported the header, or it is that of a machine's state
+    if (!lex_is_header_name(s->name->text, s->name->len))             // reported by the lexer, or a state of a machine, as in [deploy.Idle]
         return;
     if (lex_find_reserved(s->name, &reserved))
         parser_report(p, DIAG_state_name_reserved, s->name_span, s->name->text);
@@ -548,7 +561,7 @@ static const char *const first_section[] = {
     [FILE_SS] = "options belong in [options], tests in a section with the name of a state, as [Idle]",
     [FILE_IO] = "pins belong in [analog] and [digital]",
     [FILE_APP] = "options belong in [options], tasks in a section with the name of an executor",
-    [FILE_NET] = "", [FILE_RQ] = ""                                    // have no sections
+    [FILE_NET] = "", [FILE_RQ] = ""                                    // these kinds of files have no sections
 };
 
 static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, const Source *src, FileKind kind, const ScriptVisitor *v)

@@ -7,7 +7,7 @@
 typedef enum Arguments { TAKES_NOTHING, TAKES_NAME, TAKES_NAMES, TAKES_NUMBER, TAKES_NUMBERS, TAKES_VALUE, TAKES_UNIT, TAKES_FINDING } Arguments;
 
 #define ON(target) (1u << AST_ON_##target)
-// The targets in machines and state vectors, and the targets in pin files. An annotation is unknown in a file that has none of its targets.
+// Sets of the targets that each kind of file has. In a file that has none of its targets, an annotation is reported as unknown.
 #define ON_MACHINES (ON(ELEMENT) | ON(SV_ELEMENT) | ON(LOCAL) | ON(STATE) | ON(ALL_STATES) | ON(DEFINITION))
 #define ON_DATA ON(DATA)
 #define ON_PINS (ON(ANALOG_INPUT) | ON(ANALOG_OUTPUT) | ON(DIGITAL_INPUT) | ON(DIGITAL_OUTPUT))
@@ -22,7 +22,7 @@ static const struct { const char *spelling; Arguments takes; unsigned where; } r
 typedef struct Annotated {
     AstAnnotationTarget target;
     Str name;
-    Span span;                // position of the owner's name
+    Span span;                // position of the name of the annotated declaration, state or element
     AstAnnotations *all;      // the annotations parsed so far
 } Annotated;
 
@@ -200,13 +200,13 @@ static uint32_t skip_plain_number(const char *text, uint32_t at)
     return lex_is_letter(text[end]) ? at : end;
 }
 
-// Labels d with the range in the form that is expected, if two numbers follow @range at `at` with other signs between them.
+// If two numbers with other signs between them follow @range, which ends at `at`, labels d with the range in the right form, as in @range 0 5.
 static void label_range(Parser *p, Diag *d, uint32_t at)
 {
     const char *text = p->lex.src->text;
     const uint32_t from = at + (uint32_t)strspn(text + at, " \t[("), middle = skip_plain_number(text, from);
     const uint32_t second = middle + (uint32_t)strspn(text + middle, " \t,;:.~"), end = skip_plain_number(text, second);
-    const bool is_doubtful = (text[middle] == ',' && text[middle + 1] != ' ') || text[end] == ',' || text[end] == ';';        // 0,5 can be 0.5
+    const bool is_doubtful = (text[middle] == ',' && text[middle + 1] != ' ') || text[end] == ',' || text[end] == ';';        // 0,5 can mean 0.5
     const char *range;
 
     if (middle == from || end == second || second == middle || is_doubtful) {
@@ -218,7 +218,7 @@ static void label_range(Parser *p, Diag *d, uint32_t at)
     diag_edit(p->diags, d, (Span){p->lex.src, from, end + (uint32_t)strspn(text + end, "])") - from}, range);
 }
 
-// `at`: the end of @range.
+// Parses the lower or upper bound (`which`) of a @range, whose word ends at `at`.
 static void parse_bound(Parser *p, AstNumber *into, const char *which, uint32_t at)
 {
     Diag *d;
@@ -383,7 +383,7 @@ static void parse_annotation(Parser *p, const Annotated *o)
     allowed = check_annotation_target(p, o, &a);
     parser_advance(p);
     first = first && !p->tok.first;
-    p->failed = !allowed;                     // silences errors in the arguments of an annotation that is not allowed
+    p->failed = !allowed;                     // if the annotation is not allowed, errors in its arguments are not reported
     if (!allowed && rows[row].takes == TAKES_FINDING)
         skip_allow_arguments(p);
     else

@@ -223,7 +223,7 @@ static void parse_executor(Parser *p, AstApp *app, AstWord name, Span header)
 
     e->name = name;
     e->header = header;
-    if (lex_is_header_name(name.text->text, name.text->len) &&          // otherwise the lexer has reported the header
+    if (lex_is_header_name(name.text->text, name.text->len) &&          // the lexer has reported any other header
         (!lex_is_identifier(name.text->text, name.text->len) || lex_find_reserved(name.text, &reserved)))
         parser_report(p, DIAG_executor_name, name.span, name.text->text);
     vec_push(p->arena, &app->executors, e);
@@ -260,7 +260,7 @@ static void parse_app_options(Parser *p, AstApp *app, AstWord name, Span header)
     parse_executor(p, app, name, header);
 }
 
-// Reports a section whose header has occurred already, at `seen`; returns whether it has not.
+// Returns false after reporting a second section with this name; `seen`: the header of the first one, its src is NULL if this section is the first.
 static bool check_section_is_first(Parser *p, const Span *seen, Span header, const char *name)
 {
     if (!seen->src)

@@ -50,13 +50,13 @@ static bool recover_direction(Parser *p, AstPin *pin)
     parser_advance(p);
     if (guess || !is_direction(&p->ahead) || p->ahead.first)
         return true;
-    diag_label(p->diags, d, DIAG_label_write,                     // the user wrote `batt 0 i`
+    diag_label(p->diags, d, DIAG_label_write,                     // the parts are in the wrong order, as in `batt 0 i`
                format_in(p->arena, "%s %s %s", p->ahead.text->text, parser_text(p, parser_token_span(p)), p->last.text->text));
     p->failed = true;
     return false;
 }
 
-// Returns false after reporting that no number follows.
+// Parses the number of the pin.  Returns false after reporting that no number follows.
 static bool parse_pin_number(Parser *p, AstPin *pin)
 {
     const Span at = parser_missing_span(p);
@@ -74,7 +74,7 @@ static bool parse_pin_number(Parser *p, AstPin *pin)
 // Parses the name of the pin's element. Returns false after reporting that none follows, or that it is malformed.
 static bool parse_pin_element(Parser *p, AstPin *pin)
 {
-    if (p->tok.kind == TOK_NAME && !(p->tok.first && is_at_pin(p))) {        // not if the name begins another pin on the next line
+    if (p->tok.kind == TOK_NAME && !(p->tok.first && is_at_pin(p))) {        // a name on the next line can begin another pin
         pin->element = p->tok.text;
         pin->element_span = parser_token_span(p);
         parser_advance(p);

@@ -12,7 +12,7 @@ static const struct { const char *word; AstDataSlot slot; DataTakes takes; const
 
 enum { ROWS = sizeof rows / sizeof *rows };
 
-// Returns the row of a setting; ROWS if the word is none.
+// Returns the row of data_words.def with this word; ROWS: none.
 static size_t find_row(const char *word)
 {
     size_t i = 0;
@@ -77,7 +77,7 @@ static void parse_word(Parser *p, const char *after, const char *words, Str *wor
     parser_advance(p);
 }
 
-// Reports what follows a complete line.
+// Reports text that follows a complete line of [data].
 static void end_line(Parser *p)
 {
     if (!p->failed && !p->tok.first && p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END)

@@ -76,7 +76,7 @@ static bool begins_value(const Parser *p)
     return p->tok.kind != TOK_HEADER && p->tok.kind != TOK_END && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_TYPE;
 }
 
-// Returns the type of the declaration: that of this language if another one's is written.
+// Returns the type of the declaration as a word of this language, also if the user wrote a type of another language.
 static const char *name_of_type(const Parser *p, const AstDecl *d)
 {
     const char *written = parser_text(p, d->type_span), *synonym = hint_find_synonym(HINT_TYPES, written);
@@ -90,7 +90,7 @@ static void parse_initial_value(Parser *p, AstDecl *d)
     TokenKind kind = p->tok.kind;
 
     if (kind != TOK_ASSIGN && d->type == SM_TYPE_COUNT && !hint_find_synonym(HINT_TYPES, parser_text(p, d->type_span))) {
-        p->failed = true;                      // the type is reported, and may be no type at all
+        p->failed = true;                      // the unknown type is reported; it may be no type, so nothing more is parsed
         return;
     }
     if (kind != TOK_ASSIGN) {
@@ -180,7 +180,7 @@ void parse_decls(Parser *p, AstSection *s)
 
 // ---- definitions ----
 
-// Reports text that begins no definition. A declaration becomes one without its type; its name is then the current token.
+// Reports text that begins no definition. If it is a declaration, skips the type and returns true, so that the rest is parsed as a definition.
 static bool recover_definition(Parser *p)
 {
     Diag *d;
@@ -235,7 +235,7 @@ void parse_definitions(Parser *p, AstSection *s)
 
 typedef enum OptionTakes { TAKES_NOTHING, TAKES_TIME, TAKES_UNIT, TAKES_COUNT, TAKES_NAME, TAKES_SETTING } OptionTakes;
 
-// in: by FileKind, whether a file of this kind can have the option.
+// The options of all files. `in`: by FileKind, whether a file of this kind can have the option.
 static const struct { const char *name; OptionTakes takes; bool in[FILE_KINDS]; } options[] = {
 #define OPTION(name, takes, in_sv, in_sm, in_ss) {#name, TAKES_##takes, {[FILE_SV] = in_sv, [FILE_SM] = in_sm, [FILE_SS] = in_ss}},
 #include "compiler/syntax/section_options.def"
@@ -297,7 +297,7 @@ static bool is_step_of_rows(const Parser *p, const AstOption *o)
     return p->kind == FILE_SS && strcmp(o->name->text, "delta_t") == 0 && !p->tok.first && strcmp(p->tok.text->text, "file") == 0;
 }
 
-// Parses what follows the word of an option. Returns false, and reports nothing, if the option does not take it.
+// Parses the argument that follows the word of an option. Returns false, and reports nothing, if the text is no argument of this option.
 static bool parse_option_argument(Parser *p, AstOption *o, OptionTakes takes)
 {
     o->value_span = parser_token_span(p);

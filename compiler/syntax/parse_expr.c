@@ -158,7 +158,7 @@ static AstExpr *parse_steps(Parser *p, AstExpr *a)
 
 static AstExpr *parse_call(Parser *p)
 {
-    bool has_error = false;                            // in an argument, reported by the lexer
+    bool has_error = false;                            // an argument contains an error that the lexer has reported
     AstExpr *e = new_expr(p, AST_CALL, parser_token_span(p));
     Span open;
 
@@ -300,7 +300,7 @@ static AstExpr *new_binary(Parser *p, SmOperator op, Span op_span, AstExpr *a, A
     return check_depth(p, check_depth(p, e, a), b);
 }
 
-// Parses the right operand of an operator of precedence `above`.
+// Parses the right operand of an operator whose precedence is `above`: an expression of operators of higher precedence.
 static AstExpr *parse_right(Parser *p, int above)
 {
     AstExpr *e;

@@ -89,7 +89,7 @@ static bool parse_arguments(Parser *p, AstNetAnnotation *a)
     return true;
 }
 
-// Whether `a` repeats an annotation of its line. @count can be repeated for other causes, which the checker distinguishes.
+// Returns the earlier annotation of the line that `a` repeats; NULL: none. @count can be repeated with other counters, which the checker checks.
 static const AstNetAnnotation *find_repeated(const AstNetAnnotations *all, const AstNetAnnotation *a)
 {
     return a->kind == AST_NET_count ? NULL : ast_net_find(all, a->kind);

@@ -17,7 +17,7 @@ bool parser_is_word(const Parser *p, const char *word)
     return p->tok.kind == TOK_NAME && !p->tok.first && strcmp(p->tok.text->text, word) == 0;
 }
 
-// Consumes the word. Returns false after reporting that something else is there.
+// Consumes the next token if it is this word. Otherwise reports what was expected, and returns false.
 static bool expect_word(Parser *p, const char *word)
 {
     if (!p->failed && !parser_is_word(p, word))

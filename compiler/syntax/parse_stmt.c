@@ -2,6 +2,7 @@
 // Parses statements of machines and items of scripts, which share one grammar. Reports statements and items in a file whose kind does not
 // allow them.
 #include "compiler/syntax/hints.h"
+#include "compiler/syntax/lexer.h"
 #include "compiler/syntax/parser.h"
 
 static void parse_statement(Parser *p, AstStmts *into);
@@ -57,7 +58,7 @@ static void finish_statement(Parser *p)
 
 // ---- blocks ----
 
-// Reports an @allow at the end of a list, where no statement follows that it could cover.
+// Reports an @allow at the end of a list of statements, where no statement follows that it could cover.
 static void report_allow_of_nothing(Parser *p, const AstStmts *list)
 {
     const AstStmt *last = list->n ? list->at[list->n - 1] : NULL;
@@ -66,13 +67,13 @@ static void report_allow_of_nothing(Parser *p, const AstStmts *list)
         parser_report(p, DIAG_allow_of_nothing, last->span);
 }
 
-enum { ITEMS_AT_ONCE = 256 };         // how many items of a script are parsed before the visitor receives them
+enum { ITEMS_AT_ONCE = 256 };         // number of items of a script after which the visitor receives them
 
 // Parses statements up to }, a label, a header or the end.
 void parse_block(Parser *p, AstStmts *into)
 {
     const bool outer_lost_body = p->lost_body;
-    bool claimed;                               // the statement probably belongs to a condition that is already reported
+    bool claimed;                               // the statement probably belongs to a condition whose error is already reported
     size_t errors;
     uint32_t at;
 
@@ -91,7 +92,7 @@ void parse_block(Parser *p, AstStmts *into)
         if (p->nesting && into->n && into->at[into->n - 1]->kind == AST_STOP)
             parser_report(p, DIAG_after_stop, parser_token_span(p));
         parse_statement(p, into);
-        if (p->tok.at == at)                    // the token begins no statement: skip it
+        if (p->tok.at == at && p->tok.kind != TOK_RBRACE)          // the token begins no statement: skip it
             parser_advance(p);
         finish_statement(p);
         claimed = at < p->lex.hinted || at < p->indented;
@@ -154,7 +155,13 @@ static void report_if_unguarded(Parser *p, const AstStmt *s)
     if (!in_script(p) || p->nesting > 0 || p->reported_unguarded || s->span.at < p->lex.hinted)
         return;
     p->reported_unguarded = true;
-    diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
+    if (!p->tok.first && parser_at_when(p)) {
+        const char *const when = parser_text_of_line(p, p->tok.at);
+        diag_label(p->diags, parser_fail(p, DIAG_script_unguarded, s->span), DIAG_label_write,
+                   format_in(p->arena, "%s: %s", when, parser_text(p, s->span)));
+    } else {
+        diag_label(p->diags, parser_report(p, DIAG_script_unguarded, s->span), DIAG_label_say_when);
+    }
 }
 
 static void parse_if(Parser *p, AstStmts *into, AstExpr *guard);
@@ -174,7 +181,7 @@ static void parse_assignment(Parser *p, AstStmts *into)
     s->value = parse_value_of(p, false);
     s->span = parser_span_since(p, s->span.at);
     if (!p->failed && !p->tok.first && (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) && !after_colon) {
-        hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // x = 5: …
+        hint_explain(p, HINT_AFTER_ASSIGNMENT, NULL);  // `x = 5:` is a guard in which = means ==
         into->n--;
         parse_if(p, into, s->value);
     } else {
@@ -193,7 +200,7 @@ static void parse_transition(Parser *p, AstStmts *into)
         parser_advance(p);
         s->span = parser_span_since(p, s->span.at);
         if (p->tok.kind == TOK_NAME && !p->tok.first && (p->ahead.first || p->ahead.kind == TOK_RBRACE || p->ahead.kind == TOK_END))
-            s->kind = AST_STMT_ERROR;           // -> Tank Vent: which state is meant is unknown
+            s->kind = AST_STMT_ERROR;           // two names, as in `-> Tank Vent`: which state is meant is unknown
         if (in_script(p))
             diag_label(p->diags, parser_report(p, DIAG_script_transition, s->span), DIAG_label_script_transition, s->name->text, s->name->text);
         return;
@@ -420,9 +427,11 @@ static bool is_before_choice(const Parser *p)
 static void report_lone_value(Parser *p, AstExpr *e)
 {
     if (is_before_choice(p))
-        p->failed = true;                     // c ? a : b, which the lexer has reported
+        p->failed = true;                     // the lexer has reported `c ? a : b`
     else if (p->has_if)
         diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
+    else if (lexer_is_line_reported(&p->lex, e->span.at))
+        e->kind = AST_ERROR;                  // print("on"), whose quoted text the lexer has reported
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))
         e->alone = true;                      // the checker, which knows the declarations, reports it
     else
@@ -441,6 +450,8 @@ static void parse_bare_body(Parser *p, const AstStmt *s, AstStmts *into)
             report_lone_value(p, s->value);
         else
             hint_explain(p, HINT_AT_END, NULL);
+        if (p->failed && lexer_is_line_reported(&p->lex, s->value->span.at))
+            s->value->kind = AST_ERROR;       // echo "on"
     }
     if (!p->failed && !p->tok.first &&
         (p->tok.kind == TOK_ARROW || p->tok.kind == TOK_NAME || p->tok.kind == TOK_ANNOTATION || p->tok.kind == TOK_IF))
@@ -512,7 +523,8 @@ static void parse_branches(Parser *p, AstStmt *s)
         if (p->failed)
             recover_guard(p);
         parse_body(p, s, &s->arms->then, &s->arms->braces, &s->arms->body_span);
-        check_script_body(p, &s->arms->then, s->span, errors);
+        if (s->value->kind != AST_ERROR)
+            check_script_body(p, &s->arms->then, s->span, errors);
         s = parse_else(p, s);
     }
 }

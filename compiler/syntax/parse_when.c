@@ -40,7 +40,7 @@ static AstExpr *new_node(Parser *p, AstExprKind kind)
     return e;
 }
 
-// Parses a number and its unit; returns false if it has an error.
+// Parses a number and its unit of time into *into; returns false after reporting an error.
 static bool parse_time(Parser *p, AstExpr **into)
 {
     if (p->tok.kind != TOK_NUMBER) {
@@ -90,7 +90,7 @@ static bool has_other_meaning(const Parser *p)
     }
     if (strcmp(word, "within") == 0)
         return p->is_expect;
-    if (strcmp(word, "in") == 0) {                   // state in (Hold, Burn)
+    if (strcmp(word, "in") == 0) {                   // in `state in (Hold, Burn)`, `in` is no state
         const char next = text[end + strspn(text + end, " \t")];
         return next == '(' || next == '[' || lex_is_letter(next);
     }

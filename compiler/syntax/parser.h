@@ -26,7 +26,8 @@ typedef struct Parser {
     bool lost_body;               // in this block a conditional lost statements, so its `else` will look misplaced
     bool stopped;                 // parsing was abandoned: every further token is TOK_END, and nothing more is reported
     unsigned braces;              // number of open braces
-    bool reported_unguarded;          // SS: this section's unguarded items have been reported
+    unsigned brace_searches;      // how often a hint has searched for a missing }
+    bool reported_unguarded;      // in a script: items without a guard have been reported for the current section
     unsigned nesting;             // number of conditionals around the current position
     unsigned depth;               // depth of the recursion in the current expression
     unsigned parens;              // open parentheses in the current expression; inside them line ends count as spaces
@@ -39,7 +40,7 @@ typedef struct Parser {
     Span assign_operator;         // the operator of the last assignment
     bool in_switch;               // a `switch` is reported: its cases need no further report
     AstAnnotationTarget pin_target;   // the kind of the current pin: from its section and direction
-    uint32_t indented;            // lines before this position belong to a condition whose missing braces are reported
+    uint32_t indented;            // end of the lines that belong to a condition whose missing braces are reported
 } Parser;
 
 // ---- tokens ----
@@ -62,6 +63,7 @@ Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
 // Reports like parser_report, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
 const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
+const char *parser_text_of_line(const Parser *p, uint32_t at);         // the text from `at` to a comment or the end of the line
 // Describes a token for a diagnostic: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_describe_found(const Parser *p);              // describes the next token, or the end of the line before it
@@ -77,16 +79,16 @@ AstExpr *parse_value_of(Parser *p, bool is_guard);      // parses an expression 
 bool parser_at_when(const Parser *p);                   // whether the next tokens begin a guard by time, as in `at 5 s:`
 extern const char *const parser_when_words[AST_WHENS];
 AstWhen parser_find_when(const Token *t);               // returns the word with which a guard by time begins; AST_WHENS: the token is no such word
-bool parser_is_before_number(const Parser *p);          // whether a number follows the next token on its line, or a malformed one
-AstExpr *parse_when(Parser *p);                         // parses that guard
+bool parser_is_before_number(const Parser *p);          // whether a number, well formed or not, follows the next token on its line
+AstExpr *parse_when(Parser *p);                         // parses a guard by time, as in `at 5 s`
 bool parser_at_state(const Parser *p);                  // whether the next tokens are a value such as `state Burn`
-AstExpr *parse_state_value(Parser *p);                      // parses that value
+AstExpr *parse_state_value(Parser *p);                      // parses a value such as `state Burn`
 void parse_block(Parser *p, AstStmts *into);            // parses statements up to }, a label, a header or the end
 void parser_visit_items(Parser *p);                     // passes the parsed items to the visitor, and frees them
 void parse_decls(Parser *p, AstSection *s);
 void parse_definitions(Parser *p, AstSection *s);
 void parse_options(Parser *p, AstSection *s);
-bool parser_at_data(const Parser *p);                   // whether the next line is one of [data]
+bool parser_at_data(const Parser *p);                   // whether the next tokens begin a line of [data]
 void parse_data(Parser *p, AstSection *s);
 // Parses all annotations that follow; `owner` is the name of the annotated declaration, state or pin's element.
 void parse_annotations(Parser *p, AstAnnotationTarget target, Str owner, Span owner_span, AstAnnotations *into);
@@ -94,7 +96,7 @@ bool parse_signed_number(Parser *p, AstNumber *into);   // parses a number with 
 void parse_pins(Parser *p, AstSection *s);
 void parser_report_pin_section(Parser *p, const AstSection *s);
 bool parser_at_include(const Parser *p);                // whether the next tokens are `include` and a text
-void parser_report_late_include(Parser *p);             // reports one that is in a section
+void parser_report_late_include(Parser *p);             // reports an include that is inside a section
 bool parser_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL if it reported an error
 void parser_report_annotation_before_decl(Parser *p);                 // reports an annotation where a declaration should begin

@@ -17,8 +17,8 @@ const char *const fault_kind_sentence[] = {
 };
 
 typedef struct Sensor {
-    uint64_t now, last;       // true values in this step and in the one before, as cells
-    uint64_t *past;           // of the last `late` steps, a ring
+    uint64_t now, last;       // true values in this step and in the previous one, as cells
+    uint64_t *past;           // true values of the last `late` steps, a ring buffer
 } Sensor;
 
 struct FaultEngine {
@@ -27,20 +27,20 @@ struct FaultEngine {
     const FaultInput *input;
     Sensor *sensor;           // by input
     uint32_t inputs;
-    uint32_t *input_of;       // by variable: 1 + its index among the inputs; 0: none
+    uint32_t *input_of;       // by Var.index: 1 + index in `input`; 0: the variable is no input
     FaultSizes sizes;
     uint64_t step;            // number of the last step, from 1
     Fault fault[FAULTS_MOST];
     uint32_t faults;
     uint64_t begin;           // the first step in which the faults are active
-    uint64_t held[FAULTS_MOST];       // by fault: the last reading before it began
-    ScriptRandom call[FAULTS_MOST];
-    ScriptRandoms calls;      // the calls that draw the noise; random.first numbers them after the calls of the script
+    uint64_t held[FAULTS_MOST];       // by fault: the last reading before the fault began
+    ScriptRandom call[FAULTS_MOST];   // by fault: the noise of its readings
+    ScriptRandoms calls;      // `call` as a list; random.first gives the calls numbers after those of the script's calls
     RefRandom random;
-    bool differs;
-    EngineWrite *write;       // memory for the writes of a step
-    uint32_t room;
-    uint64_t *outside;        // by variable
+    bool differs;             // some reading has differed from the true value
+    EngineWrite *write;       // buffer for the writes of a step
+    uint32_t room;            // capacity of `write`
+    uint64_t *outside;        // by Var.index: the cells that scripts read, with the true values of inputs
     Arena *arena;
 };
 
@@ -107,7 +107,7 @@ static void reserve_writes(FaultEngine *e, uint32_t n)
     e->write = ARENA_ARRAY(e->arena, EngineWrite, e->room);
 }
 
-// Appends what the faulty sensors read to the n writes of a step.  Returns their new number.
+// Appends the readings of the faulty sensors to the n writes of a step.  Returns the new number of writes.
 static uint32_t add_readings(FaultEngine *e, uint32_t n)
 {
     for (uint32_t i = 0; i < e->faults; i++) {
@@ -118,7 +118,7 @@ static uint32_t add_readings(FaultEngine *e, uint32_t n)
     return n;
 }
 
-// Sets the cells that the script sees.  What the machine itself stored in an input is its true value.
+// Sets the cells that the script reads.  If the machine itself stored an input, the stored value becomes the true value.
 static void set_outside_cells(FaultEngine *e, EngineStep *out)
 {
     memcpy(e->outside, out->cell, e->engine.program->var.n * sizeof *e->outside);

@@ -107,7 +107,7 @@ void fault_list_single(FaultRunner *x)
     x->visited = arena_alloc(x->arena, x->single.n * states + 1);
 }
 
-// Where the inputs that an expression reads are marked, by input.
+// The destination of marks on the inputs that an expression reads; `at` is by index in Faults.input.
 typedef struct Marks { const Faults *f; uint8_t *at; } Marks;
 
 static void mark_inputs(Expr *e, void *context)

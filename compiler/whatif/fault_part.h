@@ -8,87 +8,87 @@
 #include "compiler/script/script_run.h"
 #include "compiler/whatif/faults.h"
 
-// A change of an output in the run without a fault.
+// A step in which an output changed in the run without a fault.
 typedef struct Change {
-    uint64_t step, cell;
-    uint32_t output;
+    uint64_t step, cell;      // number of the step; the new value
+    uint32_t output;          // index in FaultRunner.output
 } Change;
 
 // The run of a script without a fault.
 typedef struct Healthy {
-    VEC(Change) change;
-    uint64_t *last;           // by State.number - 1: the last step that ran the state; 0: none
-    uint64_t steps;
-    const State *end;
+    VEC(Change) change;       // sorted by step; the first step has one for each output
+    uint64_t *last;           // by State.number - 1: number of the last step that ran the state; 0: none
+    uint64_t steps;           // number of steps
+    const State *end;         // the state that a further step would run
 } Healthy;
 
-// A visit of a state, from its first step to its last one.
+// A visit of a state: the numbers of its first and last step.
 typedef struct Visit { uint64_t first, last; } Visit;
 
-// The variables of the machine that a script, the requirements and the comparison of outputs read (Var.index).
+// The variables of the machine, by Var.index, that a script, the requirements or the comparison of outputs read after a step.
 typedef struct FaultSeen {
-    VEC(uint32_t) cell;       // variables of the machine, by their values after the step
-    VEC(uint32_t) outside;    // inputs that the machine itself assigns, by their true value
+    VEC(uint32_t) cell;       // variables that are read with the machine's own values
+    VEC(uint32_t) outside;    // inputs that the machine assigns as well: they are read with their true values
 } FaultSeen;
 
-// The run of one fault from its trigger on, as fault_replay.c records it.
+// The run of one fault from its trigger on, as fault_replay.c records it.  A slot is the number of a value that is read after each step.
 typedef struct FaultSlot { uint32_t slot; uint64_t value; } FaultSlot;
-typedef struct FaultStepEnd { uint32_t write, change; } FaultStepEnd;
+typedef struct FaultStepEnd { uint32_t write, change; } FaultStepEnd;       // the lengths of FaultRecord.write and .change after a step
 typedef struct FaultRecord {
-    VEC(EngineWrite) write;   // of the script
-    VEC(FaultSlot) change;    // the values that scripts and requirements see, where they change; all of them in the first step
-    VEC(FaultStepEnd) end;    // by step: the end of its writes and changes
+    VEC(EngineWrite) write;   // what the script wrote
+    VEC(FaultSlot) change;    // the values that changed in each step; in the first step all values
+    VEC(FaultStepEnd) end;    // by step, from 0: where its writes and changes end
     bool is_cut;              // the record ends early, because VALUES_MOST was reached
 } FaultRecord;
 
 typedef struct FaultTape FaultTape;
 
-// What is observed in a run.  It is in the arena of the run, so that a copy of the run contains it.
+// What is observed in a run.  It is allocated in FaultRunner.run, so that a copy of that arena contains it.
 typedef struct FaultWatch {
     FaultRunner *x;
     ScriptRun *r;
     FaultEngine *e;
-    FaultTape *tape;
-    Healthy *healthy;
+    FaultTape *tape;          // records the run (fault_replay.c)
+    Healthy *healthy;         // the run of the same script without a fault
     bool is_healthy;          // the run has no fault, and is recorded instead of compared
-    uint64_t *cell;           // by output: the value without a fault
-    uint32_t next;            // index into healthy->change
+    uint64_t *cell;           // by output: the value at this step in the run without a fault
+    uint32_t next;            // index in healthy->change of the first change after this step
     Monitor *monitor;         // judges the true values
     bool judges_truth;        // a requirement reads a faulty input, so the true values can have another result than the readings
-    void *situation;
-    const State *last;        // the state that the step before ran
-    uint8_t *visited;         // by State.number - 1: the run was in the state since the fault began
+    void *situation;          // what `monitor` remembers of the steps so far (monitor.h)
+    const State *last;        // the state that the previous step ran
+    uint8_t *visited;         // by State.number - 1: 1 if the run was in the state since the fault began
     FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
     FaultResult result;       // the result so far
 } FaultWatch;
 
 struct FaultRunner {
     Faults *f;
-    Arena *arena;             // of the results
-    Arena run, copy;          // of the current run; of its copy
-    Arena tapes;              // of the records of the current trigger
+    Arena *arena;             // memory of the results
+    Arena run, copy;          // memory of the current run; of its copy at the trigger
+    Arena tapes;              // memory of the records of the current trigger
     uint64_t taped;           // number of writes and changes in these records
-    FaultRecord *record;      // by single fault; only with pairs
+    FaultRecord *record;      // by index in `single`: its record; only if pairs of faults are run
     FaultSeen *seen;          // by script
-    ArenaCopy saved;
-    FlatMachine *flat;
-    ScriptOptions o;
-    const Var **output;
-    uint32_t outputs;         // the elements that the machine writes, and then S
+    ArenaCopy saved;          // the copy of `run` at the trigger
+    FlatMachine *flat;        // the machine that all runs share
+    ScriptOptions o;          // the options of the current run
+    const Var **output;       // the elements that the machine writes, and last S
+    uint32_t outputs;
     Healthy *healthy;         // by script
-    Visit *visit;             // by State.number - 1: the longest one of the current script
+    Visit *visit;             // by State.number - 1: the longest visit in the run of the current script without a fault
     VEC(Fault) single;        // the faults that apply
-    uint8_t *is_required;      // by input: a requirement reads it
-    uint8_t *is_judged;        // by input: a requirement, an assert or an @compare reads it
-    uint8_t *reads;           // by State.number - 1 and input: the state reads it
-    uint8_t *alone;           // by single fault: its outcome at the current trigger
-    uint8_t *visited;         // by single fault and State.number - 1: its run was in the state from the current trigger on
-    uint8_t *is_repeated;     // by single fault: an earlier fault of the same input reads the same constant at this trigger
-    uint32_t at, i, k;        // the next run: its trigger; its fault, or its two faults i and k
+    uint8_t *is_required;      // by input: 1 if a requirement reads it
+    uint8_t *is_judged;        // by input: 1 if a requirement, an assert or an @compare reads it
+    uint8_t *reads;           // by State.number - 1 and input: 1 if the state's code reads the input
+    uint8_t *alone;           // by index in `single`: the FaultOutcome at the current trigger
+    uint8_t *visited;         // by index in `single` and State.number - 1: 1 if its run was in the state after the current trigger
+    uint8_t *is_repeated;     // by index in `single`: 1 if an earlier fault of the same input reads the same constant at this trigger
+    uint32_t at, i, k;        // the next run: index of its trigger; index in `single` of its fault, or for a pair of both faults
     bool in_pairs;            // the single faults of the trigger have been run
-    bool is_prepared;         // the current run is before trigger `at`
-    FaultWatch *w;                 // of the current run
-    FaultWrites *writes;      // what faults_record collects; NULL: nothing
+    bool is_prepared;         // the current run has stopped just before trigger `at`
+    FaultWatch *w;                 // observes the current run
+    FaultWrites *writes;      // the list that faults_record fills; NULL: no writes are listed
 };
 
 // ---- fault_inputs.c ----
@@ -97,15 +97,15 @@ struct FaultRunner {
 void fault_find_inputs(FaultRunner *x);
 // Lists the faults that apply.  The ranges of inputs must be known.
 void fault_list_single(FaultRunner *x);
-// Whether a state of a run reads an input, or an assert or a requirement does.  visited: by State.number - 1, of the run.  If nothing
-// reads it, the run is the same with every fault of the input.
+// Whether an assert, a requirement or one of the states with visited[State.number - 1] reads an input.  If not, a run that was only in these
+// states is the same with every fault of the input.
 bool fault_is_read(const FaultRunner *x, uint32_t input, const uint8_t *visited);
 
 // ---- fault_replay.c ----
 
 // Lists, for each script, what a run reads of the machine (FaultRunner.seen).  Inputs and outputs must be known.
 void fault_find_seen(FaultRunner *x);
-// Opens the engine that records the steps of x->w, around the faulty sensors.  It is in x->run.
+// Opens the engine that records the steps of the current run.  It wraps `inner`, the engine with the faulty sensors, and is allocated in x->run.
 Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
 // Drops all records.
 void fault_tape_reset(FaultRunner *x);
@@ -117,7 +117,7 @@ bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both);
 
 // ---- fault_watch.c ----
 
-// Is called after each step of a run, with its FaultWatch.
+// The after_step callback of runs; context: the FaultWatch of the run.
 void fault_watch_step(void *context, const ScriptStep *step);
 // Observes the run of x->w from its start on.
 void fault_begin_watching(FaultRunner *x, uint32_t script);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds pairs of faults that do what one of them does alone, without running the script.
+// Finds pairs of faults that have the same effect as one of the two faults alone, without running the script.
 //
 // The run of each fault alone is recorded: what the script writes in each step, and the values that the script, the requirements and the comparison
-// of outputs read after it.  The machine then steps with both faults and the recorded writes, without the script.  As long as the values are the
-// recorded ones, the script would have written the same.  If they are to the end of the record, the outcome is that of the fault alone.
+// of outputs read after it.  The machine then steps with both faults and the recorded writes, without the script.  As long as the values equal the
+// recorded ones, the script would have written the same.  If they are equal up to the end of the record, the outcome is that of the fault alone.
 #include "compiler/whatif/fault_part.h"
 
 #include <string.h>
 
-enum { VALUES_MOST = 1 << 22 };       // writes and changes that the records of a trigger can have together
+enum { VALUES_MOST = 1 << 22 };       // the most writes and changes that all records of a trigger together can have
 
-// Records what passes between the script and the faulty sensors.
+// An engine between the script and the engine with faulty sensors that records what the script writes and reads.
 struct FaultTape {
     Engine engine;
     Engine *inner;

@@ -76,7 +76,7 @@ void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out)
 
 // ---- what the script must show ----
 
-// The step in which a script that reproduces the result fails; step 0: at its end, or never.
+// Returns the step in which the script that reproduces the result must fail; step 0: at its end, or never.
 static FaultMoment failing_moment(const FaultResult *r)
 {
     static const FaultMoment end = {0, 0};
@@ -90,13 +90,13 @@ static FaultMoment failing_moment(const FaultResult *r)
     return end;
 }
 
-// Whether the script shows its result by an assert that the original does not have.
+// Whether the original script does not fail by itself, so that an assert is added that fails because of the fault.
 static bool needs_assert(const FaultResult *r)
 {
     return r->outcome == FAULT_HAS_VIOLATED ? r->violated_in_truth : r->outcome != FAULT_HAS_FAILED && r->outcome != FAULT_HAS_ENDLESS;
 }
 
-// Whether the asserts of the original end a run before it shows its result.
+// Whether an assert of the original script fails, but the outcome to reproduce is another one, so that the new script must not have the assert.
 static bool hides_asserts(const FaultResult *r) { return r->failed && r->outcome != FAULT_HAS_FAILED; }
 
 // Appends an assert that an output has the value that it has without the fault.
@@ -135,11 +135,11 @@ typedef struct Edits {
     Arena *arena;
     const Source *src;
     const Var *var[FAULTS_MOST];      // the faulty inputs
-    const char *name[FAULTS_MOST];    // for each of them, the variable of the script that has its true value
-    uint32_t vars;
-    bool hides_asserts;
+    const char *name[FAULTS_MOST];    // by index in `var`: the variable of the script that has the true value
+    uint32_t vars;            // number of faulty inputs
+    bool hides_asserts;       // asserts of the original must not fail (hides_asserts below)
     VEC(ScriptEdit) at;
-    const char *problem;
+    const char *problem;      // why the script cannot be edited; NULL: it can
 } Edits;
 
 // Adds the replacement of a span of the script by `text`, unless the span is already replaced.
@@ -155,7 +155,7 @@ static void add_edit(Edits *e, Span span, const char *text)
     vec_push(e->arena, &e->at, edit);
 }
 
-// Replaces the name of a variable at the start of the span, if it is faulty.
+// Replaces the name of a variable at the start of the span, if the variable is a faulty input.
 static void rename_at(Edits *e, Span span, const Var *v)
 {
     const char *at = span.src->text + span.at;
@@ -194,7 +194,7 @@ static void rename_samples(Edits *e, const Expr *x)
         rename_samples(e, x->arg[i]);
 }
 
-// Makes an assert read true values in its windows, or replaces its condition by `true` if the script must not fail there.
+// Edits an assert so that its windows sample true values; or replaces its condition by `true` if the assert must not end the run.
 static void edit_assert(Edits *e, const ScriptAssert *a)
 {
     if (e->hides_asserts && a->kind != SCRIPT_PRINT)
@@ -216,7 +216,7 @@ static void edit_item(Edits *e, const ScriptItem *item)
         edit_assert(e, &item->asserts.at[i]);
 }
 
-// Edits the path in quotes that follows a word at the start of a line.
+// On each line that begins with `word`, puts to_original before the path in quotes that follows it.
 static void edit_paths(Edits *e, const char *word, const char *to_original)
 {
     const char *text = e->src->text, *line = text, *at;
@@ -301,13 +301,14 @@ static const char *free_name(Arena *arena, const Faults *f, const Script *s, con
     return name;
 }
 
-// The names of a fault in the text of a script.
+// A fault, and the names that the generated script uses for it.
 typedef struct FaultText {
     const Faults *f;
     const Var *var;
     FaultKind kind;
-    const char *g, *input, *truth, *other;    // other: the last reading, or the start of the names of earlier values
-    uint64_t from, to;        // the fault lasts from <= G < to
+    const char *g, *input, *truth, *other;    // of G, of the faulty input, of its true value; other: of the last reading, or the
+                                             // prefix of the names of earlier values (LATE)
+    uint64_t from, to;        // the fault is active while from <= G < to
 } FaultText;
 
 static bool holds_reading(FaultKind kind) { return kind == FAULT_STUCK || kind == FAULT_DROPPED; }
@@ -324,7 +325,7 @@ static void write_locals(const FaultText *t, Buf *out)
         buf_printf(out, "%s %s%lu = %s\n", type, t->other, (unsigned long)i, zero);
 }
 
-// Appends the conditionals that store what a reading needs.
+// Appends the conditionals that store earlier true values for the faulty reading.
 static void write_memory(const FaultText *t, Buf *out)
 {
     const uint32_t late = t->f->options.sizes.late;
@@ -451,7 +452,7 @@ static void write_input(const FaultWrite *w, Buf *out)
     if (w->var->type == SM_BOOL)
         buf_str(out, w->cell ? "true" : "false");
     else if (ref_read(w->var->type, w->cell) == 0)
-        buf_char(out, '0');                           // a NaN becomes 0, as in the machine
+        buf_char(out, '0');                           // also for NaN, which the machine reads as 0
     else
         format_cell_shortest(out, w->var->type, w->cell);
     buf_char(out, '\n');

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ordinary scripts that have the outcome of a fault (docs/faults.md).  There are two forms.  The edited form is the text of the script
-// in which the plant writes a variable of the script instead of the faulty input, followed by a section that writes what the sensor reads.
-// The recorded form contains what the machine was given in each step, and no plant.
+// Writes ordinary scripts that reproduce the outcome of a fault (docs/faults.md).  There are two forms.  The edited form is the original script,
+// changed so that it writes a variable of the script instead of the faulty input, followed by a section that writes the sensor's reading to the
+// input.  The recorded form lists the inputs of each step, without the original script.
 #ifndef SMC_FAULT_SCRIPT_H
 #define SMC_FAULT_SCRIPT_H
 
 #include "compiler/whatif/faults.h"
 
-// How the file of a script relates to the original.
+// Where the new script is, relative to the original.
 typedef struct FaultScriptPlace {
     const char *to_original;          // path from the folder of the script to that of the original, "" or with a separator at its end; NULL: there is
                                       // no original
     const char *command;              // the command line that runs the script
 } FaultScriptPlace;
 
-// Append a script.  Return NULL, or why there is none in this form.
+// Append a script.  Return NULL, or the reason why no script of this form is possible.
 const char *fault_script_write_edited(Arena *arena, const Faults *f, const FaultResult *r, const FaultScriptPlace *place, Buf *out);
 const char *fault_script_write_recorded(Arena *arena, Faults *f, const FaultResult *r, const FaultScriptPlace *place, Buf *out);
 // Runs a script that one of these has written.  Returns whether its outcome is that of the fault, at the same step.
@@ -22,7 +22,7 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
 
 // Appends a fault in words: "altitude dead", "altitude dead and armed stuck".
 void fault_write_name(const Faults *f, const FaultResult *r, Buf *out);
-// Appends where it begins: "at Boost -> Coast (G = 1200)".
+// Appends where the fault begins: "at Boost -> Coast (G = 1200)".
 void fault_write_trigger(const Faults *f, const FaultResult *r, Buf *out);
 // Appends where the range of an input comes from, unless it is declared: "'p' has no @range; …".  Returns whether it has appended anything.
 bool fault_write_range(const FaultInput *in, Buf *out);

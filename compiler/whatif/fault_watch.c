@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the steps of a run show: outputs and requirements without and with a fault, and where faults can begin.
+// Observes the steps of runs.  Without a fault: records outputs and the steps at which faults can begin.  With a fault: compares outputs with these
+// records, and judges requirements.
 #include "compiler/whatif/fault_part.h"
 
 #include <string.h>
 
-// Widens the range of each input that has none of its own to its true value.
+// Widens the range of each input without a @range so that it contains the current true value.
 static void widen_ranges(FaultWatch *w, bool is_first)
 {
     Faults *f = w->x->f;
@@ -33,7 +34,7 @@ static void record_outputs(FaultWatch *w, const ScriptStep *step)
     }
 }
 
-// Notes the first output that differs from the run without a fault.  S is the last one, so that another output explains more.
+// Notes the first output that differs from the run without a fault.  S is compared last, because another output explains more.
 static void compare_outputs(FaultWatch *w, const ScriptStep *step)
 {
     const Healthy *h = w->healthy;

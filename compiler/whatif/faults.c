@@ -19,7 +19,7 @@ const char *const fault_outcome_words[] = {
 
 // ---- runs ----
 
-// Between the faulty sensors and the machine: notes the writes that change a cell of the machine.
+// An engine between the engine with faulty sensors and the machine: lists the writes that change a cell of the machine.
 typedef struct FaultRecorder {
     Engine engine;
     Engine *inner;
@@ -137,7 +137,7 @@ static void run_healthy(FaultRunner *x, uint32_t script)
     h->last = ARENA_ARRAY(x->arena, uint64_t, x->f->p->state.n);
     memset(x->visit, 0, x->f->p->state.n * sizeof *x->visit);
     x->o.max_steps = x->f->options.max_steps;
-    x->o.continues = false;                           // a failure ends the run, and the campaign
+    x->o.continues = false;                           // a failure ends the run, and no faults are run then
     start_run(x, script);
     r = x->w->r;
     x->w->is_healthy = true;
@@ -191,7 +191,7 @@ void faults_end(Faults *f)
 
 static bool can_copy(const FaultRunner *x, uint32_t script) { return !x->f->script[script]->data; }
 
-// Takes the current run to just before a trigger.  Without recorded data it continues from the trigger before.
+// Continues the current run to the step before a trigger, from the previous trigger if the run can be copied there, else from the start.
 static void prepare_trigger(FaultRunner *x, uint32_t trigger)
 {
     FaultTrigger *t = &x->f->trigger.at[trigger];
@@ -205,7 +205,7 @@ static void prepare_trigger(FaultRunner *x, uint32_t trigger)
     run_continue(x->w->r, t->step - 1);
     t->g = x->w->r->g;
     if (!can_copy(x, t->script)) {
-        run_end(x->w->r);                             // closes the data
+        run_end(x->w->r);                             // closes the file with recorded data
         return;
     }
     arena_reset(&x->copy);
@@ -278,7 +278,7 @@ static bool reads_constant(const FaultRunner *x, const Fault *fault, double *val
     switch ((int)fault->kind) {
     case FAULT_STUCK:
         if (x->w->r->result.steps == 0)
-            return false;                             // the value before the first step will be that of the first step
+            return false;                             // the sensor keeps the reading of the first step, which is not known yet
         *value = ref_read(in->var->type, fault_engine_true_cell(x->w->e, fault->input));
         return true;
     case FAULT_DEAD: case FAULT_NAN: *value = 0; return true;
@@ -288,7 +288,7 @@ static bool reads_constant(const FaultRunner *x, const Fault *fault, double *val
     }
 }
 
-// Finds the faults of which a pair needs only one, because the machine reads the same constant.
+// Sets is_repeated of faults with which the machine reads the same constant as with an earlier fault of the same input: pairs do not need both.
 static void find_repeated(FaultRunner *x)
 {
     for (uint32_t i = 0; i < x->single.n; i++) {
@@ -350,7 +350,7 @@ static void mark_healthy(const FaultRunner *x, uint8_t *visited)
 
 static uint8_t *visited_by(const FaultRunner *x, uint32_t single) { return x->visited + single * x->f->p->state.n; }
 
-// The result of a fault of an input that nothing reads.
+// Returns the result of a fault of an input that nothing reads: that of the run without a fault.
 static FaultResult result_unread(const FaultRunner *x, const Fault *fault)
 {
     const Healthy *h = &x->healthy[x->f->trigger.at[x->at].script];

@@ -9,20 +9,20 @@
 #include "compiler/cover/cover.h"
 #include "compiler/script/ref.h"
 
-// A boundary is searched between two points of a line.
+// A check fails at exactly one of the points `point` and point + 1 of the line of `axis`, so a boundary between them is searched.
 typedef struct Gap { uint32_t axis, check, point; } Gap;
 
 struct SweepRunner {
     Sweep *s;
-    Arena *arena;             // of the results
-    Arena run;                // of one run of a script
-    FlatMachine *flat;
-    uint32_t next_point;      // of the map
-    uint32_t axis, next;      // of the lines
-    bool has_gaps;
+    Arena *arena;             // memory of the results
+    Arena run;                // memory of one run of a script
+    FlatMachine *flat;        // the machine that all runs share
+    uint32_t next_point;      // index in Sweep.point of the next point of the map
+    uint32_t axis, next;      // the next point of the lines: its axis, and its index on that line
+    bool has_gaps;            // `gap` has been filled, because all points have run
     VEC(Gap) gap;
     uint32_t next_gap;
-    uint8_t *violated;        // by requirement: in the current run
+    uint8_t *violated;        // by requirement: 1 if a run at the current point violated it
 };
 
 // ---- what can fail ----
@@ -119,7 +119,7 @@ static SweepPoint run_point(SweepRunner *x, const double *value, Arena *arena)
     for (uint32_t i = 0; i < s->scripts; i++)
         run_script(x, i, value, p.fails);
     for (uint32_t c = 0; c < s->check.n && s->check.at[c].requirement; c++)
-        p.fails[c] = x->violated[c];                  // requirements are the first checks
+        p.fails[c] = x->violated[c];                  // the first entries of `check` are the requirements
     for (uint32_t c = 0; c < s->check.n; c++)
         p.failing += p.fails[c] != 0;
     return p;
@@ -157,7 +157,7 @@ static double rint_f64(double x)
     return x < 0 ? -whole : whole;
 }
 
-// Multiples of a power of ten: `factor` times or one part in `factor` of 1.  Both are exact, 1 / factor is not.
+// A power of ten as a step: `factor`, or with is_part 1 / factor.  `factor` is exact, but 1 / factor is not.
 typedef struct RoundStep { double factor; bool is_part; } RoundStep;
 
 // Returns the largest power of ten that is at most x, but at least 1e-300.
@@ -172,11 +172,11 @@ static RoundStep round_step(double x)
 
 static double size_of_step(RoundStep s) { return s.is_part ? 1 / s.factor : s.factor; }
 
-// Returns the multiple of a step nearest to x.
+// Returns the multiple of the step s that is nearest to x.
 static double round_to_step(RoundStep s, double x) { return s.is_part ? rint_f64(x * s.factor) / s.factor : rint_f64(x / s.factor) * s.factor; }
 
-// Searches the value at which a check begins to fail, among the multiples of a power of ten.  It is found to about a thousandth of the distance of
-// the points.
+// Searches the value at which a check begins to fail by bisection, among the multiples of a power of ten that is about a thousandth of the distance
+// of the two points.
 static void find_boundary(SweepRunner *x, const Gap *g)
 {
     const SweepLine *line = &x->s->line[g->axis];
@@ -282,7 +282,7 @@ static void set_values(SweepRunner *x, SweepAxis *a)
     a->n = n;
 }
 
-// Returns the value of a parameter without the sweep: that of --set, or of a script, or the default.
+// Returns the value of a parameter outside the sweep: set with --set, or by a script, or the default.
 static double current_value(const Sweep *s, const Var *parameter)
 {
     uint64_t cell = parameter->init;

@@ -16,26 +16,26 @@ typedef struct SweepAxis {
     const Var *parameter;
     double lo, hi;            // lo < hi, both are values of the parameter
     uint32_t n;               // number of points; at least 2
-    double *value;            // of the points, as the parameter stores them, ascending and all different: `n` is reduced to their number
-    double current;           // the value without the sweep
+    double *value;            // the n values that are tried, as the parameter stores them, ascending; equal ones are dropped, which reduces n
+    double current;           // the parameter's value outside the sweep
 } SweepAxis;
 
-// What can fail.
+// Something that can fail at a point: an assert, a requirement, or a whole script.
 typedef struct SweepCheck {
-    uint32_t script;                  // of an assert, or of a script that does not end
-    const ScriptAssert *assert;       // NULL: not an assert
-    uint32_t assert_number;
-    const Requirement *requirement;   // NULL: not a requirement; with neither: the script does not end, or its @compare is not met
+    uint32_t script;                  // index of the script with the assert, or that does not end; unused for a requirement
+    const ScriptAssert *assert;       // the assert; NULL: the check is no assert
+    uint32_t assert_number;           // number of the assert in the order of the script
+    const Requirement *requirement;   // NULL: the check is no requirement.  Both NULL: the script does not end, or an @compare is not met
 } SweepCheck;
 
 // Values of the parameters, and what fails there.
 typedef struct SweepPoint {
     double value[SWEEP_AXES];
-    uint8_t *fails;           // by check
+    uint8_t *fails;           // by index in Sweep.check: 1 if it fails
     uint32_t failing;         // number of checks that fail
 } SweepPoint;
 
-// Points along one axis, with the other parameter at its current value.  The current value is one of them if it is between the ends.
+// Points along one axis, with the other parameter at its current value.  The axis's own current value is among them if it is from lo to hi.
 typedef struct SweepLine {
     VEC(SweepPoint) at;
     uint32_t current;         // index of the parameter's current value; UINT32_MAX: it is not among the points
@@ -43,16 +43,16 @@ typedef struct SweepLine {
 
 // Two values of a parameter between which a check begins to fail.
 typedef struct SweepBoundary {
-    uint32_t axis, check;
-    double passes, fails;
+    uint32_t axis, check;     // indices in Sweep.axis and Sweep.check
+    double passes, fails;     // the value at which the check passes, and the one at which it fails
 } SweepBoundary;
 
 typedef struct SweepOptions {
     SweepAxis axis[SWEEP_AXES];       // without `value` and `current`
     uint32_t axes;
     uint64_t max_steps;
-    const uint64_t *seed;             // NULL: that of each script
-    const Requirements *requirements; // or NULL
+    const uint64_t *seed;             // seed of the random numbers; NULL: each script's own seed
+    const Requirements *requirements; // judged in each run; or NULL
     const ScriptSetting *setting;     // values of parameters that are not swept; `settings` of them
     size_t settings;
 } SweepOptions;
@@ -66,10 +66,10 @@ typedef struct Sweep {
     SweepOptions options;
     SweepAxis axis[SWEEP_AXES];
     VEC(SweepCheck) check;
-    VEC(SweepPoint) point;            // of two parameters: by index of the first, then of the second; of one: none
-    SweepLine line[SWEEP_AXES];
+    VEC(SweepPoint) point;            // with two axes: the map, at index (index on axis 0) * axis[1].n + (index on axis 1); with one: empty
+    SweepLine line[SWEEP_AXES];       // by axis
     VEC(SweepBoundary) boundary;
-    uint64_t runs;                    // of scripts
+    uint64_t runs;                    // number of runs of scripts so far
     SweepRunner *runner;
 } Sweep;
 
@@ -77,9 +77,9 @@ Sweep *sweep_new(Arena *arena, const Program *p, const Script *const *script, ui
 // Runs all scripts at the next point, or one boundary.  Returns false if no point or boundary is left.
 bool sweep_run_next(Sweep *s);
 // Finds the value nearest to the current one at which something fails, below (`above` false) or above it.  Returns false if nothing fails there, or
-// if the current value is outside or fails itself.
+// if the current value is outside the axis or fails itself.
 bool sweep_find_margin(const Sweep *s, uint32_t axis, bool above, double *fails);
-bool sweep_fails_now(const Sweep *s, uint32_t axis);
+bool sweep_fails_now(const Sweep *s, uint32_t axis);       // whether something fails at the current value
 void sweep_end(Sweep *s);
 
 // Appends the name of a check: "R3", "tank.ss:12", "tank.ss does not end".

@@ -3,7 +3,7 @@
 #include "compiler/report/xml.h"
 #include "compiler/whatif/sweep.h"
 
-// In pixels.
+// Sizes in pixels: left margin, top margin, width of the plot, height of a row of the plot, bottom margin.
 static const double LEFT = 150, TOP = 30, WIDTH = 500, ROW = 18, BOTTOM = 46;
 
 static const char *const good = "#cfe8cf", *const bad = "#b03030", *const ink = "#222";
@@ -45,7 +45,7 @@ static void write_axis(Arena *arena, const SweepAxis *a, double y, Buf *out)
     write_label(LEFT + WIDTH / 2, y + 30, "middle", a->parameter->name->text, out);
 }
 
-// Draws a line at the current value.
+// Draws a vertical line at the current value of the parameter, from height `from` to `to`.
 static void write_current(const SweepAxis *a, double from, double to, Buf *out)
 {
     const double x = x_of_value(a, a->current);
@@ -56,7 +56,7 @@ static void write_current(const SweepAxis *a, double from, double to, Buf *out)
     write_label(x, from - 4, "middle", "now", out);
 }
 
-// Returns where a check changes between two points: at its boundary, or else in the middle.
+// Returns the value between the points a and b at which a check begins or ceases to fail: its boundary if known, else the middle.
 static double change_between(const Sweep *s, uint32_t check, double a, double b)
 {
     for (uint32_t i = 0; i < s->boundary.n; i++) {

@@ -15,7 +15,7 @@ delta_t 10
 [all_states]
 until 5 s: p = 1            #! E0329 write from 0 to 5 s
 before 5 s: p = 1           #! E0329 write from 0 to 5 s
-between 5 s and 6 s: p = 1  #! E0329 write from 5 s to ...
+between 5 s and 6 s: p = 1  #! E0329 write from 5 s to 6 s
 since 5 s: p = 1            #! E0329 write after 5 s
 each 5 s: p = 1             #! E0329 write every 5 s
 on 5 s: p = 1               #! E0329 write at 5 s

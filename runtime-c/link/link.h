@@ -24,15 +24,15 @@ extern "C" {
 #define LINK_BODY_MAX 200u    // the largest body that a device may accept; HELLO reports the device's own limit
 // Buffer size in bytes for one frame to send, including COBS and the zero, or for one frame to receive.
 #define LINK_ROOM(body) (LINK_HEAD + (body) + LINK_TAIL + 2u)
-#define LINK_ANSWER   0x80u
-#define LINK_TRIAL_END 8u     // IMAGE: factor of the two bits with the end of a trial (store.h)
+#define LINK_ANSWER   0x80u   // set in the message number of an answer; the other bits are the number of the request
+#define LINK_TRIAL_END 8u     // answer to IMAGE: flags / LINK_TRIAL_END % 4 is how the last trial ended (store.h)
 // Flags of MACHINE.
 #define LINK_SWAPPABLE 1u     // the machine can be swapped
-#define LINK_ON_TRIAL  2u
+#define LINK_ON_TRIAL  2u     // the machine's image is on trial after a swap
 #define LINK_BUILT_IN  4u     // the machine runs the image with which the application was built
 #define LINK_STORED    8u     // its image is stored, and runs again after a restart
-#define LINK_WINDOWS  0x80u   // HELLO: flags in the byte with the number of machines: they may have windows,
-#define LINK_PARAMETERS 0x40u // and parameters (language.md 5.77)
+#define LINK_WINDOWS  0x80u   // answer to HELLO: in the byte with the most machines of an image: images can contain windows
+#define LINK_PARAMETERS 0x40u // in the same byte: images can contain parameters (language.md 5.77)
 
 typedef enum LinkMessage {
 #define LINK_MESSAGE(name, number, request, answer) LINK_##name = number,
@@ -45,7 +45,7 @@ typedef enum LinkMessage {
 typedef struct LinkReceiver {
     uint8_t *buffer;          // LINK_ROOM(body) bytes
     uint16_t room, n;         // n: bytes of the frame so far; once complete, without its checksum
-    uint8_t run_left, run_code;  // COBS: bytes until the next removed zero; the code at the start of the current run
+    uint8_t run_left, run_code;  // COBS: bytes of the current run that are still to come; the code byte at its start
     bool is_too_long;         // this frame is too long; bytes are dropped up to the next zero
     bool is_complete;         // `buffer` contains a complete frame
 } LinkReceiver;

@@ -29,7 +29,7 @@ void sm_link_store_transition(uint8_t *record, const LinkTransition *t, uint32_t
 // Returns false if these bytes are no record of the image with this checksum.
 bool sm_link_load_transition(const uint8_t *record, uint32_t checksum, LinkTransition *t);
 
-// Whether a record's number follows another one.
+// Whether a record with this number is later than one with the number `other`.  Numbers are modulo 256 and differ by less than 128.
 static inline bool sm_link_is_later(uint8_t number, uint8_t other) { return number != other && (uint8_t)(number - other) < 128; }
 
 #ifdef __cplusplus

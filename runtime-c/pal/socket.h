@@ -77,7 +77,7 @@ SmResult pal_socket_accept(PalSocket listening, PalSocket *stream, PalAddress *p
 SmResult pal_socket_connect(PalSocket *stream, const PalAddress *to, uint64_t timeout);
 
 // Begins to connect to a listening socket, and does not wait.  SM_OK: the caller owns a socket that is connecting; until
-// pal_socket_connected returns SM_OK, it can only be asked and closed.  A failure may be reported here or by pal_socket_connected:
+// pal_socket_connected returns SM_OK, only that function and pal_socket_close accept it.  A failure may be reported here or by pal_socket_connected:
 // SM_E_UNREACHABLE: no socket listens there, or there is no route.  SM_E_FULL: the table has no free entry.
 SmResult pal_socket_connect_start(PalSocket *stream, const PalAddress *to);
 

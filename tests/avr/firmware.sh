@@ -211,6 +211,80 @@ fly_logged() {
     count awk '/steps/ { seen = $3 > 50 && $9 > 0 && $9 < 20000 } / EEPROM written/ { for (i = 2; i < NF; i++) if ($(i) == "bytes" && $(i + 2) == "EEPROM") wrote = $(i - 1) } END { exit !(seen && wrote > 100) }' "$D/logged.mem.said"
 }
 
+# padded NAME WAIT LEAST MOST: the machine toggle, which waits so long in a state, and so many other states that its image has LEAST to MOST bytes.
+padded() {
+    sed "s/^U32 state.*/&\nU32 pad/; s/>= 20/>= $2/" "$D/toggle.sm" >"$D/$1.sm"
+    size=0 states=0
+    while [ "$size" -lt "$3" ] && [ $states -lt 400 ]; do
+        states=$((states + 1))
+        printf '[P%d] @safe .step\n    pad = %d\n' $states $((states + 70000)) >>"$D/$1.sm"
+        [ $((states % 8)) = 0 ] || [ "$size" -gt $(($3 - 200)) ] || continue
+        build "$1" "$D/$1.sm"
+        size=$(wc -c <"$D/$1.smb")
+    done
+    if [ "$size" -gt "$4" ]; then echo "$1.smb has $size bytes, more than $4"; exit 1; fi
+}
+
+# The checksum of an image that has been flashed.
+checksum_of() { sed -n 's/^now: .*, checksum \([0-9a-f]*\),.*/\1/p' "$D/$1.out"; }
+
+# stored_of CHECKSUM FILE: the transitions that this image has stored, in the output of smc device log
+stored_of() { awk -v image="$1," '/^stored/ { stored = $4 == image } /^since/ { stored = 0 } stored && / STATE of machine 0, /' "$2"; }
+
+# The stored log has become full, and its oldest transition is another one than before.
+overwrites_its_oldest() {
+    oldest=
+    for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30; do
+        "$smc" device log "$port" >"$D/filled.out" 2>&1
+        stored_of "$(checksum_of other)" "$D/filled.out" >"$D/filled.stored"
+        lines=$(wc -l <"$D/filled.stored")
+        [ "$lines" -le 14 ] || return 1
+        if [ "$lines" -ge 8 ]; then
+            first=$(head -n 1 "$D/filled.stored")
+            [ -z "$oldest" ] || [ "$first" = "$oldest" ] || return 0
+            oldest=$first
+        fi
+        sleep 0.5
+    done
+    return 1
+}
+
+# The log uses what its image leaves free of its slot, and no byte of the other slot.  An image that needs a whole slot gets it, though there
+# was a log, and then stores none.
+fly_filled() {
+    [ $MCU = atmega2560 ] || return 0
+    slot=2016 record=12
+    padded near 20 $((slot - 14 * record)) $((slot - 8 * record))
+    padded other 21 $((slot - 14 * record)) $((slot - 8 * record))
+    padded full 20 $((slot - 8 * record + 1)) $slot
+    rm -f "$D/filled.mem"*
+    board_on "$D/filled.mem"
+    text="2 slots of $slot bytes"
+    count says "$smc" device info "$port"
+    touch "$D/filled.mem.go"
+    for image in full near other; do
+        count "$smc" flash "$D/$image.smb" "$port" --period=5 --confirm >"$D/$image.out" 2>&1
+    done
+    count overwrites_its_oldest
+    kill -9 "$board"
+    board_on "$D/filled.mem"
+    touch "$D/filled.mem.go"
+    text="slot 1: .*, checksum $(checksum_of near), .* runs again if the chosen one does not"
+    count says "$smc" device list "$port"
+    count "$smc" flash "$D/full.smb" "$port" --period=5 --confirm >"$D/full.out" 2>&1
+    sleep 1
+    text="stored by image $(checksum_of full)"
+    count says_not "$smc" device log "$port"
+    kill -9 "$board"
+    board_on "$D/filled.mem"
+    touch "$D/filled.mem.go"
+    text="slot 1: .*, checksum $(checksum_of full), .* runs, every 5 ms, confirmed"
+    count says "$smc" device list "$port"
+    text="slot 0: .*, checksum $(checksum_of other), .* runs again if the chosen one does not"
+    count says "$smc" device list "$port"
+    count board_off
+}
+
 # As much stack as can be had: averages in the steps, and images verified beside them.
 fly_deep() {
     rm -f "$D/deep.mem"*
@@ -298,6 +372,7 @@ for MCU in ${BOARDS:-atmega2560 atmega328p}; do
     fly_wrong_pins
     fly_slow
     fly_logged
+    fly_filled
 done
 echo "firmware: $passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ] && [ $((passed + skipped)) -gt 0 ]

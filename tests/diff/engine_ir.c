@@ -64,6 +64,8 @@ static void check_fact(Ir *r, const Code *c, IrRef ref)
             fail(r, "against facts", c, ref);
         return;
     }
+    if (f.round_trips && (i->type == SM_I64 || i->type == SM_U64) && sm_cell_from_f64(i->type, x) != c->cell[ref])
+        fail(r, "changed by a conversion to F64 and back", c, ref);
     if (x < f.lo || x > f.hi || (f.whole && sm_trunc(x) != x) || (f.f32 && sm_from_f32(sm_round_f32(x)) != x)
         || (x == 0 && sm_bits(x) != 0 && !f.minus_zero))
         fail(r, "against facts", c, ref);
@@ -104,7 +106,7 @@ static int64_t i64_result(IrOp op, int64_t a, int64_t b)
     case IR_sub: return a - b;
     case IR_mul: return a * b;
     case IR_neg: return -a;
-    case IR_abs: return a < 0 ? -a : a;
+    case IR_abs: return a == INT64_MIN ? INT64_MAX : a < 0 ? -a : a;
     case IR_sign: return a < 0 ? -1 : a > 0;
     case IR_min: return a < b ? a : b;
     case IR_max: return a > b ? a : b;
@@ -125,7 +127,7 @@ static float f32_result(IrOp op, float a, float b)
     return 0;
 }
 
-static int64_t signed_of(SmType type, uint64_t cell) { return (int64_t)sm_cell_to_f64(type, cell); }
+static int64_t signed_of(SmType type, uint64_t cell) { return type == SM_I64 ? (int64_t)cell : (int64_t)sm_cell_to_f64(type, cell); }
 
 static void narrow_result(Ir *r, const Code *c, IrRef ref, double x)
 {
@@ -139,8 +141,10 @@ static void narrow_result(Ir *r, const Code *c, IrRef ref, double x)
             fail(r, "not what F64 gives", c, ref);
     } else {
         const int64_t y = i64_result(i->op, signed_of(i->type, a), signed_of(i->type, b));
-        c->cell[ref] = sm_cell_from_f64(i->type, (double)y);
-        if ((double)y != x || signed_of(i->type, c->cell[ref]) != y || y > INT64_C(9007199254740992) || y < -INT64_C(9007199254740992))
+        const bool rounds = i->op == IR_add || i->op == IR_sub || i->op == IR_mul;
+        c->cell[ref] = i->type == SM_I64 ? (uint64_t)y : sm_cell_from_f64(i->type, (double)y);
+        if (number(i->type, c->cell[ref]) != x || sm_cell_from_f64(i->type, x) != c->cell[ref] || signed_of(i->type, c->cell[ref]) != y
+            || (rounds && (y > INT64_C(9007199254740992) || y < -INT64_C(9007199254740992))))
             fail(r, "not what F64 gives", c, ref);
     }
 }

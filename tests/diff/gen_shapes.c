@@ -37,6 +37,7 @@ static GExpr *text(Gen *g, const char *number)
 
 static bool is_whole(SmType t) { return sm_type_info[t].kind != SM_KIND_FLOAT; }
 static bool is_f32(SmType t) { return t == SM_F32; }
+static bool is_wide(SmType t) { return t == SM_I64 || t == SM_U64; }
 static bool is_float(SmType t) { return !is_whole(t); }
 static bool is_narrow(SmType t) { return t != SM_F64; }
 
@@ -80,6 +81,21 @@ static GExpr *whole_expr(Gen *g, uint32_t depth)
         return binary(g, pick_operator(g, SM_OP_ADD, 3), whole_expr(g, depth - 1), whole_expr(g, depth - 1));
     const uint32_t what = rng_below(&g->rng, 6);
     return call(g, pure[what], whole_expr(g, depth - 1), what >= 4 ? whole_expr(g, depth - 1) : NULL);
+}
+
+// Returns a comparison, or the larger or smaller, of 64-bit integers that may be beyond 2^53, or of their absolute values.
+static GExpr *wide_expr(Gen *g)
+{
+    GExpr *side[2];
+
+    for (int k = 0; k < 2; k++) {
+        side[k] = leaf(g, is_wide, whole_text, sizeof whole_text / sizeof *whole_text);
+        if (rng_percent(&g->rng, 30))
+            side[k] = call(g, SM_FN_abs, side[k], NULL);
+    }
+    if (rng_percent(&g->rng, 60))
+        return binary(g, pick_operator(g, SM_OP_EQ, 6), side[0], side[1]);
+    return call(g, rng_percent(&g->rng, 50) ? SM_FN_min : SM_FN_max, side[0], side[1]);
 }
 
 static const char *const f32_text[] = {
@@ -148,6 +164,8 @@ GExpr *gen_shape(Gen *g)
         return twins(g);
     if (what < 30)
         return recent(g);
+    if (what < 36)
+        return wide_expr(g);
     if (what < 60)
         return whole_expr(g, 1 + rng_below(&g->rng, 3));
     if (what < 80)

@@ -57,7 +57,7 @@ At an output
   Line  As written      Change that no script notices   Inputs that would show it
      9  open = p > 700  `>` changed to `>=` in Fill     from Fill, at G = 0: p = 700; at G = 0, open differs
      9  open = p > 700  `700` changed to `630` in Fill  from Fill, at G = 0: p = 700; at G = 0, open differs
-     9  open = p > 700  `700` changed to `770` in Fill  from Fill, at G = 0: p = 702.0723684210526; at G = 0, open differs
+     9  open = p > 700  `700` changed to `770` in Fill  from Fill, at G = 0: p = 700.7; at G = 0, open differs
 
 What it costs
 =============

@@ -20,6 +20,12 @@ double() {
         tests/targets/soft.c tests/soft/hardware.c tests/soft/subject.c tests/soft/vectors.c stdlib/*.c -o "$B/double-$1" -lm && "$B/double-$1" </dev/null
 }
 
+# root TARGET: the square root by its instruction against that by integers.
+root() {
+    sh tests/targets/cc.sh "$1" -std=gnu11 -Wall -Wextra -Werror -O2 -I. tests/targets/root.c tests/targets/root_integers.c -o "$B/root-$1" &&
+        "$B/root-$1" </dev/null
+}
+
 mkdir -p "$B" || exit 1
 for target in $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt); do
     what=$(sed -n "s/^$target *|.*| *//p" tests/targets/targets.txt)
@@ -42,6 +48,9 @@ for target in $(sed -n 's/^\([a-z][^ ]*\) *|.*/\1/p' tests/targets/targets.txt);
     case $what in
     refuses) count refuses "$target" ;;
     double) count double "$target" ;;
+    esac
+    case $what in *root*)
+        count root "$target" ;;
     esac
     case $what in *runtime*)
         count make -s B="$1" "$B/runtime-$target"

@@ -41,6 +41,11 @@ static void test_copies(Arena *a)
         q = arena_grow(a, p, n, n + 700);
         CHECK(memcmp(q, text, n) == 0 && is_zero(q + n, 700));
         CHECK(is_zero(arena_alloc(a, 40), 40));
+        p = arena_copy(a, text, n);
+        q = arena_grow_unzeroed(a, p, n, n + 700);
+        CHECK(memcmp(q, text, n) == 0);
+        memset(q, 'y', n + 700);
+        CHECK(is_zero(arena_alloc(a, 40), 40) && q[n + 699] == 'y');
     }
 }
 

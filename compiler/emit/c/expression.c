@@ -69,7 +69,8 @@ static bool try_write_simple_min_max(CFn *fn, const IrIns *i)
 // Writes a builtin as a call: of sm_NAME for F64, of sm_NAME_i32, _i64 or _f32 for other types.
 static void write_builtin(CFn *fn, const IrIns *i)
 {
-    const char *name = ir_op_info[i->op].name;
+    const bool saturates = i->op == IR_abs && i->type == SM_I64 && fn->ins[i->a].fact.lo <= -9223372036854775808.0;     // -2^63
+    const char *name = saturates ? "saturating_abs" : ir_op_info[i->op].name;
     const char *of = i->type == SM_I32 ? "_i32" : i->type == SM_I64 ? "_i64" : i->type == SM_F32 ? "_f32" : "";
 
     if (!try_write_simple_min_max(fn, i))

@@ -32,7 +32,7 @@ uint32_t avr_milliseconds(void);                       // milliseconds since the
 uint8_t avr_physical_pin(uint16_t number, uint8_t kind);      // kind: 1: output, 2: digital, 16: pull-down
 SmResult avr_pin_claim(uint8_t number);                // marks a pin as in use; SM_E_BUSY: it already is, or it belongs to the serial line
 void avr_pin_release(uint8_t number);
-bool avr_pin_is_claimed(uint8_t number);               // numbers from AVR_PINS on are analog channels
+bool avr_pin_is_claimed(uint8_t number);               // whether the pin is in use; numbers from AVR_PINS on are analog channels
 void avr_pin_set(volatile uint8_t *byte, uint8_t mask, bool level);     // sets or clears bits of a port's register, with interrupts off
 void avr_pin_disconnect(uint8_t number);               // disconnects the pin from its timer's PWM, if it has one
 volatile uint8_t *avr_pin_port(uint8_t number, uint8_t *mask);         // the port's PIN register; DDR and PORT follow it

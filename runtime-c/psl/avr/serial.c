@@ -15,7 +15,7 @@
 #define AVR_SERIAL_RING 128            // bytes, a power of two, at most 256
 #endif
 
-static volatile uint8_t ring[AVR_SERIAL_RING], head, tail;     // head: index for the next byte
+static volatile uint8_t ring[AVR_SERIAL_RING], head, tail;     // head: where the next received byte is stored; tail: the next one to read
 static bool open;
 
 #ifdef USART0_RX_vect

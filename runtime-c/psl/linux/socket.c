@@ -222,7 +222,7 @@ static SmResult remove_stale_socket(const struct sockaddr_un *a)
 }
 
 // Opens and locks the folder of a path, so that no other program replaces a socket in it.  Returns -1 and an errno if that is not possible.
-// The lock is held for a few calls, so it is free after a short wait.
+// Other programs hold this lock for a few calls only, so it is free after a short wait.
 static int lock_folder(const char *path)
 {
     const int fd = psl_open_folder(path);
@@ -289,7 +289,7 @@ SmResult pal_socket_listen_local(PalSocket *s, const char *path)
     return finish_open(s, id, fd, LISTENING, fd < 0 ? psl_result_of_errno(errno) : listen_at_path(fd, &a));
 }
 
-// If the socket listens at a path, removes the file.
+// Removes the file of a socket that listens at a path.
 static void remove_path(int fd)
 {
     struct sockaddr_un a;

@@ -41,14 +41,14 @@ typedef struct SbrioPin {
     bool output;
     uint8_t type;             // SbrioType; SBRIO_Bool: a digital pin
     uint8_t pull;             // SbrioPull
-    uint32_t address;         // of the control or indicator
+    uint32_t address;         // the generated constant that identifies the control or indicator
     double scale, zero;       // analog: volts (or amperes) = value * scale + zero; scale is not 0, and both are finite
 } SbrioPin;
 
 typedef struct SbrioFpga {
     const char *bitfile;      // its absolute path
     const char *const *signature;
-    const char *resource;     // "RIO0"
+    const char *resource;     // NI's name of the FPGA, such as "RIO0"
     const SbrioPin *pin;
     uint16_t pins;
 } SbrioFpga;

@@ -34,7 +34,7 @@ typedef struct SimStream {
     uint8_t listening;        // the listening socket that has not accepted it yet; 0: none
     uint64_t order;
     PalAddress address[2];
-    size_t n[2], room[2];     // bytes in transit to each end, and the most that the sender may have there
+    size_t n[2], room[2];     // by end: bytes in transit to it, and the most that the other end may have in transit
     uint8_t bytes[2][SIM_STREAM_ROOM];
 } SimStream;
 

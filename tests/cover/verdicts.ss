@@ -1,0 +1,3 @@
+[all_states]
+true: go = false
+at 10 s: @stop
