@@ -94,7 +94,7 @@ void smvm_mac_end(SmvmMac *m, const uint8_t *key, uint8_t *code)
 
 // ---- images ----
 
-// Computes the code of an image whose last SMVM_CODE bytes are reserved for it.  `length` is the number of bytes before them.
+// Computes the authentication code of an image whose last SMVM_CODE bytes are reserved for the code.  `length` is the number of bytes before them.
 void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_t *code)
 {
     SmvmMac m;
@@ -127,7 +127,7 @@ bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth)
     return at != 0;
 }
 
-// Returns the mark of a key: the first four bytes of its code for empty input.
+// Returns the mark of a key: the first four bytes of the authentication code of no bytes, computed with this key.
 uint32_t smvm_auth_mark(const uint8_t *key)
 {
     uint8_t code[SMVM_CODE];
@@ -138,7 +138,8 @@ uint32_t smvm_auth_mark(const uint8_t *key)
     return (uint32_t)code[3] << 24 | (uint32_t)code[2] << 16 | (uint32_t)code[1] << 8 | code[0];
 }
 
-// Checks an image's code with this key.  If the image has an AUTH section, sets *number to its number.  Returns whether the code is correct.
+// Checks an image's authentication code with this key. If the image has an AUTH section, sets *number to its number. Returns whether the code
+// is correct.
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number)
 {
     const SmvmAt at = find_auth_section(image), end = (SmvmAt)(at + SMVM_AUTH - SMVM_CODE);

@@ -18,18 +18,18 @@ extern "C" {
 
 enum { SMVM_KEY = 16, SMVM_CODE = 16, SMVM_AUTH = 8 + SMVM_CODE };     // bytes of a key, a code, and the AUTH section
 
-// Reads the number and the mark of an image that the verifier accepts.  Returns false if the image has no AUTH section.
+// Reads the number and the mark in the AUTH section of an image that the verifier accepts. Returns false if the image has no AUTH section.
 typedef struct SmvmAuth { uint32_t number, mark; } SmvmAuth;
 bool smvm_auth_read(SmvmBytes image, SmvmAuth *auth);
 
-// Returns the mark of a key: the first four bytes of its code for empty input.
+// Returns the mark of a key: the first four bytes of the authentication code of no bytes, computed with this key.
 uint32_t smvm_auth_mark(const uint8_t *key);
 
-// Checks an image's code with this key.  If the image has an AUTH section, sets *number to its number.  Returns whether the code is
+// Checks an image's authentication code with this key.  If the image has an AUTH section, sets *number to its number.  Returns whether the code is
 // correct.  The time does not depend on which bytes of a code are wrong.
 bool smvm_auth_check(SmvmBytes image, const uint8_t *key, uint32_t *number);
 
-// Computes the code of an image whose last SMVM_CODE bytes are reserved for it.  `length` is the number of bytes before them.
+// Computes the authentication code of an image whose last SMVM_CODE bytes are reserved for the code.  `length` is the number of bytes before them.
 void smvm_auth_code(SmvmBytes image, uint32_t length, const uint8_t *key, uint8_t *code);
 
 // Chaskey-12 over a stream of bytes.

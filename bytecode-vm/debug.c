@@ -96,7 +96,7 @@ uint32_t smvm_variables(const SmvmMachine *m)
     return n < most ? n : most;
 }
 
-// Returns the name of variable `index`, and stores what it is and where it is stored.
+// Returns the name of variable `index`, and stores its kind in *is and its location in *location.
 SmvmName smvm_variable(const SmvmMachine *m, uint32_t index, SmvmVariable *is, SmvmLocation *location)
 {
     uint32_t at = variables_offset(m) + SMVM_DEBUG_VARIABLE * index;

@@ -127,7 +127,7 @@ static void link_transitions(DecodeState *d, uint32_t exit)
     }
 }
 
-// Decodes function `index` of the image.  Returns the word where its decoded form begins, or END_WORD if the function is empty.
+// Decodes function `index` of the image. Returns the index of the first word of its decoded form; END_WORD if the function is empty.
 static uint32_t decode_function(DecodeState *d, uint32_t index)
 {
     uint32_t first = d->words, length;

@@ -7,8 +7,9 @@
 #define CALL_1(name) sm_##name(x)
 #define CALL_2(name) sm_##name(x, y)
 
-// A function that this VM lacks (SMVM_FUNCTIONS) is never called: the verifier refuses the image.  These are comparisons and no switch,
-// because avr-gcc makes a jump through a pointer of that, and then the deepest stack of a program cannot be computed.
+// Returns elementary function n of x, or of x and y. A function that this VM lacks (SMVM_FUNCTIONS) is never called: the verifier refuses the image.
+// Compares n instead of using a switch, because avr-gcc compiles a switch to a jump through a pointer, and then the deepest stack of a program cannot
+// be computed.
 SmF64 smvm_call(uint8_t n, SmF64 x, SmF64 y)
 {
     (void)n;

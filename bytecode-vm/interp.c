@@ -248,7 +248,7 @@ SMVM_NOINLINE static void read_statistic(const Interpreter *r, uint8_t stat, Smv
 
 // ---- instructions ----
 
-// Y has no value where a function of one argument is called.
+// Returns elementary function n of x, or of x and y. y is undefined if the function has one argument.
 SMVM_NOINLINE static SmF64 call_function(uint8_t n, const Number *x, const Number *y)
 {
     const SmF64 a = number_f64(x);
@@ -335,7 +335,7 @@ SMVM_INLINE SmvmAt finish_function(Interpreter *r, uint64_t stored, uintptr_t to
 #define JUMP_IF(condition, bytes) if (condition) { JUMP(bytes); NEXT; }    // each opcode has this branch for itself, which CPUs predict better
 
 // CPUs predict a branch better than a jump to a computed address.  So an instruction tests for the most frequent successors first.
-// FUSE: if it is this operation, runs it here.  GO_IF_NEXT: if it is this instruction, goes there.
+// FUSE: if the next instruction is this operation, runs it here. GO_IF_NEXT: if the next instruction is this one, jumps to its code.
 #define FUSE(op) if (next == SMVM_##op) { SMVM_ON_INSTRUCTION; READ_NONE; number_compute(&x, SMVM_##op, &y); GO_IF_NEXT(out); NEXT; }
 #define FUSE_ARITHMETIC FUSE(mul) FUSE(add) FUSE(sub) FUSE(div)
 

@@ -203,7 +203,7 @@ static uint8_t read_machine(SmvmMachine *m)
            && skip_table(&r, &m->f32s_at, m->f32s, 4) && skip_table(&r, &m->f64s_at, m->f64s, 8) && r.at == r.end ? 0 : SMVM_R_RECORD;
 }
 
-// Sets *m to the machine that vm runs.  Its image is parsed again, except for the INIT, DEBUG and SAFE sections.
+// Reads the properties of the machine that vm runs into *m, from its image, except those of the INIT, DEBUG and SAFE sections.
 void smvm_reread_machine(const SmVm *vm, SmvmMachine *m)
 {
     m->image = vm->image;
@@ -386,7 +386,7 @@ SmvmReader smvm_parameters(const SmvmMachine *m)
     return r;
 }
 
-// Sets each parameter to its value.
+// Stores in the local of each parameter the value that the image has for this parameter.
 static void set_parameters(SmVm *vm, const SmvmMachine *m)
 {
     SmvmReader r = smvm_parameters(m);

@@ -36,7 +36,7 @@ SMVM_NOINLINE static SmF64 number_f64(const Number *x) { return x->is_real ? x->
 
 // ---- memory ----
 
-// Reads the upper or lower half of a value of eight bytes at p.
+// Returns the upper or lower half of a value of eight bytes at p.
 static inline uint32_t number_load_half(const uint8_t *p, bool upper)
 {
     const uint16_t one = 1;
@@ -207,8 +207,8 @@ static inline uint8_t number_relation_to(const Number *x, int32_t n)
 
 static inline bool number_is_related(const Number *x, const Number *y, uint8_t m) { return (number_relation(x, y) & m) != 0; }
 
-// Operations on whole numbers, which store their result in *x.  They return false, and store nothing, if it is not a 32-bit integer or
-// would be -0; then the caller computes it as an F64.
+// Operations on whole numbers, which store their result in *x. They return false, and store nothing, if the result is not a 32-bit integer or
+// would be -0; the caller then computes the result as an F64.
 static bool number_try_add(Number *x, int32_t a, int32_t b)
 {
     if (b < 0 ? a < INT32_MIN - b : a > INT32_MAX - b)

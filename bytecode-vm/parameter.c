@@ -66,7 +66,7 @@ bool smvm_find_parameter(const SmvmMachine *m, const char *name, uint32_t size, 
 
 // ---- setting ----
 
-// Returns why x is not allowed as a value of the parameter, or that it is allowed.
+// Returns why x is not allowed as a value of the parameter; SM_REFUSAL_NONE if it is allowed.
 static SmRefusal judge_value(const SmvmMachine *m, const SmvmParameterEntry *e, SmF64 x)
 {
     const SmParameterRange range = {e->location.type, read_value(m->image, e, SMVM_PARAMETER_LOWEST),

@@ -39,7 +39,7 @@ bool smvm_pins(SmvmBytes image, SmvmPins *p)
 // Otherwise the type is F32 or F64, the offset field is 0, and the number's bits follow.
 enum { WHOLE = 15 };
 
-// Returns false if the section ends inside the number, or its encoding is invalid.
+// Reads a number into *x. Returns false if the section ends inside the number, or the encoding of the number is invalid.
 static bool read_f64(SmvmPins *p, SmF64 *x)
 {
     const SmvmAt at = smvm_skip(&p->in, SMVM_LOCATION_BYTES);
@@ -131,7 +131,7 @@ static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)
     return bytes <= size && pin->offset <= (SmvmAt)(size - bytes);
 }
 
-// Only digital inputs have pull resistors, at most one of the two; only digital pins can be inverted.
+// Whether the pin can have its flags: only digital inputs have pull resistors, at most one of the two; only digital pins can be inverted.
 static bool are_flags_valid(const SmvmPin *pin)
 {
     if (pin->kind & DIGITAL)

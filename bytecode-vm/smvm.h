@@ -144,7 +144,7 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin);
 // Where the tables and elements of a running machine are, as offsets.
 typedef struct SmvmTables {
     SmvmAt windows, outputs, functions, f32s, f64s;       // offsets in the image
-    SmvmAt more, more_bytes;                              // in the memory of SmVm: offset and size of the bits of outputs from 64 on
+    SmvmAt more, more_bytes;                              // in the memory of SmVm: offset and size of the stored bits of outputs from the 64th on
     SmvmAt g, s;                                          // offsets in the state vector
     uint8_t width;            // bytes of an entry in the table of functions
 } SmvmTables;
@@ -240,7 +240,7 @@ bool smvm_state_is_abort(const SmvmMachine *m, uint32_t state);
 
 typedef struct SmvmParameter {
     uint8_t type;             // SmType
-    SmvmAt offset;            // among the locals, in bytes
+    SmvmAt offset;            // offset of the parameter among the locals, in bytes
     SmvmAt name_at, name_size, unit_at, unit_size;        // offsets in the image and lengths of the name and the unit; unit_size 0: no unit
     SmF64 lowest, highest;    // the range of the parameter
     SmF64 standard, value;    // the default value, and the value with which the machine starts

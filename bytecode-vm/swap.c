@@ -219,7 +219,7 @@ static void sort_names(SmvmBytes image, bool by_name, SwapName *n, uint32_t coun
 
 static uint32_t window_entry(const SmvmMachine *m, uint32_t w) { return smvm_window(m->image, m->windows_at, (SmvmAt)w); }
 
-// Whether `to` can take over what both machines have under one name.
+// Whether `to` can take over the state, value or samples that both machines have under one name.
 static bool is_compatible(const SmvmSwap *plan, const SwapName *from, const SwapName *to)
 {
     if (to->kind == SMVM_SWAP_LOCAL || to->kind == SWAP_PARAMETER)
@@ -332,7 +332,7 @@ bool smvm_swap_item(const SmvmSwap *plan, uint32_t i, SmvmSwapItem *item)
 
 // ---- the exchange ----
 
-// Fills an empty window with the samples of one of the same size and another kind.  Each sample must be stored in the slot in which a window of
+// Fills an empty window with the samples of a window of the same size and another kind.  Each sample must be stored in the slot in which a window of
 // that kind has it (swapping.md 12.13), so all slots are added in their order, and then those before the next slot once more.
 static void refill_window(const uint64_t *from, uint32_t from_kind, const SmVm *vm, uint64_t *to, uint32_t to_kind, uint32_t n)
 {

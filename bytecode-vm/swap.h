@@ -55,9 +55,9 @@ void smvm_write_state(const SmVm *vm, const SmvmMachine *m, void *sv);
 
 typedef enum SmvmSwapKind { SMVM_SWAP_STATE, SMVM_SWAP_LOCAL, SMVM_SWAP_SAMPLE } SmvmSwapKind;
 typedef enum SmvmSwapFate {
-    SMVM_SWAP_KEPT,           // both machines have the variable
-    SMVM_SWAP_ADDED,          // only `to` has the variable: a local begins at its initial value, a window empty
-    SMVM_SWAP_REMOVED,        // only `from` has the variable
+    SMVM_SWAP_KEPT,           // both machines have the state or variable: `to` continues with the state, value or samples of `from`
+    SMVM_SWAP_ADDED,          // only `to` has the state or variable: a local begins at its initial value, a window empty
+    SMVM_SWAP_REMOVED,        // only `from` has the state or variable
     SMVM_SWAP_CHANGED         // both have the variable, with different types: its value is not kept, as for SMVM_SWAP_ADDED
 } SmvmSwapFate;
 

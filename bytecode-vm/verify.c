@@ -273,7 +273,7 @@ static bool check_parameter_values(const Verifier *c, const SmvmParameterEntry *
     return is_valid_end(c, p, SMVM_PARAMETER_LOWEST) && is_valid_end(c, p, SMVM_PARAMETER_HIGHEST);
 }
 
-// Checks PARAMETERS, and sets c->read_only to the part of the locals that it describes.
+// Checks PARAMETERS, and sets c->read_only_from and c->read_only_to to the part of the locals that contains the parameters.
 SMVM_NOINLINE static uint8_t check_parameters(Verifier *c)
 {
     SmvmReader r = smvm_parameters(&c->m);

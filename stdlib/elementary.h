@@ -106,7 +106,7 @@ static inline SmF64 sm_exp_pair(SmPair x)
     const SmPair sum = sm_join(sm_from_i32(1), r.hi);
     const SmF64 bent = sm_mul(sm_mul(r.hi, r.hi), sm_polynomial(sm_exp_table, 12, r.hi));
     const SmF64 y = sm_add(sum.hi, sm_add(sum.lo, sm_add(sm_mul(r.lo, sum.hi), bent)));
-    return sm_scale(sm_scale(y, k / 2), k - k / 2);                                           // twice: 2^k need not be a normal number
+    return sm_scale(sm_scale(y, k / 2), k - k / 2);                                           // in two steps, because 2^k need not be a normal number
 }
 // snippet: sm_exp
 static inline SmF64 sm_exp(SmF64 x)
@@ -134,12 +134,12 @@ static inline SmPair sm_series(SmPair s, SmPair z, SmF64 a, SmPair c, SmF64 w)
 {
     const SmF64 head = sm_head(z.hi);
     SmPair p, q, product;
-    // c + w in two parts, the first with 26 bits; z times it
+    // p is c + w, whose first part has 26 bits; then z becomes z p
     p.hi = sm_head(sm_add(c.hi, w));
     p.lo = sm_add(sm_sub(c.hi, p.hi), sm_add(c.lo, w));
     z.lo = sm_add(sm_mul(head, p.lo), sm_mul(sm_add(sm_sub(z.hi, head), z.lo), sm_add(p.hi, p.lo)));
     z.hi = sm_mul(head, p.hi);
-    // a + that in two parts, the first with 26 bits; s times it
+    // q is a + z, whose first part has 26 bits; the result is s q
     q.hi = sm_head(sm_add(a, z.hi));
     q.lo = sm_add(sm_add(sm_sub(a, q.hi), z.hi), z.lo);
     product.hi = sm_mul(s.hi, q.hi);
@@ -466,7 +466,7 @@ static inline SmF64 sm_angle(SmPair y, SmPair x, bool left)
     z = sm_add(t.hi, t.lo);
     c = sm_mul(z, z);
     t.lo = sm_add(t.lo, sm_mul(sm_mul(z, c), sm_polynomial(sm_atan_table, 8, c)));
-    // the multiple of pi/2 that the angle is counted from
+    // the arc of c, and in `base` the multiple of pi/2 from which the angle is counted
     i *= 2u;
     arc.hi = sm_f64_constant(&sm_arc_table[i]);
     arc.lo = sm_add(sm_f64_constant(&sm_arc_table[i + 1]), t.lo);

@@ -21,7 +21,7 @@
 
 typedef struct SmSoft {
     uint64_t sign;            // 0 or SM_SOFT_SIGN
-    int16_t exponent;         // biased as in binary64, but 1 for subnormals and zero, and unlimited
+    int16_t exponent;         // biased as in binary64, but 1 for subnormals and zero; may be outside the range of binary64 until the result is packed
     uint64_t digits;
 } SmSoft;
 

@@ -205,7 +205,7 @@ static void run_built_in(void)
 
 // ---- callbacks for the agent ----
 
-// Whether every machine is in a state marked @safe, or marks none.
+// Whether every machine is in a state marked @safe, or has no such state.
 static bool is_safe(void)
 {
     SmvmMachine m;
@@ -380,7 +380,7 @@ static bool serve_line(void)
 static StateLog state_log;
 static uint32_t log_cursor;
 
-// Neither this nor write_log is inlined, so that their stack is released before requests are served.
+// Opens the log of the image that runs. Neither this function nor write_log is inlined, so that their stack is released before requests are served.
 SMVM_NOINLINE static void open_log(void)
 {
     if (store.running != STORE_BUILT_IN)

@@ -25,7 +25,7 @@ static bool claim_bytes(uint16_t *left, SmvmAt bytes)
     return true;
 }
 
-// inlined where steps must be fast
+// These return the bytes of memory for a pin of this kind. The first one is inlined, for code in which steps must be fast.
 SMVM_INLINE uint8_t row_bytes_inline(uint8_t kind) { return kind & KIND_DIGITAL ? SMVM_RUNNER_DIGITAL : SMVM_RUNNER_ANALOG; }
 SMVM_NOINLINE static uint8_t row_bytes(uint8_t kind) { return row_bytes_inline(kind); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bytecode-vm/target/io.h"
 
-// Converts one pin from smvm_next_pin.
+// Converts a pin that smvm_next_pin has read to a row of a table of the flight runtime.
 SMVM_NOINLINE void smvm_target_pin(const SmvmPin *p, SmIoPin *row)
 {
     row->kind = p->kind;

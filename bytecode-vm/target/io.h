@@ -21,7 +21,7 @@ extern "C" {
 // SM_E_LAYOUT: they belong to another state vector.  SM_E_MEMORY: there are more than `room`.
 SmResult smvm_target_pins(SmvmBytes image, const SmStateVec *sv, SmIoPin *row, uint16_t room, uint16_t *n);
 
-// Converts one pin from smvm_next_pin.
+// Converts a pin that smvm_next_pin has read to a row of a table of the flight runtime.
 void smvm_target_pin(const SmvmPin *p, SmIoPin *row);
 
 #ifdef __cplusplus

@@ -95,7 +95,7 @@ static SmSwapReason find_first_state(SmvmSlot *to, const SmvmSlot *from, const S
     return to->first <= to->m.states ? SM_SWAP_NOT_REFUSED : SM_SWAP_NO_STATE;
 }
 
-// The address of the state vector on which the machine steps.
+// Returns the address of the state vector on which the machine steps.
 static void *vector_address(const SmMachine *m) { return m->sv->guarded ? m->copy : m->sv->at; }
 
 // Starts the machine in its memory, without an access to the state vector.

@@ -11,7 +11,7 @@ static uint32_t checksum_of(const StateLog *l) { return smvm_uint(l->image, SMVM
 // Returns the offset of a record from the start of the image.
 static SmvmAt record_at(const StateLog *l, uint8_t index) { return (SmvmAt)(length_of(l) + (SmvmAt)index * LINK_TRANSITION); }
 
-// Returns false if the bytes at this index are no record of the image.
+// Reads record `index` of the ring into *t. Returns false if the bytes there are no record of the image.
 static bool load_record(const StateLog *l, uint8_t index, LinkTransition *t)
 {
     SmvmAt at = record_at(l, index);

@@ -202,8 +202,8 @@ uint16_t smvm_store_period(const Store *s, uint8_t slot)
 
 // ---- starting ----
 
-// Whether the previous image can still run.  With one slot it cannot: an update has overwritten it.  Even if the slot has its checksum again,
-// the image has only been sent again and is not accepted yet.
+// Whether the previous image can still run. With one slot it cannot: an update has overwritten it. If the slot's image has the checksum of the
+// previous image, that image has been sent again, but is not accepted yet.
 static bool has_previous(const Store *s)
 {
     return s->plan.slots > 1 && s->choice.previous != STORE_BUILT_IN && has_image(s, s->choice.previous, s->choice.checksum_previous);
@@ -415,7 +415,7 @@ static SmResult check_authenticity(const Store *s)
     return smvm_store_has_key(s) && number <= load32(s->choice.newest) ? SM_E_REPLAY : SM_OK;
 }
 
-// Reads the image back and verifies it in place.  SM_E_DEVICE: it differs from what was sent; *why: why the verifier rejects it.
+// Reads the image back and verifies it in place.  SM_E_DEVICE: the image differs from what was sent. *why: why the verifier rejects the image.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
 {
     SmResult r;

@@ -114,8 +114,8 @@ SmResult smvm_store_begin(Store *s, uint16_t session, SmvmAt length, uint32_t ch
 SmResult smvm_store_write(Store *s, uint16_t session, SmvmAt at, const uint8_t *bytes, uint8_t n);
 
 // Reads the image back and verifies it in place.  SM_E_HANDLE: no such session.  SM_E_DEVICE: the image differs from what was sent.
-// SM_E_ARGUMENT: bytes are missing (then why->rule is 0), or the verifier rejects the image, see *why.  SM_E_UNSIGNED: its code is wrong or
-// missing.  SM_E_REPLAY: its number is not above that of a confirmed image.
+// SM_E_ARGUMENT: bytes are missing (then why->rule is 0), or the verifier rejects the image, see *why.  SM_E_UNSIGNED: its
+// authentication code is wrong or missing.  SM_E_REPLAY: its number is not above that of a confirmed image.
 SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why);
 
 // Chooses the image that was sent.  From the next start on it is on trial, with `period` milliseconds between steps (0: the board's

@@ -197,7 +197,7 @@ static bool is_current(const SmSwapLink *l, const uint8_t *body)
     return l->transfer != SM_SWAP_NO_TRANSFER && sm_link_load(body, 2) == l->session;
 }
 
-// Whether a swap is in progress.  Then no transfer can begin: the buffer may be in use, and the swap would be refused.
+// Returns SM_E_BUSY while a swap is in progress. No transfer can begin then: the buffer may be in use, and the swap would be refused.
 static SmResult check_no_swap(const SmSwapLink *l)
 {
     SmSwapStatus s;
@@ -405,7 +405,7 @@ static SmResult answer_end(LinkExchange *x)
     return r;
 }
 
-// Whether the request has the code of the last swap.
+// Whether the request has the authentication code with which a host confirms the last swap. True without a key.
 static bool may_confirm(const LinkExchange *x)
 {
     uint8_t code[SMVM_CODE];

@@ -11,7 +11,7 @@
 #define WAIT  ((uint64_t)PAL_MILLISECOND)
 #define RETRY ((uint64_t)PAL_SECOND)      // time until a line that has failed is opened again
 
-enum { AT_ONCE = 64 };                    // bytes received at once
+enum { AT_ONCE = 64 };                    // the most bytes that one call of the platform receives
 
 static SmSwapLink *link_of(SmSwapService *service) { return (SmSwapLink *)(void *)service; }
 static uint64_t shorter_of(uint64_t a, uint64_t b) { return a < b ? a : b; }

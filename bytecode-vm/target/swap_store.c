@@ -67,7 +67,7 @@ static bool is_valid_head(const uint8_t *head, uint32_t size)
            && length <= size - at;
 }
 
-// Reads the set of head 0 or 1.  It is intact if the head and the bytes have the right checksums, and with a key the right code.
+// Reads the set of head 0 or 1.  The set is intact if the head and the set have the right checksums, and with a key the right code.
 static SmSwapSet read_set(const SmSwapStore *s, uint32_t which)
 {
     uint8_t head[HEAD], now[HEAD], piece[PIECE];
@@ -146,7 +146,7 @@ static SmResult open_at_current_size(SmSwapStore *s, PalNvmInfo *info, bool *was
     return r;
 }
 
-// Returns the address of the next set.  Sets alternate between two places; the current one may have been written with another room.
+// Returns the address of the next set. Sets alternate between two places; the current set may have been written with another SmSwapStore.room.
 static uint32_t next_place(const SmSwapStore *s)
 {
     const uint32_t second = SETS_AT + s->room, end = s->current.at + s->current.length;
@@ -187,7 +187,7 @@ static void emit_stored(const SmSwaps *s, const SmSwappable *w, uint32_t image, 
     sm_event(s->events, &e);
 }
 
-// A machine in a set.
+// The entry of a machine in a set.
 typedef struct StoredImage {
     char name[SM_SWAP_NAME];
     uint32_t built_in;        // checksum of the image with which the application was built
@@ -347,7 +347,7 @@ static uint8_t name_length(const char *name)
 
 static const SmvmTarget *running_image(const SmSwappable *w) { return &((const SmvmSlot *)w->slot[w->running])->target; }
 
-// Whether a set contains the machine: it does not run its built-in image.  A longer name cannot be the name of a machine in a swap.
+// Whether the next set contains an image of the machine: the machine does not run its built-in image, and its name is short enough for a swap.
 static bool is_in_set(const SmSwappable *w)
 {
     return w->type->identity(w->slot[w->running]) != w->built_in && name_length(w->machine->name) < SM_SWAP_NAME;

@@ -54,7 +54,7 @@ static void clear_may_wait_if_left_at_once(Analysis *a, const ReachableFn *r, vo
         b->may_wait[state_index(r->state)] = false;
 }
 
-// Marks a state as sure to abort, after at most so many steps.
+// Marks s as bound: every path from it ends in an @abort state.  `steps`: the most steps of such a path.
 static void add_bound_state(BoundSearch *b, const State *s, uint32_t steps)
 {
     b->out.bound[state_index(s)] = true;
@@ -79,8 +79,8 @@ static void visit_transitions_into(BoundSearch *b, const State *to)
     }
 }
 
-// Finds the states from which every path leads to an @abort state, and the most steps that it takes; ABORT_NOT_BOUNDED if the machine may
-// wait on the path.
+// Finds the states from which every path leads to an @abort state, and the most steps of these paths; ABORT_NOT_BOUNDED if the machine may wait
+// in a state on a path.
 AbortBound abort_find_bound(Analysis *a)
 {
     const size_t n = a->p->state.n;
@@ -160,5 +160,5 @@ AbortMatrix abort_build_matrix(Trials *t)
     return x;
 }
 
-// Returns the state after s on the longest path.
+// Returns the state after s on the longest path to an @abort state.
 const State *abort_next_state(const AbortMatrix *x, const State *s) { return x->row[state_index(s)].next; }

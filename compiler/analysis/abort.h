@@ -62,7 +62,7 @@ typedef struct AbortMatrix {
     bool declared;                // some state is marked @abort; otherwise every row has ABORT_NO_PATH or ABORT_UNREACHED
     AbortRow *row;
     size_t n;
-    const InputDepsTable *deps;   // NULL if no state is marked @abort
+    const InputDepsTable *deps;   // the inputs on which variables and guards depend; NULL if no state is marked @abort
 } AbortMatrix;
 
 AbortMatrix abort_build_matrix(Trials *t);

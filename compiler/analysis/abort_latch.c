@@ -64,7 +64,7 @@ static const Transition *find_abort_of_one_only(LatchSearch *l, const TrialEntry
 }
 
 // Compares two situations at the entry of a state.  Reports a variable whose value makes runs from e abort, but not runs from `other`.
-// Returns whether there is one.
+// Returns whether one was reported.
 static bool try_report_latch(LatchSearch *l, const State *state, const TrialEntry *e, const TrialEntry *other)
 {
     const Analysis *a = l->t->a;
@@ -77,7 +77,7 @@ static bool try_report_latch(LatchSearch *l, const State *state, const TrialEntr
     return latch != NULL;
 }
 
-// Finds states that abort at once after an earlier abort, because something still remembers it.
+// Finds states that abort at once when they are entered again, because a variable that was set before an earlier abort is still set.
 void check_abort_latch(Trials *t)
 {
     LatchSearch l = {t, abort_find_bound(t->a), arena_alloc(t->a->arena, t->run->size), trial_new_inputs(t)};

@@ -32,7 +32,7 @@ static bool is_constant_expr(const Expr *e)
     return true;
 }
 
-// Returns the value of a guard if constants alone decide it, else SOMETIMES.
+// Returns ALWAYS or NEVER if constants alone decide the guard, else SOMETIMES.
 static Truth truth_by_constants(const Expr *e)
 {
     if (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR)) {

@@ -194,7 +194,8 @@ static void forget_earlier_guards(ReachWalk *k)
     k->leaving.n = 0;
 }
 
-// entry_leaves: .entry always makes a transition, so .step never runs.  explained: a finding in .entry already explains that.
+// Walks the .step block of the current state. entry_leaves: .entry always makes a transition, so .step never runs. explained: a finding in
+// .entry already explains that.
 static void walk_step(ReachWalk *k, bool entry_leaves, bool explained)
 {
     const Stmts *step = &k->state->block[BLOCK_STEP];

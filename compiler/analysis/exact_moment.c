@@ -9,8 +9,8 @@
 
 typedef struct TimeChecks { Analysis *a; Timestamps m; } TimeChecks;
 
-// s is the difference of the two sides of an equality.  Whether s contains only times and no constant, so that the sides are equal in an
-// intended step, such as the one in which a time was stored.  False if a local with a shifted time is compared with T or G.
+// Whether s, the difference of the two sides of an equality, contains only times and no constant: then the sides are equal in an intended step,
+// such as the step in which a time was stored. False if a local with a shifted time is compared with T or G.
 static bool is_zero_difference(const TimeSum *s)
 {
     const bool zero = sm_eq(s->number, sm_from_i32(0)) && !s->other;
@@ -48,8 +48,8 @@ static bool is_unlikely_limit(const TimeChecks *k, SmF64 x, bool first_step)
     return !sm_eq(x, sm_floor(x)) || (sm_lt(x, sm_from_u64(k->a->step)) && !(first_step && sm_eq(x, one)));
 }
 
-// Whether a time with a unit is less than half a step.  Half a step and more separates the first step from the others, whatever the order of
-// the machine's clock.
+// Whether x, a time with a unit, is above 0 and less than half a step. A larger one is intended to separate the first step, where T is 0, from the
+// second, where T is about a step.
 static bool is_much_less_than_step(const TimeChecks *k, SmF64 x)
 {
     return sm_lt(sm_from_i32(0), x) && sm_lt(sm_add(x, x), sm_from_u64(k->a->step));

@@ -81,8 +81,8 @@ void guards_known_each_stmt(Analysis *a, const Stmts *block, KnownGuardsStmt *f,
     walk_stmts(&w, block, NULL);
 }
 
-// Inside either operand of `and`, the other operand is assumed to be true: in `b != 0 and a / b > 5` the result is false if b is 0,
-// whatever a / b is.  Inside either operand of `or`, the other operand is assumed to be false.
+// Visits the expressions in e. Inside either operand of `and`, the other operand is assumed to be true: in `b != 0 and a / b > 5` the result is
+// false if b is 0, whatever a / b is. Inside either operand of `or`, the other operand is assumed to be false.
 void guards_known_each_expr(Analysis *a, const Expr *e, const KnownGuard *known, bool (*wanted)(const Expr *e), KnownGuardsExpr *f,
                             void *context)
 {

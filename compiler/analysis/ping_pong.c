@@ -118,7 +118,7 @@ static bool any_reads(const InputDepsTable *deps, const Condition *when, const V
     return any;
 }
 
-// Whether the transition waits for a sensor: its conditions read one, or a variable that the state counts while a sensor has some reading.
+// Whether the transition waits for a sensor: its conditions read a sensor, or a variable that the state changes depending on a sensor.
 static bool waits_for_sensor(const Trials *t, const InputDepsTable *deps, const Transition *x)
 {
     bool any = any_reads(deps, x->when, NULL);

@@ -192,7 +192,7 @@ static QuantityFit fit_scales(const Quantity *a, const Quantity *b, QuantityUse 
            ? QUANTITY_DIFFERS : QUANTITY_MAY_DIFFER;
 }
 
-// Whether a is measured in gn and b is a plain number: both count how many times gn.
+// Whether a is in gn and b is a plain number: both say how many times the standard gravity.
 static bool is_count_of_g(const Measure *a, const Measure *b) { return measure_is_g(a) && measure_is_number(b) && is_near(b->scale, 1, rounding); }
 
 QuantityFit quantity_fit(const Quantity *a, const Quantity *b, QuantityUse use)

@@ -33,7 +33,7 @@ static uint64_t *set_of_state(const StoreOrder *o, uint64_t *sets, const State *
 
 // ---- what is stored where ----
 
-// Gives each local to check (one that is read and written) a bit in the sets.  Returns whether there is any.
+// Assigns a bit of the sets to each local that is both read and written. Returns whether the machine has such a local.
 static bool assign_bits_to_locals(StoreOrder *o)
 {
     const Program *p = o->a->p;
@@ -95,7 +95,7 @@ static uint64_t *propagate_stores(StoreOrder *o, bool backwards)
 
 // ---- reports ----
 
-// The first assignment to the variable in these statements; or NULL.
+// Returns the first assignment to the variable in these statements; NULL: none.
 static const Stmt *find_store(const Stmts *stmts, const Var *v)
 {
     const Stmt *found = NULL;

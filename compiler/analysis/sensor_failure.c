@@ -249,7 +249,7 @@ static uint32_t skip_to_event(FailureTrial *z)
     return skip;
 }
 
-// Whether the run has used its steps.
+// Whether the run has reached its limit on steps or advances. n: number of advances so far.
 static bool is_run_over(const FailureTrial *z, const FailureCase *c, const FailureEffect *e, int n)
 {
     if (z->exact > 0)

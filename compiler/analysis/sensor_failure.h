@@ -42,7 +42,7 @@ typedef struct FailureTrial {
     double *in;                   // inputs without motion
     double *now, *broken;         // inputs of this step: of the healthy machine, of the failed one
     double *before, *before_failed;       // variables before a step, of the two machines
-    double *earlier, *earlier_failed;     // variables before the step before that
+    double *earlier, *earlier_failed;     // variables before the previous step, of the two machines
     double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // number of steps in this trial, from which the motion is computed
     double *level;                // by IR variable: the variable's largest magnitude in the healthy machine before the sensor fails

@@ -69,7 +69,7 @@ static TimeSum sum_of_operator(const Timestamps *m, const Expr *e)
     return time_sum_difference(time_sum_of(m, e->arg[0]), b);
 }
 
-// The recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
+// Returns the expression e as a sum. The recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
 TimeSum time_sum_of(const Timestamps *m, const Expr *e)
 {
     TimeSum s;

@@ -12,7 +12,7 @@ typedef struct StmtWalk {
     void *context;
 } StmtWalk;
 
-// Calls w->f for each of `stmts` and for the statements of their branches; `when` holds for them all.
+// Calls w->f for each of `stmts` and for the statements of their branches. `when`: the conditions around all of `stmts`.
 // The recursion depth equals the nesting of conditionals, which AST_DEPTH_MAX bounds.
 static void walk_stmts(StmtWalk *w, const Stmts *stmts, const Condition *when)
 {

@@ -170,7 +170,7 @@ void trial_add_noise(Trials *t, double *in, double most);
 void trial_unify_groups(const Trials *t, double *in);
 void trial_set_group(const Trials *t, double *in, uint32_t input, double reading);      // sets all sensors of the group of `input`
 bool trial_is_healthy(const TrialInput *i, double reading);        // whether the reading is from i->lo to i->hi
-double trial_clamp_reading(const TrialInput *i, double reading);          // returns the nearest reading within the @range, if there is one
+double trial_clamp_reading(const TrialInput *i, double reading);          // returns the reading limited to i's @range; unchanged without a @range
 // Stores the inputs in the variables of a situation, converted to the types of the variables.
 void trial_store_inputs(const Trials *t, double *vars, const double *in);
 

@@ -3,7 +3,7 @@
 
 #include "compiler/analysis/trial_near.h"
 
-enum { NAMES_SHOWN = 4 };         // the most names in a list; the others are counted
+enum { NAMES_SHOWN = 4 };         // the most names in a list; of further names, the text gives only the number
 
 void trial_add_gap(TrialGaps *gaps, TrialGap gap)
 {
@@ -21,7 +21,7 @@ void trial_add_gap(TrialGaps *gaps, TrialGap gap)
 
 typedef struct GapNames { Buf text; uint32_t n; } GapNames;
 
-// Adds a name in quotes.  After NAMES_SHOWN names only counts.
+// Adds a name in quotes to the list. After NAMES_SHOWN names, only counts it.
 static void add_name(GapNames *l, const char *name)
 {
     if (l->n++ < NAMES_SHOWN)

@@ -22,7 +22,7 @@ typedef struct TrialFinder {
     size_t words;                 // number of words of a set of inputs (bitset.h)
     uint64_t *data, *all;         // by Var.index: sets of the inputs on which the variable's values depend; `all` includes those of guards
     uint32_t *input_of;           // by Var.index: the variable's index in Trials.input; IR_NONE: it is no input
-    uint32_t *parent;             // by Var.index: union-find over variables that measure the same quantity
+    uint32_t *parent;             // by Var.index: parent in a union-find, whose sets are variables that measure the same quantity
     VEC(TrialComparison) comparison;      // every comparison of the machine
     VEC(const Stmt *) assign;     // every assignment, in file order
     VEC(uint32_t) assign_state;   // by entry of `assign`: number of the state that contains the assignment
@@ -32,7 +32,7 @@ typedef struct TrialFinder {
     bool reads_time;              // the current expression reads G
     bool *read;                   // by Var.index: a guard or an assigned value reads the variable
     bool *zeroed;                 // by Var.index: some assignment can set the variable to 0
-    bool *bounded;                // by Var.index: some assigned value is bounded
+    bool *bounded;                // by Var.index: some assigned value has finite bounds
     bool *varied;                 // by Var.index: some assigned value is not constant
     VEC(double) *constants;       // by Var.index: the constants assigned to the variable
 } TrialFinder;

@@ -13,8 +13,8 @@ TrialNear *trial_near_new(const Trials *t);
 // Records the guards that the last step evaluated.  Comparisons are computed from the variables after the step, so a variable that the step
 // has assigned after a guard counts with its new value.
 void trial_near_record(TrialNear *near, const void *situation, const IrTrace *trace);
-// Adds to a finding, for each state that no run reached and that a transition from a reached state leads to, a note about the guard of that
-// transition.
+// Adds notes to finding d: for each state that no run reached although a transition from a reached state leads to it, a note about the guard of
+// that transition.
 void trial_near_note(const TrialNear *near, Diag *d);
 
 #endif

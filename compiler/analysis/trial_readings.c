@@ -74,7 +74,7 @@ static void find_roots(TrialFinder *f, void (*set)(TrialFinder *f, uint32_t whic
     const size_t n = f->comparison.n;
     double *d = ARENA_ARRAY(f->arena, double, n * POINTS + 1);
 
-    set(f, which, bit == IR_NONE ? 0 : at[0]);            // a timestamp that the machine has stored is a time that has passed
+    set(f, which, bit == IR_NONE ? 0 : at[0]);            // if the time is searched: variables that store a time store 0, a time in the past
     compute_vars(f);
     for (size_t k = 0; k < POINTS; k++) {
         set(f, which, at[k]);

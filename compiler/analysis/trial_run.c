@@ -217,7 +217,7 @@ void trial_set_group(const Trials *t, double *in, uint32_t input, double reading
             in[i] = reading;
 }
 
-// Returns the nearest reading within the @range, if there is one.
+// Returns x limited to the @range of i; x itself if i has no @range.
 double trial_clamp_reading(const TrialInput *i, double x) { return i->v->range ? sm_min(sm_max(x, i->lo), i->hi) : x; }
 
 // Adds noise to sensors: at most the fraction `most` of their scale, equal for all sensors of a group.

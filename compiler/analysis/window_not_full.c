@@ -31,7 +31,7 @@ typedef struct WindowTrial {
     double noise;                 // largest noise on sensors, in units of TrialInput.scale
     double *earlier;              // the inputs whose samples fill the window in `full`
     double *before, *before_full; // variables before a step
-    bool same;                    // sensors have had their current readings since the machine's start
+    bool same;                    // this trial assumes that sensors have had their current readings since the machine's start
     bool later;                   // both windows are full, or both machines are in another state: a difference from here on has an earlier cause
     const Stmt *guard;            // the first guard whose value differed between the two machines
     uint32_t samples;             // number of samples in the window when that guard differed

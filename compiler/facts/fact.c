@@ -219,8 +219,8 @@ static double move_bound(double y, double to)
     return to < finite ? finite - error : finite + error;
 }
 
-// Returns the fact about a function that increases on the numbers from `from` to `to`, and whose results are from `least` to `most`.  It is
-// NaN of any other number.
+// Returns the fact about f(x) for an x with the fact a. f increases on the numbers from `from` to `to`, has results from `least` to `most`, and is
+// NaN for any other number.
 static Fact fact_of_increasing(SmF64 (*f)(SmF64), Fact a, double from, double to, double least, double most)
 {
     const double lo = sm_max(a.lo, from), hi = sm_min(a.hi, to);
@@ -238,7 +238,7 @@ static Fact fact_of_acos(Fact a)
     return is_empty(r) ? r : make_fact(0, 0x1.921fb54442d18p+1, false, r.nan, false);
 }
 
-// The result of pow is negative only for negative x, and a number for every x that is not.
+// Returns the fact about pow(x, y). The result is negative only for negative x, and is a number for every other x.
 static Fact fact_of_pow(Fact x, Fact y)
 {
     const bool negative = can_be_negative(x);
@@ -304,7 +304,7 @@ Fact fact_convert(Fact a, SmType to)
 // Returns the fact about the result of a comparison that is always true, never true, or (neither) sometimes true.
 static Fact fact_of_outcome(bool always, bool never) { return fact_of_bool(!always, !never); }
 
-// The results of a < b and of a <= b.  `nan`: an operand may be NaN, which makes the comparison false.
+// Return the facts about the results of a < b and of a <= b. `nan`: an operand may be NaN, which makes the comparison false.
 static Fact fact_of_less(Fact a, Fact b, bool nan) { return fact_of_outcome(!nan && a.hi < b.lo, a.lo >= b.hi); }
 static Fact fact_of_less_or_equal(Fact a, Fact b, bool nan) { return fact_of_outcome(!nan && a.hi <= b.lo, a.lo > b.hi); }
 

@@ -238,7 +238,7 @@ static bool has_same_begin(const FactMachine *fm, const FactFn *fn, const Env *b
     return true;
 }
 
-// Visits the same ends as in the last visit of the function.
+// Calls ends->visit for the ends that the last visit of the function reached, with the facts recorded then.
 static void repeat_ends(const FactMachine *fm, const FactEnds *ends, const Env *begin)
 {
     const FactFn *fn = ends->fn;
@@ -404,7 +404,8 @@ static bool is_compared_exactly(const FlowWalk *w, IrRef r)
     return sm_type_info[type].bytes < 8 || type == SM_F64 || fact_within(w->out.of[r], -FACT_EXACT + 1, FACT_EXACT - 1);
 }
 
-// Adds the fact that r is NaN or within bounds on the current edge.  Only a load: a store turns NaN into 0, and so does a conversion.
+// If r is a load, adds the fact that r is NaN or within bounds on the current edge. Not for other values: where r is NaN, a variable to which r was
+// stored contains 0, because stores and conversions turn NaN into 0.
 static void refine_unless_nan(FlowWalk *w, IrRef r, Fact bounds)
 {
     Fact *known;

@@ -48,7 +48,7 @@ void bc_write_u24(Buf *out, uint32_t v)
 
 static uint32_t bytes_of_pool_type(uint32_t pool) { return pool == BC_RAW ? 8 : sm_type_info[pool].bytes; }
 
-// Parameters get the first offsets, so that they form one contiguous range of the locals.  No instruction writes to that range.
+// Assigns the first offsets to the parameters, so that they form one contiguous range of the locals, to which no instruction writes.
 static void assign_parameter_offsets(BcMachine *m)
 {
     const IrMachine *ir = m->ir;

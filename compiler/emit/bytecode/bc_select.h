@@ -73,7 +73,7 @@ static inline bool bc_is_float(uint32_t type) { return type == SM_F32 || type ==
 void bc_analyse_block(BcSelect *s, uint32_t block);
 // Returns the length of the longest chain of waiting operations in r; 0 if r does not wait, or if the chain is too long to wait (waiting.c).
 uint32_t bc_chain_depth(const BcSelect *s, IrRef r);
-static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // i is a const
+static inline SmF64 bc_const_value(const IrIns *i) { return ir_number(i->type, i->bits); }      // value of the constant i
 static inline bool bc_is_waiting_cvt(const BcSelect *s, IrRef r) { return s->value[r].waits && bc_ins(s, r)->op == IR_cvt; }
 IrRef bc_follow_exact_cvts(const BcSelect *s, IrRef r);  // the part of bc_skip_exact_cvts that is not inline
 // Returns the operand of r before the waiting conversions that leave the number unchanged; r itself if r is no such conversion.

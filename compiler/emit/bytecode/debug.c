@@ -16,7 +16,7 @@ static uint32_t line_of_ins(const BcIns *i, uint32_t last)
     return i->span.src ? source_position(i->span.src, i->span.at).line : last;
 }
 
-// Lines are encoded as deltas: of the code offset in bytes, and of the line number (zigzag: 0, -1, 1, -2 …).
+// Writes the source lines, each as two deltas: of the code offset in bytes, and of the line number (zigzag: 0, -1, 1, -2 …).
 static void write_lines(Arena *arena, Buf *out, const BcMachine *m)
 {
     uint32_t start = 0, last_at = 0, last_line = 0, n = 0;
@@ -115,7 +115,7 @@ static void write_variables(Arena *arena, BcNames *n, const BcMachine *m)
     }
 }
 
-// Names the samples of window `window` of the machine.  Returns false if it has no name.
+// Sets *name to the name of what window `window` samples. Returns false if that has no name.
 static bool name_samples(Arena *arena, const BcMachine *m, uint32_t window, Buf *name)
 {
     const IrWindow *w = &m->ir->window.at[window];

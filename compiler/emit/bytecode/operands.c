@@ -16,7 +16,7 @@ static BcRef add_operand(BcSelect *s, BcOperandKind kind, uint32_t type)
     return (BcRef)(s->m->operand.n - 1);
 }
 
-// Returns the operand for a variable, which is added at its first use.
+// Returns the operand for a variable. Creates the operand at the first use of the variable.
 BcRef bc_var_operand(BcSelect *s, uint32_t var)
 {
     BcRef *r = &s->m->of_var[var];
@@ -28,7 +28,7 @@ BcRef bc_var_operand(BcSelect *s, uint32_t var)
     return *r;
 }
 
-// Returns the operand for a statistic of a rolling window, which is added at its first use.
+// Returns the operand for a statistic of a rolling window. Creates the operand at the first use of the statistic.
 BcRef bc_stat_operand(BcSelect *s, uint32_t window, SmStat stat)
 {
     BcRef *r = &s->m->of_stat[window * SM_STAT_COUNT + stat];

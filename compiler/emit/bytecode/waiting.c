@@ -7,7 +7,8 @@
 
 enum { DEEPEST = 100 };       // bound on the chain of waiting operations, and so on the recursion in bc_select.c
 
-// An operation deeper than DEEPEST does not wait (count_block_uses), so the chain of an operation that uses it starts again at 0.
+// Returns the length of the longest chain of waiting operations in r; 0 if r does not wait. An operation deeper than DEEPEST does not wait
+// (count_block_uses), so the chain of an operation that uses it starts again at 0.
 uint32_t bc_chain_depth(const BcSelect *s, IrRef r) { return s->value[r].waits && s->value[r].depth <= DEEPEST ? s->value[r].depth : 0; }
 
 // ---- possible values ----

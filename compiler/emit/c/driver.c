@@ -6,7 +6,7 @@
 #include "compiler/emit/c/fn.h"
 #include "compiler/emit/c/emit_c.h"
 
-// The part of every test program that follows the code of the machines: a main that runs them on commands from standard input.
+// The part of every driver program that follows the code of the machines: a main that runs the machines on commands from standard input.
 static const char common_code[] =
     "#ifndef SM_IN_FLASH\n"
     "#define SM_IN_FLASH          // tables of constants stay in flash where this is __flash, as on AVR\n"
@@ -19,9 +19,9 @@ static const char common_code[] =
     "#endif\n"
     "\n"
     "typedef struct Cell {\n"
-    "    void *at;                 // NULL: a constant\n"
-    "    const bool *stored;       // NULL: the machine never stores it, or does not track stores\n"
-    "    uint64_t value;           // of the constant\n"
+    "    void *at;                 // address of the variable; NULL: the variable is a constant\n"
+    "    const bool *stored;       // whether the last step stored the variable; NULL: the machine never stores it, or does not track stores\n"
+    "    uint64_t value;           // the value of the constant\n"
     "    char type;                // 1 2 4 8: the size of an integer or float in bytes; b: bool\n"
     "} Cell;\n"
     "\n"
@@ -32,7 +32,7 @@ static const char common_code[] =
     "    const bool *first;\n"
     "    const SM_IN_FLASH Cell *cell;\n"
     "    uint32_t cells;\n"
-    "    bool tracks;              // it tracks what it stores\n"
+    "    bool tracks;              // the machine tracks which variables it stores\n"
     "} Machine;\n"
     "\n"
     "static uint64_t cell_read(const SM_IN_FLASH Cell *c)\n"
@@ -233,8 +233,8 @@ static CUnit *write_machine_code(Arena *arena, const IrMachine *m, size_t i, boo
 }
 
 // Emits several machines, each the result of passes_for_c, and a main as one translation unit: a driver program that runs them on commands
-// from its standard input.  compiler/device/engine_c.c compiles and drives it.  track_stores has one flag for each machine.  `soft` is as
-// above; the soft library is part of the unit.
+// from its standard input.  compiler/device/engine_c.c compiles and drives it.  track_stores has one flag for each machine.  `soft`:
+// as EmitCOptions.soft; the soft library is part of the unit.
 void emit_c_driver(Arena *arena, const IrMachine *const *m, const bool *track_stores, size_t n, bool soft, Buf *code)
 {
     uint32_t *helper = ARENA_ARRAY(arena, uint32_t, helper_count());

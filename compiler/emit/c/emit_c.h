@@ -46,8 +46,8 @@ void emit_c_bytes(const Buf *image, Buf *out);
 void emit_c_soft_library(Buf *header, Buf *code, Buf *assembly);
 
 // Emits several machines, each the result of passes_for_c, and a main as one translation unit: a driver program that runs them on commands
-// from its standard input.  compiler/device/engine_c.c compiles and drives it.  track_stores has one flag for each machine.  `soft` is as
-// above; the soft library is part of the unit.  Protocol, lowest byte first and without padding:
+// from its standard input.  compiler/device/engine_c.c compiles and drives it.  track_stores has one flag for each machine.  `soft`: as
+// EmitCOptions.soft; the soft library is part of the unit.  Protocol, lowest byte first and without padding:
 //   request:  u32 machine, u32 command, then
 //             command 0, init:   u32 state     sets elements to zero and locals to their initial values, then calls init
 //             command 1, step:   u32 n, n times (u32 variable, u64 cell)     writes the cells, then runs a step

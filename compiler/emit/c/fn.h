@@ -124,9 +124,9 @@ void c_write_float_load(CFn *fn, IrRef r, SmType as);
 // Writes the bool r, or its negation, as a condition of C: any expression that is nonzero if it is true.
 void c_write_condition(CFn *fn, IrRef r, bool negated, int prec);
 void c_write_compare(CFn *fn, const IrIns *i, bool negated, int prec);
-void c_write_member(CFn *fn, uint32_t var);                               // `m->x` for a local, `sv->x` for an element
-void c_write_time(CFn *fn);                                               // T: `sv->g - m->start_`
-void c_write_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);      // the literal, and the name of the constant as a comment
+void c_write_member(CFn *fn, uint32_t var);                               // writes `m->x` for a local, `sv->x` for an element
+void c_write_time(CFn *fn);                                               // writes T: `sv->g - m->start_`
+void c_write_constant(CFn *fn, IrRef r, SmType type, uint64_t bits);      // writes a literal, and the name of the constant as a comment
 // Returns a name for the C variable that holds a copy of the machine's variable `var`: the variable's own name if that cannot clash.
 const char *c_copy_name(CFn *fn, uint32_t var);
 // Writes `(` and returns true if an expression of precedence `own` needs parentheses where precedence `wanted` is required.  The result is
@@ -179,10 +179,10 @@ void soft_write_nonzero_test(CFn *fn, IrRef r, bool negated);
 // ---- window.c ----
 
 void c_write_ring_steps(CUnit *u, Buf *out);               // writes the beginning of the function that samples the windows: it advances the rings
-void c_write_sample(CFn *fn, const IrIns *i);              // the statement that adds a sample to a rolling window
+void c_write_sample(CFn *fn, const IrIns *i);              // writes the statement that adds a sample to a rolling window
 // Whether the function that adds sample i to its rolling window reads a NaN as 0, so that the caller need not check for it.
 bool c_window_reads_nan_as_zero(const CFn *fn, const IrIns *i);
-void c_write_statistic_call(CFn *fn, IrRef r);            // the call that reads a statistic of a rolling window
+void c_write_statistic_call(CFn *fn, IrRef r);            // writes the call that reads a statistic of a rolling window
 bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r); // writes the median as an integer, if r is a median of integers
 
 #endif

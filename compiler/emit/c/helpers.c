@@ -95,7 +95,8 @@ static void write_snippet(const CUnit *u, int i, const char *text, Buf *out)
 // Whether the snippet is written by helper_write_type.
 static bool is_type_snippet(int i) { return strcmp(stdlib_text[i].name, "SmF64") == 0 || strcmp(stdlib_text[i].name, "SmRoll") == 0; }
 
-// A snippet uses only snippets before it, so a single pass from last to first finds all.
+// Writes the snippets that were counted as used, and the snippets that they use. A snippet uses only earlier ones, so one pass from the last to
+// the first finds all.
 void helpers_write_required(CUnit *u, Buf *out)
 {
     Buf text[STDLIB_TEXT_COUNT];

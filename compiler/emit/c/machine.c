@@ -174,7 +174,7 @@ static const char *run_parameters(const CUnit *u, const CRun *run)
     return format_in(u->arena, "%s%s%s", m, sv, run->first ? ", bool first" : "");
 }
 
-// Returns the arguments for these parameters, for a call.
+// Returns the arguments for the parameters that run_parameters declares, for a call.
 static const char *run_arguments(const CUnit *u, const CRun *run)
 {
     return format_in(u->arena, "%s%s%s", run->as.m ? ", m" : "", run->as.sv ? ", sv" : "", run->first ? ", first" : "");
@@ -277,7 +277,8 @@ static void write_time_check(const CUnit *u, const CStepParts *w, Buf *out)
                w->first ? "        first = true;\n" : "", n->var[u->m->g], n->var[u->m->s]);
 }
 
-// Writes the same check for soft numbers.  Emitted code tests the flag m->first_ first, which is faster on an 8-bit chip than comparing 64 bits.
+// Writes the check of write_time_check for soft numbers. Emitted code tests the flag m->first_ first, which is faster on an 8-bit chip than a
+// comparison of 64 bits.
 static void write_soft_time_check(const CUnit *u, const CStepParts *w, Buf *out)
 {
     const CNames *n = &u->names;

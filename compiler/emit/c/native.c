@@ -25,7 +25,7 @@ typedef struct F64Primitive {
     int prec;                 // precedence of the replacement, numbered as PREC_ in fn.h
 } F64Primitive;
 
-// As PREC_EQ to PREC_PRIMARY in fn.h.
+// Precedences of C operators, equal to PREC_EQ to PREC_PRIMARY in fn.h.
 enum { EQUALITY = 9, RELATION = 10, SUM = 12, PRODUCT = 13, UNARY = 14, PRIMARY = 15 };
 
 static const F64Primitive primitive[] = {

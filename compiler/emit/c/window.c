@@ -237,8 +237,8 @@ static const char *statistic_function(const CUnit *u, size_t w, int stat)
 // A further bit of window_stats_read, after those of the statistics: the code reads the median without its fraction.
 enum { WHOLE_MEDIAN = SM_STAT_COUNT };
 
-// If r is the median of integers of at most 16 bits, writes it as an integer of type `to`, without its fraction.  That
-// needs no soft numbers.
+// If r is the median of integers of at most 16 bits, writes it as an integer of type `to`, without its fraction. The
+// emitted code then needs no soft numbers.
 bool c_try_write_whole_median(CFn *fn, SmType to, IrRef r)
 {
     const IrIns *i = &fn->f->ins.at[r];
