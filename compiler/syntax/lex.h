@@ -29,8 +29,8 @@ typedef struct Token {
 // Quoted text is a token only inside an @allow( ), where Lexer.texts is set, and everywhere where Lexer.config is.
 typedef enum LexAllow {
     LEX_NO_ALLOW,
-    LEX_ALLOW,                // after its name: until the end of the line
-    LEX_IN_ALLOW              // inside its parentheses
+    LEX_ALLOW,                // after the name @allow, up to its parenthesis or the end of the line
+    LEX_IN_ALLOW              // inside the parentheses of the @allow
 } LexAllow;
 
 enum {
