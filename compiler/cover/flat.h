@@ -111,7 +111,7 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
 // Initialises the state of a run as language.md 6.1 and 6.2 say: elements are 0, and S is `state`.
 void flat_start(const FlatMachine *f, void *run, uint32_t state);
 uint64_t *flat_cells(const FlatMachine *f, void *run);            // the cells of all variables, by IR variable
-// Runs one step.  Returns false and changes nothing if G refuses the step (language.md 6.3).
+// Runs one step.  Returns false and changes nothing if G does not allow it, because G has not increased (language.md 6.3).
 bool flat_step(FlatMachine *f, void *run);
 // Sets all counters to 0.
 void flat_clear_counts(FlatMachine *f);

@@ -340,7 +340,7 @@ static bool item_tests(const ScriptItem *item)
     return false;
 }
 
-// Whether anything in the script can fail.
+// Whether the script tests anything: it has an assert other than @print, or a @compare.
 static bool has_assert(const Script *s)
 {
     if (s->data && s->data->compare.n)

@@ -19,7 +19,7 @@ const char *why_place(Arena *arena, Span span);
 const char *why_step(Arena *arena, uint64_t step, uint64_t g);        // returns "step 12 (G = 110)"
 // Appends a cell of a variable: a number, true or false, or the name of a state.
 void why_append_cell(const Var *v, uint64_t cell, Buf *out);
-// Appends a recorded value; value as in WhyStmt.
+// Appends the recorded value of node `node`; value: of WatchStmt or WatchPassage.
 void why_append_value(const WatchStmt *s, const uint64_t *value, uint32_t node, Buf *out);
 // Sets *x to the value of an operand of a condition in the last execution of s.  Returns false if it was not recorded.
 bool why_operand(const WatchStmt *s, const Expr *e, double *x);

@@ -81,7 +81,7 @@ typedef struct Lexer {
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);
-void lex_next(Lexer *l, Token *t);          // at the end of the source always TOK_END
+void lex_next(Lexer *l, Token *t);          // reads the next token; at the end of the source always TOK_END
 
 void lex_skip_to(Lexer *l, uint32_t at);    // continues at `at`, the start of a line
 
