@@ -13,7 +13,7 @@ typedef struct CompileSource {
     const Source *text;
     FileKind kind;
     EmitCOptions c;               // options of this source's C, for EMIT_C and EMIT_ARRAY
-    const char *array;            // only in the first source, for EMIT_ARRAY: the name of the array
+    const char *array;            // in the first source, for EMIT_ARRAY: the name of the C array
     size_t machine;               // the machine of a script or of requirements: 1 + its index in CompileInput.at; 0: the only machine
 } CompileSource;
 
@@ -54,7 +54,7 @@ typedef struct CompileOptions {
     CompileLimits limits;
     bool names;                           // the image contains names and lines; without them locals are not observable
     bool soft;                            // for the C of an application: EmitCOptions.soft
-    bool measure;                         // also sets CompiledSource.measured
+    bool measure;                         // builds an image to measure costs: CompiledSource.measured
     bool scripts_later;                   // only lists the locals that scripts write; the caller compiles the scripts with session_script
 } CompileOptions;
 
@@ -71,7 +71,7 @@ typedef struct CompiledSource {
     IoMap *pins;
     Network *net;
     Script *script;
-    const Requirements *requirements;         // of a machine: those of all its files of requirements
+    const Requirements *requirements;         // for a machine: the requirements of all files of requirements that belong to it
     bool is_included;             // another script of the call includes this one, so it does not run by itself
 } CompiledSource;
 
@@ -84,7 +84,7 @@ typedef struct Artefact {
 } Artefact;
 
 typedef struct Compiled {
-    CompiledSource *of;           // one entry per source
+    CompiledSource *of;           // by index in CompileInput.at: its results
     const App *app;
     IoMap *image_pins;            // CompileInput.pins after checking; NULL if absent or with errors
     VEC(Artefact) artefact;       // complete only if compile_sources() returned true

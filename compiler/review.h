@@ -16,7 +16,7 @@ void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, boo
 // run->diags, not to s->diags.
 void review_run_script(Session *s, const Report *r, const Program *p, const Source *src, const Script *script, Engine **engine, size_t engines,
                        const ScriptOptions *o, ReportRun *run);
-// Measures what the runs of r, which are those of p, cover: runs their scripts again.  For runs without an engine that measures.
+// Measures which code of p the runs of r cover, if none of their engines has measured it: runs the scripts of r again.
 void review_measure_coverage(Session *s, const Program *p, Report *r);
 
 #endif

@@ -458,8 +458,8 @@ static void mark_locals(IrMachine *m, SessionLocals locals)
     }
 }
 
-// Returns the IR before any pass: that of session_analyse if it analysed p last, otherwise a new one.  The caller runs passes on it, so it can
-// be used only once.
+// Returns the IR of p before any pass: the one that session_analyse built if it analysed p last, otherwise a new one.  The caller's passes change
+// the IR in place, so s->built can be used only once.
 static IrMachine *reuse_or_build_ir(Session *s, const Program *p)
 {
     IrMachine *m = s->built && s->built->program == p ? s->built : ir_build(&s->arena, p);

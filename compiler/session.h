@@ -46,7 +46,7 @@ typedef struct Session {
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
     SessionLocals locals;         // session_ir marks locals as hidden or written from outside accordingly
-    SourceFinder finder;          // initially without a function
+    SourceFinder finder;          // finds included files; its functions are NULL until the caller sets them
     const char *bug;              // a sentence in `arena` if a pass has broken a machine, with the name of the pass; else NULL
 } Session;
 
@@ -62,7 +62,7 @@ typedef struct MachineInput {
     const Source *sm;
     const Source *sv;             // the state vector, or NULL
     const Map *written_outside;   // the locals that code outside the machine writes (check_machine); or NULL
-    const MachineInstance *instance;      // its bindings, only with sv; or NULL
+    const MachineInstance *instance;      // the bindings of the machine, only if sv is set; or NULL
 } MachineInput;
 
 // Functions that parse or check return NULL after errors, which are then in s->diags.

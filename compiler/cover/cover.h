@@ -32,7 +32,7 @@ typedef struct CoverPlace {
     bool value;               // GUARD, CONDITION: the outcome; STATE: entered, not left
     Span span;                // the statement, guard or other text that the place is about, in the machine's own source
     Span where;               // the position to report: `span`, or the use of the definition that contains `span`
-    const State *from, *to;   // TRANSITION; STATE: `from`
+    const State *from, *to;   // TRANSITION: both; STATE: `from` is the state
     bool of_all_states;       // TRANSITION: the transition is in [all_states], and this place is its copy in state `from`
     uint32_t part_of;         // the place that every run covering this one covers too; while it is missing, reports name only it; 0: none
     uint32_t result;          // CONDITION: the place of the outcome that the decision has when this condition decides with `value`

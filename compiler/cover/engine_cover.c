@@ -45,7 +45,7 @@ static void count_parameters(const CoverEngine *c)
 static EngineStatus cover_step(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     CoverEngine *c = e->self;
-    const bool is_first = !((const FlatState *)c->run)->ran;      // a refused step is not the first
+    const bool is_first = !((const FlatState *)c->run)->ran;      // no step has run; a refused step does not count
 
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t at = c->flat->m->var_of[write[i].var];

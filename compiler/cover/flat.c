@@ -463,7 +463,7 @@ static uint32_t run_blocks(FlatMachine *f, void *run, const uint32_t *block, boo
     return to;
 }
 
-// Runs one step of the machine in `run`.  Returns false and changes nothing if G refuses the step.
+// Runs one step of the machine in `run`.  Returns false and changes nothing if no step may run with this G.
 bool flat_step(FlatMachine *f, void *run)
 {
     FlatState *s = run;

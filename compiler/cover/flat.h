@@ -53,7 +53,7 @@ typedef struct FlatProbes {
     const FlatDecision *decision;     // each is counted where its value is computed.  Sorted by function, in the order of
                                       // flat_each_function, then by FlatDecision.value
     uint32_t decisions;
-    uint32_t counters;                // number of counters, with counter 0
+    uint32_t counters;                // number of counters, including the unused counter 0
     const bool *watched;              // by decision: FlatMachine.watch is called where the decision is counted; NULL: none
 } FlatProbes;
 
@@ -86,7 +86,7 @@ typedef struct FlatMachine {
     FlatFn *fn;                       // in the order of flat_each_function: the sampling, then entry, step and exit of each state
     uint32_t fns;
     uint8_t *stored;                  // by IR variable: 1 if the last step stored it
-    const FlatProbes *probes;         // NULL: nothing is counted
+    const FlatProbes *probes;         // what is counted; NULL: nothing
     uint64_t *hits;                   // the counters
     FlatSeen *seen;                   // by decision: the last evaluation that was counted; an equal one changes no counter
     uint32_t **decision_at, *value_at;        // by decision: the indices in `frame` of its conditions; of its result
@@ -111,7 +111,7 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
 // Initialises the state of a run as language.md 6.1 and 6.2 say: elements are 0, and S is `state`.
 void flat_start(const FlatMachine *f, void *run, uint32_t state);
 uint64_t *flat_cells(const FlatMachine *f, void *run);            // the cells of all variables, by IR variable
-// Runs one step.  Returns false and changes nothing if G refuses the step (language.md 6.3).
+// Runs one step.  Returns false and changes nothing if G does not allow it, because G has not increased (language.md 6.3).
 bool flat_step(FlatMachine *f, void *run);
 // Sets all counters to 0.
 void flat_clear_counts(FlatMachine *f);

@@ -6,8 +6,9 @@
 #include "compiler/cover/cover.h"
 #include "compiler/facts/facts.h"
 
-// Sets reason[place] to why no run covers the place; NULL: facts do not exclude it, or it has been covered.  The machine of `facts` is that of c or
-// another form of it: a function has the same instructions and blocks, and more instructions after these.  `any_start`: runs can begin in any state.
+// Sets reason[place] to why no run covers the place; NULL: facts do not exclude it, or it has been covered.  The machine of `facts` is the machine
+// of c, or a form of it whose functions have the same instructions and blocks, with more instructions after these.  `any_start`: runs can begin in
+// any state.
 void cover_judge_by_facts(const Cover *c, Arena *arena, FactMachine *facts, bool any_start, const char **reason);
 
 #endif

@@ -13,7 +13,7 @@ struct MutantEdit {           // the names in front of ":" are values of `kind`
     Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT: the changed expression
     Stmt *stmt;               // the statement that is or contains what is changed; NULL: INITIAL, or the expression that a window samples
     Var *var;                 // INITIAL: the local
-    uint32_t link;            // LINK: which operator of the chain
+    uint32_t link;            // LINK: index of the operator in the chain
     SmOperator op;            // OPERATOR, LINK: the new operator
     double number;            // NUMBER, GUARD, INITIAL: the new number
     State *target;            // TARGET: the new target

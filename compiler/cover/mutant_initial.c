@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which initial values no run reads: those of locals that are assigned before they are read, on every path from the start.
+// Finds initial values that no run reads, because the local is assigned before it is read, on every path from the start.
 #include "compiler/cover/mutant.h"
 
-typedef struct InitialSearch { const Program *p; const Var *v; bool is_read; } InitialSearch;         // is_read: before it is assigned
+typedef struct InitialSearch { const Program *p; const Var *v; bool is_read; } InitialSearch;         // is_read: v is read before it is assigned
 
 // Sets k->is_read if an expression reads the variable.
 static void note_read(Expr *e, void *context)

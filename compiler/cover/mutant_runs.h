@@ -28,7 +28,7 @@ uint32_t mutant_runs_find_failing(const MutantRuns *r);
 
 // Returns the index of a script that fails on the mutant; `scripts`: all pass.  *violated receives the requirement that this run violates, or
 // NULL.  stmt: the n changed statements, each a Stmt.number or one of the constants above.  A run also fails if it takes more steps than 1000 plus
-// four times those of the unchanged machine.  `work`: memory for the call.
+// four times the steps of the unchanged machine.  `work`: memory for the call.
 uint32_t mutant_runs_find_noticing(MutantRuns *r, Arena *work, FlatMachine *mutant, const uint32_t *stmt, uint32_t n, const Requirement **violated);
 // Returns what a recorded run writes to the inputs of the machine, as a scenario; NULL: the run was not recorded.  What a script writes to
 // variables that the machine stores is left out.

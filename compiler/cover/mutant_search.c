@@ -388,7 +388,7 @@ static void begin_changes(const Lockstep *l, const Node *n, const Scenario *s, s
     for (; *next < s->changes && s->change[*next].step == n->steps + 1; (*next)++) {
         const ScenarioChange *c = &s->change[*next];
         Course *course = course_of(l, n, c->var);
-        if (course)                                   // else the machine does not read it
+        if (course)                                   // NULL: the machine does not read the variable
             *course = *c;
     }
 }

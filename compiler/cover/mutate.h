@@ -32,7 +32,7 @@ typedef struct MutantEdit MutantEdit;
 
 typedef struct Mutant {
     Span span;                // the text that is changed
-    const char *text;         // what replaces it
+    const char *text;         // the text that replaces it
     MutantDanger danger;
     const State *state;       // the state that contains the change; NULL: several states, or none
     const MutantEdit *edit;   // a list: one edit for each copy in the program
@@ -70,7 +70,7 @@ const Mutant **mutation_order(const Mutation *u, Arena *arena, MutantVerdict ver
 typedef struct MutationScore {
     unsigned long all, of[MUTANT_VERDICT_COUNT];      // number of all mutants; by MutantVerdict, number of mutants with this verdict
     unsigned long noticeable; // mutants that a script can notice, as far as is known
-    double percent;           // how many of these are noticed; 100 if none of them is counted
+    double percent;           // percentage of the noticeable mutants that are noticed; 100 if no mutant is noticeable
 } MutationScore;
 
 MutationScore mutation_score(const Mutation *u);
@@ -81,8 +81,8 @@ void mutation_end(Mutation *u);
 
 // Appends a change: "`>` changed to `>=` in Fill, an output".
 void mutant_write_change(Arena *arena, const Mutant *m, Buf *out);
-// Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs". `most`: how many inputs it shows, since
-// that of an edited script can have thousands.
+// Appends the scenario of a mutant: "from Fill, at G = 0: pressure = 776; at G = 40, valveOpen differs". `most`: how many inputs are shown, because
+// a scenario from an edited script can have thousands.
 void mutant_write_scenario(const Program *p, const Mutant *m, size_t most, Buf *out);
 enum { MUTANT_INPUTS_SHOWN = 8 };         // for `most`, in lists that a person reads
 

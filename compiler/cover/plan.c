@@ -41,7 +41,7 @@ typedef struct Plan {
     VEC(Decision) decision;
     VEC(const Expr *) pending;        // decisions inside conditions, which are added after the decision that contains them
     uint32_t *stmt, *transition;      // by Stmt.number: the place of the statement; of the transition
-    const FlatFull **full;            // by Stmt.number: see FlatProbes.full
+    const FlatFull **full;            // by Stmt.number: as FlatProbes.full
     VEC(FlatFull) read;               // the windows that the current statement reads outside decisions
     bool in_window;                   // the current expression is what a window samples: no statement reads a window inside it
     uint32_t *entry, *exit;           // by State.number - 1: the place of entering the state; of leaving it
@@ -132,7 +132,7 @@ static bool is_truth(const Expr *e)
     return joins_conditions(e) || is_comparison(e) || (e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR));
 }
 
-// Whether it matters for a statistic if its window is full: it can be read before, and its value is then another one.
+// Whether a statistic can have another value while its window is not full yet, so that tests should fill the window.
 static bool has_fill(const Plan *k, const Expr *roll)
 {
     static const uint32_t never = SM_STATS_OF_TIMES | 1u << SM_STAT_OLDEST | 1u << SM_STAT_NEWEST;
@@ -600,7 +600,7 @@ static void plan_places(Plan *k, const Program *p)
     plan_parameters(k, p);
 }
 
-// The lists in k->full name windows by their index in Program.window.  Replaces each index by that of the same window in the IR machine.
+// In the lists of k->full, replaces the index of each window in Program.window by its index in IrMachine.window.
 static void map_windows(Plan *k)
 {
     for (uint32_t s = 0; s <= k->c->p->stmts; s++)

@@ -63,7 +63,7 @@ IrRef build_for_store(Builder *b, const Expr *e, SmType type)
 
     if (b->f->ins.at[value].type == type && type == SM_BOOL)
         return value;
-    return emit_op(b, IR_cvt, type, build_conversion(b, value, SM_F64, e->span), IR_NONE, e->span);  // even F64 to F64: turns NaN into 0
+    return emit_op(b, IR_cvt, type, build_conversion(b, value, SM_F64, e->span), IR_NONE, e->span);  // also F64 to F64: NaN becomes 0
 }
 
 static IrRef build_var(Builder *b, const Expr *e)
@@ -182,7 +182,7 @@ static IrRef build_any(Builder *b, const Expr *e)
         stat.var = b->window[e->window];
         stat.stat = e->stat;
         return build_emit(b, &stat);
-    case EX_EVERY: case EX_AT: case EX_RANDOM: break;                       // only scripts have them
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;                       // not reached: only scripts have these
     }
     return IR_NONE;
 }

@@ -30,7 +30,7 @@ static uint64_t hash_shape(const Builder *b, const Expr *e)
         for (uint32_t k = 0; k + 1 < e->n; k++)
             h = mix_hash(h, (uint64_t)expr_ops(e)[k]);
         break;
-    case EX_EVERY: case EX_AT: case EX_RANDOM: break;                       // only scripts have them
+    case EX_EVERY: case EX_AT: case EX_RANDOM: break;                       // not reached: only scripts have these
     case EX_CALL: h = mix_hash(h, (uint64_t)e->fn); break;
     case EX_ROLL: return mix_hash(mix_hash(h, (uint64_t)e->stat), b->window[e->window]);
     }
@@ -44,7 +44,7 @@ static uint64_t hash_shape(const Builder *b, const Expr *e)
 // A slot of an open-addressing hash table; empty if `first` is NULL.
 typedef struct SharedWindow { const Window *first; uint32_t index; } SharedWindow;
 
-// Returns a number that is equal for statistics of windows that can share: those of samples, of times, of runs.
+// Returns the kind of a window: 0 stores samples, 1 times, 2 the run of `held`.  Only windows of the same kind can be shared.
 static int kind_of(const Window *w)
 {
     const uint32_t stat = 1u << w->stat;

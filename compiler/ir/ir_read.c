@@ -218,7 +218,7 @@ static bool read_ins_details(IrReader *r, IrIns *i)
     return false;
 }
 
-static IrOp find_op(Str w)             // IR_OP_COUNT if there is no such operation
+static IrOp find_op(Str w)             // returns IR_OP_COUNT if no operation has this name
 {
     int op = 0;
 

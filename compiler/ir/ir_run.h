@@ -19,7 +19,7 @@ typedef struct IrRunFn IrRunFn;
 
 typedef struct IrRun {
     const IrMachine *m;
-    size_t size;                      // bytes of a situation
+    size_t size;                      // size of a situation in bytes
     size_t vars, writers, windows;    // byte offsets of the parts of a situation
     size_t *window_at;                // by window: byte offset of its data in a situation
     uint32_t *window_kind;            // by window: its sample type and set of statistics, from sm_roll_kind

@@ -21,7 +21,7 @@ typedef struct IrChecker {
     bool *sampled;                    // by window: it has been sampled
 } IrChecker;
 
-// Stores the sentence about a violation, preceded by where it is.  Always returns false, the result of the check.
+// Stores the sentence about a violation, which begins with its location.  Always returns false, so that a check can return the result.
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif

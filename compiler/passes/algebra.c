@@ -32,9 +32,9 @@ static bool is_negation(const Identity *d, IrRef ref) { return is_op(d, ref, IR_
 // On integers both forms are exact (ir.h), and no -0 exists that they could treat differently.
 static void rewrite_sum(const Identity *d, IrIns *i)
 {
-    if (is_negation(d, i->b))                                 // a + -b, a - -b
+    if (is_negation(d, i->b))                                 // a + -b becomes a - b; a - -b becomes a + b
         replace_op(i, i->op == IR_add ? IR_sub : IR_add, i->a, operand_of(d, i->b));
-    else if (i->op == IR_add && is_negation(d, i->a))         // -a + b
+    else if (i->op == IR_add && is_negation(d, i->a))         // -a + b becomes b - a
         replace_op(i, IR_sub, i->b, operand_of(d, i->a));
 }
 
@@ -79,7 +79,7 @@ static bool try_rewrite_bool_comparison(const Identity *d, IrIns *i)
     const IrIns *constant = identity_at(d, swap ? i->a : i->b);
     const IrOp op = swap ? ir_swapped_comparison(i->op) : i->op;
     IrRef boolean = swap ? i->b : i->a;
-    bool if_false, if_true;           // the result for each value of the bool
+    bool if_false, if_true;           // the result of the comparison if the bool is false; if it is true
     SmF64 number;
 
     if (is_op(d, boolean, IR_cvt) && identity_at(d, boolean)->type != SM_BOOL)

@@ -29,7 +29,7 @@ typedef struct Cse {
     IrRef *same;              // by instruction: the temporary that its users must use instead
     bool *sunk;               // by instruction: its only user is a store or a branch
     CseSlot *table;           // hash table of the block's operations, by CseKey
-    size_t cap;               // a power of two
+    size_t cap;               // number of slots of `table`, a power of two
     uint32_t block;           // number of the current block, from 1
 } Cse;
 
@@ -56,7 +56,7 @@ static CseKey key_of(const Cse *c, const IrIns *i)
         k.a = c->value[i->a];
     if (ir_op_info[i->op].operands > 1)
         k.b = c->value[i->b];
-    if (i->op == IR_gt || i->op == IR_ge) {                   // a > b is b < a
+    if (i->op == IR_gt || i->op == IR_ge) {                   // a > b has the key of b < a
         k.op = ir_swapped_comparison(i->op);
         swap_operands(&k);
     } else if (ir_op_info[i->op].commutes && k.b < k.a) {

@@ -19,7 +19,7 @@ typedef struct Narrow {
     IrRef *wide;              // for an F64: the I64 or U64 from which it was converted, perhaps with rounding; IR_NONE: none
     bool *round_trips;        // for an F64 with `wide`: it converts back to that I64 or U64
     IrRef *as_i32, *as_i64;   // the same number in that type, once narrow_get_integer has created it
-    bool *zero_sign_observable;  // whether -0 instead of 0 would be observable
+    bool *zero_sign_observable;  // whether a user of the temporary could distinguish -0 from 0
     VEC(IrRef) out;           // the new instruction list of the block
 } Narrow;
 

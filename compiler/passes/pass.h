@@ -49,8 +49,8 @@ typedef struct PassInfo {
     const char *name;
     unsigned needs, invalidates;      // facts that the pass needs, and that it makes invalid: sets of FACT_…
     const char *sentence;             // what the pass does, for docs
-    PassFn *on_function;              // a pass over functions; NULL for a pass over machines, and the reverse
-    PassMachineFn *on_machine;
+    PassFn *on_function;              // runs a pass that works on functions; else NULL
+    PassMachineFn *on_machine;        // runs a pass that works on machines; else NULL
 } PassInfo;
 
 typedef enum PassId {

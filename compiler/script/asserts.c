@@ -14,7 +14,7 @@ enum { OPERANDS_MOST = 8, OPERAND_LENGTH = 40 };      // the most operands in a 
 typedef struct Operands {
     ScriptRun *r;
     const RefWindows *windows;
-    Buf text;                 // "valveOpen = false, tankPressure = 776"
+    Buf text;                 // the label: "valveOpen = false, tankPressure = 776"
     const Expr *shown[OPERANDS_MOST];         // the n expressions in `text`
     size_t n;
 } Operands;
@@ -180,7 +180,7 @@ static void fail_assert(ScriptRun *r, const ScriptItem *item, const ScriptAssert
 
 static bool is_true(const ScriptRun *r, const ScriptAssert *a) { return ref_true(ref_eval(a->condition, r->cell, &r->windows)); }
 
-// Counts an @expect whose time has passed.
+// Counts a pending @expect as failed, because its time has passed or the run ends.
 static void fail_pending(ScriptRun *r, const PendingExpect *e)
 {
     r->failed_since = r->result.failures ? r->failed_since : e->since;
@@ -340,7 +340,7 @@ static bool item_tests(const ScriptItem *item)
     return false;
 }
 
-// Whether anything in the script can fail.
+// Whether the script tests anything: it has an assert other than @print, or a @compare.
 static bool has_assert(const Script *s)
 {
     if (s->data && s->data->compare.n)

@@ -62,7 +62,7 @@ static inline EngineNext engine_next(const EngineStep *s, size_t i)
 // Returns NULL if two engines gave bit-identical results; otherwise a sentence in `arena` that names the first difference.
 const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a, const Engine *b, const EngineStep *of_b);
 
-// Returns how many machines p has: 1, or those of an application.
+// Returns how many machines p has: 1, or for an application the number of its machines.
 static inline size_t engine_machines(const Program *p) { return p->joint ? p->joint->member.n : 1; }
 
 // Joins one engine for each machine of an application, in the order of p->joint->member, to an engine for p (language.md 8.71 to 8.83).
@@ -90,12 +90,12 @@ typedef struct RefView {
 // Callbacks that the reference interpreter calls before every step and every statement that it runs.
 typedef struct RefObserver RefObserver;
 struct RefObserver {
-    void (*before_step)(RefObserver *o, const RefView *r);        // S, T and the samples of windows are already those of the step
+    void (*before_step)(RefObserver *o, const RefView *r);        // S, T and the windows already have their values for the step
     void (*before_stmt)(RefObserver *o, const RefView *r, const Stmt *s);
 };
 
 // The following are for an engine of engine_ref_open that runs one machine.
-void engine_ref_observe(Engine *ref, RefObserver *o);         // NULL: no observer
+void engine_ref_observe(Engine *ref, RefObserver *o);         // sets the observer; NULL: none
 RefView engine_ref_view(const Engine *ref);
 // Copies the state of a machine, but not its observer, to another engine of the same Program.
 void engine_ref_copy(Engine *to, const Engine *from);
@@ -106,7 +106,7 @@ Engine *engine_vm_open(Arena *arena, const Program *p, const uint8_t *image, siz
 typedef struct EngineLocation {
     enum { LOCATION_CONSTANT, LOCATION_TIME, LOCATION_ELEMENT, LOCATION_LOCAL } in;
     uint32_t offset;          // in bytes: in the state vector, or among the locals
-    uint32_t output;          // 1 + its number among the machine's outputs, as in smvm_stored; 0: not an output
+    uint32_t output;          // 1 + number of the output, as in smvm_stored; 0: the variable is no output
 } EngineLocation;
 EngineLocation engine_vm_location(const Engine *e, uint32_t var);
 // Opens the VM as compiled for a chip without binary64: engine_vm.c and bytecode-vm/ compiled a second time with the soft type (see the Makefile).

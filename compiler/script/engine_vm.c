@@ -19,7 +19,7 @@ typedef struct VmEngine {
     SmVm *vm, *in_place;      // `vm` runs decoded instructions, `in_place` the image itself
     SmvmDecoded *decoded;
     uint32_t size;            // size in bytes of *vm and of *in_place
-    uint64_t *sv, *sv_in_place; // their state vectors
+    uint64_t *sv, *sv_in_place; // the state vectors of `vm` and of `in_place`
     uint8_t **at;             // by Var.index: address of the value; NULL: T and constants
     uint32_t *output;         // by Var.index: 1 + the variable's number among the outputs; 0: not an output
 } VmEngine;

@@ -105,7 +105,7 @@ static void store_windows(const Monitor *m, void *situation)
 
 static MonitorResult result_of(bool met) { return met ? MONITOR_JUDGED : MONITOR_VIOLATED; }
 
-// never a before b: no step has a unless an earlier one had b (requirements.md 13.10).
+// Judges `never a before b`: a step with a violates it unless an earlier step had b (requirements.md 13.10).
 static MonitorResult judge_before(Memory *mem, bool a, bool b)
 {
     const MonitorResult result = a ? result_of(mem->seen) : MONITOR_IDLE;
@@ -114,7 +114,7 @@ static MonitorResult judge_before(Memory *mem, bool a, bool b)
     return result;
 }
 
-// never a after b without c: no step has a if no step between it and the last earlier one with b had c (requirements.md 13.11).
+// Judges `never a after b without c`: a step with a violates it if no step since the last earlier step with b had c (requirements.md 13.11).
 static MonitorResult judge_after(Memory *mem, bool a, bool b, bool c, uint64_t g)
 {
     const MonitorResult result = a && mem->seen ? result_of(!mem->open) : MONITOR_IDLE;
@@ -126,7 +126,7 @@ static MonitorResult judge_after(Memory *mem, bool a, bool b, bool c, uint64_t g
     return result;
 }
 
-// always a leads to b within t: the oldest step with a that b has not followed is undecided (requirements.md 13.12).
+// Judges `always a leads to b within t`: the first step with a that no step with b has followed yet is undecided (requirements.md 13.12).
 static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool b, uint64_t within, uint64_t g)
 {
     uint64_t passed;

@@ -26,7 +26,7 @@ typedef struct Monitor {
     const Requirements *what; // the requirements that are judged
     size_t first, end;        // the requirements with the indices from `first` to end - 1 are judged
     uint64_t step;            // the least amount, in units of G, by which G advances from one step to the next; at least 1
-    size_t size;              // bytes of a situation
+    size_t size;              // size of a situation in bytes
     size_t *samples_at;       // by window: offset of its samples in a situation
     RefWindows windows;       // the windows that the conditions sample, with the values of the situation of the last step
     uint8_t *result;          // by requirement: the MonitorResult of the last step

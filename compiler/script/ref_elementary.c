@@ -490,7 +490,7 @@ double ref_atan(double x)
     return copy_sign(angle_of_point(single_sum(magnitude(x)), single_sum(1), false), x);
 }
 
-// Returns the power of two by which a pair of numbers is multiplied, of which `larger` is the larger.
+// Returns the power of two by which two numbers are multiplied so that products of them are in range; `larger`: the larger of the two.
 static double scale_of(double larger) { return larger > two_to(500) ? two_to(-600) : larger < two_to(-400) ? two_to(600) : 1; }
 
 double ref_atan2(double y, double x)
@@ -525,7 +525,7 @@ static Sum square_root(Sum x)
     if (x.big == 0)
         return single_sum(0);
     {
-        const double mantissa = x.big * two_to(-e);            // from 1 to 2
+        const double mantissa = x.big * two_to(-e);            // 1 <= mantissa < 2
         const int64_t half = ((int64_t)(e + 1023) * ((int64_t)1 << 52) + (int64_t)((mantissa - 1) * two_to(52))) / 2;
         const int64_t bits = 0x5fe6eb0000000000 - half;
         y = (1 + (double)(bits % ((int64_t)1 << 52)) / two_to(52)) * two_to((int)(bits / ((int64_t)1 << 52)) - 1023);

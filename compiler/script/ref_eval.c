@@ -15,7 +15,7 @@ static double apply_binary(SmOperator op, double a, double b)
     case SM_OP_OR: return ref_true(a) || ref_true(b);
     case SM_OP_AND: return ref_true(a) && ref_true(b);
     case SM_OP_EQ: return a == b;
-    case SM_OP_NE: return a != b;                     // 1 if either is NaN; the other five return 0
+    case SM_OP_NE: return a != b;                     // 1 if a or b is NaN; the other five comparisons are then 0
     case SM_OP_LT: return a < b;
     case SM_OP_LE: return a <= b;
     case SM_OP_GT: return a > b;
@@ -24,7 +24,7 @@ static double apply_binary(SmOperator op, double a, double b)
     case SM_OP_SUB: return a - b;
     case SM_OP_MUL: return a * b;
     case SM_OP_DIV: return a / b;
-    case SM_OP_NOT: case SM_OP_NEG: case SM_OP_PLUS: case SM_OP_COUNT: break;       // not binary
+    case SM_OP_NOT: case SM_OP_NEG: case SM_OP_PLUS: case SM_OP_COUNT: break;       // not reached: these are not binary operators
     }
     return 0;
 }

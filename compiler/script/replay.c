@@ -36,7 +36,7 @@ struct Replay {
     const ScriptData *d;
     Cursor **cursor;          // one for each delay; the first has delay 0 and reads the columns that the script writes to inputs
     size_t cursors;
-    ReplayCompare *compare;      // by @compare of the script
+    ReplayCompare *compare;      // by @compare of the script: its state
     double *recorded;         // by @compare: the recorded value that the last step was compared with; NaN: none
 };
 

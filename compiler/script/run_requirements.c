@@ -143,10 +143,10 @@ void requirement_add_visits(bool *visited, const Program *p, const ScriptResult 
 // The context of the walk that marks the states that conditions name.
 typedef struct NamedStates {
     const Program *p;
-    bool *is_named;           // by State.number - 1
+    bool *is_named;           // by State.number - 1: a condition names the state
 } NamedStates;
 
-// Returns the number of states in the program before those of the machine whose S is v; UINT32_MAX: v is the S of no machine.
+// Returns the index in Program.state of the first state of the machine whose S is v; UINT32_MAX: v is the S of no machine.
 static uint32_t first_state_of(const Program *p, const Var *v)
 {
     if (!p->joint)

@@ -12,7 +12,7 @@
 #include "compiler/sema/program.h"
 
 typedef enum ScenarioKind {
-    SCENARIO_HOLD,            // the value is a
+    SCENARIO_HOLD,            // a in each step
     SCENARIO_ALTERNATE,       // a in the step of the change, b in the next one, then a again: a sensor with noise
     SCENARIO_RAMP,            // a in the step of the change, and b more in each step after it
     SCENARIO_COPY             // the value that `source` has when the step begins, so that a feedback follows its command

@@ -194,9 +194,9 @@ static void add_periodic(Arena *arena, Periodics *heap, uint64_t now, DueItems *
 
 enum { BY_G, BY_T, TIMES };   // the two variables of time by whose intervals entries are sorted
 
-// The items that can run in one state, or those of [all_states].
+// The items of the sections of one state, or of [all_states].
 typedef struct Group {
-    Entries by[TIMES];        // entries with an interval of G; of T
+    Entries by[TIMES];        // the entries whose `when` is an interval of G; of T
     Moments moments;
     Periodics periodic;
 } Group;

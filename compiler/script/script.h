@@ -103,11 +103,11 @@ typedef struct ScriptResult {
 // What all runs of a call have decided about a requirement.
 typedef struct RequirementTotal {
     uint64_t judged;          // number of steps of all runs that could have violated it
-    uint32_t scripts;         // number of runs with such a step
+    uint32_t scripts;         // number of runs that contain such a step
     uint32_t violated, undecided;     // number of runs that violated it; that left it undecided
 } RequirementTotal;
 
-// Adds the results of a run to those of the runs before it, by requirement.
+// Adds the results of a run to `total`, the results of earlier runs; both are by requirement.
 void requirement_add_run(RequirementTotal *total, const Requirements *what, const ScriptResult *r);
 // Sets visited[State.number - 1] for each state that the run entered.
 void requirement_add_visits(bool *visited, const Program *p, const ScriptResult *r);

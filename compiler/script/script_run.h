@@ -46,7 +46,7 @@ typedef struct ScriptRun {
     const ScriptOptions *o;
     uint64_t *cell;           // the values that the script reads: of the machine's variables by Var.index, then of the script's own
     RefRandom random;         // the random numbers of the script
-    RefWindows windows;       // the windows of the script's own calls, not those of the machine
+    RefWindows windows;       // the windows of calls in the script, not in the machine
     Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
     bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     uint64_t g;               // G of this step

@@ -49,7 +49,7 @@ static void append_csv_field(Buf *out, const char *text)
     buf_char(out, '"');
 }
 
-// Appends the state of the machine, or those of the machines of an application.
+// Appends the name of the machine's state as a column; for an application, a column for each machine.
 static void append_states(Buf *out, const ScriptStep *step)
 {
     const Program *p = step->program;

@@ -59,8 +59,8 @@ typedef struct TestFile {
 TestFile *testfile_parse(Arena *arena, const char *name, const char *text, size_t n);
 
 const char *testfile_header(const TestFile *f, const char *key);          // value of the first line with this key; NULL if absent
-const TestPart *testfile_part(const TestFile *f, const char *name);       // NULL if absent
-bool testfile_is_source(const TestPart *p);                               // NAME.sv, .sm, .ss, .io, .net, .app or .rq
+const TestPart *testfile_part(const TestFile *f, const char *name);       // returns the part with this name; NULL if absent
+bool testfile_is_source(const TestPart *p);                               // whether the name ends with .sv, .sm, .ss, .io, .net, .app or .rq
 bool testfile_has_suffix(const TestPart *p, const char *suffix);
 // Whether a header's value, a list of words, contains this word.
 bool testfile_has_word(const char *list, const char *word);

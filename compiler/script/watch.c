@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { OPERANDS_MOST = 8 };           // of one leaf
+enum { OPERANDS_MOST = 8 };           // the most operands of one leaf
 
 // ---- the nodes of a statement ----
 

@@ -70,7 +70,7 @@ typedef struct WhyLine {
     Span at;                  // the position in the source; src NULL: no position
     const char *text;
     const Expr *e;            // GUARD, CONDITION: the expression
-    bool truth;               // GUARD, CONDITION: its value
+    bool truth;               // GUARD, CONDITION: whether the expression was true
     bool has_gap;             // `gap` is set
     double gap;               // GUARD, CONDITION: the difference of the two sides of a comparison that was false
     uint64_t step, g;         // number and G of a step.  GUARD, CONDITION: since then it has had this value; others: it happened then.  0: unknown

@@ -11,6 +11,6 @@ typedef struct WhyPath { const State **at; size_t n; } WhyPath;
 const WatchStmt *why_find_transition(const Watch *w, const State *from, const State *to);
 // Returns the states of the shortest sequence of transitions, with both ends; n is 0 if no such sequence exists.  The states differ.
 WhyPath why_shortest_path(Arena *arena, const Watch *w, const State *from, const State *to);
-const char *why_path_text(Arena *arena, const WhyPath *path);         // "Fill -> Vent -> Idle"
+const char *why_path_text(Arena *arena, const WhyPath *path);         // returns the path as text: "Fill -> Vent -> Idle"
 
 #endif

@@ -16,14 +16,14 @@ typedef struct WhyWords {
 const char *why_quote(Arena *arena, Span span);
 // Returns a position as "vent.sm:10".
 const char *why_place(Arena *arena, Span span);
-const char *why_step(Arena *arena, uint64_t step, uint64_t g);        // "step 12 (G = 110)"
+const char *why_step(Arena *arena, uint64_t step, uint64_t g);        // returns "step 12 (G = 110)"
 // Appends a cell of a variable: a number, true or false, or the name of a state.
 void why_append_cell(const Var *v, uint64_t cell, Buf *out);
-// Appends a recorded value; value as in WhyStmt.
+// Appends the recorded value of node `node`; value: of WatchStmt or WatchPassage.
 void why_append_value(const WatchStmt *s, const uint64_t *value, uint32_t node, Buf *out);
 // Sets *x to the value of an operand of a condition in the last execution of s.  Returns false if it was not recorded.
 bool why_operand(const WatchStmt *s, const Expr *e, double *x);
-// Appends the operands of a leaf with their values, as in "pressure = 700, x = 3"; of any other node those of all its leaves.
+// Appends the operands of a leaf with their values, as in "pressure = 700, x = 3"; for any other node, the operands of all its leaves.
 void why_append_operands(const WhyWords *words, const WatchStmt *s, const uint64_t *value, uint32_t node, Buf *out);
 // Appends what a false leaf of the last step lacks, as in ", needs more than 125 more"; nothing if there is no such number.
 void why_append_need(const WhyWords *words, const WatchStmt *s, uint32_t node, Buf *out);

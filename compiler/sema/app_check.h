@@ -26,7 +26,7 @@ typedef struct AppCheck {
 // Returns the element, or NULL after a report.  Also returns NULL, without a report, if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name);
 
-Str app_file_stem(AppCheck *k, Str path);  // the file's stem: "rocket" of pins/rocket.io
+Str app_file_stem(AppCheck *k, Str path);  // returns the file's stem: "rocket" for pins/rocket.io
 
 // Reports `name` as a duplicate if `seen` contains it; otherwise adds it.  `what` is the kind of thing that it names.
 void app_check_unique(AppCheck *k, Map *seen, const AstWord *name, const char *what);
@@ -36,7 +36,7 @@ const AstAppOption *app_find_option(const AstApp *ast, AstAppOptionKind kind);  
 // ---- check_app_names.c ----
 
 void check_app_products(AppCheck *k);           // the files that are generated: no two may have the same name
-void check_app_platform_files(AppCheck *k);     // the files that the log and keep tasks write
+void check_app_platform_files(AppCheck *k);     // checks that no two options or sources name a file that is written
 
 // ---- check_app_net.c ----
 
@@ -70,13 +70,13 @@ void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);
 
 // ---- check_app_swap.c ----
 
-void check_app_swap_at(AppCheck *k, const AstAppOption *o);     // for each of swap_at, swap_speed and swap_key
+void check_app_swap_at(AppCheck *k, const AstAppOption *o);     // checks one of swap_at, swap_speed and swap_key
 void check_app_swap_place(AppCheck *k);                         // after all options: what they require of each other
 
 // ---- check_app_task.c ----
 
 bool app_is_reserved_name(const char *name);    // whether runtime-c may use the name, because it begins with one of its prefixes
 
-void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // call after check_app_rates
+void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out);      // checks the tasks; call it after check_app_rates
 
 #endif

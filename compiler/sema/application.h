@@ -117,6 +117,6 @@ typedef struct AppFiles {
     size_t instances;
 } AppFiles;
 
-const char *app_time_text(Arena *arena, uint64_t ns);         // the time with a unit: "10 ms"
+const char *app_time_text(Arena *arena, uint64_t ns);         // returns the time with a unit: "10 ms"
 
 #endif

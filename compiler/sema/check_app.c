@@ -105,7 +105,7 @@ static void check_files(AppCheck *k)
 
 // ---- elements ----
 
-// Returns the element of this name; NULL after a report, or without one if the state vector has errors.
+// Returns the element with this name; NULL after reporting that it does not exist.  Also NULL, without a report, if the state vector has errors.
 const Element *app_find_element(AppCheck *k, const AstWord *name)
 {
     const Element *e = k->sv ? map_find(&k->sv->by_name, name->text) : NULL;

@@ -171,8 +171,8 @@ static const AppMachine *check_machine_task(AppCheck *k, const AstAppTask *in, u
 
 // ---- one task ----
 
-// Warns of a task that has a mode but no @safe: in safe mode it does nothing, so what it has started continues.  Does not warn of a
-// machine that writes no element, because it starts nothing.
+// Warns of a task that has a mode but no @safe: while it is safed the task does nothing, so its outputs keep their values.  Does not warn of a
+// machine that writes no element, because it has no outputs.
 static void warn_of_mode_without_safe(AppCheck *k, const AppTask *t)
 {
     const Program *p = t->machine ? t->machine->program : NULL;

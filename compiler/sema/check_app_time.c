@@ -160,7 +160,8 @@ static void check_duplicate_period(AppCheck *k, const AppExecutor *e, const AppR
         map_put(seen, key, (void *)(size_t)r);
 }
 
-// Fills in out's rate groups and its period, that of the shortest one.  Reports periods that occur twice or are no multiple of that.
+// Fills in the rate groups of `out` and its period, which is the shortest period of a group.  Reports periods that occur twice, and periods that are
+// no multiple of the shortest.
 void check_app_rates(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
 {
     Map seen = {k->c->arena, NULL, NULL, 0, 0};

@@ -84,7 +84,7 @@ Var *sema_new_var(Sema *s, VarKind kind, const AstDecl *decl)
 static void add_alias(Declarations *k, Var *v, const AstAnnotation *a)
 {
     if (!a->name || v->alias)
-        return;                   // the parser has reported it
+        return;                   // the parser has reported an error in the annotation
     if (a->name == v->name) {
         diag_report(k->s->diags, DIAG_alias_own_name, a->span, v->name->text);
         return;

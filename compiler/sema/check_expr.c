@@ -436,7 +436,7 @@ static void report_previous_state(Sema *s, const AstExpr *e)
     diag_edit(s->diags, d, e->span, text);
 }
 
-// Reports an unknown name beside S in a comparison as that of a state. Returns false if the name is known, or if neither side compares S with a name.
+// Reports an unknown name that is compared with S as an unknown state. Returns false if the name is known, or if e compares no S with a name.
 static bool report_unknown_state(Sema *s, const AstExpr *e)
 {
     const bool is_equality = operator_class(e) == SM_CLASS_EQUALITY, first = is_equality && machine_of_state(s, e->a);
@@ -625,7 +625,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
     else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e, false)))
         report_argument_count(s, e, fn);
-    if (s->at == EXPR_IN_STEP)                    // report errors in the arguments, too
+    if (s->at == EXPR_IN_STEP)                    // checks the arguments only to report their errors
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);
     return NULL;

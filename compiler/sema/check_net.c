@@ -444,8 +444,8 @@ static const char *activity_of(const NetChannel *c)
     return words[net_is_tcp(c)][net_listens(c)];
 }
 
-// Whether a message that `s` sends reaches `r`, a channel of the same computer (config.md 11.13).  The address is that of the side which
-// does not listen; a group has the same one on both sides.
+// Whether a message that channel `s` sends reaches `r`, a receiving channel of the same computer (config.md 11.13).  Of the two channels, the one
+// that does not listen has the address of the other; a multicast group has the same address in both.
 static bool loops_back(const NetChannel *s, const NetChannel *r)
 {
     const uint8_t *ip = net_listens(s) ? r->ip : s->ip;

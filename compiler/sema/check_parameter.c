@@ -163,7 +163,7 @@ static Span span_of_declaration(const AstDecl *decl)
     return (Span){src, first, after - first};
 }
 
-// Whether a definition means what the local means: it is never assigned, its type converts nothing, and its value is on one line.
+// Whether a definition could replace a local: the local is never assigned, its type does not change the value, and the value is on one line.
 static bool could_be_definition(const Var *local, const AstDecl *decl)
 {
     const Span value = decl->value->span;

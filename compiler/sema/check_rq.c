@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks requirements (docs/requirements.md): binds their names to those of a machine, and compares the ids with the marks @req.
+// Checks requirements (docs/requirements.md): binds the names in them to variables and states of a machine, and compares their ids with the marks
+// @req.
 #include "compiler/sema/sema.h"
 
 #include "compiler/syntax/ast_rq.h"

@@ -107,7 +107,7 @@ static Expr *new_statistic(Sema *s, const AstExpr *call, Expr *sample, uint32_t 
     return e;
 }
 
-// Reports a function that samples its argument where it is not allowed. Returns whether it is allowed.
+// Returns whether a function that samples its argument is allowed in the current context; reports the call if it is not.
 static bool check_samples_allowed(Sema *s, const AstExpr *call)
 {
     s->varies = true;

@@ -13,10 +13,10 @@
 typedef struct ScriptCheck {
     Sema s;
     Script *script;
-    Str delta_t, init_state, seed, set;   // the names of the options
+    Str delta_t, init_state, seed, set;   // the names of the options as interned strings
     bool has_delta_t, has_stop;
     uint32_t items, asserts;      // number of items, and of asserts, that have been checked so far
-    bool proposes_guards;         // CheckContext.proposes_guards
+    bool proposes_guards;         // as CheckContext.proposes_guards
     size_t errors;                // Diags.errors_seen when this check began
     Map section;                  // state name to the Span of its section in the current file
 } ScriptCheck;

@@ -50,7 +50,7 @@ static Expr *new_every(Sema *s, const Expr *period, const AstExpr *in)
     return e;
 }
 
-// Returns the value of a guard such as `at 5 s`, or of `G == 5000`, where G's name has `name` bytes.
+// Returns the value of a guard such as `at 5 s` or `G == 5000`; name: length of the name of G in the source, 0 after `at`.
 static Expr *new_at(Sema *s, const Expr *time, Span span, uint32_t name)
 {
     Expr *e = expr_new(s, EX_AT, span, 0);

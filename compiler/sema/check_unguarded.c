@@ -83,7 +83,7 @@ void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *sect
 
     if (label == AST_EXIT)
         return;
-    if (state->is_abort || !section->block[AST_STEP].present)         // the machine only passes through this state
+    if (state->is_abort || !section->block[AST_STEP].present)         // the machine only passes through the state
         return;
     for (size_t i = 0; i < in->n; i++) {
         const AstStmt *transition = in->at[i], *last = last_unbraced(above);

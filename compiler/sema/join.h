@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Joins the machines of an application into one Program for its scripts (language.md 8.71 to 8.83): its variables are all elements of the
-// state vector, the locals and the T of each machine, its states those of all machines.
+// state vector, and the locals and the T of each machine; its states are the states of all machines.
 #ifndef SMC_JOIN_H
 #define SMC_JOIN_H
 

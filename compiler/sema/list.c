@@ -140,7 +140,7 @@ static void add_middle_of_two(Steps *s, uint8_t lo, uint8_t hi)
     const uint8_t bound = add_step(s, LIST_DIV, finite, add_step(s, LIST_SUB, add_whole_number(s, 1), finite));       // infinity if `finite`, else 0
     const uint8_t near = add_step(s, LIST_MIN, add_step(s, LIST_MAX, lo, add_step(s, LIST_NEG, bound, 0)), bound);
     const uint8_t zero = add_whole_number(s, 0), two = add_whole_number(s, 2);
-    const uint8_t share = add_step(s, LIST_DIV, lo, add_step(s, LIST_SUB, two, finite));                       // lo, or lo / 2
+    const uint8_t share = add_step(s, LIST_DIV, lo, add_step(s, LIST_SUB, two, finite));                       // lo if `finite`, else lo / 2
     const uint8_t gap = add_step(s, LIST_ADD, add_step(s, LIST_SUB, near, hi), zero);
     const uint8_t middle = add_step(s, LIST_SUB, share, add_step(s, LIST_DIV, gap, two));
 

@@ -11,7 +11,7 @@
 
 typedef enum ListOp { LIST_NUMBER, LIST_MIN, LIST_MAX, LIST_ADD, LIST_SUB, LIST_DIV, LIST_NEG, LIST_LT } ListOp;
 
-// One operation on values.  Values are numbered: first those of the list, then the results of the steps.
+// One operation on values.  Values are numbered from 0: first the values of the list, then the results of the steps in their order.
 typedef struct ListStep {
     ListOp op;
     uint8_t a, b;             // numbers of its operands; NEG has only a, NUMBER has none

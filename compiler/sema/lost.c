@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the words that syntax errors may have hidden: those of a declaration, or of a section whose header the parser could not read.
+// Collects the words that syntax errors may have hidden: the words of a declaration, or of a section whose header the parser could not read.
 // If a name is unknown but is one of these words, the checker does not report it, because that error is already reported.
 #include "compiler/sema/sema.h"
 
@@ -147,7 +147,7 @@ void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames 
         uint32_t end = e->span.at;
         if (e->code != DIAG_requirement_section || e->span.src != f->src)
             continue;
-        while (end < f->src->len && text[end] != '"')          // the text of the next requirement
+        while (end < f->src->len && text[end] != '"')          // stop at the text of the next requirement
             end++;
         add_hidden_range(&k, e->span.at, end);
     }

@@ -19,7 +19,7 @@ typedef struct MeasureName {
 } MeasureName;
 
 typedef struct Measure {
-    const char *text;             // as written; NULL: computed
+    const char *text;             // the text that the user wrote; NULL: the unit was computed from others
     double scale;                 // how many base units (Pa for psi) one of this unit is: 6894.757… for psi; finite and above 0
     double zero;                  // a temperature scale that does not begin at 0 K (degC): its zero point in K; other units: 0
     double power[MEASURE_BASES];     // the exponents of m, kg, s, A, K, mol, cd and rev in the product of base units
@@ -40,13 +40,13 @@ typedef struct MeasureError {
 // Reads a text such as m/s^2.  `text` must outlive *into.
 MeasureFlaw measure_parse(const char *text, Measure *into, MeasureError *error);
 
-Measure measure_of_number(void);                                     // the unit of a plain number
-Measure measure_named(const char *name);                             // a unit that exists, such as "rad"
-Measure measure_product(const Measure *a, const Measure *b, double power); // a times b to the power `power`
+Measure measure_of_number(void);                                     // returns the unit of a plain number
+Measure measure_named(const char *name);                             // returns the unit with this name, which exists, such as "rad"
+Measure measure_product(const Measure *a, const Measure *b, double power); // returns a * b^power
 Measure measure_power(const Measure *a, double power);
 
 bool measure_is_usable(const Measure *u);                            // false: scale or powers have become too large to compare
-bool measure_is_same_kind(const Measure *a, const Measure *b);         // m and ft
+bool measure_is_same_kind(const Measure *a, const Measure *b);         // whether both measure the same quantity, as m and ft do
 bool measure_is_same_scale(const Measure *a, const Measure *b);          // for units of the same kind: whether scale and zero are equal
 bool measure_is_number(const Measure *u);                            // whether u measures nothing, as rad, percent and m/m do
 bool measure_is_temperature(const Measure *u);                       // whether u is a temperature alone, not a product or quotient with one

@@ -37,19 +37,19 @@ typedef enum NetTransport { NET_UDP, NET_TCP_CLIENT, NET_TCP_SERVER } NetTranspo
 typedef struct NetChannel {
     bool is_send;
     NetTransport transport;
-    uint32_t peers;           // connections at once: 0 for UDP, 1 for a client
+    uint32_t peers;           // the most connections at once: 0 for UDP, 1 for a TCP client
     Str name;
     Span span, where;         // positions of the channel's name and of its address
     uint8_t ip[4];            // UDP: the receiver, a multicast group, or the local address (0.0.0.0: any); client: the server; server: local address
     uint16_t port;
     uint8_t interface[4];     // address of the local network interface for multicast; 0.0.0.0: the system chooses
-    uint64_t period, timeout; // nanoseconds; timeout 0: none
+    uint64_t period, timeout; // in nanoseconds: the time between two sends; the argument of @timeout, 0: none
     Str key;                  // the argument of @key; or NULL
     const Element *run;       // @run: the element with the number of starts of the sender; or NULL
     const Element *age;       // @age: the element that receives the milliseconds since the last message; or NULL
     VEC(NetField) field;
     VEC(NetStatistic) statistic;
-    uint32_t hash;            // of the message's name and its elements' names, types and order
+    uint32_t hash;            // hash of the message's name and of the names, types and order of its elements
     uint32_t size;            // bytes of the whole message
 } NetChannel;
 
@@ -63,8 +63,8 @@ typedef struct Network {
 static inline bool net_is_tcp(const NetChannel *c) { return c->transport != NET_UDP; }
 // Whether this computer waits for messages or connections from another one: it receives by UDP, or is a server.
 static inline bool net_listens(const NetChannel *c) { return net_is_tcp(c) ? c->transport == NET_TCP_SERVER : !c->is_send; }
-uint32_t net_sockets(const Network *net);     // sockets that all channels need at once, at most
+uint32_t net_sockets(const Network *net);     // returns the most sockets that all channels need at once
 static inline bool net_is_multicast(const uint8_t *ip) { return ip[0] >= 224 && ip[0] <= 239; }
-const char *net_address_text(Arena *arena, const NetChannel *c);      // "239.1.2.3:5000"
+const char *net_address_text(Arena *arena, const NetChannel *c);      // returns the address with its port: "239.1.2.3:5000"
 
 #endif

@@ -39,9 +39,9 @@ typedef struct Element {
     Str name;
     SmType type;
     bool untyped;             // the declaration has no valid type, which is already reported
-    const Range *range;       // its @range, or NULL
-    bool command;             // @command: operated by a person
-    const Measure *unit;         // its @unit, or NULL
+    const Range *range;       // the element's @range, or NULL
+    bool command;             // the element is marked @command: a person operates it
+    const Measure *unit;         // the element's @unit, or NULL
     uint32_t first_allow, allows;     // its @allow annotations are StateVec.allow[first_allow] and the following, `allows` in all
     uint32_t index;           // index in StateVec.element
     uint32_t offset;          // bytes from the start of the state vector in memory (vector_layout.c)
@@ -79,7 +79,7 @@ typedef enum VarKind {
 
 // A parameter (language.md 5.77): a local whose value is set before the machine starts.
 typedef struct Parameter {
-    SmF64 lo, hi;             // its range: both ends are finite and exactly of its type; 0 and 1 of a bool
+    SmF64 lo, hi;             // the range of its values: both ends are finite and exactly of its type; for a bool 0 and 1
     uint64_t standard;        // the default, as a bit cell of the parameter's type; Var.init has the value that is set now
     const Measure *unit;      // its @unit as written, or NULL
     Span span;                // the annotation
@@ -91,7 +91,7 @@ struct Program;
 typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only this kind has
     VarKind kind;
     Str name;                 // as written in [state_vector] or [local]
-    Str alias;                // or NULL
+    Str alias;                // the name after @alias; or NULL
     Str report_name;          // the name in reports: of name and alias the one that sorts first in ASCII
     SmType type;
     uint32_t index;           // index in Program.var; for a variable of a script, Program.var.n plus the index in Script.local
@@ -105,9 +105,9 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     Expr *init_value;         // LOCAL: the expression that init was computed from
     bool outside;             // LOCAL: code outside the machine (a state script) writes it between steps
     bool is_constant;         // LOCAL: read-only and not written from outside, so `init` is always its value
-    bool written;             // the machine contains an assignment to it
-    bool read;                // the machine reads it
-    bool sizes;               // LOCAL: the size of a window is computed from it
+    bool written;             // the machine contains an assignment to the variable
+    bool read;                // the machine reads the variable
+    bool sizes;               // LOCAL: the size of a window is computed from its value
     bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
     const struct Program *state_of;   // ELEMENT: the machine whose S it is; NULL: none
     Span span;                // position of its name in [state_vector] or [local]
@@ -131,9 +131,9 @@ struct Define {
     struct AstExpr *value;
     Span value_span;          // the expression
     uint32_t number;          // index among the definitions of the file, from 0; the numbers of a script's definitions follow those of its machine
-    uint32_t size;            // operations and values of its expression, with those of the definitions that it uses
+    uint32_t size;            // number of operations and values of the expression, after the definitions in it are expanded
     const Measure *unit;         // its @unit, or NULL
-    uint32_t names;           // if its expression is only the name of another definition, which has a unit: 1 + `number` of that definition; else 0
+    uint32_t names;           // if the expression is only the name of another definition with a unit: 1 + `number` of that definition; else 0
     bool used;                // a statement, a declaration, a used definition or a requirement uses it
     bool expanded;            // its expression has been checked, so the uses in it are listed in `use`
     VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
@@ -171,7 +171,7 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     uint32_t window;          // ROLL: index into the owner's window list; AT: the length of the name of G at the start of `span`, 0: it is not
                               // written
     uint32_t define;          // if this is the use of a definition with a unit: 1 + the number of that definition; else 0
-    Expr *arg[];              // n operands; for a CHAIN its n - 1 operators follow
+    Expr *arg[];              // n operands; in a CHAIN, n - 1 operators follow them (expr_ops)
 };
 
 static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *)(e->arg + e->n); }      // CHAIN
@@ -179,7 +179,7 @@ static inline SmOperator *expr_ops(const Expr *e) { return (SmOperator *)(void *
 // The window of one roll call in the source.  Every call has its own Window; the IR builder merges equal windows.
 typedef struct Window {
     Expr *sample;             // the sampled expression; in a window of times, an event: 0 or not 0
-    uint32_t size;            // n: 1 … SM_WINDOW_MAX
+    uint32_t size;            // the argument n, number of samples: 1 … SM_WINDOW_MAX
     SmStat stat;
     const Var *time;          // only in a window of times (SM_STATS_OF_TIMES): G
     uint64_t gap;             // only for the run of `held`: the run restarts if G has advanced by more than this since the last step; 0: never
@@ -227,7 +227,7 @@ struct AstSection;
 
 // A section [all_states]: its statements are the first of .step of each state that it does not except.
 typedef struct AllStates {
-    const struct AstSection *section;     // only for the checker
+    const struct AstSection *section;     // the syntax tree of the section, valid only during the check
     Span span;                // the whole section
     bool *excepted;           // by State.number: the section does not run in this state
     bool *proposed;           // by State.number: an edit that adds the state to the section's @except has been proposed
@@ -268,7 +268,7 @@ typedef struct RequirementMark {
 } RequirementMark;
 
 typedef struct Program {
-    Str stem;                 // the file's: "tank" of dir/tank.sm
+    Str stem;                 // the file's name without folder and extension: "tank" for dir/tank.sm
     Str name;                 // the stem; for a machine with bindings, its name in the application
     const Source *src;
     StateVec *sv;
@@ -279,7 +279,7 @@ typedef struct Program {
     bool uses_time_unit;      // the behaviour depends on time_unit: the machine contains a time literal, or declares a step
     uint64_t step;            // how much G advances in a step; 0: not declared
     Span step_span;           // position of the value of step in [options]
-    uint32_t operators;       // 1u << SmOperator for each operator in the program; lets analyses without work return early
+    uint32_t operators;       // 1u << SmOperator for each operator in the program; analyses that find nothing without an operator return early
     bool has_units;           // a variable or definition has an @unit
     bool large_numbers;       // the program contains a literal of 2^53 or more
     uint32_t stmts;           // statements in all blocks: the largest Stmt.number
@@ -290,8 +290,8 @@ typedef struct Program {
     VEC(Allow) allow;         // the machine's own @allow annotations, and those of the .sv, which cover the line where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;
-    const Joint *joint;       // of an application as its scripts see it; NULL: a machine.  s and t are then NULL, and variables and states of
-                              // a machine have names such as `deploy.T`
+    const Joint *joint;       // set if this is the joined Program of an application; NULL: a machine.  In a joined Program s and t are NULL, and
+                              // variables and states of a machine have names such as `deploy.T`
 } Program;
 
 // ---- the script ----
@@ -333,8 +333,8 @@ struct ScriptItem {
     const ScriptItem *parent; // the conditional around it; NULL: none
     uint32_t number;          // 0, 1, 2 … in file order, over the whole script
     uint32_t first_assert;    // number of asserts in the earlier items of the section
-    uint32_t machine : 24;    // in the script of an application: 1 + the index of the machine at whose ticks its asserts count; 0: all ticks
-    bool otherwise : 1;       // it belongs to the `else` of the parent
+    uint32_t machine : 24;    // in the script of an application: 1 + the index of the machine in whose ticks the asserts are evaluated; 0: all
+    bool otherwise : 1;       // the item is in the `else` of the parent
     bool by_time : 1;         // the guard is a guard by time, built by check_when
     bool stop : 1;            // the item's body ends with @stop
     uint32_t stop_at;         // offset of the @stop, in the source that contains `guard`
@@ -387,7 +387,7 @@ typedef struct ScriptData {
     Str file, time;           // the names of the file, and of the column with the times
     Span file_span, time_span;
     TimeUnit unit;            // unit of the times in the file
-    bool is_linear;           // between two rows, values are interpolated; else they are those of the earlier row
+    bool is_linear;           // between two rows, values are interpolated; else the values of the earlier row are used
     bool stops_at_bad_time, skips_bad_times;      // the section has `on_bad_time error`; it has `on_bad_time skip`
     bool missing_is_nan;
     VEC(ScriptColumn) column; // columns that are written to variables
@@ -408,7 +408,7 @@ typedef struct Script {
     Defines define;           // in file order; their numbers follow those of the machine
     bool has_units;           // a variable or definition of the script has an @unit
     VEC(ScriptSection) section;       // in file order
-    Windows window;           // of the roll calls in all sections of the script
+    Windows window;           // the windows of the roll calls in all sections of the script
     ScriptRandoms random;     // the calls of random and noise, by their number from 0
     uint64_t seed;            // seed of the random numbers
 } Script;
@@ -420,7 +420,7 @@ uint64_t joint_periods_until(const Joint *j, uint64_t every, uint64_t g);
 
 // ---- parameters ----
 
-const char *parameter_refusal_text(SmRefusal refusal);       // the words of stdlib/parameters.def
+const char *parameter_refusal_text(SmRefusal refusal);       // returns why a value was refused, in the words of stdlib/parameters.def
 bool program_has_parameters(const Program *p);
 const Var *program_parameter(const Program *p, Str name);    // returns the parameter of this name; NULL: none
 // Returns why a parameter cannot have the value x.  If it can, sets *cell to the value as a bit cell of its type.

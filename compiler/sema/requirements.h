@@ -21,7 +21,7 @@ typedef struct Requirement {
     Expr *a, *b, *c;          // the conditions of the requirement, as RequirementKind names them; NULL: its kind has no such condition
     uint32_t machine[3];      // for a, b and c: 0, or if the condition names a state of an application's machine, 1 + the index of that
                               // machine. Such a condition is true only in ticks in which the machine steps
-    uint64_t within;          // LEADS_TO: in units of G
+    uint64_t within;          // LEADS_TO: the time limit in units of G
 } Requirement;
 
 typedef struct Requirements {

@@ -27,7 +27,7 @@ typedef struct HiddenNames {
 } HiddenNames;
 
 HiddenNames *find_hidden_names(const CheckContext *c, const AstFile *f);
-void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames *to);     // those of the sections that requirements cannot have
+void add_names_of_sections(const CheckContext *c, const AstFile *f, HiddenNames *to);     // adds the words of sections that a .rq cannot have
 void add_hidden_names(const CheckContext *c, const AstFile *f, HiddenNames *to);
 
 // One machine or script being checked.
@@ -77,7 +77,7 @@ typedef struct Sema {
     uint32_t operators;       // 1u << SmOperator of each operator in the value that is being checked; becomes Stmt.operators
     bool varies;              // whether the value that is being checked varies; becomes Stmt.varies
     Program *building;        // the machine being built; NULL for a script
-    ScriptRandoms *random;    // of the script; NULL for a machine
+    ScriptRandoms *random;    // the list of the script's random calls; NULL for a machine
 } Sema;
 
 void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Program *p, Windows *windows);
@@ -105,7 +105,7 @@ typedef struct Guess {
 
 Guess guess_init(Str wanted);
 void guess_consider(Guess *g, Str candidate);
-void guess_add_label(Diags *diags, Diag *d, const Guess *g);   // "did you mean …?", if a near word was found
+void guess_add_label(Diags *diags, Diag *d, const Guess *g);   // adds "did you mean …?", if a near word was found
 // Each of these two functions finds the known name that is most similar to an unknown `name`, adds it as a label to d, and returns it; NULL
 // if no known name is similar.  *guesses is how many more such searches are allowed.
 Str suggest_element(Diags *diags, Diag *d, unsigned *guesses, const StateVec *sv, Str name);
@@ -132,7 +132,7 @@ void sema_record_operator(Sema *s, SmOperator op);     // records that the value
 // Sets the variable and the value of an assignment; false after an error, which is reported.
 bool check_assignment(Sema *s, const AstStmt *in, Stmt *out);
 Var *check_target(Sema *s, Str name, Span span);       // returns the variable that a statement assigns; NULL after a report
-void check_data(Sema *s, Script *script, const AstSection *in);       // [data] of a script (check_data.c)
+void check_data(Sema *s, Script *script, const AstSection *in);       // checks [data] of a script (check_data.c)
 void check_stmts(Sema *s, const AstStmts *in, Stmts *out);
 // Warns of an unconditional transition to an @abort state that the layout makes look conditional (check_unguarded.c).
 void warn_of_unguarded_abort(Sema *s, const State *state, const AstSection *section, AstLabel label);
@@ -234,8 +234,8 @@ void check_app_machine_time(const CheckContext *c, const Program *p, Span named,
 // ---- check_script_when.c: guards by time of a script ----
 
 Expr *check_guard(Sema *s, const AstExpr *e);              // the guard of a conditional of a script: `G == 5000` becomes one node, like `at 5 s`
-Expr *check_when(Sema *s, const AstExpr *e);               // at 5 s, from 1 s to 2 s, after 5 s, every 10 ms
-Expr *check_state_value(Sema *s, const AstExpr *e);        // state Burn
+Expr *check_when(Sema *s, const AstExpr *e);               // a guard by time: at 5 s, from 1 s to 2 s, after 5 s, every 10 ms
+Expr *check_state_value(Sema *s, const AstExpr *e);        // a value such as `state Burn`
 // Reports `S == state Burn`, which compares twice. Returns false, and reports nothing, if e is another comparison.
 bool report_compared_state_value(Sema *s, const AstExpr *e);
 // Proposes a guard by time for a comparison with G, as in `G == 5000:`.
@@ -246,7 +246,7 @@ bool is_reached_time(SmF64 x, uint64_t delta_t);          // whether a clock tha
 
 // ---- check_random.c: random numbers of a script ----
 
-bool is_random_function(Str name);                         // whether it is random or noise
+bool is_random_function(Str name);                         // whether the name is `random` or `noise`
 // Numbers the calls in the definitions of a file. Call it before its other expressions are checked.
 void number_random_definitions(Sema *s, const AstFile *ss);
 Expr *check_random_call(Sema *s, const AstExpr *e);

@@ -42,10 +42,10 @@ struct AstExpr {
     bool alone;               // a name or call where a statement is expected; the checker reports it (E0327)
     Span span;                // the whole expression
     uint32_t op_at, op_len;   // offset and length of the operator (UNARY, BINARY, IMPLIES), the name (CALL, STATE_NAME) or the word (WHEN)
-    AstWhen when;             // WHEN: its word
+    AstWhen when;             // WHEN: the word that begins the guard
     TimeUnit unit;            // NUMBER: the unit after it; then op_at and op_len are the number alone
     SmF64 number;             // NUMBER: its value, without the unit
-    Str name;                 // NAME, CALL: the name; STATE_NAME: that of the state
+    Str name;                 // NAME, CALL: the name; STATE_NAME: the state's name
     AstExpr *a, *b;           // UNARY, PAREN, STEPS: the operand a; BINARY, IMPLIES: both operands; WHEN: the numbers, b only after `to`
     AstArgs *args;            // CALL: the arguments
 };
@@ -85,7 +85,7 @@ typedef struct AstNames { VEC(Str) at; VEC(Span) span; } AstNames;       // name
 
 typedef struct AstAnnotation {
     AstAnnotationKind kind;
-    Span span;                // including its @ and its arguments
+    Span span;                // the whole annotation, with its @ and its arguments
     AstNames *names;          // EXCEPT: the names of states
     Str name;                 // ALIAS: the other name; UNIT: its text; ALLOW: the name of the warning, as after -W; REQ: the requirement
     Span name_span;
@@ -178,10 +178,10 @@ typedef enum AstDataSlot { AST_DATA_FILE, AST_DATA_TIME, AST_DATA_BETWEEN, AST_D
 // A setting, as in data_words.def: `time "t_ms" ms`.
 typedef struct AstDataSetting {
     Str word;                 // "time"; NULL: the section lacks this setting
-    Span span;                // of the word
-    Str text;                 // FILE and TIME
+    Span span;                // position of the word
+    Str text;                 // FILE, TIME: the text in quotes
     Span text_span;
-    Str value;                // the unit, or the word that follows
+    Str value;                // TIME: the unit; BAD_TIME, MISSING: the word that follows
     Span value_span;
 } AstDataSetting;
 
@@ -193,14 +193,14 @@ typedef struct AstDataLine {
     Str column;
     Span column_span;
     AstNumber tolerance;      // absent if its span has no source
-    AstExpr *delay;           // a literal; or NULL
+    AstExpr *delay;           // the literal after `delay`; or NULL
     AstAnnotations annotations;
 } AstDataLine;
 
 typedef struct AstData {
     AstDataSetting setting[AST_DATA_SLOTS];
     VEC(AstDataLine) line;
-    bool is_lost;             // a line has an error
+    bool is_lost;             // a line has an error, which is already reported
 } AstData;
 
 // A line of a .io: `i 0 tankPressure @scale 250`.
@@ -216,7 +216,7 @@ typedef enum AstLabel { AST_ENTRY, AST_STEP, AST_EXIT, AST_LABEL_COUNT } AstLabe
 
 typedef struct AstBlock {
     bool present;
-    Span label;               // `.entry`
+    Span label;               // position of the label, such as `.entry`
     AstStmts stmts;
 } AstBlock;
 
@@ -263,14 +263,14 @@ typedef struct AstInclude { Str name; Span span; } AstInclude;      // span: the
 typedef struct AstFile {
     FileKind kind;
     const Source *src;
-    VEC(AstInclude) includes; // of a script
+    VEC(AstInclude) includes; // the includes at the start of a script
     VEC(AstSection *) sections;       // in file order
     struct AstApp *app;               // the tree of a .app, which has no AstSection (ast_app.h); else NULL
     struct AstNet *net;               // the tree of a .net, which has no AstSection (ast_net.h); else NULL
     struct AstRequirements *requirements;     // the tree of a .rq, which has no AstSection (ast_rq.h); else NULL
 } AstFile;
 
-const char *ast_function_usage(const SmBuiltinInfo *fn);    // how a function's arguments are written: "(x, n)"
+const char *ast_function_usage(const SmBuiltinInfo *fn);    // returns how a function's arguments are written: "(x, n)"
 
 void ast_print(const AstFile *f, Buf *out);      // prints the tree as text: the output of --emit=ast
 

@@ -27,7 +27,7 @@ typedef VEC(AstNetAnnotation) AstNetAnnotations;
 
 // An element or a whole region between the braces.
 typedef struct AstNetPart {
-    bool is_region;           // written as [Region]
+    bool is_region;           // the part is a whole region, written as [Region]
     AstWord name;
     AstNetAnnotations annotations;
 } AstNetPart;
@@ -42,7 +42,7 @@ typedef struct AstNetChannel {
     Span side_span;
     bool is_tcp;
     AstWord where;            // the port, the address with its port, or the name of an endpoint, as written
-    TokenKind where_kind;     // TOK_NUMBER, TOK_ADDRESS or TOK_NAME
+    TokenKind where_kind;     // TOK_NUMBER: a port; TOK_ADDRESS: an address; TOK_NAME: an endpoint
     AstNetAnnotations annotations;
     VEC(AstNetPart) parts;
     Span braces;              // the opening brace

@@ -20,7 +20,7 @@ typedef struct AstRequirement {
     Span id_span;
     Span span;                // the whole line
     AstExpr *a, *b, *c;       // the conditions; for NEVER_BEFORE and NEVER_AFTER each is the name of a state, or is in parentheses
-    AstExpr *within;          // LEADS_TO: the time
+    AstExpr *within;          // LEADS_TO: the time limit
 } AstRequirement;
 
 typedef struct AstRequirements {

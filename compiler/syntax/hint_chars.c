@@ -280,7 +280,7 @@ static HintResult read_lookalike(Lexer *l, Token *t, uint32_t code)
 // Reports the letters of other alphabets in a name, as in größe, which begin at `end`; returns the end of the name.
 uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end)
 {
-    while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // the whole word is one report
+    while ((unsigned char)lexer_byte(l, end) >= 0x80 && skip_foreign_letter(l, end))   // reports all letters of the word
         end = lexer_skip_word(l, end + hint_report_non_ascii(l, end));
     return end;
 }

@@ -10,7 +10,7 @@ enum { ARGUMENTS_MAX = 4, SEARCHES_MAX = 20 };
 
 // The names or values between the parentheses of a definition or of a use.
 typedef struct ArgumentList {
-    Span whole;               // `(x, y)`
+    Span whole;               // position of the arguments with their parentheses, as in `(x, y)`
     Span at[ARGUMENTS_MAX];
     size_t n;
 } ArgumentList;

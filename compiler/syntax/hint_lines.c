@@ -174,7 +174,7 @@ static uint32_t skip_quoted(const HintLine *l, uint32_t p, uint32_t at)
 static PriorStatement find_prior_statement(const HintLine *l, uint32_t at)
 {
     PriorStatement b = {UNKNOWN, 0, l->from, false};
-    uint32_t depth = 0;                       // of parentheses
+    uint32_t depth = 0;                       // number of open parentheses
     bool after_colon = false;                 // a condition's colon precedes b.begin
     bool lost = false;                        // the line contains text that is not a statement, perhaps a condition
 

@@ -398,7 +398,7 @@ HintResult hint_report_op_assign(HintCase *c)
 }
 
 typedef enum HintEffect {
-    HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as that token
+    HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as `if`, `else` or ->
     HINT_DROP,                            // the word is skipped
     HINT_CLOSE,                           // the word is read as the } that an open brace lacks
     HINT_SKIP,                            // the statement is skipped up to the next one

@@ -45,6 +45,6 @@ uint32_t hint_report_non_ascii(Lexer *l, uint32_t at);      // reports the chara
 uint32_t hint_skip_foreign_letters(Lexer *l, uint32_t end);
 
 void hint_skip_choice(Lexer *l);                            // skips the rest of c ? a : b or IF(c, a, b), up to the end of the line
-extern const char *const hint_no_choice;                    // the advice for c ? a : b: what to write instead
+extern const char *const hint_no_choice;                    // text for diagnostics: what to write instead of `c ? a : b`
 
 #endif

@@ -54,7 +54,7 @@ static bool read_further_time(Parser *p, AstWhen when, Times *t)
     return true;
 }
 
-// Returns the conditions that the list means. A time without a unit has that of another one, as in `at 1, 2 s`.
+// Returns the condition that the list means. A time without a unit gets the unit of another time of the list, as in `at 1, 2 s`.
 static const char *format_times(Parser *p, AstWhen when, const Times *t)
 {
     const char *unit = "";
@@ -269,7 +269,8 @@ static HintResult report_time_word(Parser *p, const char *guard, bool certain)
     return HINT_SKIPPED;
 }
 
-// Reports a guard by time in a machine, as in `after 2 s:`. Only `after` is certain: it is one for the time in the state in other languages, too.
+// Reports a guard by time in a machine, as in `after 2 s:`, and suggests a comparison with T. Proposes an edit only for `after`, which also means
+// the time in the state in other languages.
 static HintResult report_when_in_machine(Parser *p, AstWhen when)
 {
     const Span word = parser_token_span(p);

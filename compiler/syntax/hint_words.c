@@ -116,11 +116,11 @@ bool hint_is_doubtful_comparison(const char *text, uint32_t at)
     if (negated)
         return lex_is_digit(text[skip_spaces(text, negated)]) || skip_words(text, skip_spaces(text, negated), "not");
     if (text[p] && strchr("=<>", text[p]))
-        return true;                                   // `p = > 5`
+        return true;                                   // two operators in a row, as in `p = > 5`
     end = hint_skip_operand(text, p);
     next = skip_spaces(text, end);
     if (next > end && lexer_is_word(text[next]) && lex_is_letter(text[p])) {
-        const uint32_t then = skip_words(text, next, "then");            // `is greater then 5`
+        const uint32_t then = skip_words(text, next, "then");            // `than` is often misspelt, as in `is greater then 5`
         if (then ? lex_is_digit(text[skip_spaces(text, then)]) : !hint_is_operator_word(text, next))
             return true;                               // two words in a row are prose
     }

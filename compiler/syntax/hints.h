@@ -31,12 +31,12 @@ HintResult hint_read_stray_text(Lexer *l, Token *t);
 // What the parser is doing at the error, and what the argument `e` of hint_explain is in this context. "general diagnostic" marks the
 // contexts in which hint_explain reports one if no row matches, such as "expected a value".
 typedef enum HintContext {
-    HINT_AT_OPERAND,          // begins an operand
+    HINT_AT_OPERAND,          // is at the start of an operand
     HINT_AFTER_NAME,          // has read a name in an expression: e. SKIPPED: e is wrong
     HINT_AT_OPERATOR,         // expects an operator after the operand e, or the end. SKIPPED: the expression ends here
     HINT_AT_VALUE,            // expects a value; general diagnostic
     HINT_AT_CLOSE,            // expects the ) of an expression in parentheses
-    HINT_AT_STATEMENT,        // begins a statement
+    HINT_AT_STATEMENT,        // is at the start of a statement
     HINT_AT_ASSIGN,           // after the name of an assignment, whose operator is not =
     HINT_AFTER_ASSIGNMENT,    // after the assignment p->assign_operator, at a : or {
     HINT_AT_TARGET,           // expects the name of a state after ->
@@ -48,8 +48,8 @@ typedef enum HintContext {
     HINT_AFTER_WHEN,          // expects : or { after the guard by time e
     HINT_AT_TO,               // expects `to` and a number after the guard by time e, which has only its first number
     HINT_AT_DEFINITION_VALUE, // expects = after the name of a definition; general diagnostic
-    HINT_AT_DEMAND,           // begins what a requirement demands: never or always
-    HINT_AT_DECL,             // begins a declaration
+    HINT_AT_DEMAND,           // is at the start of a requirement's demand, which begins with never or always
+    HINT_AT_DECL,             // is at the start of a declaration
     HINT_AFTER_DECL_NAME,     // has read the name of an element, variable or pin
     HINT_AFTER_DECL,          // expects annotations or the end of a declaration
     HINT_AT_DECL_END,         // expects the end of a declaration

@@ -426,7 +426,7 @@ static bool precedes_text(const Token *t)
 
 void lex_next(Lexer *l, Token *t)
 {
-    const bool is_enclosed = l->open_parens > 0;               // a line end is a space here
+    const bool is_enclosed = l->open_parens > 0;               // inside parentheses a line end counts as a space
 
     do {
         skip_spaces(l);

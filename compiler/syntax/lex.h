@@ -29,8 +29,8 @@ typedef struct Token {
 // Quoted text is a token only inside an @allow( ), where Lexer.texts is set, and everywhere where Lexer.config is.
 typedef enum LexAllow {
     LEX_NO_ALLOW,
-    LEX_ALLOW,                // after its name: until the end of the line
-    LEX_IN_ALLOW              // inside its parentheses
+    LEX_ALLOW,                // after the name @allow, up to its parenthesis or the end of the line
+    LEX_IN_ALLOW              // inside the parentheses of the @allow
 } LexAllow;
 
 enum {
@@ -82,7 +82,7 @@ typedef struct Lexer {
 } Lexer;
 
 void lex_init(Lexer *l, StrPool *strings, Diags *diags, const Source *src);
-void lex_next(Lexer *l, Token *t);          // at the end of the source always TOK_END
+void lex_next(Lexer *l, Token *t);          // reads the next token; at the end of the source always TOK_END
 
 void lex_skip_to(Lexer *l, uint32_t at);    // continues at `at`, the start of a line
 

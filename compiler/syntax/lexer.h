@@ -12,7 +12,7 @@ static inline char lexer_byte(const Lexer *l, uint32_t p) { return p < l->src->l
 static inline Span lexer_span(const Lexer *l, uint32_t at, uint32_t len) { return (Span){l->src, at, len}; }
 
 uint32_t lexer_skip_word(const Lexer *l, uint32_t p);       // returns the end of the letters, digits and _ at p
-const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // a part of the source, cut to a readable length
+const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // returns a part of the source, cut to a readable length
 void lexer_skip_comment(Lexer *l);                          // skips to the end of the line
 void lexer_end_line(Lexer *l);                              // consumes the line end
 // Whether quoted text at the current position can be the text of an item of a script, as in `@fail "text"`: it follows a complete value, or the word

@@ -97,7 +97,7 @@ static bool big_is_at_least(const Big *a, const Big *b)
     return true;
 }
 
-static void big_subtract(Big *a, const Big *b)        // a >= b
+static void big_subtract(Big *a, const Big *b)        // a -= b; requires a >= b
 {
     uint64_t borrow = 0;
 

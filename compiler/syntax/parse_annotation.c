@@ -30,8 +30,8 @@ typedef struct Annotated {
 
 static bool may_follow_target(int row, AstAnnotationTarget target) { return rows[row].where >> target & 1u; }
 
-// Returns the row of the annotation `word` for this target, else a row for another target in the same kind of file; AST_ANNOTATION_COUNT if
-// there is none.
+// Returns the row of the annotation `word` for this target, else a row for another target in the same kind of file; AST_ANNOTATION_COUNT: no
+// such row exists.
 static int find_annotation_row(Str word, AstAnnotationTarget target)
 {
     const unsigned in_file = target == AST_ON_DATA ? ON_DATA : ON_PINS >> target & 1u ? ON_PINS : ON_MACHINES;

@@ -269,8 +269,8 @@ static bool check_section_is_first(Parser *p, const Span *seen, Span header, con
     return false;
 }
 
-// Whether a section is the section `which`, "options" or "start": by its name or, if it has neither name, by its first line. In the second
-// case reports the name, because it is probably misspelt.
+// Whether a section is the section `which`, "options" or "start". The name decides; if the section has another name, its first line decides, and
+// the name, which is probably misspelt, is reported.
 static bool match_section(Parser *p, const AstWord *name, Span header, const char *which)
 {
     const char *meant = NULL;

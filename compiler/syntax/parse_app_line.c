@@ -131,7 +131,7 @@ static const Unit units[] = {
 
 static const char *const unit_lists[] = {"", "", "ns, us, ms or s", "Hz or kHz", "B or KB"};
 
-// Returns the unit for another common spelling of it, such as s for seconds; NULL if none is known for this measure.
+// Returns the unit that the word at the next token probably means, such as s for `seconds`; NULL if it means no unit of this measure.
 static const char *find_unit_synonym(Parser *p, AppMeasure of)
 {
     const char *ours = p->tok.kind == TOK_NAME ? hint_find_synonym(HINT_UNITS, p->tok.text->text) : NULL;

@@ -64,7 +64,7 @@ static bool parse_pin_number(Parser *p, AstPin *pin)
 
     if (parse_signed_number(p, &pin->number))
         return true;
-    if (p->tok.kind == TOK_NAME && p->last.kind == TOK_NAME)       // a word instead of the number, without a sign before it
+    if (p->tok.kind == TOK_NAME && p->last.kind == TOK_NAME)       // a word follows where the number should be, without a sign
         hint_explain(p, HINT_AT_PIN_NUMBER, NULL);
     else
         parser_fail(p, DIAG_pin_number, at, found);

@@ -380,7 +380,7 @@ static void parse_allows(Parser *p, AstStmts *into)
 
 // ---- conditionals ----
 
-// After an error in a guard: skips to the : or { after it, so that its statements are still parsed as its body.
+// After an error in a guard: skips to the : or { that follows the guard, so that the statements after it are still parsed as a body.
 static void recover_guard(Parser *p)
 {
     while (!parser_at_end_of_block(p) && p->tok.kind != TOK_COLON && p->tok.kind != TOK_LBRACE && !p->tok.first)

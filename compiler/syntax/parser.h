@@ -48,10 +48,10 @@ typedef struct Parser {
 void parser_advance(Parser *p);                         // consumes the next token
 void parser_stop(Parser *p);                            // ends parsing: every further token is TOK_END, and nothing is reported
 Span parser_span(const Parser *p, const Token *t);      // returns the position of a token
-Span parser_token_span(const Parser *p);                // position of the next token
-Span parser_gap_span(const Parser *p);                       // the empty position directly after the last token
-Span parser_missing_span(const Parser *p);             // the next token, or the end of the line before it
-Span parser_span_since(const Parser *p, uint32_t at);        // the range from `at` to the end of the last token
+Span parser_token_span(const Parser *p);                // returns the position of the next token
+Span parser_gap_span(const Parser *p);                       // returns the empty position directly after the last token
+Span parser_missing_span(const Parser *p);             // returns the position of the next token, or of the end of the line before it
+Span parser_span_since(const Parser *p, uint32_t at);        // returns the range from `at` to the end of the last token
 bool parser_at_end_of_statement(const Parser *p);       // whether the next token begins a line or ends the block, or the last one is }
 bool parser_at_end_of_block(const Parser *p);           // whether the next token is }, a label, a header or the end
 bool parser_is_steps(const Parser *p);                  // whether the next token is the word `steps` that ends an argument (language.md 7.25)
@@ -62,8 +62,8 @@ bool parser_is_steps(const Parser *p);                  // whether the next toke
 Diag *parser_report(Parser *p, DiagCode code, Span span, ...);
 // Reports like parser_report, and sets p->failed.
 Diag *parser_fail(Parser *p, DiagCode code, Span span, ...);
-const char *parser_text(const Parser *p, Span span);    // the source text, cut to a readable length
-const char *parser_text_of_line(const Parser *p, uint32_t at);         // the text from `at` to a comment or the end of the line
+const char *parser_text(const Parser *p, Span span);    // returns the source text, cut to a readable length
+const char *parser_text_of_line(const Parser *p, uint32_t at);         // returns the text from `at` to a comment or the end of the line
 // Describes a token for a diagnostic: "'>='", "the end of the line", "the section [Idle]".
 const char *parser_describe(const Parser *p, const Token *t);
 const char *parser_describe_found(const Parser *p);              // describes the next token, or the end of the line before it
@@ -101,9 +101,9 @@ bool parser_is_allow(const Token *t);
 const AstAnnotation *parse_allow(Parser *p);            // an @allow before a statement; NULL if it reported an error
 void parser_report_annotation_before_decl(Parser *p);                 // reports an annotation where a declaration should begin
 void parser_report_annotation_in_block(Parser *p);                    // reports an annotation where a statement should begin
-void parse_app_section(Parser *p, struct AstApp *app);  // the next token is the section's header
-void parse_net(Parser *p, struct AstNet *net);          // the whole file
-void parse_requirements(Parser *p, struct AstRequirements *into);     // the whole file
+void parse_app_section(Parser *p, struct AstApp *app);  // parses a section; the next token is its header
+void parse_net(Parser *p, struct AstNet *net);          // parses a whole .net
+void parse_requirements(Parser *p, struct AstRequirements *into);     // parses a whole .rq
 bool parser_at_requirement(const Parser *p);            // whether the next tokens begin a requirement
 AstExpr *parse_condition_of(Parser *p);                 // parses `e` or `a implies b`, which must begin on this line
 bool parser_is_word(const Parser *p, const char *word); // whether the current token is this name, on the line of the last token

@@ -19,9 +19,9 @@ bool app_parse_name(Parser *p, AstWord *into, const char *expected, const char *
 bool app_parse_file(Parser *p, AstWord *into, const char *example);
 bool app_parse_amount(Parser *p, AstAmount *into, AppMeasure of, const char *example);
 
-bool app_match_option(const Parser *p, AstAppOptionKind *kind);      // the next word begins a line of [options]
-bool app_match_task(const Parser *p, AstAppTaskKind *kind);          // the next word begins a task of a rate group
-bool app_is_at_rate(const Parser *p);                                // the next tokens begin a rate, with `every` or `at`
+bool app_match_option(const Parser *p, AstAppOptionKind *kind);      // whether the next word begins a line of [options]; sets *kind
+bool app_match_task(const Parser *p, AstAppTaskKind *kind);          // whether the next word begins a task of a rate group; sets *kind
+bool app_is_at_rate(const Parser *p);                                // whether the next tokens begin a rate, with `every` or `at`
 
 // Parses the braces of a machine, { fire = fireDrogue }. The next token is the opening brace.
 void app_parse_bindings(Parser *p, AstBindings *into);

@@ -13,7 +13,7 @@
 typedef enum TimeUnit { TIME_NONE, TIME_US, TIME_MS, TIME_S, TIME_MIN, TIME_H, TIME_UNITS } TimeUnit;
 
 TimeUnit time_unit_find(const char *word);        // returns TIME_NONE if the word is no unit
-const char *time_unit_name(TimeUnit unit);        // "ms"; the unit is not TIME_NONE
+const char *time_unit_name(TimeUnit unit);        // returns the word, such as "ms"; the unit is not TIME_NONE
 bool time_unit_counts(TimeUnit unit);             // whether G can count in this unit: us, ms or s
 
 // Converts the literal of `len` characters at `text`, which is decimal, from `from` to a unit in which G can count: multiplies exactly, and

@@ -25,7 +25,7 @@ struct FaultEngine {
     Engine engine;
     Engine *inner;
     const FaultInput *input;
-    Sensor *sensor;           // by input
+    Sensor *sensor;           // by index in `input`: the true values of the input
     uint32_t inputs;
     uint32_t *input_of;       // by Var.index: 1 + index in `input`; 0: the variable is no input
     FaultSizes sizes;

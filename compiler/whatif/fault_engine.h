@@ -24,7 +24,7 @@ typedef struct FaultInput {
     double lo, hi;            // the range of the input
 } FaultInput;
 
-// How large faults are: fault_kinds.def says which kind uses which size.
+// How large faults are.  Comments begin with the FaultKind that uses a size.
 typedef struct FaultSizes {
     double offset, noise;     // BELOW, ABOVE: the error, as a fraction of the range; NOISY: the standard deviation, as a fraction of the range
     uint32_t late, dropped;   // LATE: by how many steps; DROPPED: for how many steps; both at least 1
@@ -33,7 +33,7 @@ typedef struct FaultSizes {
 
 // A fault of one sensor.
 typedef struct Fault {
-    uint32_t input;           // index in the list of inputs
+    uint32_t input;           // index in the list of inputs (Faults.input)
     FaultKind kind;
 } Fault;
 

@@ -69,15 +69,15 @@ struct FaultRunner {
     Arena tapes;              // memory of the records of the current trigger
     uint64_t taped;           // number of writes and changes in these records
     FaultRecord *record;      // by index in `single`: its record; only if pairs of faults are run
-    FaultSeen *seen;          // by script
+    FaultSeen *seen;          // by script: what a script and the requirements read
     ArenaCopy saved;          // the copy of `run` at the trigger
     FlatMachine *flat;        // the machine that all runs share
     ScriptOptions o;          // the options of the current run
     const Var **output;       // the elements that the machine writes, and last S
     uint32_t outputs;
-    Healthy *healthy;         // by script
+    Healthy *healthy;         // by script: its run without a fault
     Visit *visit;             // by State.number - 1: the longest visit in the run of the current script without a fault
-    VEC(Fault) single;        // the faults that apply
+    VEC(Fault) single;        // all single faults that apply to their inputs
     uint8_t *is_required;      // by input: 1 if a requirement reads it
     uint8_t *is_judged;        // by input: 1 if a requirement, an assert or an @compare reads it
     uint8_t *reads;           // by State.number - 1 and input: 1 if the state's code reads the input
@@ -109,7 +109,7 @@ void fault_find_seen(FaultRunner *x);
 Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script);
 // Drops all records.
 void fault_tape_reset(FaultRunner *x);
-// Records the current run from its next step on, as that of a single fault.
+// Records the current run from its next step on, as the run of the fault with index `single`.
 void fault_tape_begin(FaultRunner *x, uint32_t single);
 // Whether a run with both faults has the outcome that `single`, one of the two, has alone.  False: not known.  The current run must be before the
 // trigger; the call uses it up.

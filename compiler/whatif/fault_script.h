@@ -17,7 +17,7 @@ typedef struct FaultScriptPlace {
 // Append a script.  Return NULL, or the reason why no script of this form is possible.
 const char *fault_script_write_edited(Arena *arena, const Faults *f, const FaultResult *r, const FaultScriptPlace *place, Buf *out);
 const char *fault_script_write_recorded(Arena *arena, Faults *f, const FaultResult *r, const FaultScriptPlace *place, Buf *out);
-// Runs a script that one of these has written.  Returns whether its outcome is that of the fault, at the same step.
+// Runs a script that one of these two functions has written.  Returns whether it has the same outcome as the fault, at the same step.
 bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r, const Script *s);
 
 // Appends a fault in words: "altitude dead", "altitude dead and armed stuck".

@@ -41,9 +41,9 @@ typedef struct FaultResult {
     FaultOutcome outcome;             // the most dangerous of the outcomes below
     uint32_t violated;                // 1 + index of the requirement that was violated first; 0: none
     bool violated_in_truth;           // the requirement is met for the readings, but violated for the true values
-    FaultMoment violated_at;          // of the requirement `violated`
+    FaultMoment violated_at;          // the step at which it was violated
     const ScriptAssert *failed;       // the first assert that failed; NULL: none
-    FaultMoment failed_at;            // when `failed` failed
+    FaultMoment failed_at;            // the step after which it failed
     const Var *differs;               // the first output that differs, or S for another state; NULL: none
     FaultMoment differs_at;
     uint64_t cell, healthy_cell;      // value of `differs` after that step, with the fault and without
@@ -54,7 +54,7 @@ typedef struct FaultResult {
 } FaultResult;
 
 typedef struct FaultOptions {
-    unsigned kinds;                   // 1u << FaultKind
+    unsigned kinds;                   // set of the kinds to run: 1u << FaultKind for each
     const Var *const *input;          // the inputs that can fail, `inputs` of them; 0: all that the machine reads and that a script writes or that
                                       // are @read_only
     uint32_t inputs;
@@ -62,7 +62,7 @@ typedef struct FaultOptions {
     bool runs_all;                    // also runs faults whose outcome follows from other runs: for tests
     uint64_t max_runs;
     FaultSizes sizes;                 // sizes.seed is only used if has_seed
-    bool has_seed;                    // otherwise the seed is that of each script
+    bool has_seed;                    // sizes.seed is used; otherwise each script's own seed
     const uint64_t *at;               // times at which faults begin, instead of at states and transitions; `times` of them
     uint32_t times;
     uint64_t max_steps;               // the most steps of a run without a fault
@@ -80,7 +80,7 @@ typedef struct Faults {
     FaultOptions options;
     VEC(FaultInput) input;
     VEC(FaultTrigger) trigger;
-    VEC(FaultResult) result;          // of all single faults, and of the pairs with worse_than_alone
+    VEC(FaultResult) result;          // the results of all single faults, and of the pairs with worse_than_alone
     uint64_t faults, runs;            // number of faults that were judged; how many of these were run: the others concern inputs that nothing reads
     uint64_t pairs, pairs_worse;      // number of pairs that were judged; of these, with worse_than_alone
     uint64_t repeated;                // number of pairs that were found to do the same as one of their faults, without a run

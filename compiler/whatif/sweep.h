@@ -48,7 +48,7 @@ typedef struct SweepBoundary {
 } SweepBoundary;
 
 typedef struct SweepOptions {
-    SweepAxis axis[SWEEP_AXES];       // without `value` and `current`
+    SweepAxis axis[SWEEP_AXES];       // the axes; `value` and `current` are not set
     uint32_t axes;
     uint64_t max_steps;
     const uint64_t *seed;             // seed of the random numbers; NULL: each script's own seed
@@ -67,7 +67,7 @@ typedef struct Sweep {
     SweepAxis axis[SWEEP_AXES];
     VEC(SweepCheck) check;
     VEC(SweepPoint) point;            // with two axes: the map, at index (index on axis 0) * axis[1].n + (index on axis 1); with one: empty
-    SweepLine line[SWEEP_AXES];       // by axis
+    SweepLine line[SWEEP_AXES];       // by axis: the points on the axis
     VEC(SweepBoundary) boundary;
     uint64_t runs;                    // number of runs of scripts so far
     SweepRunner *runner;
