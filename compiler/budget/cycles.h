@@ -56,7 +56,7 @@ uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole);
 // Returns the cycles in a row of CYCLES_WINDOW, for a window of this sample type and size.
 uint32_t cycles_of_window_row(CyclesWindow row, uint8_t type, uint32_t slots);
 
-// Call before the first instruction.  Returns the cost of a step besides the functions that it runs.
+// Returns the cost of a step without the code of the machine that it runs (.entry, .step, .exit).  Call before the first instruction.
 uint32_t cycles_begin(Cycles *c, CyclesChip chip, const SmvmMachine *m);
 // Returns the cost of the next instruction in the order of the image, and updates the registers.  number: its operands.  The cost of
 // `end` and `goto` includes the call of the function that they end.

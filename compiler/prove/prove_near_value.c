@@ -162,7 +162,7 @@ static uint64_t neighbour_value(SmType type, uint64_t cell, bool above)
     return (x > 0) == above ? cell + 1 : cell - 1;
 }
 
-// Adds a number that an input should have; a bool is inverted instead.
+// Adds a number that an input should have in the next attempt.  For a bool that is the opposite of its present value, and the number is ignored.
 static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, bool is_required)
 {
     const uint64_t cell = sm_cell_from_f64(v->type, x);

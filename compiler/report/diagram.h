@@ -19,7 +19,7 @@ typedef struct DiagramCounts {
 
 typedef struct DiagramSize { int32_t w, h; } DiagramSize;         // CSS pixels, 1/96 inch
 
-// What happened to a state or transition from one machine to the next.  Text, lines and colours show it.
+// How a state or transition of the new version of a machine differs from the old version.  Text, lines and colours show it.
 typedef enum DiagramChange { DIAGRAM_SAME, DIAGRAM_ADDED, DIAGRAM_REMOVED, DIAGRAM_CHANGED } DiagramChange;
 
 typedef struct DiagramChanges {

@@ -300,6 +300,7 @@ static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, Goal
     return best;
 }
 
+// Sets up the chooser of scenarios: its arenas, and nothing covered or chosen yet.
 static void begin_chooser(Chooser *c)
 {
     SearchRun *k = c->k;

@@ -100,7 +100,8 @@ typedef struct AppFile {
     const Source *src;        // set by the caller, which opens files; NULL if the file cannot be read
     const char *problem;      // set by the caller if src is NULL: why the file cannot be read
     size_t machines;          // number of machines of the application that this file defines
-    size_t unbound;           // 1 + the index in AppFiles.instance of the first machine of this file without bindings; 0: none
+    size_t unbound;           // 1 + the index in AppFiles.instance of the first machine of this file without bindings
+                              // (`NAME = VARIABLE` in braces after the file); 0: none
 } AppFile;
 
 // A machine of an application: a line `machine NAME "FILE"`.

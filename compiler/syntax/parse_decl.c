@@ -291,7 +291,7 @@ static bool parse_setting(Parser *p, AstOption *o)
     return parse_setting_value(p, o);
 }
 
-// Whether the next token is `file` of `delta_t file`.
+// Whether the next token is `file` of the option `delta_t file`: the length of each step comes from the rows of a recording.
 static bool is_step_of_rows(const Parser *p, const AstOption *o)
 {
     return p->kind == FILE_SS && strcmp(o->name->text, "delta_t") == 0 && !p->tok.first && strcmp(p->tok.text->text, "file") == 0;
