@@ -192,7 +192,7 @@ SmResult smvm_init(void *memory, uint32_t size, const SmvmMachine *m, const Smvm
 SmResult smvm_step(SmVm *vm, void *sv);
 
 uint32_t smvm_state(const SmVm *vm);                  // the state that the next step runs
-uint64_t smvm_time(const SmVm *vm);                   // T: the time since the first step of the state (language.md 6)
+uint64_t smvm_time(const SmVm *vm);                   // T after the last step: the time since the first step of the state that it ran (language.md 6)
 bool smvm_stored(const SmVm *vm, uint32_t output);    // whether the last step stored this output, 0 to m.outputs - 1
 bool smvm_stored_state(const SmVm *vm);               // whether the last step stored S
 void *smvm_locals(SmVm *vm);                          // the locals, at the offsets that the code and the debug section use

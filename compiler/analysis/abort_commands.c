@@ -115,7 +115,7 @@ static const Expr *guard_of_state(const AbortPath *path)
     const Condition *when = path->first->when;
     const bool counts = when && when->holds && path->possible && abort_is_bounded(path) && (path->sensors > 0 || path->by_input);
 
-    return counts && !when->stmt->span.src->written ? when->stmt->value : NULL;
+    return counts && !when->stmt->span.src->copy_of ? when->stmt->value : NULL;
 }
 
 static bool aborts_on(const Trials *t, const AbortRow *r, const Expr *guard)

@@ -30,12 +30,12 @@ Source *source_new(Arena *arena, const char *name, const char *text, size_t len)
     return s;
 }
 
-// Returns a copy of the source for the statements of [all_states] as they apply to this state (Source.written).
+// Returns a copy of the source for the statements of [all_states] as they apply to this state (Source.copy_of).
 Source *source_copy_for_state(Arena *arena, const Source *s, const char *state)
 {
     Source *copy = arena_copy(arena, s, sizeof *s);
 
-    copy->written = s;
+    copy->copy_of = s;
     copy->state = state;
     return copy;
 }

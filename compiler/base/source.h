@@ -18,7 +18,7 @@ typedef struct Source {
 
     // A copy of a source whose statements belong to several states ([all_states] of a machine), one for each of these states. Positions in it
     // tell which state they belong to. Diagnostics replace it by the source itself.
-    const struct Source *written; // the source of which this is a copy; NULL: this is no copy
+    const struct Source *copy_of; // the source of which this is a copy; NULL: this is no copy
     const char *state;            // the name of the state
 } Source;
 
@@ -34,7 +34,7 @@ enum { SOURCE_MAX = 0x40000000 };   // the longest source in bytes: the sum of t
 
 // Wraps `text` without copying it, and finds its lines.  `name` and `text` must outlive the result; len <= SOURCE_MAX.
 Source *source_new(Arena *arena, const char *name, const char *text, size_t len);
-Source *source_copy_for_state(Arena *arena, const Source *s, const char *state);      // see Source.written
+Source *source_copy_for_state(Arena *arena, const Source *s, const char *state);      // see Source.copy_of
 LineCol source_position(const Source *s, uint32_t at);
 // Returns the text of a line, counted from 1, without its LF or CR LF; *len is its length.
 const char *source_line(const Source *s, uint32_t line, uint32_t *len);

@@ -246,7 +246,7 @@ static void add_target(Mutation *u, Stmt *s)
     const size_t n = u->p->state.n;
     const Span name = {s->span.src, s->span.at + s->span.len - s->target->name->len, s->target->name->len};
 
-    for (size_t i = 0; i < n && !s->span.src->written; i++) {
+    for (size_t i = 0; i < n && !s->span.src->copy_of; i++) {
         State *other = u->p->state.at[(s->target->number + i) % n];
         if (other == s->target || other == u->state)
             continue;

@@ -45,7 +45,7 @@ typedef struct Plan {
     VEC(FlatFull) read;               // the windows that the current statement reads outside decisions
     bool in_window;                   // the current expression is what a window samples: no statement reads a window inside it
     uint32_t *entry, *exit;           // by State.number - 1: the place of entering the state; of leaving it
-    const State *state;               // the current state, or NULL
+    const State *state;               // the current state; NULL before the first
     uint32_t inside;                  // the place of the branch, block or statement that contains the current code
     uint32_t *first_decision;         // by index in Program.window: index of the first decision in the sampled expression
     uint32_t *last_decision;          // by index in Program.window: index after the last decision
@@ -321,7 +321,7 @@ static void plan_branch(Plan *k, const Stmts *list, uint32_t inside)
 
 static void plan_transition(Plan *k, const Stmt *s, uint32_t stmt, bool is_new)
 {
-    const bool of_all = s->span.src->written != NULL;
+    const bool of_all = s->span.src->copy_of != NULL;
     const Key key = {COVER_TRANSITION, s->span.at, s->span.len, k->state->number};
     const CoverPlace p = {.kind = COVER_TRANSITION, .span = s->span, .where = s->span, .from = k->state, .to = s->target, .of_all_states = of_all,
                           .part_of = k->inside};
@@ -376,7 +376,7 @@ static void plan_statements(Plan *k, const Stmts *list)
 {
     for (size_t i = 0; i < list->n; i++) {
         const uint32_t outer = k->inside;
-        if (list->at[i]->span.src->written && outer == k->entry[k->state->number - 1])
+        if (list->at[i]->span.src->copy_of && outer == k->entry[k->state->number - 1])
             k->inside = 0;                            // a copy from [all_states]: the statement can also be executed in another state
         plan_statement(k, list->at[i]);
         k->inside = outer;

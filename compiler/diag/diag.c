@@ -125,8 +125,8 @@ static void add_machine(Diags *d, Diag *x)
 // Replaces the copy of a source by the source itself.
 static Span written_source(Span span)
 {
-    if (span.src && span.src->written)
-        span.src = span.src->written;
+    if (span.src && span.src->copy_of)
+        span.src = span.src->copy_of;
     return span;
 }
 

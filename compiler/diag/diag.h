@@ -84,7 +84,7 @@ typedef struct Diag {
     const char *label;                    // printed after the caret, as "did you mean 'valveOpen'?"; or NULL
     VEC(DiagNote) notes;
     VEC(DiagEdit) edits;                  // all edits together are one proposed fix
-    VEC(const char *) states;             // the states for which it was reported, where its statement belongs to several (Source.written)
+    VEC(const char *) states;             // the states for which it was reported, where its statement belongs to several (Source.copy_of)
     VEC(const char *) machines;           // the machines for which it was reported while Diags.machine was set
     VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
     bool allow_checked;                   // an earlier call of diags_apply_allows has examined it

@@ -30,7 +30,7 @@ static State *state_in_union(const Union *u, const State *old)
 // Returns the source as it is written: a copy of a statement of [all_states] becomes one of its state.
 static Span written_span(Span s)
 {
-    s.src = s.src && s.src->written ? s.src->written : s.src;
+    s.src = s.src && s.src->copy_of ? s.src->copy_of : s.src;
     return s;
 }
 

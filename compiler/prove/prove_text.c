@@ -195,7 +195,7 @@ static void write_timer(Arena *arena, const Program *p, Buf *out)
                    l.found->name->text);
 }
 
-// Writes for each value that the exploration could not follow what would help.
+// Writes, for each variable, window or time with too many values for an exploration, a change of the machine that gives it fewer.
 static void write_remedies(Arena *arena, const Program *p, const ProveOf *of, size_t indent, Buf *out)
 {
     bool has_timer = false;

@@ -186,7 +186,7 @@ static bool is_same_row(const PathRow *row, const AbortPath *path, const char *r
 {
     const Span a = row->path->first->stmt->span, b = path->first->stmt->span;
 
-    return a.src->written && b.src->written && a.at == b.at && row->path->possible == path->possible && row->path->steps == path->steps &&
+    return a.src->copy_of && b.src->copy_of && a.at == b.at && row->path->possible == path->possible && row->path->steps == path->steps &&
            strcmp(row->reads, reads) == 0;
 }
 
@@ -199,7 +199,7 @@ static PathRows path_rows(const Report *r, const AbortMatrix *x)
         for (size_t w = 0; w < x->row[i].path.n; w++) {
             const AbortPath *path = &x->row[i].path.at[w];
             PathRow row = {path, path->possible ? reads_text(r, path) : "can never be taken", {NULL, 0, 0}};
-            size_t k = path->first->stmt->span.src->written ? 0 : rows.n;         // only rows about [all_states] have several states
+            size_t k = path->first->stmt->span.src->copy_of ? 0 : rows.n;         // only rows about [all_states] have several states
             while (k < rows.n && !is_same_row(&rows.at[k], path, row.reads))
                 k++;
             if (k == rows.n)

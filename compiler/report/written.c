@@ -10,7 +10,7 @@ static size_t section_index(const Program *p, Span span)
 {
     size_t low = 0, high = p->all_states.n;
 
-    if (!span.src || !span.src->written)
+    if (!span.src || !span.src->copy_of)
         return p->all_states.n;
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
@@ -76,11 +76,12 @@ Stmts written_section_stmts(const Program *p, const AllStates *all)
 
 // ---- states ----
 
+// Without the copies of statements of [all_states], which come first in a block.
 Stmts written_own_stmts(const State *s, BlockKind block)
 {
     Stmts own = s->block[block];
 
-    while (own.n > 0 && own.at[0]->span.src->written)
+    while (own.n > 0 && own.at[0]->span.src->copy_of)
         own.at++, own.n--;
     return own;
 }
@@ -105,7 +106,7 @@ Span written_state_range(const State *s)
     for (int b = 0; b < BLOCK_COUNT; b++) {
         const Span label = s->block_span[b];
         const Stmts own = written_own_stmts(s, (BlockKind)b);
-        if (label.src && !label.src->written && label.at + label.len > end)
+        if (label.src && !label.src->copy_of && label.at + label.len > end)
             end = label.at + label.len;
         end = end_of_statements(&own, end);
     }

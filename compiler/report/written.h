@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A machine as its author wrote it.  A program has a copy of each statement of [all_states] in every state where the section runs
-// (Source.written).  Reports and diagrams show such a statement once, with the functions below.
+// (Source.copy_of).  Reports and diagrams show such a statement once, with the functions below.
 #ifndef SMC_WRITTEN_H
 #define SMC_WRITTEN_H
 

@@ -108,7 +108,7 @@ static Sum product(Sum a, double first, double second, double all)
     return s;
 }
 
-// Returns c[0] + c[1] z + ... + c[n - 1] z^(n - 1): the sums of the even and of the odd powers, each by Horner's rule in z^2.
+// Returns c[0] + c[1] z + ... + c[n - 1] z^(n - 1), n even: the sums of the even and of the odd powers, each by Horner's rule in z^2.
 static double polynomial(const double *c, int n, double z)
 {
     double part[2] = {0, 0};

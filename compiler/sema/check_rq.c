@@ -224,7 +224,7 @@ void add_stmt_marks(Sema *s, const AstStmt *in, const Stmt *stmt)
 // The marks whose id no requirement has; each id is reported once.
 typedef struct UnknownIds { Map reported; VEC(const RequirementMark *) at; } UnknownIds;
 
-static void note_mark(CheckContext *c, const Requirements *r, UnknownIds *unknown, const RequirementMark *m)
+static void note_unknown_id(CheckContext *c, const Requirements *r, UnknownIds *unknown, const RequirementMark *m)
 {
     if (map_find(&r->by_id, m->requirement) || map_find(&unknown->reported, m->requirement))
         return;
@@ -262,7 +262,7 @@ void check_requirement_marks(CheckContext *c, const Requirements *r)
     UnknownIds unknown = {{c->arena, NULL, NULL, 0, 0}, {0}};
 
     for (size_t i = 0; i < r->program->mark.n; i++)
-        note_mark(c, r, &unknown, &r->program->mark.at[i]);
+        note_unknown_id(c, r, &unknown, &r->program->mark.at[i]);
     report_unknown_ids(c, r, &unknown);
 }
 
@@ -282,7 +282,7 @@ static void check_marks_of_asserts(CheckContext *c, const Requirements *r, const
                     RequirementMark *m = ARENA_NEW(c->arena, RequirementMark);
                     m->requirement = remark->requirement;
                     m->span = remark->span;
-                    note_mark(c, r, &unknown, m);
+                    note_unknown_id(c, r, &unknown, m);
                 }
             }
         }

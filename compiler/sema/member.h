@@ -5,8 +5,8 @@
 
 #include "compiler/sema/sema.h"
 
-// Reports a name that needs the name of a machine before it, or that has one and is wrong. `is_state`: it is a section's header. Returns
-// false, and reports nothing, if the name is neither.
+// Reports a name that was not found, if it lacks the name of its machine (`T`), or has a machine or member that does not exist (`deploy.x`), or
+// has a dot in the script of one machine.  `is_state`: the name is a section's header.  Returns false, and reports nothing, for any other name.
 bool report_member_name(Sema *s, Str name, Span span, bool is_state);
 // Reports a declared name that has a dot. Returns false if it has none.
 bool report_dotted_declaration(Sema *s, Str name, Span span);

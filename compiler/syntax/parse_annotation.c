@@ -200,7 +200,8 @@ static uint32_t skip_plain_number(const char *text, uint32_t at)
     return lex_is_letter(text[end]) ? at : end;
 }
 
-// If two numbers with other signs between them follow @range, which ends at `at`, labels d with the range in the right form, as in @range 0 5.
+// If two numbers with other signs between them follow @range, which ends at `at`, labels d with the range in the right
+// form, as in @range 0 5, and proposes it as an edit; else labels d with the form in general.
 static void label_range(Parser *p, Diag *d, uint32_t at)
 {
     const char *text = p->lex.src->text;

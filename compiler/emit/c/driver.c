@@ -181,8 +181,8 @@ static void write_cell_table(const CUnit *u, Buf *out)
     buf_str(out, "};\n");
 }
 
-// Writes the functions that Machine.init, .step and .state point to.  They return the status codes of the protocol between this
-// program and the test command, which has one code for both PREFIX_NO_STATE and PREFIX_UNFIT.
+// Writes the functions that Machine.init, .step and .state point to.  The first two return a status of the driver's
+// protocol (emit_c.h), which has one code for both PREFIX_NO_STATE and PREFIX_UNFIT; the third returns the number of the state.
 static void write_adapters(const CUnit *u, Buf *out)
 {
     const char *p = u->names.prefix;
