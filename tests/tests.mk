@@ -430,6 +430,7 @@ $(B)/bench/coverage: $(B)/bench/obj/tests/bench/coverage.o $(filter-out %/steps.
 	$(call say,LD)$(CC) -o $@ $^ -lm
 bench-coverage: $(B)/bench/coverage
 	$(B)/bench/coverage $(W)
+	@sh tests/bench/coverage.sh $(B)/smc
 .PHONY: bench-coverage
 
 # tests/search: how far searches come on every machine, and how fast.  `make bench-search M=machine.sm`: one machine.

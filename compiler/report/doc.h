@@ -46,6 +46,7 @@ typedef struct DocTable {
     bool dense;               // many columns with short words: smaller
     bool upright;             // dense, with so many columns that their titles are written downwards
     bool last_on_screen;      // the last column is not printed on paper
+    bool folds;               // the first rows matter most: HTML shows the others of a long table only when the reader opens them
     VEC(DocCell) cell;        // the cells, row by row
 } DocTable;
 

@@ -166,14 +166,9 @@ static void write_facts(Buf *out, const DocTable *t)
     buf_str(out, "</dl>\n");
 }
 
-static void write_table(Buf *out, const DocTable *t)
+// Writes the rows from `row` to before `end` as a table.
+static void write_rows(Buf *out, const DocTable *t, const bool *used, size_t row, size_t end)
 {
-    const bool *used = doc_columns_used(t);
-
-    if (t->facts) {
-        write_facts(out, t);
-        return;
-    }
     buf_printf(out, "<div class=\"wide\"><table%s>\n<thead><tr>",
                t->upright ? " class=\"narrow dense upright\"" : t->dense ? " class=\"narrow dense\"" : t->narrow ? " class=\"narrow\"" : "");
     for (size_t i = 0; i < t->columns; i++) {
@@ -184,17 +179,35 @@ static void write_table(Buf *out, const DocTable *t)
         buf_str(out, "</th>");
     }
     buf_str(out, "</tr></thead>\n<tbody>\n");
-    for (size_t i = 0; i < t->cell.n; i++) {
+    for (size_t i = row * t->columns; i < end * t->columns; i++) {
         if (i % t->columns == 0)
-            buf_str(out, i ? "</tr>\n<tr>" : "<tr>");
+            buf_str(out, i > row * t->columns ? "</tr>\n<tr>" : "<tr>");
         if (!used[i % t->columns])
             continue;
         buf_printf(out, "<td%s>", cell_class(t, i));
         write_cell(out, &t->cell.at[i]);
         buf_str(out, "</td>");
     }
-    buf_str(out, t->cell.n ? "</tr>\n" : "");
+    buf_str(out, end > row ? "</tr>\n" : "");
     buf_str(out, "</tbody>\n</table></div>\n");
+}
+
+static void write_table(Buf *out, const DocTable *t)
+{
+    enum { SHOWN = 20, FOLDED_LEAST = 5 };            // rows
+    const bool *used = doc_columns_used(t);
+    const size_t rows = t->cell.n / t->columns, shown = t->folds && rows >= SHOWN + FOLDED_LEAST ? SHOWN : rows;
+
+    if (t->facts) {
+        write_facts(out, t);
+        return;
+    }
+    write_rows(out, t, used, 0, shown);
+    if (shown == rows)
+        return;
+    buf_printf(out, "<details><summary>%lu more rows</summary>\n", (unsigned long)(rows - shown));
+    write_rows(out, t, used, shown, rows);
+    buf_str(out, "</details>\n");
 }
 
 // ---- lists ----

@@ -3,7 +3,10 @@
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
-enum { PAIRS_MOST = 100 };    // lines of two faults on the page
+enum {
+    PAIRS_MOST = 100,         // lines of two faults on the page
+    INPUTS_MOST = 40          // rows of the matrix
+};
 
 static const DocColumn kind_columns[] = {{"kind", "Fault"}, {"reads", "What the machine reads"}};
 static const DocColumn line_columns[] = {{"number", "No."}, {"fault", "Fault"}, {"trigger", "Begins"}, {"effect", "What happens"},
@@ -13,10 +16,55 @@ static const char *const tone[] = {"good", "note", "bad"};        // by ReportDa
 
 static const char *line_id(const Report *r, uint32_t number) { return format_in(r->arena, "fault-%lu", (unsigned long)number); }
 
+// Returns the worst outcome of an input's faults, as an index into ReportFaults.outcome.
+static uint32_t worst_of_input(const ReportFaults *f, uint32_t input)
+{
+    uint32_t worst = 0;
+
+    for (uint32_t k = 0; k < f->kind.n; k++) {
+        const ReportFaultCell *c = &f->cell.at[input * f->kind.n + k];
+        worst = c->line && c->outcome > worst ? c->outcome : worst;
+    }
+    return worst;
+}
+
+// Returns the inputs in the order of the table: as written, but the worst first if not all have room.
+static uint32_t *order_inputs(const Report *r, bool worst_first)
+{
+    const ReportFaults *f = r->faults;
+    uint32_t *order = ARENA_ARRAY(r->arena, uint32_t, f->input.n);
+
+    for (uint32_t i = 0; i < f->input.n; i++) {
+        uint32_t at = i;
+        for (; worst_first && at > 0 && worst_of_input(f, order[at - 1]) < worst_of_input(f, i); at--)
+            order[at] = order[at - 1];
+        order[at] = i;
+    }
+    return order;
+}
+
+// Adds a row of the matrix.
+static void add_input(const Report *r, DocTable *t, uint32_t input)
+{
+    const ReportFaults *f = r->faults;
+
+    doc_add_code_cell(t, f->input.at[input]);
+    for (uint32_t k = 0; k < f->kind.n; k++) {
+        const ReportFaultCell *c = &f->cell.at[input * f->kind.n + k];
+        const ReportOutcome *outcome = &f->outcome[c->outcome];
+        if (c->line)
+            doc_add_linked_badge_cell(t, format_in(r->arena, "%s %lu", outcome->name, (unsigned long)c->line), tone[outcome->danger],
+                                      line_id(r, c->line));
+        else
+            doc_add_plain_cell(t, c->applies ? "-" : "");
+    }
+}
+
 // Table of inputs by kinds of fault. Each cell shows the outcome; its number links to the line below that explains the fault.
 static void add_matrix(const Report *r, Doc *d)
 {
     const ReportFaults *f = r->faults;
+    const uint32_t shown = f->input.n <= INPUTS_MOST ? f->input.n : INPUTS_MOST, *order = order_inputs(r, shown < f->input.n);
     DocColumn *column = ARENA_ARRAY(r->arena, DocColumn, f->kind.n + 1u);
     DocTable *t;
 
@@ -25,18 +73,11 @@ static void add_matrix(const Report *r, Doc *d)
         column[k + 1] = (DocColumn){f->kind.at[k].name, f->kind.at[k].name};
     t = doc_add_table(d, "matrix", column, f->kind.n + 1u);
     t->narrow = t->dense = true;
-    for (uint32_t i = 0; i < f->input.n; i++) {
-        doc_add_code_cell(t, f->input.at[i]);
-        for (uint32_t k = 0; k < f->kind.n; k++) {
-            const ReportFaultCell *c = &f->cell.at[i * f->kind.n + k];
-            const ReportOutcome *outcome = &f->outcome[c->outcome];
-            if (c->line)
-                doc_add_linked_badge_cell(t, format_in(r->arena, "%s %lu", outcome->name, (unsigned long)c->line), tone[outcome->danger],
-                                          line_id(r, c->line));
-            else
-                doc_add_plain_cell(t, c->applies ? "-" : "");
-        }
-    }
+    for (uint32_t i = 0; i < shown; i++)
+        add_input(r, t, order[i]);
+    if (shown < f->input.n)
+        doc_add_paragraph(d, format_in(r->arena, TEXT_FAULTS_INPUTS, (unsigned long)(f->input.n - shown),
+                                       f->outcome[worst_of_input(f, order[shown])].name));
 }
 
 // Explains each kind of sensor fault in a sentence.
@@ -85,6 +126,7 @@ static void add_lines(const Report *r, Doc *d)
             heading->tone = tone[f->outcome[l->outcome].danger];
             t = doc_add_table(d, format_in(r->arena, "%s%s", l->is_pair ? "two-" : "", name), line_columns,
                               sizeof line_columns / sizeof *line_columns);
+            t->folds = true;
         }
         add_line(r, t, i);
     }

@@ -104,7 +104,7 @@ static void add_changes(const Report *r, Doc *d, MutantDanger danger, const char
             if (!t) {
                 doc_add_heading(d, NULL, title);
                 t = DOC_ADD_TABLE(d, key, change_columns);
-                t->last_on_screen = true;
+                t->last_on_screen = t->folds = true;
             }
             add_change_row(r, t, m[i]);
         }

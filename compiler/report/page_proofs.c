@@ -4,6 +4,8 @@
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
+#include <string.h>
+
 enum { LINES_SHOWN = 40, LINES_CUT_LEAST = 10 };      // most lines of a script; how many more it must have before it is cut
 
 // Cuts a text after LINES_SHOWN lines, if many follow.  Returns how many were cut.
@@ -21,20 +23,35 @@ static size_t cut_lines(char *text)
     return lines - LINES_SHOWN;
 }
 
+// A proof and the lines that support it.
+typedef struct ProofLines { const ProveOf *of; const char *text; } ProofLines;
+
+// Returns an earlier requirement that the same lines support; NULL: none.
+static const Requirement *find_same(const ProofLines *lines, uint32_t n, const ProofLines *now)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (now->of->verdict == PROVE_PROVED && lines[i].of->verdict == PROVE_PROVED && strcmp(lines[i].text, now->text) == 0)
+            return lines[i].of->what;
+    return NULL;
+}
+
 const char *report_proof_tone(ProveVerdict v) { return v == PROVE_PROVED ? "good" : v == PROVE_VIOLATED ? "bad" : "note"; }
 
 void report_add_proofs(Report *r, Doc *d)
 {
     const Program *p = r->analysis.p;
     const ProveResult *all = r->proofs;
+    ProofLines *lines;
 
     if (!all)
         return;
     doc_add_section(d, "proofs", "Proofs");
     doc_add_paragraph(d, TEXT_PROOFS);
+    lines = ARENA_ARRAY(r->arena, ProofLines, all->n);
     for (uint32_t i = 0; i < all->n; i++) {
         const ProveOf *of = &all->of[i];
         DocPart *heading = doc_add_heading(d, NULL, format_in(r->arena, "%s: %s", of->what->id->text, of->what->text->text));
+        const Requirement *same;
         Buf reason;
         char *text;
         size_t cut;
@@ -46,7 +63,12 @@ void report_add_proofs(Report *r, Doc *d)
         prove_write_reason(r->arena, p, of, 0, &reason);
         text = arena_copy(r->arena, buf_text(&reason), reason.n + 1);
         cut = cut_lines(text);
-        doc_add_lines(d, text);
+        lines[i] = (ProofLines){of, text};
+        same = strchr(text, '\n') ? find_same(lines, i, &lines[i]) : NULL;
+        if (same)
+            doc_add_paragraph(d, format_in(r->arena, TEXT_PROOF_SAME, same->id->text));
+        else
+            doc_add_lines(d, text);
         if (cut)
             doc_add_paragraph(d, format_in(r->arena, TEXT_PROOF_CUT, (unsigned long)cut));
     }

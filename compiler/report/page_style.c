@@ -49,6 +49,7 @@ const char *const report_style[] = {
     ".3rem;border-radius:.3rem}wbr{display:none}p,li,td "
     "code{overflow-wrap:break-word}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.b,th.b{white-space:nowrap;font-"
     "variant-numeric:tabular-nums}code.b,span.b{white-space:nowrap}\n",
+    "details{margin:-.4rem 0 1rem}summary{color:var(--dim);font-size:.93rem;cursor:pointer}\n",
     ".bar{display:inline-block;width:7rem;height:.7em;background:var(--soft);border:1px solid var(--line);margin-right:.4em}"
     ".bar i{display:block;border-top:.6em solid var(--accent)}\n",
     "dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:.6rem;margin:.8rem 0 1.2rem}\n",

@@ -62,6 +62,7 @@
 
 // ---- proofs ----
 
+#define TEXT_PROOF_SAME "The same lines as for `%s`."      // id of a requirement
 #define TEXT_PROOF_CUT "%lu more lines. `smc prove` with the same files prints the whole script; save it as a `.ss` and run it with `smc test`."      // lines
 
 #define TEXT_PROOFS \
@@ -80,7 +81,7 @@
 
 #define TEXT_MUTATION \
     "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
-    "would not find. The most dangerous ones come first. The inputs that would show a change are left out on paper."
+    "would not find. The most dangerous ones come first. On paper, long tables have their first 20 rows, and the inputs that would show a change are left out."
 
 // ---- faults and sweeps ----
 
@@ -88,6 +89,8 @@
     "Each input is made faulty in each way, beginning in each state and at each transition that the scripts take, and the scripts run again. " \
     "The table has the most dangerous outcome of each input and fault, with its number in the lists below. A `-` is a fault without any " \
     "effect; an empty cell is a fault that the input cannot have. Requirements are judged for what the machine reads and for the true values."
+#define TEXT_FAULTS_INPUTS \
+    "The table has the inputs with the worst outcomes, the worst first. %lu more inputs are left out: the worst of theirs is `%s`." // inputs, outcome
 #define TEXT_FAULTS_SCRIPTS "Each numbered script reproduces its line without `smc faults`. It fails as long as the fault has this effect."
 #define TEXT_FAULTS_NO_SCRIPTS "With `--scripts=DIR`, `smc report` writes a script for each line, which reproduces it."
 #define TEXT_FAULTS_NOTHING "No fault of an input changes an output, a state or a result of the scripts."

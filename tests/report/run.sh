@@ -31,7 +31,7 @@ page() {
     expect "report $name" ends_with "$want" "$smc" report "$@" -o "$out/$name.html"
     expect "no table of $name is empty" sh -c "! tr -d '\n' <'$out/$name.html' | grep -q '<tbody></tbody>'"
     expect "wellformed $name" awk -f "$here/wellformed.awk" "$out/$name.html"
-    case $1 in "$out"/*) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; *) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; esac
+    case $1 in "$out"/many/*) cp -r "$out/many" "$out/other/$name" ;; "$out"/*) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; "$root"/*) cp -r "$(dirname "$1")" "$out/other/$name" ;; *) mkdir "$out/other/$name" && cp "$1" "$out/other/$name" ;; esac
     twin=
     for argument; do
         case $argument in
@@ -56,6 +56,29 @@ page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv"
 page four-scripts 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission.ss \
     "$examples"/mission/mission-accelerometer-broken.ss "$examples"/mission/mission-plugged-in.ss "$examples"/mission/mission-weak-motor.ss
 page airbrakes 0 "$examples/mission/airbrakes.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/airbrakes*.ss
+# More inputs than the matrix of faults has room for: the worst first, and the others counted.  Long lists are folded.
+mkdir "$out/many"
+{
+    printf '[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nbool valve\n'
+    for i in $(seq 10 54); do echo "F64 s$i @read_only @range 0 100"; done
+    printf '[Run]\n.step\n    valve = s52 > 80 or s53 > 120\n'
+    for i in $(seq 10 51); do echo "    s$i > 90: -> Stop"; done
+    printf '[Stop] @abort @safe\n.entry\n    valve = false\n'
+} >"$out/many/sensors.sm"
+{
+    printf '[all_states]\n'
+    for i in $(seq 10 54); do echo "true: s$i = 50"; done
+    echo 'at 200: @stop'
+} >"$out/many/sensors.ss"
+echo 'R1 "never open"  never valve' >"$out/many/sensors.rq"
+page sensors 0 "$out/many/sensors.sm" "$out/many/sensors.ss" "$out/many/sensors.rq" --faults --mutate
+expect "sensors: the worst input first" sh -c "tr -d '\n' <'$out/sensors.html' | grep -q '<tbody><tr><td[^>]*><code[^>]*>s52<'"
+expect "sensors: inputs that are left out" grep -q '4 more inputs are left out: the worst of theirs is <code>' "$out/sensors.html"
+expect "sensors: folded rows" grep -q '<details><summary>[1-9][0-9]* more rows</summary>' "$out/sensors.html"
+"$smc" report "$out/many/sensors.sm" "$out/many/sensors.ss" "$out/many/sensors.rq" --faults --mutate --format=json >"$out/sensors.json" 2>/dev/null
+expect "sensors: each line of the list is on the page, folded or not" test \
+    "$(grep -o ' id="fault-[0-9]*"' "$out/sensors.html" | sort -u | wc -l)" -eq "$(grep -o '"effect":' "$out/sensors.json" | wc -l)"
+
 page hostile 1 "$here/hostile.sm" "$here/hostile.ss" "$here/failing.ss"
 page twostage 0 "$root/tests/graph/machines/twostage.sm"
 page all_states 0 "$root/tests/graph/machines/all_states.sm"
