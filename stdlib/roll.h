@@ -910,7 +910,7 @@ SM_ROLL_INLINE SmF64 sm_roll_run_time(const uint64_t *w, const uint64_t *ring)
 // Adds an event to a run: 0 ends it, 1 extends it or begins one, 2 begins a new one.
 SM_ROLL_INLINE void sm_roll_extend_run(uint64_t *w, uint32_t n, uint64_t *ring, uint32_t event, uint64_t now)
 {
-    const uint32_t length = event == 1 ? sm_roll_run_length(ring) : 0;
+    const uint32_t length = event == 2 ? 0 : sm_roll_run_length(ring);       // not 0 where the event is 0: that jump is often predicted wrongly
     if (length == 0)
         w[0] = now;
     w[1] = now;
