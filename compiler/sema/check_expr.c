@@ -235,8 +235,8 @@ static void warn_of_times(Sema *s, SmOperator op, const AstExpr *a, const AstExp
 {
     const SmOpClass class = sm_op_info[op].op_class;
 
-    warn_of_time_factor(s, op, a);
-    warn_of_time_factor(s, op, b);
+    if (op == SM_OP_MUL || op == SM_OP_DIV)
+        warn_of_time_factors(s, a, b);
     if (a->unit == TIME_NONE && b->unit == TIME_NONE)
         return;
     if (class == SM_CLASS_RELATION || class == SM_CLASS_EQUALITY) {

@@ -68,14 +68,12 @@ static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExp
 
 // Warns of a literal that is multiplied or divided, as in `v * 20 ms`: without a unit it is not a number of seconds.
 // The operand can also be in parentheses, or a definition of such a literal.
-void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *operand)
+static void warn_of_time_factor(Sema *s, const AstExpr *operand)
 {
     const AstExpr *named, *literal;
     SmF64 value;
     Diag *d;
 
-    if (op != SM_OP_MUL && op != SM_OP_DIV)
-        return;
     literal = find_literal(s, operand, &named);
     if (!is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value))
         return;
@@ -84,6 +82,12 @@ void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *operand)
                     const_text(s->arena, value));
     if (s->p->time_unit != TIME_S && literal_value(literal, TIME_S, &value))
         diag_label(s->diags, d, DIAG_label_time_in_seconds, const_text(s->arena, value));
+}
+
+void warn_of_time_factors(Sema *s, const AstExpr *a, const AstExpr *b)
+{
+    warn_of_time_factor(s, a);
+    warn_of_time_factor(s, b);
 }
 
 void warn_of_time_as_guard(Sema *s, const AstExpr *guard)

@@ -226,8 +226,8 @@ bool expr_contains_time(const Expr *e);
 void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal);
 // Warns of a guard that is only a time, as in `5 s: -> Next`.
 void warn_of_time_as_guard(Sema *s, const AstExpr *guard);
-// Warns if `literal`, an operand of op, is a time and op is * or /.
-void warn_of_time_factor(Sema *s, SmOperator op, const AstExpr *operand);
+// Warns of the operands of * or / that are times.
+void warn_of_time_factors(Sema *s, const AstExpr *a, const AstExpr *b);
 // Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
 void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period);
 

@@ -86,7 +86,7 @@ void hint_init_index(HintIndex *index)
 }
 
 // Reports the first row of the context that matches, or else the general diagnostic.
-static HintResult explain_by_rows(Parser *p, HintContext context, AstExpr *e)
+HintResult hint_explain_by_rows(Parser *p, HintContext context, AstExpr *e)
 {
     HintCase c = {p, context, e, NULL};
     HintResult result = HINT_NONE;
@@ -106,14 +106,6 @@ static HintResult explain_by_rows(Parser *p, HintContext context, AstExpr *e)
     if (result == HINT_NONE)
         hint_report_general(&c);
     return result;
-}
-
-// Reports the likeliest cause if the grammar does not allow the next tokens, or if another language gives them another meaning.
-HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
-{
-    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
-        return HINT_NONE;
-    return explain_by_rows(p, context, e);
 }
 
 // ---- tokens ----

@@ -73,9 +73,8 @@ struct AstExpr;
 
 void hint_init_index(HintIndex *index);
 
-// Called in `context` if the grammar does not allow the next tokens, or if another language gives them another meaning. Reports the
-// likeliest cause.
-HintResult hint_explain(struct Parser *p, HintContext context, struct AstExpr *e);
+// Reports the likeliest cause of an error by the rows of a context; parsers call hint_explain of parser.h instead.
+HintResult hint_explain_by_rows(struct Parser *p, HintContext context, struct AstExpr *e);
 
 // Reports `{ x == 2 -> Abort }`, a transition whose condition is inside the braces, and skips it. The current token is the brace. Returns false,
 // and reports nothing, if the braces contain something else.

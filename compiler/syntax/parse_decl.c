@@ -86,7 +86,6 @@ static const char *name_of_type(const Parser *p, const AstDecl *d)
 
 static void parse_initial_value(Parser *p, AstDecl *d)
 {
-    const char *type = name_of_type(p, d);
     TokenKind kind = p->tok.kind;
 
     if (kind != TOK_ASSIGN && d->type == SM_TYPE_COUNT && !hint_find_synonym(HINT_TYPES, parser_text(p, d->type_span))) {
@@ -94,6 +93,7 @@ static void parse_initial_value(Parser *p, AstDecl *d)
         return;
     }
     if (kind != TOK_ASSIGN) {
+        const char *const type = name_of_type(p, d);
         const bool has_value = !p->tok.first && (kind == TOK_NUMBER || kind == TOK_TRUE || kind == TOK_FALSE);
         Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
         if (has_value) {

@@ -196,7 +196,7 @@ static AstExpr *parse_name(Parser *p)
 
     if (p->ahead.kind == TOK_LPAREN && (p->parens || !p->ahead.first))
         return parse_call(p);
-    if (parser_at_state(p))
+    if (p->kind == FILE_SS && parser_at_state(p))
         return parse_state_value(p);
     e = new_expr(p, AST_NAME, parser_token_span(p));
     e->name = p->tok.text;

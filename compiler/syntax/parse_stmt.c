@@ -614,6 +614,6 @@ static void parse_statement(Parser *p, AstStmts *into)
     const size_t before = into->n;
 
     parse_unmarked(p, into);
-    if (!in_script(p) && into->n > before)
+    if (p->tok.kind == TOK_ANNOTATION && !in_script(p) && into->n > before)
         parse_marks(p, into);
 }

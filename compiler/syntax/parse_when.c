@@ -99,7 +99,7 @@ static bool has_other_meaning(const Parser *p)
 
 bool parser_at_state(const Parser *p)
 {
-    return p->kind == FILE_SS && p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first && strcmp(p->tok.text->text, "state") == 0 &&
+    return p->tok.kind == TOK_NAME && p->ahead.kind == TOK_NAME && !p->ahead.first && strcmp(p->tok.text->text, "state") == 0 &&
            !has_other_meaning(p);
 }
 

@@ -43,6 +43,15 @@ typedef struct Parser {
     uint32_t indented;            // end of the lines that belong to a condition whose missing braces are reported
 } Parser;
 
+// Called in `context` if the grammar does not allow the next tokens, or if another language gives them another meaning. Reports the
+// likeliest cause.
+static inline HintResult hint_explain(Parser *p, HintContext context, AstExpr *e)
+{
+    if (!(p->hints.tokens[context] >> p->tok.kind & 1u))         // no row can match: the usual case in valid sources
+        return HINT_NONE;
+    return hint_explain_by_rows(p, context, e);
+}
+
 // ---- tokens ----
 
 void parser_advance(Parser *p);                         // consumes the next token
