@@ -50,7 +50,8 @@ typedef struct CompileOptions {
     int opt_level;                        // level of optimisation: 0, 1 or 2
     const DiagSelection *warnings;        // NULL: every warning is found and stays in the list
     bool skip_analyses;                   // reports errors only, and the warnings of the checker
-    uint64_t step;                        // how much G advances from step to step; 0: the delta_t of the scripts, if all have the same
+    uint64_t step;                        // how much G advances in a step; 0: the step that the machine declares, or else the delta_t of its
+                                          // scripts, if all have the same
     CompileLimits limits;
     bool names;                           // the image contains names and lines; without them locals are not observable
     bool soft;                            // for the C of an application: EmitCOptions.soft

@@ -30,7 +30,7 @@ typedef struct FailureEffect {
     const Var *output[FAILURE_OUTPUTS];
     const Stmt *on[FAILURE_OUTPUTS];    // by entry of `output`: the assignment that switched it on
     uint32_t outputs;
-    double before, failed;        // readings of the sensor just before and just after it failed
+    double before, failed;        // readings of the sensor just before it failed (without noise) and just after
     uint32_t steps;               // number of steps from the failure to the effect
 } FailureEffect;
 

@@ -250,7 +250,8 @@ double trial_pick_reading(Trials *t, const TrialInput *i, bool unhealthy)
     return x;
 }
 
-// Draws readings for the inputs that the state depends on (all inputs if s is NULL).
+// Draws readings for the inputs that the state depends on (all inputs if s is NULL): sensors of a group get one reading, some of them one of their
+// own.  `commands`: also for commands; `unhealthy`: readings outside @range, too.
 void trial_draw_inputs(Trials *t, double *in, const TrialState *s, bool commands, bool unhealthy)
 {
     for (uint32_t i = 0; i < t->inputs; i++) {

@@ -24,7 +24,7 @@ static const uint16_t window_cycles[CYCLES_WINDOW_ROWS][2 * CYCLES_SAMPLE_KINDS]
 #undef CYCLES_STACK
 };
 
-// Returns the bytes of stack that a step uses, the largest measured value; `calls`: it calls elementary functions.
+// Returns the bytes of stack that a step uses: the largest measured value.  `calls`: the step calls elementary functions.
 uint32_t cycles_stack_bytes(bool calls)
 {
     return 0

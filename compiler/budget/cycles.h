@@ -49,7 +49,7 @@ typedef struct Cycles {
     CyclesReg x, y;           // X and Y after the last instruction
 } Cycles;
 
-// Returns the bytes of stack below a step, the largest measured value.  `calls`: it calls elementary functions.
+// Returns the bytes of stack that a step uses: the largest measured value.  `calls`: the step calls elementary functions.
 uint32_t cycles_stack_bytes(bool calls);
 // Returns the cycles in a row of CYCLES_ROW; `whole`: the registers contain whole numbers.
 uint32_t cycles_in_row(CyclesChip chip, CyclesRow row, bool whole);

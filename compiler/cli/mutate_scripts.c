@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file of the folder is overwritten only if smc mutate has written it for this machine and it was not edited since.  The name of a script
-// depends on the position of its change alone, so a second call writes the same files.
+// A file of the folder is overwritten only if it is empty, or if smc mutate has written it for this machine and it was not edited since.  The name of
+// a script consists of the name of the machine, the position of the change, and which change of that position it is, so a second call writes the same
+// files.
 #include "compiler/cli/mutate_scripts.h"
 
 #include <string.h>

@@ -73,13 +73,13 @@ static bool try_earlier(NearSearch *k, Scenario *s, ScenarioChange *change, Scen
     return true;
 }
 
-// Leaves out as much of each wait as it can: first the whole wait, then half of it, a quarter and so on, each as often as the requirement is
-// still violated.  Changes of different steps stay in different steps.
+// Leaves out as much of each wait as it can: half of it, a quarter and so on, each as often as the requirement is still violated, and earlier.
+// Changes of different steps stay in different steps.
 static void shorten_waits(NearSearch *k, Scenario *s, ScenarioChange *change, ScenarioChange *earlier)
 {
     for (size_t i = 0; i < s->changes && k->steps < k->limit; i++) {
         const uint64_t since = i ? change[i - 1].step : 0;
-        for (uint64_t by = change[i].step - since; by > 0 && k->steps < k->limit; by /= 2)
+        for (uint64_t by = (change[i].step - since) / 2; by > 0 && k->steps < k->limit; by /= 2)
             while (change[i].step > since + by && try_earlier(k, s, change, earlier, i, by))
                 ;
     }

@@ -162,7 +162,8 @@ static uint64_t neighbour_value(SmType type, uint64_t cell, bool above)
     return (x > 0) == above ? cell + 1 : cell - 1;
 }
 
-// Adds a number that an input should have in the next attempt.  For a bool that is the opposite of its present value, and the number is ignored.
+// Adds to the values that are tried: the number x that an input should have, and its neighbours above and below in the type of the input; for a bool,
+// the value that it does not have now.  Adds nothing if x is not finite.
 static void add_input(NearSearch *k, const Var *v, double x, uint32_t samples, bool is_required)
 {
     const uint64_t cell = sm_cell_from_f64(v->type, x);

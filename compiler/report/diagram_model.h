@@ -24,7 +24,7 @@ typedef struct DiagramGuard {
     bool possible;                // some run can take the transition
     DiagramChange change;         // DIAGRAM_SAME unless the diagram shows differences
     uint64_t taken;               // how often runs took the transition; not set if DiagramCounts.by_pair
-    DiagramFindings finding;      // findings on the transition or its guard
+    DiagramFindings finding;      // findings on the transition or its innermost guard; those on a guard of several transitions are in the first
     uint32_t mark;                // number of the note below the diagram that lists these findings; 0: none
 } DiagramGuard;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requirements: where each is implemented, what tests it, how often it was judged, and the result in all scripts.
+// The requirements: the rule, result and proof of each, how many faults violate it, where it is implemented and what tests it, in how many steps it
+// was judged, and which states no script came to.
 #include "compiler/base/path.h"
 #include "compiler/prove/prove_text.h"
 #include "compiler/report/page.h"

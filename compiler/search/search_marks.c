@@ -88,7 +88,7 @@ uint64_t chooser_resume(Chooser *c, const Scenario *s, const GoalSet *want, size
     return x->step;
 }
 
-// Removes every second snapshot of a list, and returns how many are left.
+// Removes every second snapshot of a list, beginning with the first, and returns how many are left.  The removed ones follow them, for reuse.
 static uint32_t thin_out(SearchMark *of, uint32_t n)
 {
     for (uint32_t i = 1; i < n; i += 2) {

@@ -231,7 +231,7 @@ typedef struct Segment {
     bool is_exact;            // all steps run, even if a goal is reached: the segment is part of a given run
 } Segment;
 
-// Returns the number of changes of inputs from the start of the run to the end of a segment.
+// Returns the number of changes of inputs from the start of the run to the end of a segment, without those of repeated rounds.
 static uint32_t depth_after(const SearchRun *k, const Segment *g)
 {
     return g->from == SEARCH_NONE ? 0 : k->node.at[g->from].depth + (k->is_round ? 0 : g->turns);

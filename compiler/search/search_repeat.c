@@ -22,7 +22,7 @@ typedef struct SearchLeg { SearchTurn *turn; uint32_t turns; uint64_t steps; } S
 
 typedef struct SearchRound { SearchLeg leg[MOST_LEGS]; uint32_t legs; uint64_t steps; } SearchRound;
 
-// Adds the current changes of inputs, followed by a number of steps, as one leg of a detour: a round that comes back to the same state.
+// Adds the current changes of inputs, followed by a number of steps, as one leg of the round, which is repeated as a whole.
 static void add_leg(SearchRun *k, Arena *arena, SearchRound *r, uint64_t steps)
 {
     SearchLeg *l = &r->leg[r->legs++];

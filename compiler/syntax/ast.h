@@ -227,7 +227,7 @@ typedef enum AstSectionKind {
     AST_OPTIONS,              // [options] of .sv, .sm and .ss: options
     AST_REGION,               // [Region] of a .sv: decls
     AST_STATE,                // a state of a machine: blocks
-    AST_ALL_STATES,           // [all_states] of a machine: the block .step
+    AST_ALL_STATES,           // [all_states] of a machine: annotations and the block .step
     AST_DATA,                 // [data] of a script: data
     AST_SCRIPT_STATE,         // a state's section in a script, or [all_states]: items
     AST_PINS,                 // [analog] and [digital] of a .io: pins

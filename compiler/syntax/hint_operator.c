@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about operators of other languages: && for and, => for ->, | and & for bits, |x| for abs(x).
+// Hints about operators of other languages, such as && for `and`, => for -> or >=, := for =, operators on bits (&, |, ~), and |x| for abs(x).
 #include <string.h>
 
 #include "compiler/syntax/hint_text.h"

@@ -43,7 +43,8 @@ static bool is_counter_value(const CFn *fn, IrRef r, SmType to)
     return find_converted_integer(fn, r) != IR_NONE && c_ins(fn, find_converted_integer(fn, r))->type == to;
 }
 
-// If r is an F64 `v + n` or `v - n` that is written as a subexpression, with counter v of type `to`, fills *c and returns true.
+// If r is an F64 `v + n`, `n + v` or `v - n` that is written as a subexpression, with a counter v of type `to` and an increment n (is_increment),
+// fills *c and returns true.  Otherwise *c has no meaning.
 static bool match_counter(const CFn *fn, IrRef r, SmType to, CCounter *c)
 {
     const IrIns *i = c_ins(fn, r);
