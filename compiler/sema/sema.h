@@ -90,7 +90,7 @@ Var *scope_find_variable(const Sema *s, Str name);
 bool scope_is_doubtful(const Sema *s, Str name);        // whether the name was declared twice, so that its meaning is uncertain
 // Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span);
-// Returns the state; NULL if there is none, after reporting the name: once per name, and not if an error may have hidden its declaration.
+// Returns the state; NULL if no state has this name, after reporting it: once per name, and not if an error may have hidden its declaration.
 State *scope_find_state(Sema *s, const Program *machine, Str name, Span span);
 const SmBuiltinInfo *scope_find_function(const Sema *s, Str name);
 void scope_report_unknown_function(Sema *s, Str name, Span span);
