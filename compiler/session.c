@@ -362,7 +362,7 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
         out = check_script(&c, tree, files.n, p);
     if (out && s->warnings) {
         analyse_units_of_script(&s->tree, &s->diags, out);
-        analyse_asserts_of_script(&s->diags, out);
+        analyse_asserts_of_script(&s->tree, &s->diags, out);
     }
     arena_free(&s->tree);
     if (s->diags.errors_seen > errors || !out)
@@ -406,6 +406,8 @@ Requirements *session_requirements(Session *s, const Source *const *rq, size_t n
     out = check_requirements(&c, file, n, p);
     if (s->diags.errors_seen == errors)
         check_requirement_marks(&c, out);
+    if (s->diags.errors_seen == errors && s->warnings)
+        analyse_requirements(&s->diags, out);
     arena_free(&s->tree);
     return s->diags.errors_seen > errors ? NULL : out;
 }

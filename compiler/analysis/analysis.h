@@ -15,6 +15,7 @@
 #include "compiler/facts/facts.h"
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
+#include "compiler/sema/requirements.h"
 
 // The facts about a statement.
 typedef struct StmtFact {
@@ -59,8 +60,11 @@ void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Prog
 // Reports values of a script whose units do not fit each other.  Nothing in `arena` is needed afterwards.
 void analyse_units_of_script(Arena *arena, Diags *diags, const Script *script);
 
-// Reports asserts of a script that no behaviour of the machine can make false.
-void analyse_asserts_of_script(Diags *diags, const Script *script);
+// Reports asserts of a script that no behaviour of the machine can make false.  Nothing in `arena` is needed afterwards.
+void analyse_asserts_of_script(Arena *arena, Diags *diags, const Script *script);
+
+// Reports requirements that no behaviour of the machine can violate, or meet.
+void analyse_requirements(Diags *diags, const Requirements *all);
 
 // ---- for analyses ----
 

@@ -44,7 +44,7 @@ at 50: @stop
 -- a.rq --
 R1 "no charge in the ascent"   # the pyro channel
     never  drogue and altitude > 300 and   G < 600   # in ms
-R2 "it ends" always G > 10 implies T >= 0
+R2 "it ends" always G > 10 implies S <= 2
 -- stdout --
   Section            Verdict  Details
   Requirements       passed   2 met in all scripts
@@ -151,7 +151,7 @@ With one fault, an assert fails [failed]
 008-altitude-low.ss
   Requirement  Text                     Rule                                         In scripts  Proof     Faults that violate it first
   R1           no charge in the ascent  never drogue and altitude > 300 and G < 600  met         violated  6
-  R2           it ends                  always G > 10 implies T >= 0                 met         proved    none
+  R2           it ends                  always G > 10 implies S <= 2                 met         proved    none
 
 Where each requirement is implemented and judged
   Requirement  Text                     Place   Implemented in  Judged in  Times  Result
