@@ -1042,7 +1042,7 @@ $(call test, agent,                thorough, $(B)/store/agent $(STORE_SMB) $(LIM
 $(call test, agent-parameters,     thorough, $(B)/store/agent $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent $(LIMITS_SET) $(LIMITS_SMB) $(LIMITS_SMB))
 $(call test, agent-log,            thorough, $(B)/store/agent_log $(STORE_SMB), $(B)/store/agent_log $(STORE_SMB))
 $(call test, agent-log-parameters, thorough, $(B)/store/agent_log $(LIMITS_SMB) $(LIMITS_SET), $(B)/store/agent_log $(LIMITS_SET) $(LIMITS_SMB))
-$(call test, older-boards,         thorough, $(B)/store/older, $(B)/store/older)
+$(call test, older-boards,         thorough, $(B)/store/older $(LIMITS_SMB), $(B)/store/older $(LIMITS_SMB))
 $(call test, auth,                 thorough, $(B)/store/auth $(STORE_SMB), $(B)/store/auth $(STORE_SMB))
 $(call test, device,               thorough, $(B)/device/link $(B)/device/board $(STORE_SMB) $(LIMITS_SMB), $(DEVICE_RUN))
 

@@ -24,6 +24,11 @@ twice = a * 2
 .step
     x = max(f, -1)
     n > 100: y = 7
+    -> Last
+[Last]
+.step
+    x = 1 / (f + 0)
+    y = floor(a)
 -- app.ss --
 [options]
 delta_t 1
@@ -52,3 +57,12 @@ G == 0: @assert x == 25
 G == 0: @assert y == 8
 G == 1: @assert x == 3
 G == 1: @stop
+-- fourth.ss --
+[options]
+delta_t 1
+set a 4.5
+set f -0.0
+[all_states]
+G == 2: @assert x > 0
+G == 2: @assert y == 4
+G == 2: @stop

@@ -547,10 +547,52 @@ static void test_settings_are_refused(void)
     CHECK(set_on_good_line("limit=750", NULL) == 1 && output_contains("cannot set parameter 'limit' to 750: the machine has no such parameter"));
 }
 
+// A board without a key runs a signed image.  Its values change only with the key, so that the signature fits them.
+static void test_signed_image_is_signed_again(void)
+{
+    char key[PATH + 16], with[PATH + 24], out[PATH + 16], to[PATH + 24];
+
+    snprintf(key, sizeof key, "%s.other.key", memory);
+    snprintf(with, sizeof with, "--key=%s", key);
+    snprintf(out, sizeof out, "%s.other.smb", memory);
+    snprintf(to, sizeof to, "-o%s", out);
+    CHECK(run_without_board("key", key, NULL, NULL) == 0 && run_without_board("sign", with_parameters, with, to) == 0);
+    CHECK(run_on_good_line("flash", out, "--confirm") == 0 && is_listed(out, ", runs, confirmed"));
+    CHECK(set_on_good_line("limit=750", NULL) == 1 && output_contains("the image is signed, and its signature covers the values: --key=FILE signs it again; nothing was sent"));
+    CHECK(run_smc(&none, "device", "set", "limit=750", with) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 750 psi"));
+    CHECK(remove(key) == 0 && remove(out) == 0);
+}
+
+// A newer version of the machine: `limit` has a narrower range, and `count` another name.  Settings belong to the image in which they were made: no value
+// of the old image is carried over, and names and values are judged by the image that runs.
+static void test_settings_end_with_their_image(void)
+{
+    char newer[PATH + 16], to[PATH + 24];
+
+    snprintf(newer, sizeof newer, "%s.newer.smb", memory);
+    snprintf(to, sizeof to, "-o%s", newer);
+    CHECK(run_without_board("build", "-w", "tests/device/newer.sm", to) == 0);
+    CHECK(run_on_good_line("flash", with_parameters, "--confirm") == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && set_on_good_line("limit=750", "count=9") == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(run_on_good_line("flash", newer, "--confirm") == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 775 psi (F64, 760 to 800, default 775)\n"));
+    CHECK(output_contains("hits = 3 (U8, 1 to 9, default 3)\n") && !output_contains("count"));
+    CHECK(set_on_good_line("count=9", NULL) == 1 && output_contains("cannot set parameter 'count' to 9: the machine has no such parameter"));
+    CHECK(set_on_good_line("limit=750", "hits=9") == 1 && output_contains("cannot set parameter 'limit' to 750: the value is below the range"));
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 775 ") && output_contains("hits = 3 "));
+    CHECK(set_on_good_line("limit=760", "hits=9") == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(run_on_good_line("flash", with_parameters, "--confirm") == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 775 psi (F64, 700 to 800") && output_contains("count = 3 "));
+    CHECK(remove(newer) == 0);
+}
+
 // A board with a key accepts a setting that is signed with it, once more than before.
 static void test_settings_are_signed(void)
 {
     char key[PATH + 8], with[PATH + 16], out[PATH + 16], to[PATH + 24];
+    const char *const late[] = {smc, "sign", with_parameters, with, to, "--number=3999999000", NULL};
+    const char *const last[] = {smc, "sign", with_parameters, with, to, "--number=4000000000", NULL};
 
     snprintf(key, sizeof key, "%s.key", memory);
     snprintf(with, sizeof with, "--key=%s", key);
@@ -568,6 +610,11 @@ static void test_settings_are_signed(void)
         CHECK(run_smc(&none, "device", "set", setting, with) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
         CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains(setting[8] == '1' ? "limit = 751" : "limit = 752") && output_contains(", runs, confirmed"));
     }
+    CHECK(run_without_board_argv(late) == 0 && run_on_good_line("flash", out, "--confirm") == 0);      // the board knows a number that is ahead of the clock
+    CHECK(run_smc(&none, "device", "set", "limit=753", with) == 0 && run_on_good_line("device", "confirm", NULL) == 0);
+    CHECK(run_on_good_line("device", "parameters", NULL) == 0 && output_contains("limit = 753 "));
+    CHECK(run_without_board_argv(last) == 0 && run_on_good_line("flash", out, "--confirm") == 0);
+    CHECK(run_smc(&none, "device", "set", "limit=754", with) == 1 && output_contains("4000000000"));   // there is no number after the last one
     CHECK(remove(key) == 0 && run_without_board("key", key, NULL, NULL) == 0);             // not the board's key
     CHECK(run_smc(&none, "device", "set", "limit=760", with) == 1 && output_contains("but the board accepts only images signed with key ") && output_contains("nothing was sent"));
     CHECK(remove(key) == 0 && remove(out) == 0);
@@ -634,6 +681,7 @@ static void test_one_slot(void)
     CHECK(run_on_good_line("device", "info", NULL) == 0 && output_contains("1 slot of ") && is_listed(images[1], ", runs, confirmed"));
     test_parameters_are_set();
     test_settings_are_refused();
+    test_settings_end_with_their_image();
 }
 
 static void test_two_slots(void)
@@ -649,7 +697,9 @@ static void test_two_slots(void)
     test_no_board_answers();
     test_parameters_are_set();
     test_settings_are_refused();
+    test_settings_end_with_their_image();
     if (!getenv("NO_KEY")) {           // a board that has its key from a file
+        test_signed_image_is_signed_again();
         test_board_with_a_key();
         test_settings_are_signed();
     }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Boards with older firmware: their answers lack the fields that were added later, and the host reads them as absent.  The line of this test
-// answers each request with the same bytes.
+// answers each request with the same bytes.  And memory that older firmware has written: newer firmware runs what is in it.
+//   older PARAMETERS.smb
 #include <string.h>
 
+#include "bytecode-vm/smvm.h"
 #include "compiler/device/device.h"
+#include "tests/store/image.h"
 #include "tests/test.h"
 
 typedef struct Canned {
@@ -85,8 +88,63 @@ static void test_older_boards_report_less(void)
     CHECK(!device_find_chip_pin(&host, 2, 3, &place) && host.result == SM_E_UNSUPPORTED);
 }
 
-int main(void)
+// ---- memory that older firmware has written ----
+
+// The memory of a board with two slots, written by the firmware of 24 November 2026, before images could have parameters: the tank is in slot 0, every
+// 20 ms, confirmed.  Newer firmware runs it, and an image with parameters can replace it.
+static const uint8_t older_memory[] = {
+        0x02, 0x00, 0x00, 0x00, 0x01, 0x00, 0xff, 0x0b, 0x00, 0x00, 0x00, 0x00, 0x2b, 0x03, 0x12, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+        0x14, 0x00, 0x00, 0x00, 0x76, 0x10, 0xbe, 0x7a, 0x03, 0x00, 0x00, 0x00, 0x01, 0x00, 0xff, 0x00, 0x01, 0x00, 0x00, 0x00, 0x2b, 0x03, 0x12, 0x08,
+        0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x14, 0x00, 0x00, 0x00, 0xb8, 0x5d, 0x80, 0x40, 0x73, 0x6d, 0x62, 0x02, 0x2b, 0x03, 0x12, 0x08,
+        0x8e, 0x00, 0x00, 0x04, 0x01, 0x01, 0x2c, 0x00, 0x00, 0x08, 0x00, 0x00, 0x81, 0x02, 0x34, 0x00, 0x00, 0x1d, 0x00, 0x00, 0x82, 0x02, 0x51, 0x00,
+        0x00, 0x3c, 0x00, 0x00, 0x05, 0x01, 0x8d, 0x00, 0x00, 0x01, 0x00, 0x00, 0xae, 0x43, 0xf3, 0x36, 0x6f, 0x5f, 0xc3, 0xbc, 0x40, 0xfb, 0xf9, 0x1f,
+        0x04, 0x00, 0x04, 0x08, 0x00, 0x01, 0x03, 0x01, 0x00, 0x00, 0x00, 0x02, 0x18, 0x00, 0x0a, 0x00, 0x05, 0x37, 0x3c, 0x3c, 0x3c, 0x3c, 0x3c, 0x3c,
+        0x3c, 0x8c, 0x00, 0xc7, 0x00, 0xce, 0x99, 0x02, 0xeb, 0x65, 0x27, 0x0c, 0x8c, 0x01, 0xcc, 0x00, 0x87, 0x00, 0x9e, 0x01, 0xc7, 0x00, 0xdf, 0x04,
+        0x8c, 0x00, 0xcc, 0x00, 0x99, 0x02, 0xeb, 0x63, 0x14, 0x12, 0xee, 0x65, 0x59, 0x0e, 0x87, 0x00, 0xeb, 0x67, 0x08, 0x07, 0x9c, 0xe4, 0x78, 0x00,
+        0x06, 0x40, 0x03, 0xce, 0xcd, 0x03, 0xcd, 0x02, 0x8c, 0x01, 0xcc, 0x00, 0xce, 0x07,};
+
+static void open_older_memory(Store *s, uint8_t damaged)
 {
+    sim_reset();
+    memcpy(sim_nvm("eeprom"), older_memory, sizeof older_memory);
+    sim_nvm("eeprom")[2 * STORE_RECORD + 100] ^= damaged;
+    CHECK(image_store(s, "eeprom", 2));
+}
+
+static void test_older_memory_runs(const Image *with_parameters)
+{
+    static uint64_t ram[100], sv[8];
+    const uint32_t length = sizeof older_memory - 2 * STORE_RECORD;
+    const uint8_t *image;
+    SmvmVerdict v;
+    SmvmMachine m;
+    uint8_t slot = 9;
+    Store s;
+
+    memset(&s, 0, sizeof s);
+    open_older_memory(&s, 0);
+    CHECK(smvm_store_boot(&s, &slot) == SM_OK && slot == 0 && s.choice.confirmed && smvm_store_period(&s, 0) == 20);
+    image = s.plan.image[0];
+    CHECK(image == sim_nvm("eeprom") + 2 * STORE_RECORD && smvm_verify(image, length, &v) == 0);
+    CHECK(smvm_machine(image, 0, &m) && m.parameters_size == 0 && smvm_settings_identity(image) != 0);
+    CHECK(smvm_init(ram, sizeof ram, &m, &(SmvmVector){sv, m.sv_size, m.layout}, 1) == SM_OK);
+    CHECK(image_send(&s, with_parameters) == SM_OK && smvm_store_activate(&s, IMAGE_SESSION, 0) == SM_OK);
+    sim_power_on();
+    CHECK(image_store(&s, "eeprom", 2) && smvm_store_boot(&s, &slot) == SM_OK && slot == 1);
+    CHECK(memcmp(s.plan.image[1], with_parameters->bytes, with_parameters->length) == 0);
+    open_older_memory(&s, 1);
+    CHECK(smvm_store_boot(&s, &slot) == SM_OK && slot == STORE_BUILT_IN);
+}
+
+int main(int argc, char **argv)
+{
+    static Image with_parameters;
+
+    if (argc != 2 || !image_load(argv[1], &with_parameters)) {
+        fprintf(stderr, "older PARAMETERS.smb\n");
+        return 2;
+    }
     test_older_boards_report_less();
+    test_older_memory_runs(&with_parameters);
     return test_end("older-boards");
 }

@@ -104,6 +104,19 @@ static void test_places_are_checked(void)
     CHECK(rule_with(entry(ON).name[1] - 1, 1) == SMVM_R_PARAMETERS && rule_with(entry(ON).name[1] - 1, 0x5f) == SMVM_R_PARAMETERS);    // its unit is cut off
 }
 
+// An entry without a name is refused, although its size is right: the unit has the byte that the name lacks.
+static void test_nameless_entry_is_refused(void)
+{
+    const uint32_t at = entry(N).name[0] - 1;
+    SmvmVerdict v;
+
+    restore();
+    CHECK(image[at] == 1 && image[at + 3] == 0);                      // `n`, without a unit
+    memcpy(image + at, "\0\0\1x", 4);
+    fix_crc(image);
+    CHECK(smvm_verify(image, size, &v) == SMVM_R_PARAMETERS);
+}
+
 // Returns the rule that the image violates if a number of a parameter has the value `bits`.
 static uint8_t rule_of_value(uint32_t number, uint8_t which, uint64_t bits)
 {
@@ -204,6 +217,12 @@ static void test_setting_changes_value_and_crc_only(void)
     CHECK(strcmp(smvm_refusal_text(SM_REFUSAL_HIGH), "the value is above the range") == 0 && *smvm_refusal_text(0) == '\0' && *smvm_refusal_text(200) == '\0');
 }
 
+static uint64_t logic_with_default(double x)
+{
+    CHECK(rule_of_value(LIMIT, SMVM_PARAMETER_DEFAULT, bits_of(x)) == 0);
+    return smvm_logic_identity(image);
+}
+
 static void test_identities(Session *s)
 {
     const Buf named = compile(s, source, true);
@@ -216,6 +235,11 @@ static void test_identities(Session *s)
     CHECK(smvm_settings_identity((const uint8_t *)named.at) == smvm_settings_identity(image));
     CHECK(rule_of_value(LIMIT, SMVM_PARAMETER_HIGHEST, bits_of(2000)) == 0);
     CHECK(smvm_logic_identity((const uint8_t *)named.at) != smvm_logic_identity(image));
+    CHECK(logic_with_default(200) != logic_with_default(300) && logic_with_default(200) == logic_with_default(200));
+    restore();
+    image[entry(N).name[0]] = 'm';                                    // another name is another parameter: both identities differ
+    CHECK(smvm_logic_identity((const uint8_t *)named.at) != smvm_logic_identity(image));
+    CHECK(smvm_settings_identity((const uint8_t *)named.at) != smvm_settings_identity(image));
 }
 
 static void test_machine_without_parameters(Session *s)
@@ -241,6 +265,7 @@ int main(void)
     memcpy(good, b.at, size);
     test_entries_are_read();
     test_places_are_checked();
+    test_nameless_entry_is_refused();
     test_values_are_checked();
     test_any_damage_is_harmless();
     test_setting_changes_value_and_crc_only();
