@@ -45,7 +45,7 @@ typedef struct Session {
     bool proposes_guards;         // session_script reports comparisons with G that a guard by time can replace
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
-    SessionLocals locals;         // session_ir marks locals as hidden or written from outside accordingly
+    SessionLocals locals;         // what code outside the machine does with its locals; session_ir sets IrVar.outside and IrVar.hidden for it
     SourceFinder finder;          // finds included files; its functions are NULL until the caller sets them
     const char *bug;              // a sentence in `arena` if a pass has broken a machine, with the name of the pass; else NULL
 } Session;

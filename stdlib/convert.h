@@ -9,7 +9,7 @@
 // A cell is the bits of a value in its own type, zero-extended to 64: I8 -1 is 0xff, F32 its binary32, bool 0 or 1.
 // Memory is in the host's byte order and need not be aligned.  A bool is one byte; any nonzero byte reads as true.
 //
-// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet of emitted C: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_CONVERT_H
 #define SM_CONVERT_H
 
@@ -17,99 +17,99 @@
 #include "stdlib/types.h"
 
 #if !SM_F64_SOFT
-// snippet: sm_to_i32 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_i32 (only where SmF64 is a double)
 static inline int32_t sm_to_i32(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT32_MIN), x) && sm_le(x, sm_from_i32(INT32_MAX)))
         return sm_truncate_i32(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT32_MIN : INT32_MAX;
 }
-// snippet: sm_to_u32 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_u32 (only where SmF64 is a double)
 static inline uint32_t sm_to_u32(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_le(x, sm_from_u32(UINT32_MAX)))
         return sm_truncate_u32(x);
     return sm_lt(sm_from_i32(0), x) ? UINT32_MAX : 0u;
 }
-// snippet: sm_to_i64 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_i64 (only where SmF64 is a double)
 static inline int64_t sm_to_i64(SmF64 x)
 {
     if (sm_le(sm_from_bits(0xC3E0000000000000u), x) && sm_lt(x, sm_from_bits(0x43E0000000000000u)))   // -2^63, 2^63
         return sm_truncate_i64(x);
     return sm_is_nan(x) ? 0 : sm_lt(x, sm_from_i32(0)) ? INT64_MIN : INT64_MAX;
 }
-// snippet: sm_to_u64 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_u64 (only where SmF64 is a double)
 static inline uint64_t sm_to_u64(SmF64 x)
 {
     if (sm_le(sm_from_i32(0), x) && sm_lt(x, sm_from_bits(0x43F0000000000000u)))   // 2^64
         return sm_truncate_u64(x);
     return sm_lt(sm_from_i32(0), x) ? UINT64_MAX : 0u;
 }
-// snippet: sm_to_i16 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_i16 (only where SmF64 is a double)
 static inline int16_t sm_to_i16(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT16_MIN), x))
         return sm_lt(x, sm_from_i32(INT16_MAX)) ? (int16_t)sm_truncate_i32(x) : (int16_t)INT16_MAX;
     return sm_is_nan(x) ? (int16_t)0 : (int16_t)INT16_MIN;
 }
-// snippet: sm_to_i8 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_i8 (only where SmF64 is a double)
 static inline int8_t sm_to_i8(SmF64 x)
 {
     if (sm_le(sm_from_i32(INT8_MIN), x))
         return sm_lt(x, sm_from_i32(INT8_MAX)) ? (int8_t)sm_truncate_i32(x) : (int8_t)INT8_MAX;
     return sm_is_nan(x) ? (int8_t)0 : (int8_t)INT8_MIN;
 }
-// snippet: sm_to_u16 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_u16 (only where SmF64 is a double)
 static inline uint16_t sm_to_u16(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
         return sm_lt(x, sm_from_i32(UINT16_MAX)) ? (uint16_t)sm_truncate_i32(x) : (uint16_t)UINT16_MAX;
     return 0;
 }
-// snippet: sm_to_u8 (only where SmF64 is a double)
+// snippet of emitted C: sm_to_u8 (only where SmF64 is a double)
 static inline uint8_t sm_to_u8(SmF64 x)
 {
     if (sm_lt(sm_from_i32(0), x))
         return sm_lt(x, sm_from_i32(UINT8_MAX)) ? (uint8_t)sm_truncate_i32(x) : (uint8_t)UINT8_MAX;
     return 0;
 }
-// snippet: end
+// snippet of emitted C: end
 #endif
-// snippet: sm_to_f32
+// snippet of emitted C: sm_to_f32
 static inline float sm_to_f32(SmF64 x)
 {
     return SM_UNLIKELY(sm_is_nan(x)) ? 0.0f : sm_round_f32(x);
 }
-// snippet: sm_to_f64
+// snippet of emitted C: sm_to_f64
 static inline SmF64 sm_to_f64(SmF64 x)
 {
     return SM_UNLIKELY(sm_is_nan(x)) ? sm_from_i32(0) : x;
 }
-// snippet: end
+// snippet of emitted C: end
 #if !SM_F64_SOFT
-// snippet: sm_to_bool (only where SmF64 is a double)
+// snippet of emitted C: sm_to_bool (only where SmF64 is a double)
 static inline bool sm_to_bool(SmF64 x)
 {
     return sm_lt(x, sm_from_i32(0)) || sm_lt(sm_from_i32(0), x);   // both are false for NaN
 }
-// snippet: end
+// snippet of emitted C: end
 #endif
-// snippet: sm_clip_i32
+// snippet of emitted C: sm_clip_i32
 // x, clipped to the limits of another integer type.
 static inline int32_t sm_clip_i32(int32_t x, int32_t lo, int32_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-// snippet: sm_clip_i64
+// snippet of emitted C: sm_clip_i64
 // x, clipped to the limits of another integer type.
 static inline int64_t sm_clip_i64(int64_t x, int64_t lo, int64_t hi) { return x < lo ? lo : x > hi ? hi : x; }
-// snippet: sm_clip_u64
+// snippet of emitted C: sm_clip_u64
 // x, clipped to the upper limit of another integer type.
 static inline uint64_t sm_clip_u64(uint64_t x, uint64_t hi) { return x > hi ? hi : x; }
-// snippet: sm_count_up
+// snippet of emitted C: sm_count_up
 // Returns v + 1 as floating-point arithmetic computes it.  v is at most 2^53, from where adding one changes nothing.
 static inline uint64_t sm_count_up(uint64_t v) { return v + (v < 0x20000000000000u); }
-// snippet: sm_count_up_if
+// snippet of emitted C: sm_count_up_if
 // Returns v + 1 as floating-point arithmetic computes it if c is true, else v.  v is at most 2^53, from where adding one changes nothing.
 static inline uint64_t sm_count_up_if(uint64_t v, bool c) { return v + (c && v < 0x20000000000000u); }
-// snippet: sm_count_u64
+// snippet of emitted C: sm_count_u64
 // Returns v + n as floating-point arithmetic computes and stores it: exact for small v, rounded beyond 2^53.  n is from -2^52 to 2^52.
 static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
 {
@@ -117,7 +117,7 @@ static inline uint64_t sm_count_u64(uint64_t v, int64_t n)
         return v + (uint64_t)n;
     return sm_to_u64(sm_add(sm_from_u64(v), sm_from_i64(n)));
 }
-// snippet: sm_count_i64
+// snippet of emitted C: sm_count_i64
 // Returns v + n as floating-point arithmetic computes and stores it: exact for small v, rounded beyond 2^53.  n is from -2^52 to 2^52.
 static inline int64_t sm_count_i64(int64_t v, int64_t n)
 {
@@ -125,25 +125,25 @@ static inline int64_t sm_count_i64(int64_t v, int64_t n)
         return v + n;
     return sm_to_i64(sm_add(sm_from_i64(v), sm_from_i64(n)));
 }
-// snippet: sm_read_f64
+// snippet of emitted C: sm_read_f64
 static inline SmF64 sm_read_f64(SmF64 x)
 {
     return SM_UNLIKELY(sm_is_nan(x)) ? sm_from_i32(0) : x;
 }
-// snippet: end
+// snippet of emitted C: end
 #if !SM_F64_SOFT
-// snippet: sm_read_f32 (only where SmF64 is a double)
+// snippet of emitted C: sm_read_f32 (only where SmF64 is a double)
 static inline SmF64 sm_read_f32(float v)
 {
     const SmF64 x = sm_from_f32(v);
     return SM_UNLIKELY(sm_is_nan(x)) ? sm_from_i32(0) : x;
 }
-// snippet: sm_no_nan_f32 (only where SmF64 is a double)
+// snippet of emitted C: sm_no_nan_f32 (only where SmF64 is a double)
 static inline float sm_no_nan_f32(float v)
 {
     return SM_UNLIKELY(sm_is_nan(sm_from_f32(v))) ? 0.0f : v;
 }
-// snippet: end
+// snippet of emitted C: end
 #endif
 
 static inline SmF64 sm_from_i8(int8_t v) { return sm_from_i32(v); }

@@ -8,7 +8,7 @@
 // A number that needs more than 53 bits is a pair, an unevaluated sum hi + lo with |lo| far below |hi|.  Products are exact where
 // both factors have at most 26 significant bits; sm_head makes such factors.  tests/elementary/coefficients.py computes all constants.
 //
-// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet of emitted C: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_ELEMENTARY_H
 #define SM_ELEMENTARY_H
 
@@ -16,16 +16,16 @@
 #include "stdlib/flash.h"
 #include "stdlib/math.h"
 
-// snippet: SmPair
+// snippet of emitted C: SmPair
 // The number hi + lo.
 typedef struct SmPair { SmF64 hi, lo; } SmPair;
-// snippet: sm_head
+// snippet of emitted C: sm_head
 // x truncated to 26 significant bits.
 static inline SmF64 sm_head(SmF64 x) { return sm_from_bits(sm_bits(x) & 0xFFFFFFFFF8000000u); }
-// snippet: sm_scale
+// snippet of emitted C: sm_scale
 // x * 2^n, where 2^n is a normal number.
 static inline SmF64 sm_scale(SmF64 x, int n) { return sm_mul(x, sm_from_bits((uint64_t)(n + 1023) << 52)); }
-// snippet: sm_f64_constant
+// snippet of emitted C: sm_f64_constant
 // The F64 whose bits are in a table.
 static inline SmF64 sm_f64_constant(const uint64_t *at)
 {
@@ -33,7 +33,7 @@ static inline SmF64 sm_f64_constant(const uint64_t *at)
     sm_flash_read(&u, at, sizeof u);
     return sm_from_bits(u);
 }
-// snippet: sm_join
+// snippet of emitted C: sm_join
 // a + b as a pair whose hi is the rounded sum.  a must be 0 or |a| at least |b|.
 static inline SmPair sm_join(SmF64 a, SmF64 b)
 {
@@ -42,7 +42,7 @@ static inline SmPair sm_join(SmF64 a, SmF64 b)
     sum.lo = sm_add(sm_sub(a, sum.hi), b);
     return sum;
 }
-// snippet: sm_square
+// snippet of emitted C: sm_square
 // x * x as a pair; hi is exact, lo rounded.
 static inline SmPair sm_square(SmF64 x)
 {
@@ -52,7 +52,7 @@ static inline SmPair sm_square(SmF64 x)
     z.lo = sm_mul(sm_sub(x, head), sm_add(x, head));
     return z;
 }
-// snippet: sm_pair_mul
+// snippet of emitted C: sm_pair_mul
 // x * c.  c.hi must have at most 26 significant bits; `c_rounded` is c as one number.
 static inline SmPair sm_pair_mul(SmPair x, SmPair c, SmF64 c_rounded)
 {
@@ -62,7 +62,7 @@ static inline SmPair sm_pair_mul(SmPair x, SmPair c, SmF64 c_rounded)
     product.lo = sm_add(sm_mul(head, c.lo), sm_mul(sm_add(sm_sub(x.hi, head), x.lo), c_rounded));
     return product;
 }
-// snippet: sm_pair_div
+// snippet of emitted C: sm_pair_div
 // a / b.  The quotient's hi has at most 26 significant bits.
 static inline SmPair sm_pair_div(SmPair a, SmPair b)
 {
@@ -74,7 +74,7 @@ static inline SmPair sm_pair_div(SmPair a, SmPair b)
     q.lo = sm_mul(sm_add(rest, a.lo), inverse);
     return q;
 }
-// snippet: sm_polynomial
+// snippet of emitted C: sm_polynomial
 // c[0] + c[1] z + … + c[n - 1] z^(n - 1), for an even n.
 static inline SmF64 sm_polynomial(const uint64_t *c, unsigned n, SmF64 z)
 {
@@ -86,14 +86,14 @@ static inline SmF64 sm_polynomial(const uint64_t *c, unsigned n, SmF64 z)
     }
     return sm_add(even, sm_mul(odd, z));
 }
-// snippet: sm_exp_table
+// snippet of emitted C: sm_exp_table
 // (e^r - 1 - r) / r^2, for |r| up to ln 2 / 2
 static const uint64_t sm_exp_table[12] SM_FLASH = {
     0x3FE0000000000000u, 0x3FC5555555555555u, 0x3FA5555555555557u, 0x3F81111111111113u,
     0x3F56C16C16C15A6Bu, 0x3F2A01A01A0188DCu, 0x3EFA01A01A9E84CCu, 0x3EC71DE3A5EC3102u,
     0x3E927E4D41CDB611u, 0x3E5AE641B6B5EEE4u, 0x3E21F7F20FC91DC7u, 0x3DE61D9881430183u,
 };
-// snippet: sm_exp_pair
+// snippet of emitted C: sm_exp_pair
 // e^(x.hi + x.lo), for |x.hi| up to 746.
 static inline SmF64 sm_exp_pair(SmPair x)
 {
@@ -108,7 +108,7 @@ static inline SmF64 sm_exp_pair(SmPair x)
     const SmF64 y = sm_add(sum.hi, sm_add(sum.lo, sm_add(sm_mul(r.lo, sum.hi), bent)));
     return sm_scale(sm_scale(y, k / 2), k - k / 2);                                           // in two steps, because 2^k need not be a normal number
 }
-// snippet: sm_exp
+// snippet of emitted C: sm_exp
 static inline SmF64 sm_exp(SmF64 x)
 {
     SmPair pair;
@@ -122,13 +122,13 @@ static inline SmF64 sm_exp(SmF64 x)
     pair.lo = sm_from_i32(0);
     return sm_exp_pair(pair);
 }
-// snippet: sm_log_table
+// snippet of emitted C: sm_log_table
 // (ln((1 + s) / (1 - s)) / s - 2 - 2/3 z) / z^2, where z = s^2, for |s| up to (sqrt 2 - 1) / (sqrt 2 + 1)
 static const uint64_t sm_log_table[8] SM_FLASH = {
     0x3FD999999999999Au, 0x3FD2492492492523u, 0x3FCC71C71C6EA423u, 0x3FC745D177AE0E90u,
     0x3FC3B1395B5F08CDu, 0x3FC1118CD53AF741u, 0x3FBDF7BBEC160C99u, 0x3FBE038702FA10FCu,
 };
-// snippet: sm_series
+// snippet of emitted C: sm_series
 // s (a + z (c + w)), with a relative error below 2^-63 if w is small.  s.hi must have at most 26 significant bits, and z.hi at most 52.
 static inline SmPair sm_series(SmPair s, SmPair z, SmF64 a, SmPair c, SmF64 w)
 {
@@ -146,7 +146,7 @@ static inline SmPair sm_series(SmPair s, SmPair z, SmF64 a, SmPair c, SmF64 w)
     product.lo = sm_add(sm_mul(s.hi, q.lo), sm_mul(s.lo, sm_add(q.hi, q.lo)));
     return product;
 }
-// snippet: sm_log_mantissa
+// snippet of emitted C: sm_log_mantissa
 // For a finite x above 0: the pair is ln m and *e the exponent, where x = m * 2^e and m is from sqrt(1/2) to sqrt(2).
 static inline SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
 {
@@ -175,7 +175,7 @@ static inline SmPair sm_log_mantissa(SmF64 x, SmF64 *e)
     third.lo = sm_from_bits(0x3C85555555555555u);
     return sm_series(s, z, sm_from_i32(2), third, w);
 }
-// snippet: sm_log_special
+// snippet of emitted C: sm_log_special
 // Whether the logarithm of x is simple: NaN below 0, -infinity of 0, x itself for infinity and NaN.  *y is it.
 static inline bool sm_log_special(SmF64 x, SmF64 *y)
 {
@@ -184,7 +184,7 @@ static inline bool sm_log_special(SmF64 x, SmF64 *y)
     *y = sm_eq(x, sm_from_i32(0)) ? sm_from_bits(0xFFF0000000000000u) : sm_lt(x, sm_from_i32(0)) ? sm_from_bits(0x7FF8000000000000u) : x;
     return true;
 }
-// snippet: sm_log_pair
+// snippet of emitted C: sm_log_pair
 // ln x of a finite x above 0; the relative error is below 2^-63.
 static inline SmPair sm_log_pair(SmF64 x)
 {
@@ -194,7 +194,7 @@ static inline SmPair sm_log_pair(SmF64 x)
     sum.lo = sm_add(sum.lo, sm_add(l.lo, sm_mul(e, sm_from_bits(0x3D2EF35793C76730u))));
     return sum;
 }
-// snippet: sm_log
+// snippet of emitted C: sm_log
 static inline SmF64 sm_log(SmF64 x)
 {
     SmPair l;
@@ -203,7 +203,7 @@ static inline SmF64 sm_log(SmF64 x)
     l = sm_log_pair(x);
     return sm_add(l.hi, l.lo);
 }
-// snippet: sm_log10
+// snippet of emitted C: sm_log10
 static inline SmF64 sm_log10(SmF64 x)
 {
     SmF64 e;
@@ -218,7 +218,7 @@ static inline SmF64 sm_log10(SmF64 x)
     l = sm_join(sm_mul(e, sm_from_bits(0x3FD34413509F7800u)), l.hi);                          // exact: log10 2 in 42 bits
     return sm_add(l.hi, sm_add(l.lo, sm_add(x, sm_mul(e, sm_from_bits(0x3D1FEF311F12B358u)))));
 }
-// snippet: sm_pow_positive
+// snippet of emitted C: sm_pow_positive
 // x^y for a finite x above 0 and a finite y.
 static inline SmF64 sm_pow_positive(SmF64 x, SmF64 y)
 {
@@ -234,9 +234,9 @@ static inline SmF64 sm_pow_positive(SmF64 x, SmF64 y)
     product.lo = sm_add(sm_mul(y_head, sm_add(sm_sub(log.hi, head), log.lo)), sm_mul(sm_sub(y, y_head), log.hi));
     return sm_exp_pair(sm_join(product.hi, product.lo));
 }
-// snippet: sm_is_whole
+// snippet of emitted C: sm_is_whole
 static inline bool sm_is_whole(SmF64 x) { return sm_eq(sm_trunc(x), x); }
-// snippet: sm_pow
+// snippet of emitted C: sm_pow
 static inline SmF64 sm_pow(SmF64 x, SmF64 y)
 {
     const SmF64 size = sm_abs(x), zero = sm_from_i32(0), one = sm_from_i32(1), infinity = sm_from_bits(0x7FF0000000000000u);
@@ -253,7 +253,7 @@ static inline SmF64 sm_pow(SmF64 x, SmF64 y)
         z = sm_pow_positive(size, y);
     return odd && (sm_bits(x) & 0x8000000000000000u) != 0 ? sm_neg(z) : z;
 }
-// snippet: sm_turn_table
+// snippet of emitted C: sm_turn_table
 // The bits of 2 / pi, after 64 zeros
 static const uint32_t sm_turn_table[39] SM_FLASH = {
     0x00000000u, 0x00000000u, 0xA2F9836Eu, 0x4E441529u, 0xFC2757D1u, 0xF534DDC0u, 0xDB629599u, 0x3C439041u,
@@ -262,7 +262,7 @@ static const uint32_t sm_turn_table[39] SM_FLASH = {
     0x1FF897FFu, 0xDE05980Fu, 0xEF2F118Bu, 0x5A0A6D1Fu, 0x6D367ECFu, 0x27CB09B7u, 0x4F463F66u, 0x9E5FEA2Du,
     0x7527BAC7u, 0xEBE5F17Bu, 0x3D0739F7u, 0x8A5292EAu, 0x6BFB5FB1u, 0x1F8D5D08u, 0x56033046u,
 };
-// snippet: sm_turn_fraction
+// snippet of emitted C: sm_turn_fraction
 // For |x| from 0.78 on: the bits of |x| * 2 / pi modulo 4, of which the first two are the whole part, in six words, the lowest first.  The error
 // is below 2^-137.
 static inline void sm_turn_fraction(SmF64 x, uint32_t product[6])
@@ -291,7 +291,7 @@ static inline void sm_turn_fraction(SmF64 x, uint32_t product[6])
         last = w;
     }
 }
-// snippet: sm_reduce
+// snippet of emitted C: sm_reduce
 // *r = x - k * pi/2 for the whole number k that is nearest to x * 2/pi, and returns k modulo 4.  x is finite.
 static inline unsigned sm_reduce(SmF64 x, SmPair *r)
 {
@@ -327,25 +327,25 @@ static inline unsigned sm_reduce(SmF64 x, SmPair *r)
         k++;
     return ((sm_bits(x) & 0x8000000000000000u) != 0 ? 0u - k : k) & 3u;
 }
-// snippet: sm_sin_table
+// snippet of emitted C: sm_sin_table
 // (sin r / r - 1) / z, where z = r^2, for |r| up to pi/4
 static const uint64_t sm_sin_table[8] SM_FLASH = {
     0xBFC5555555555555u, 0x3F81111111111111u, 0xBF2A01A01A01A019u, 0x3EC71DE3A556C2C9u,
     0xBE5AE64567E732E7u, 0x3DE61245FB516B06u, 0xBD6AE7C53DEED862u, 0x3CE9242C4CC3855Eu,
 };
-// snippet: sm_tan_table
+// snippet of emitted C: sm_tan_table
 // ((sin r / r - 1) / z + 1/6) / z
 static const uint64_t sm_tan_table[6] SM_FLASH = {
     0x3F81111111111111u, 0xBF2A01A01A019ED6u, 0x3EC71DE3A550CC07u, 0xBE5AE64553439E50u,
     0x3DE61225B4F8DA28u, 0xBD6AB9408A23CA6Au,
 };
-// snippet: sm_cos_table
+// snippet of emitted C: sm_cos_table
 // (cos r - 1 + z / 2) / z^2
 static const uint64_t sm_cos_table[6] SM_FLASH = {
     0x3FA5555555555555u, 0xBF56C16C16C16967u, 0x3EFA01A019F4EC88u, 0xBE927E4FA17F5B80u,
     0x3E21EEB6902CBF33u, 0xBDA907DB3EEBA61Fu,
 };
-// snippet: sm_sin_pair
+// snippet of emitted C: sm_sin_pair
 // sin r; hi is r.hi.
 static inline SmPair sm_sin_pair(SmPair r)
 {
@@ -354,7 +354,7 @@ static inline SmPair sm_sin_pair(SmPair r)
     r.lo = sm_add(sm_mul(r.lo, cosine), sm_mul(sm_mul(r.hi, z), sm_polynomial(sm_sin_table, 8, z)));
     return r;
 }
-// snippet: sm_cos_pair
+// snippet of emitted C: sm_cos_pair
 // cos r
 static inline SmPair sm_cos_pair(SmPair r)
 {
@@ -365,7 +365,7 @@ static inline SmPair sm_cos_pair(SmPair r)
     c.lo = sm_add(c.lo, sm_mul(sm_mul(z, z), sm_polynomial(sm_cos_table, 6, z)));
     return c;
 }
-// snippet: sm_sin_of_turn
+// snippet of emitted C: sm_sin_of_turn
 // sin(r + k * pi/2)
 static inline SmF64 sm_sin_of_turn(SmPair r, unsigned k)
 {
@@ -373,13 +373,13 @@ static inline SmF64 sm_sin_of_turn(SmPair r, unsigned k)
     const SmF64 y = sm_add(s.hi, s.lo);
     return (k & 2u) != 0 ? sm_neg(y) : y;
 }
-// snippet: sm_is_small
+// snippet of emitted C: sm_is_small
 // Whether |x| is below 2^-27, where sin x, tan x, asin x and atan x are x.
 static inline bool sm_is_small(SmF64 x) { return sm_lt(sm_abs(x), sm_from_bits(0x3E40000000000000u)); }
-// snippet: sm_is_endless
+// snippet of emitted C: sm_is_endless
 // Whether x is an infinity or NaN.
 static inline bool sm_is_endless(SmF64 x) { return (sm_bits(x) & 0x7FF0000000000000u) == 0x7FF0000000000000u; }
-// snippet: sm_sin
+// snippet of emitted C: sm_sin
 static inline SmF64 sm_sin(SmF64 x)
 {
     SmPair r;
@@ -389,7 +389,7 @@ static inline SmF64 sm_sin(SmF64 x)
     k = sm_reduce(x, &r);
     return sm_sin_of_turn(r, k);
 }
-// snippet: sm_cos
+// snippet of emitted C: sm_cos
 static inline SmF64 sm_cos(SmF64 x)
 {
     SmPair r;
@@ -399,7 +399,7 @@ static inline SmF64 sm_cos(SmF64 x)
     k = sm_reduce(x, &r);
     return sm_sin_of_turn(r, k + 1u);
 }
-// snippet: sm_sin_series
+// snippet of emitted C: sm_sin_series
 // sin r for a quotient: its relative error is below 2^-62.
 static inline SmPair sm_sin_series(SmPair r)
 {
@@ -414,7 +414,7 @@ static inline SmPair sm_sin_series(SmPair r)
     sixth.lo = sm_from_bits(0xBC65555555555555u);
     return sm_series(s, z, sm_from_i32(1), sixth, sm_mul(v, sm_polynomial(sm_tan_table, 6, v)));
 }
-// snippet: sm_tan
+// snippet of emitted C: sm_tan
 static inline SmF64 sm_tan(SmF64 x)
 {
     SmPair r, s, c;
@@ -430,19 +430,19 @@ static inline SmF64 sm_tan(SmF64 x)
     x = sm_add(r.hi, r.lo);
     return (k & 1u) != 0 ? sm_neg(x) : x;
 }
-// snippet: sm_atan_table
+// snippet of emitted C: sm_atan_table
 // (atan t / t - 1) / z, where z = t^2, for |t| up to 0.164
 static const uint64_t sm_atan_table[8] SM_FLASH = {
     0xBFD5555555555555u, 0x3FC9999999999956u, 0xBFC24924924854E7u, 0x3FBC71C71A8D71EEu,
     0xBFB745D05EBFB2E7u, 0x3FB3B0E48255DD35u, 0xBFB1020E41B47EA9u, 0x3FAB6178FE602A5Bu,
 };
-// snippet: sm_arc_table
+// snippet of emitted C: sm_arc_table
 // atan 0, 1/4, 1/2 and 1, each in two parts
 static const uint64_t sm_arc_table[8] SM_FLASH = {
     0x0000000000000000u, 0x0000000000000000u, 0x3FCF5B75F92C80DDu, 0x3C68AB6E3CF7AFBDu,
     0x3FDDAC670561BB4Fu, 0x3C7A2B7F222F65E2u, 0x3FE921FB54442D18u, 0x3C81A62633145C07u,
 };
-// snippet: sm_angle
+// snippet of emitted C: sm_angle
 // The angle of the point (x, y), from 0 to pi.  y is at least 0, x above 0 and y + x neither overflow nor underflow; if `left`, x is the distance to
 // the left of the origin.
 static inline SmF64 sm_angle(SmPair y, SmPair x, bool left)
@@ -484,10 +484,10 @@ static inline SmF64 sm_angle(SmPair y, SmPair x, bool left)
     t = sm_join(d.hi, t.hi);
     return sm_add(t.hi, sm_add(t.lo, sm_add(d.lo, sm_add(base.lo, arc.lo))));
 }
-// snippet: sm_with_sign
+// snippet of emitted C: sm_with_sign
 // y, which is at least 0, with the sign of x.
 static inline SmF64 sm_with_sign(SmF64 y, SmF64 x) { return sm_from_bits(sm_bits(y) | (sm_bits(x) & 0x8000000000000000u)); }
-// snippet: sm_atan
+// snippet of emitted C: sm_atan
 static inline SmF64 sm_atan(SmF64 x)
 {
     SmPair y, one;
@@ -500,7 +500,7 @@ static inline SmF64 sm_atan(SmF64 x)
     one.lo = y.lo = sm_from_i32(0);
     return sm_with_sign(sm_angle(y, one, false), x);
 }
-// snippet: sm_atan2
+// snippet of emitted C: sm_atan2
 static inline SmF64 sm_atan2(SmF64 y, SmF64 x)
 {
     const SmF64 tiny = sm_from_bits(0x3BF0000000000000u), zero = sm_from_i32(0);              // 2^-64
@@ -531,7 +531,7 @@ static inline SmF64 sm_atan2(SmF64 y, SmF64 x)
     b.hi = sm_scale(b.hi, n);
     return sm_with_sign(sm_angle(a, b, left), y);
 }
-// snippet: sm_root_pair
+// snippet of emitted C: sm_root_pair
 // The square root of x as a pair; x is 0 or from 2^-900 to 2^1002.  Three steps of Newton's method find y = 1 / sqrt(x) to 2^-34; the rest of
 // sqrt(x) - x y follows from the square of x y.
 static inline SmPair sm_root_pair(SmPair x)
@@ -548,7 +548,7 @@ static inline SmPair sm_root_pair(SmPair x)
     root.lo = sm_mul(rest, sm_mul(y, half));
     return root;
 }
-// snippet: sm_leg
+// snippet of emitted C: sm_leg
 // sqrt(1 - x^2), for x from 0 to 1.
 static inline SmPair sm_leg(SmF64 x)
 {
@@ -561,7 +561,7 @@ static inline SmPair sm_leg(SmF64 x)
     u.lo = sm_add(u.lo, sm_add(sm_mul(sum.lo, difference.hi), sm_mul(sum.hi, difference.lo)));
     return sm_root_pair(sm_join(u.hi, u.lo));
 }
-// snippet: sm_asin
+// snippet of emitted C: sm_asin
 static inline SmF64 sm_asin(SmF64 x)
 {
     SmPair y;
@@ -573,7 +573,7 @@ static inline SmF64 sm_asin(SmF64 x)
     y.lo = sm_from_i32(0);
     return sm_with_sign(sm_angle(y, sm_leg(y.hi), false), x);
 }
-// snippet: sm_acos
+// snippet of emitted C: sm_acos
 static inline SmF64 sm_acos(SmF64 x)
 {
     SmPair size;
@@ -583,7 +583,7 @@ static inline SmF64 sm_acos(SmF64 x)
     size.lo = sm_from_i32(0);
     return sm_angle(sm_leg(size.hi), size, sm_lt(x, size.lo));
 }
-// snippet: sm_hypot
+// snippet of emitted C: sm_hypot
 static inline SmF64 sm_hypot(SmF64 x, SmF64 y)
 {
     const SmF64 infinity = sm_from_bits(0x7FF0000000000000u);
@@ -609,6 +609,6 @@ static inline SmF64 sm_hypot(SmF64 x, SmF64 y)
     p = sm_root_pair(sm_join(sum.hi, sum.lo));
     return sm_scale(sm_add(p.hi, p.lo), -n);
 }
-// snippet: end
+// snippet of emitted C: end
 
 #endif

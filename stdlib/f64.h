@@ -5,8 +5,8 @@
 // the functions below and never C's operators, which the struct does not support.
 // All functions are exact IEEE: round to nearest even, no trap, no errno.  The sign and payload of a NaN carry no meaning.
 //
-// Emitted C contains the source of the functions that it uses, as snippets (compiler/emit/c/embed_tool.c).  A line `// snippet: NAME` begins the
-// snippet NAME, which ends at the next such line; `// snippet: end` begins none.  After some names it says that the snippet
+// Emitted C contains the source of the functions that it uses, as snippets (compiler/emit/c/embed_tool.c).  A line `// snippet of emitted C: NAME` begins the
+// snippet NAME, which ends at the next such line; `// snippet of emitted C: end` begins none.  After some names it says that the snippet
 // exists only where SmF64 is a `double`.  Comments inside a snippet appear in emitted C, so write them for its readers.
 #ifndef SM_F64_H
 #define SM_F64_H
@@ -49,7 +49,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-// snippet: SM_UNLIKELY
+// snippet of emitted C: SM_UNLIKELY
 // The condition c, which is almost never true.  gcc otherwise computes both values of a choice and selects one, which delays all that follows.
 // With -Os it jumps anyway.
 #if defined(SM_UNLIKELY)
@@ -58,44 +58,44 @@
 #else
 #define SM_UNLIKELY(c) (c)
 #endif
-// snippet: end
+// snippet of emitted C: end
 
 #if SM_F64_SOFT
 #include "stdlib/f64_soft.h"
 #else
-// snippet: SmF64 (only where SmF64 is a double)
+// snippet of emitted C: SmF64 (only where SmF64 is a double)
 #ifndef SM_F64_TYPE
 #define SM_F64_TYPE
 typedef double SmF64;   // IEEE binary64
 #endif
-// snippet: sm_bits (only where SmF64 is a double)
+// snippet of emitted C: sm_bits (only where SmF64 is a double)
 static inline uint64_t sm_bits(SmF64 x) { uint64_t u; memcpy(&u, &x, sizeof u); return u; }
-// snippet: sm_from_bits (only where SmF64 is a double)
+// snippet of emitted C: sm_from_bits (only where SmF64 is a double)
 static inline SmF64 sm_from_bits(uint64_t u) { SmF64 x; memcpy(&x, &u, sizeof x); return x; }
-// snippet: sm_add (only where SmF64 is a double)
+// snippet of emitted C: sm_add (only where SmF64 is a double)
 static inline SmF64 sm_add(SmF64 a, SmF64 b) { return a + b; }
-// snippet: sm_sub (only where SmF64 is a double)
+// snippet of emitted C: sm_sub (only where SmF64 is a double)
 static inline SmF64 sm_sub(SmF64 a, SmF64 b) { return a - b; }
-// snippet: sm_mul (only where SmF64 is a double)
+// snippet of emitted C: sm_mul (only where SmF64 is a double)
 static inline SmF64 sm_mul(SmF64 a, SmF64 b) { return a * b; }
-// snippet: sm_div (only where SmF64 is a double)
+// snippet of emitted C: sm_div (only where SmF64 is a double)
 static inline SmF64 sm_div(SmF64 a, SmF64 b) { return a / b; }
-// snippet: sm_neg (only where SmF64 is a double)
+// snippet of emitted C: sm_neg (only where SmF64 is a double)
 // Flips the sign bit, also of zero and NaN.
 static inline SmF64 sm_neg(SmF64 a) { return sm_from_bits(sm_bits(a) ^ 0x8000000000000000u); }
-// snippet: sm_lt (only where SmF64 is a double)
+// snippet of emitted C: sm_lt (only where SmF64 is a double)
 static inline bool sm_lt(SmF64 a, SmF64 b) { return a < b; }    // false if either is NaN
-// snippet: sm_le (only where SmF64 is a double)
+// snippet of emitted C: sm_le (only where SmF64 is a double)
 static inline bool sm_le(SmF64 a, SmF64 b) { return a <= b; }   // false if either is NaN
-// snippet: sm_eq (only where SmF64 is a double)
+// snippet of emitted C: sm_eq (only where SmF64 is a double)
 static inline bool sm_eq(SmF64 a, SmF64 b) { return a == b; }   // false if either is NaN
-// snippet: sm_is_nan (only where SmF64 is a double)
+// snippet of emitted C: sm_is_nan (only where SmF64 is a double)
 static inline bool sm_is_nan(SmF64 a) { return a != a; }
-// snippet: sm_from_i32 (only where SmF64 is a double)
+// snippet of emitted C: sm_from_i32 (only where SmF64 is a double)
 static inline SmF64 sm_from_i32(int32_t v) { return (SmF64)v; }
-// snippet: sm_from_u32 (only where SmF64 is a double)
+// snippet of emitted C: sm_from_u32 (only where SmF64 is a double)
 static inline SmF64 sm_from_u32(uint32_t v) { return (SmF64)v; }
-// snippet: sm_from_i64 (only where SmF64 is a double)
+// snippet of emitted C: sm_from_i64 (only where SmF64 is a double)
 // Rounds above 2^53.  32-bit x86 converts 64 bits in an x87 register, where compilers can leave more bits than a double has.
 // Therefore the two halves are converted, which is exact, and their sum is rounded once, like every sum.
 static inline SmF64 sm_from_i64(int64_t v)
@@ -106,7 +106,7 @@ static inline SmF64 sm_from_i64(int64_t v)
     return (SmF64)v;
 #endif
 }
-// snippet: sm_from_u64 (only where SmF64 is a double)
+// snippet of emitted C: sm_from_u64 (only where SmF64 is a double)
 // Rounds above 2^53.  On 32-bit x86 the two halves are converted, and their sum is rounded once, as in sm_from_i64.
 static inline SmF64 sm_from_u64(uint64_t v)
 {
@@ -116,19 +116,19 @@ static inline SmF64 sm_from_u64(uint64_t v)
     return (SmF64)v;
 #endif
 }
-// snippet: sm_from_f32 (only where SmF64 is a double)
+// snippet of emitted C: sm_from_f32 (only where SmF64 is a double)
 static inline SmF64 sm_from_f32(float v) { return (SmF64)v; }       // exact
-// snippet: sm_truncate_i32 (only where SmF64 is a double)
+// snippet of emitted C: sm_truncate_i32 (only where SmF64 is a double)
 static inline int32_t sm_truncate_i32(SmF64 x) { return (int32_t)x; }    // toward zero; the result must be in range
-// snippet: sm_truncate_u32 (only where SmF64 is a double)
+// snippet of emitted C: sm_truncate_u32 (only where SmF64 is a double)
 static inline uint32_t sm_truncate_u32(SmF64 x) { return (uint32_t)x; }  // toward zero; the result must be in range
-// snippet: sm_truncate_i64 (only where SmF64 is a double)
+// snippet of emitted C: sm_truncate_i64 (only where SmF64 is a double)
 static inline int64_t sm_truncate_i64(SmF64 x) { return (int64_t)x; }    // toward zero; the result must be in range
-// snippet: sm_truncate_u64 (only where SmF64 is a double)
+// snippet of emitted C: sm_truncate_u64 (only where SmF64 is a double)
 static inline uint64_t sm_truncate_u64(SmF64 x) { return (uint64_t)x; }  // toward zero; the result must be in range
-// snippet: sm_round_f32 (only where SmF64 is a double)
+// snippet of emitted C: sm_round_f32 (only where SmF64 is a double)
 static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to nearest even, overflow to infinity
-// snippet: SM_SQRT_INSTRUCTION (only where SmF64 is a double)
+// snippet of emitted C: SM_SQRT_INSTRUCTION (only where SmF64 is a double)
 // Replaces x by its square root, with one instruction.  Not defined where no such instruction is known.  sqrt() of C would need libm.
 #if !defined(SM_SQRT_INSTRUCTION) && defined(__GNUC__) && !defined(__TINYC__)
 #if defined(__SSE2_MATH__) && defined(__AVX__)
@@ -145,7 +145,7 @@ static inline float sm_round_f32(SmF64 x) { return (float)x; }      // to neares
 #define SM_SQRT_INSTRUCTION(x) __asm__("sqdbr %0, %0" : "+f"(x))
 #endif
 #endif
-// snippet: end
+// snippet of emitted C: end
 #endif
 
 #endif

@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-// snippet: SM_FLASH
+// snippet of emitted C: SM_FLASH
 #ifdef __AVR__
 #include <avr/pgmspace.h>
 #define SM_FLASH PROGMEM                                          // in flash: AVR copies other constants into RAM
@@ -20,7 +20,7 @@
 #define SM_FLASH
 #define sm_flash_read(to, from, n) memcpy((to), (from), (n))
 #endif
-// snippet: end
+// snippet of emitted C: end
 
 #ifdef __AVR__
 #define SM_TEXT(text) (__extension__({static const char text_[] PROGMEM = text; (const char *)text_;}))

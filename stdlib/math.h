@@ -2,16 +2,16 @@
 // The pure builtins (language.md 3), F64 in and F64 out.  All are exact or correctly rounded, so their results have
 // the same bits on every target; no libm.
 //
-// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
+// Lines `// snippet of emitted C: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.
 #ifndef SM_MATH_H
 #define SM_MATH_H
 
 #include "stdlib/f64.h"
 
-// snippet: sm_abs
+// snippet of emitted C: sm_abs
 // x without its sign bit.
 static inline SmF64 sm_abs(SmF64 x) { return sm_from_bits(sm_bits(x) & 0x7FFFFFFFFFFFFFFFu); }
-// snippet: sm_trunc
+// snippet of emitted C: sm_trunc
 // x without its fraction; preserves the sign of zero.
 static inline SmF64 sm_trunc(SmF64 x)
 {
@@ -23,19 +23,19 @@ static inline SmF64 sm_trunc(SmF64 x)
         return sm_from_bits(u & 0x8000000000000000u);
     return sm_from_bits(u & ~(0x000FFFFFFFFFFFFFu >> (exponent - 1023u)));
 }
-// snippet: sm_floor
+// snippet of emitted C: sm_floor
 static inline SmF64 sm_floor(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
     return sm_bits(x) > (sm_bits(t) | 0x8000000000000000u) ? sm_sub(t, sm_from_i32(1)) : t;    // negative, with a fraction
 }
-// snippet: sm_ceil
+// snippet of emitted C: sm_ceil
 static inline SmF64 sm_ceil(SmF64 x)
 {
     const SmF64 t = sm_trunc(x);
     return (sm_bits(x) & 0x7FFFFFFFFFFFFFFFu) > sm_bits(t) ? sm_add(t, sm_from_i32(1)) : t;    // positive, with a fraction
 }
-// snippet: sm_round
+// snippet of emitted C: sm_round
 // The nearest whole number, halves away from zero; preserves the sign of zero.
 static inline SmF64 sm_round(SmF64 x)
 {
@@ -46,11 +46,11 @@ static inline SmF64 sm_round(SmF64 x)
     // Adds a half to the magnitude.  A carry out of the significand adds one to the exponent, as it has to.
     return sm_trunc(sm_from_bits(u + (0x0010000000000000u >> (exponent - 1022u))));
 }
-// snippet: sm_upper_half
+// snippet of emitted C: sm_upper_half
 #ifndef SM_SQRT_INSTRUCTION
 static inline uint32_t sm_upper_half(uint32_t a, uint32_t b) { return (uint32_t)(((uint64_t)a * b) >> 32); }
 #endif
-// snippet: sm_sqrt_digits
+// snippet of emitted C: sm_sqrt_digits
 #ifndef SM_SQRT_INSTRUCTION
 // The integer nearest to the square root of f * 2^104, where f is from 1 to below 4, and n is f * 2^60 and a multiple of 2^8.  No root is halfway
 // between two integers.
@@ -86,7 +86,7 @@ static inline uint64_t sm_sqrt_digits(uint64_t n)
 #endif
 }
 #endif
-// snippet: sm_sqrt
+// snippet of emitted C: sm_sqrt
 // The square root, correctly rounded; NaN below zero, -0 for -0.
 static inline SmF64 sm_sqrt(SmF64 x)
 {
@@ -111,7 +111,7 @@ static inline SmF64 sm_sqrt(SmF64 x)
     return sm_from_bits(digits + ((uint64_t)(exponent / 2 - 1) << 52));
 #endif
 }
-// snippet: sm_sign
+// snippet of emitted C: sm_sign
 // -1, 1, or x itself if it is a zero or NaN.
 static inline SmF64 sm_sign(SmF64 x)
 {
@@ -119,7 +119,7 @@ static inline SmF64 sm_sign(SmF64 x)
         return x;
     return sm_from_bits((sm_bits(x) & 0x8000000000000000u) | 0x3FF0000000000000u);
 }
-// snippet: sm_min
+// snippet of emitted C: sm_min
 // The smaller; -0 is below +0; NaN if either is.
 static inline SmF64 sm_min(SmF64 a, SmF64 b)
 {
@@ -127,7 +127,7 @@ static inline SmF64 sm_min(SmF64 a, SmF64 b)
         return sm_from_bits(sm_bits(a) | sm_bits(b));
     return sm_lt(a, b) || sm_is_nan(a) ? a : b;
 }
-// snippet: sm_max
+// snippet of emitted C: sm_max
 // The larger; +0 is above -0; NaN if either is.
 static inline SmF64 sm_max(SmF64 a, SmF64 b)
 {
@@ -135,20 +135,20 @@ static inline SmF64 sm_max(SmF64 a, SmF64 b)
         return sm_from_bits(sm_bits(a) & sm_bits(b));
     return sm_lt(b, a) || sm_is_nan(a) ? a : b;
 }
-// snippet: sm_lower
+// snippet of emitted C: sm_lower
 // The smaller one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_lower(SmF64 x, SmF64 y) { return sm_lt(y, x) ? y : x; }
-// snippet: sm_higher
+// snippet of emitted C: sm_higher
 // The larger one.  y must not be NaN, and x and y must not be zeros of different signs.
 static inline SmF64 sm_higher(SmF64 x, SmF64 y) { return sm_lt(x, y) ? y : x; }
-// snippet: sm_abs_i32
+// snippet of emitted C: sm_abs_i32
 // |x| of an integer.  x must not be the smallest integer, for which C's minus overflows.
 static inline int32_t sm_abs_i32(int32_t x) { return x < 0 ? -x : x; }
-// snippet: sm_abs_i64
+// snippet of emitted C: sm_abs_i64
 static inline int64_t sm_abs_i64(int64_t x) { return x < 0 ? -x : x; }
-// snippet: sm_saturating_abs_i64
+// snippet of emitted C: sm_saturating_abs_i64
 static inline int64_t sm_saturating_abs_i64(int64_t x) { return x < -INT64_MAX ? INT64_MAX : x < 0 ? -x : x; }
-// snippet: sm_abs_f32
+// snippet of emitted C: sm_abs_f32
 // x without its sign bit.
 static inline float sm_abs_f32(float x)
 {
@@ -158,20 +158,20 @@ static inline float sm_abs_f32(float x)
     memcpy(&x, &u, sizeof x);
     return x;
 }
-// snippet: sm_sign_i32
+// snippet of emitted C: sm_sign_i32
 static inline int32_t sm_sign_i32(int32_t x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-// snippet: sm_sign_i64
+// snippet of emitted C: sm_sign_i64
 static inline int64_t sm_sign_i64(int64_t x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-// snippet: sm_min_i32
+// snippet of emitted C: sm_min_i32
 static inline int32_t sm_min_i32(int32_t a, int32_t b) { return a < b ? a : b; }
-// snippet: sm_min_i64
+// snippet of emitted C: sm_min_i64
 static inline int64_t sm_min_i64(int64_t a, int64_t b) { return a < b ? a : b; }
-// snippet: sm_max_i32
+// snippet of emitted C: sm_max_i32
 static inline int32_t sm_max_i32(int32_t a, int32_t b) { return a > b ? a : b; }
-// snippet: sm_max_i64
+// snippet of emitted C: sm_max_i64
 static inline int64_t sm_max_i64(int64_t a, int64_t b) { return a > b ? a : b; }
-// snippet: sm_clamp
+// snippet of emitted C: sm_clamp
 static inline SmF64 sm_clamp(SmF64 x, SmF64 lo, SmF64 hi) { return sm_min(sm_max(x, lo), hi); }
-// snippet: end
+// snippet of emitted C: end
 
 #endif

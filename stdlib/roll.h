@@ -38,7 +38,7 @@
 // In a window with a median, the smallest and largest have no additional cost.  With SM_ROLL_SMALL a window stores only its slots and, for a
 // median, the samples in order.  Average, smallest and largest then visit all slots, and adding a sample for a median moves up to n samples.
 //
-// Lines `// snippet: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.  The file is long because it is
+// Lines `// snippet of emitted C: NAME` divide this file into the snippets that emitted C can contain; f64.h explains them.  The file is long because it is
 // one library in this order: emitted C contains the snippets that a machine needs in the order of the file, and each uses only earlier ones.
 #ifndef SM_ROLL_H
 #define SM_ROLL_H
@@ -50,7 +50,7 @@
 #include "stdlib/roll_small.h"
 #include "stdlib/types.h"
 
-// snippet: SmRoll
+// snippet of emitted C: SmRoll
 #ifndef SM_ROLL_SMALL
 // 1: rolling windows use as little memory as possible, and more time.  Must be the same for all files that are compiled together.
 #ifdef __AVR__
@@ -59,7 +59,7 @@
 #define SM_ROLL_SMALL 0
 #endif
 #endif
-// snippet: end
+// snippet of emitted C: end
 // Outside emitted C: inlined when optimizing for speed.  Otherwise there is one copy of each function, with size and kind as arguments.
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define SM_ROLL_INLINE static inline __attribute__((always_inline))
@@ -74,7 +74,7 @@
 #ifdef __OPTIMIZE_SIZE__
 #define SM_ROLL_AT_ONCE 1u
 #endif
-// snippet: SM_ROLL_INLINE
+// snippet of emitted C: SM_ROLL_INLINE
 // Callers pass the size and kind of a window as constants, and inlined with constants these functions are short.  The longer functions are
 // inlined at every call only when optimizing for speed (SM_ROLL_INLINE_FOR_SPEED).
 #if !defined(SM_ROLL_INLINE) && defined(__OPTIMIZE__)
@@ -114,11 +114,11 @@ enum {
 #define SM_ROLL_SCAN 64u
 #define SM_ROLL_BLOCK 2048u
 #define SM_ROLL_LONG(n) (!SM_ROLL_SMALL && (n) > SM_ROLL_BLOCK)
-// snippet: end
+// snippet of emitted C: end
 #ifndef SM_ROLL_UNROLL
 #define SM_ROLL_UNROLL      // outside emitted C, sizes are known only at run time, so loops are not unrolled
 #endif
-// snippet: SM_ROLL_UNROLL
+// snippet of emitted C: SM_ROLL_UNROLL
 // Placed before a loop over a short window, to unroll it completely.
 #ifndef SM_ROLL_UNROLL
 #if defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__) && !defined(__clang__) && defined(__GNUC__) && __GNUC__ >= 8
@@ -127,11 +127,11 @@ enum {
 #define SM_ROLL_UNROLL
 #endif
 #endif
-// snippet: end
+// snippet of emitted C: end
 #ifndef SM_ROLL_BY_VALUE
 #define SM_ROLL_BY_VALUE 0      // outside emitted C, the smaller code
 #endif
-// snippet: SM_ROLL_BY_VALUE
+// snippet of emitted C: SM_ROLL_BY_VALUE
 // 1: a window of F32 or F64 stores its samples as they are, and compares them as numbers, unless a median stores them in order.  For processors
 // whose registers hold such numbers, where that costs less than comparing keys.
 #ifndef SM_ROLL_BY_VALUE
@@ -141,11 +141,11 @@ enum {
 #define SM_ROLL_BY_VALUE 0
 #endif
 #endif
-// snippet: end
+// snippet of emitted C: end
 #ifndef SM_ROLL_LATE_ORDER
 #define SM_ROLL_LATE_ORDER 0    // outside emitted C: files that share a window can be compiled with different options
 #endif
-// snippet: SM_ROLL_LATE_ORDER
+// snippet of emitted C: SM_ROLL_LATE_ORDER
 // 1: three samples are put in order when their median is read, which takes less time than storing them in order.  It is more code, unless they are
 // compared as numbers.
 #ifndef SM_ROLL_LATE_ORDER
@@ -155,22 +155,22 @@ enum {
 #define SM_ROLL_LATE_ORDER 0
 #endif
 #endif
-// snippet: SM_ROLL_AT_ONCE
+// snippet of emitted C: SM_ROLL_AT_ONCE
 // The number of samples that one iteration adds or compares: 4 or 1.
 #if !defined(SM_ROLL_AT_ONCE)
 #define SM_ROLL_AT_ONCE 4u
 #endif
-// snippet: end
+// snippet of emitted C: end
 // The key of a sample.  Emitted C defines it as the smallest type that its windows need.
 typedef int64_t SmRollKey;
-// snippet: SmRollSize
+// snippet of emitted C: SmRollSize
 // The type of a number of samples: at most 100000, and fewer where memory has 64 KB.
 #if SIZE_MAX > 65535
 typedef uint32_t SmRollSize;
 #else
 typedef uint16_t SmRollSize;
 #endif
-// snippet: sm_roll_of_f32
+// snippet of emitted C: sm_roll_of_f32
 // The bits of a sample; NaN counts as 0.
 static inline int32_t sm_roll_of_f32(float x)
 {
@@ -178,7 +178,7 @@ static inline int32_t sm_roll_of_f32(float x)
     memcpy(&bits, &x, sizeof bits);
     return x != x ? 0 : bits;
 }
-// snippet: sm_roll_of_f64
+// snippet of emitted C: sm_roll_of_f64
 // The bits of a sample; NaN counts as 0.
 static inline int64_t sm_roll_of_f64(SmF64 x)
 {
@@ -186,7 +186,7 @@ static inline int64_t sm_roll_of_f64(SmF64 x)
     memcpy(&bits, &x, sizeof bits);
     return sm_is_nan(x) ? 0 : bits;
 }
-// snippet: sm_roll_ordered
+// snippet of emitted C: sm_roll_ordered
 // Converts a sample to an integer, or that integer to its sample.  These integers have the order of the numbers, with -0 below 0.
 SM_ROLL_INLINE SmRollKey sm_roll_ordered(uint32_t kind, SmRollKey sample)
 {
@@ -194,7 +194,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_ordered(uint32_t kind, SmRollKey sample)
         return sample;
     return (SmRollKey)(sample ^ ((kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? 0x7FFFFFFF : 0x7FFFFFFFFFFFFFFF));
 }
-// snippet: sm_roll_stores_order
+// snippet of emitted C: sm_roll_stores_order
 // Whether a window stores its samples as the integers of sm_roll_ordered.  Otherwise it stores their bits.
 SM_ROLL_INLINE bool sm_roll_stores_order(uint32_t kind)
 {
@@ -203,19 +203,19 @@ SM_ROLL_INLINE bool sm_roll_stores_order(uint32_t kind)
         return SM_ROLL_SMALL || (kind & SM_ROLL_ORDER) != 0;
     return (kind & in_order) == SM_ROLL_MEDIAN;
 }
-// snippet: sm_roll_key
+// snippet of emitted C: sm_roll_key
 // Converts a sample to its key, which is what the window stores, or a key to its sample.
 SM_ROLL_INLINE SmRollKey sm_roll_key(uint32_t kind, SmRollKey sample)
 {
     return sm_roll_stores_order(kind) ? sm_roll_ordered(kind, sample) : sample;
 }
-// snippet: sm_roll_order_of_key
+// snippet of emitted C: sm_roll_order_of_key
 // Converts a key to the integer of sm_roll_ordered, or that integer to its key.
 SM_ROLL_INLINE SmRollKey sm_roll_order_of_key(uint32_t kind, SmRollKey key)
 {
     return !SM_ROLL_BY_VALUE || sm_roll_stores_order(kind) ? key : sm_roll_ordered(kind, key);
 }
-// snippet: sm_roll_value
+// snippet of emitted C: sm_roll_value
 // Converts a key to the value of its sample.
 SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, SmRollKey key)
 {
@@ -229,14 +229,14 @@ SM_ROLL_INLINE SmF64 sm_roll_value(uint32_t kind, SmRollKey key)
     memcpy(&f, &bits, sizeof f);
     return sm_from_f32(f);
 }
-// snippet: sm_roll_shift
+// snippet of emitted C: sm_roll_shift
 // Returns the size of a sample as a power of two: it has 1 << result bytes.
 SM_ROLL_INLINE unsigned sm_roll_shift(uint32_t kind)
 {
     const unsigned type = kind & SM_ROLL_TYPE;
     return type < 8 ? type & 3u : type == SM_ROLL_BOOL ? 0 : type - 6u;
 }
-// snippet: sm_roll_load
+// snippet of emitted C: sm_roll_load
 // Returns key i of an array.
 SM_ROLL_INLINE SmRollKey sm_roll_load(const unsigned char *a, SmRollSize i, uint32_t kind)
 {
@@ -250,7 +250,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_load(const unsigned char *a, SmRollSize i, uint
     default: return a[i];
     }
 }
-// snippet: sm_roll_store
+// snippet of emitted C: sm_roll_store
 SM_ROLL_INLINE void sm_roll_store(unsigned char *a, SmRollSize i, uint32_t kind, SmRollKey key)
 {
     switch (sm_roll_shift(kind)) {
@@ -260,7 +260,7 @@ SM_ROLL_INLINE void sm_roll_store(unsigned char *a, SmRollSize i, uint32_t kind,
     default: { const int64_t v = key; memcpy(a + (size_t)i * 8, &v, 8); break; }
     }
 }
-// snippet: sm_roll_partials
+// snippet of emitted C: sm_roll_partials
 // Returns which partial results a window stores beside its samples, as bits: the sum as a whole number (1) or as an F64 (2), the smallest
 // sample (4), the largest (8).
 SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
@@ -273,50 +273,50 @@ SM_ROLL_INLINE unsigned sm_roll_partials(uint32_t n, uint32_t kind)
         return sum;
     return sum | ((kind & (SM_ROLL_MIN | SM_ROLL_RANGE)) != 0 ? 4u : 0) | ((kind & (SM_ROLL_MAX | SM_ROLL_RANGE)) != 0 ? 8u : 0);
 }
-// snippet: sm_roll_partial_words
+// snippet of emitted C: sm_roll_partial_words
 // The number of words that the partial results of the whole window take: one each.
 SM_ROLL_INLINE unsigned sm_roll_partial_words(unsigned partials) { return ((partials & 3u) != 0) + (partials >> 2 & 1u) + (partials >> 3); }
-// snippet: sm_roll_node_partials
+// snippet of emitted C: sm_roll_node_partials
 // Returns which partial results a window also stores for each group of 2, 4, 8, … slots, as bits of sm_roll_partials.
 SM_ROLL_INLINE unsigned sm_roll_node_partials(uint32_t n, uint32_t kind) { return sm_roll_partials(n, kind) & 14u; }
-// snippet: sm_roll_slots_at
+// snippet of emitted C: sm_roll_slots_at
 // The index of the word where the slots begin.  A window consists of: the partial results of the whole window, in the order of
 // sm_roll_partials, the largest as the complement of its key; the slots; for a median the samples in order; the partial results of the groups
 // of 2, 4, 8, … slots.
 SM_ROLL_INLINE unsigned sm_roll_slots_at(uint32_t n, uint32_t kind) { return sm_roll_partial_words(sm_roll_partials(n, kind)); }
-// snippet: sm_roll_row_bytes
+// snippet of emitted C: sm_roll_row_bytes
 // Bytes of an array of n samples, rounded up to words.
 SM_ROLL_INLINE uint32_t sm_roll_row_bytes(uint32_t n, uint32_t kind) { return ((n << sm_roll_shift(kind)) + 7u) & ~(uint32_t)7; }
-// snippet: sm_roll_heads_bytes
+// snippet of emitted C: sm_roll_heads_bytes
 // Bytes of the array that stores, for each block of ordered samples, at which index in the block its order begins.
 SM_ROLL_INLINE uint32_t sm_roll_heads_bytes(uint32_t n) { return SM_ROLL_LONG(n) ? (n / SM_ROLL_BLOCK * 2u + 9u) & ~(uint32_t)7 : 0; }
-// snippet: sm_roll_tree_words
+// snippet of emitted C: sm_roll_tree_words
 // Words between the trees of two kinds of partial results.  A tree has n / 2 results for pairs of slots, n / 4 for groups of four, and so on,
 // each number rounded up.
 SM_ROLL_INLINE uint32_t sm_roll_tree_words(uint32_t n) { return n + 15; }
-// snippet: sm_roll_nodes_at
+// snippet of emitted C: sm_roll_nodes_at
 // The index of the word where the partial results of pairs of slots begin.
 SM_ROLL_INLINE uint32_t sm_roll_nodes_at(uint32_t n, uint32_t kind)
 {
     const uint32_t row = sm_roll_row_bytes(n, kind);
     return sm_roll_slots_at(n, kind) + ((kind & SM_ROLL_MEDIAN) == 0 ? row : 2 * row + sm_roll_heads_bytes(n)) / 8;
 }
-// snippet: sm_roll_count
+// snippet of emitted C: sm_roll_count
 // The number of samples in the windows of a ring, at most its number of slots.
 SM_ROLL_INLINE SmRollSize sm_roll_count(const uint64_t *ring) { uint32_t v; memcpy(&v, ring, 4); return (SmRollSize)v; }
-// snippet: sm_roll_next
+// snippet of emitted C: sm_roll_next
 // The slot of the next sample.
 SM_ROLL_INLINE SmRollSize sm_roll_next(const uint64_t *ring) { uint32_t v; memcpy(&v, (const unsigned char *)ring + 4, 4); return (SmRollSize)v; }
-// snippet: sm_roll_set_count
+// snippet of emitted C: sm_roll_set_count
 // Stores the number of samples.
 SM_ROLL_INLINE void sm_roll_set_count(uint64_t *ring, uint32_t count) { memcpy(ring, &count, 4); }
-// snippet: sm_roll_set_next
+// snippet of emitted C: sm_roll_set_next
 // Stores the slot of the next sample.
 SM_ROLL_INLINE void sm_roll_set_next(uint64_t *ring, uint32_t next) { memcpy((unsigned char *)ring + 4, &next, 4); }
-// snippet: SmRollAt
+// snippet of emitted C: SmRollAt
 // Where a step adds its samples: the slot, and the number of samples before.
 typedef struct SmRollAt { SmRollSize slot, count; } SmRollAt;
-// snippet: sm_roll_advance
+// snippet of emitted C: sm_roll_advance
 // Begins a step of the windows of a ring of n slots.  Returns where the step adds their samples; the ring then counts these.
 SM_ROLL_INLINE_FOR_SPEED SmRollAt sm_roll_advance(uint64_t *ring, uint32_t n)
 {
@@ -326,13 +326,13 @@ SM_ROLL_INLINE_FOR_SPEED SmRollAt sm_roll_advance(uint64_t *ring, uint32_t n)
         sm_roll_set_count(ring, at.count + 1u);
     return at;
 }
-// snippet: sm_roll_slot_key
+// snippet of emitted C: sm_roll_slot_key
 // The key in slot i.
 SM_ROLL_INLINE SmRollKey sm_roll_slot_key(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize i)
 {
     return sm_roll_load((const unsigned char *)(w + sm_roll_slots_at(n, kind)), i, kind);
 }
-// snippet: sm_roll_push_key
+// snippet of emitted C: sm_roll_push_key
 // Adds a sample to a window of n slots, by its key.
 SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey key)
 {
@@ -340,13 +340,13 @@ SM_ROLL_INLINE void sm_roll_push_key(uint64_t *w, uint32_t n, uint32_t kind, SmR
         w[0] += (uint64_t)((int64_t)key - sm_roll_slot_key(w, n, kind, at.slot));   // an empty slot contains 0
     sm_roll_store((unsigned char *)(w + sm_roll_slots_at(n, kind)), at.slot, kind, key);
 }
-// snippet: sm_roll_push
+// snippet of emitted C: sm_roll_push
 // Adds a sample to a window of n slots.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_push(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
 {
     sm_roll_push_key(w, n, kind, at, sm_roll_key(kind, sample));
 }
-// snippet: sm_roll_insert_stepwise
+// snippet of emitted C: sm_roll_insert_stepwise
 // Inserts a key among `count` ordered keys.  In a full window it replaces `old`.  The gap moves from the end, or from `old`, step by step.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmRollSize count, bool full, uint32_t kind, SmRollKey old, SmRollKey key)
 {
@@ -359,10 +359,10 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_stepwise(unsigned char *sorted, SmR
         sm_roll_store(sorted, i, kind, sm_roll_load(sorted, (SmRollSize)(i + 1u), kind));
     sm_roll_store(sorted, i, kind, key);
 }
-// snippet: sm_roll_is_ordered
+// snippet of emitted C: sm_roll_is_ordered
 // Whether a window with a median stores its samples in order.
 SM_ROLL_INLINE bool sm_roll_is_ordered(uint32_t n) { return !SM_ROLL_LATE_ORDER || n != 3; }
-// snippet: sm_roll_push_sorted
+// snippet of emitted C: sm_roll_push_sorted
 // Adds a sample to a short window that also stores its samples in order.  One pass without branches inserts the new one and removes the oldest.
 SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
 {
@@ -388,7 +388,7 @@ SM_ROLL_INLINE void sm_roll_push_sorted(uint64_t *w, uint32_t n, uint32_t kind, 
         sm_roll_store(sorted, i, kind, key);
     }
 }
-// snippet: sm_roll_index_of_rank
+// snippet of emitted C: sm_roll_index_of_rank
 // The index of the ordered sample of a rank.  A long array consists of blocks, each of them a ring that may begin anywhere.
 SM_ROLL_INLINE SmRollSize sm_roll_index_of_rank(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t rank)
 {
@@ -398,7 +398,7 @@ SM_ROLL_INLINE SmRollSize sm_roll_index_of_rank(const unsigned char *sorted, uin
     rank = rank + (uint16_t)sm_roll_load(sorted + sm_roll_row_bytes(n, kind), (SmRollSize)(first / SM_ROLL_BLOCK), SM_ROLL_U16);
     return (SmRollSize)(rank < end ? rank : rank - end + first);
 }
-// snippet: sm_roll_count_below
+// snippet of emitted C: sm_roll_count_below
 // The number of the first `count` ordered samples that are below key.
 SM_ROLL_INLINE_FOR_SPEED uint32_t sm_roll_count_below(const unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t count, SmRollKey key)
 {
@@ -411,7 +411,7 @@ SM_ROLL_INLINE_FOR_SPEED uint32_t sm_roll_count_below(const unsigned char *sorte
         lo++;
     return lo;
 }
-// snippet: sm_roll_slide
+// snippet of emitted C: sm_roll_slide
 // Moves a gap among the ordered samples from index `from` to index `to`, by shifting the samples between them by one.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide(unsigned char *sorted, uint32_t kind, uint32_t from, uint32_t to)
 {
@@ -422,7 +422,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide(unsigned char *sorted, uint32_t kind
     else
         memmove(b + ((size_t)1 << shift), b, (size_t)(a - b));
 }
-// snippet: sm_roll_slide_in_block
+// snippet of emitted C: sm_roll_slide_in_block
 // Moves a gap from rank `from` to rank `to` of one block.  The shift may need two parts, because a block is a ring.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_in_block(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
@@ -437,7 +437,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_in_block(unsigned char *sorted, uint
     }
     sm_roll_slide(sorted, kind, a, b);
 }
-// snippet: sm_roll_slide_ranks
+// snippet of emitted C: sm_roll_slide_ranks
 // Moves a gap from rank `from` to rank `to`.  Each block on the way passes one sample to the next; whole blocks in between are only rotated.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_ranks(unsigned char *sorted, uint32_t n, uint32_t kind, uint32_t from, uint32_t to)
 {
@@ -459,7 +459,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_slide_ranks(unsigned char *sorted, uint32_
     }
     sm_roll_slide_in_block(sorted, n, kind, from, to);
 }
-// snippet: sm_roll_insert_sorted
+// snippet of emitted C: sm_roll_insert_sorted
 // Inserts a key among the ordered samples of a longer window; if the window is full, removes the oldest sample.  Finds the rank of the key and
 // the rank that becomes free, and shifts the samples between them.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey key)
@@ -472,14 +472,14 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_insert_sorted(uint64_t *w, uint32_t n, uin
     sm_roll_slide_ranks(sorted, n, kind, from, to);
     sm_roll_store(sorted, sm_roll_index_of_rank(sorted, n, kind, to), kind, key);
 }
-// snippet: sm_roll_push_blocks
+// snippet of emitted C: sm_roll_push_blocks
 // Adds a sample to a longer window that also stores its samples in order.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_push_blocks(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at, SmRollKey sample)
 {
     sm_roll_insert_sorted(w, n, kind, at, sm_roll_key(kind, sample));
     sm_roll_push(w, n, kind, at, sample);
 }
-// snippet: sm_roll_update_sums
+// snippet of emitted C: sm_roll_update_sums
 // Returns the sum of all slots after sample i was added; `sum` is the sum of its pair.  Stores the sums of pairs and of groups of four,
 // eight, … slots.  An odd last group passes its sum on unchanged.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, SmF64 sum)
@@ -495,7 +495,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_update_sums(uint64_t *node, uint32_t n, u
     }
     return sum;
 }
-// snippet: sm_roll_update_smallest
+// snippet of emitted C: sm_roll_update_smallest
 // Returns the smallest key of all slots after sample i was added; `least` is the smaller key of its pair.  Stores the smallest keys of pairs
 // and of groups of four, eight, … slots.
 SM_ROLL_INLINE_FOR_SPEED int64_t sm_roll_update_smallest(uint64_t *node, uint32_t n, uint32_t i, uint32_t count, int64_t least)
@@ -510,7 +510,7 @@ SM_ROLL_INLINE_FOR_SPEED int64_t sm_roll_update_smallest(uint64_t *node, uint32_
     }
     return least;
 }
-// snippet: sm_roll_combine
+// snippet of emitted C: sm_roll_combine
 // After a sample was added: updates the results of the groups of 2, 4, 8, … slots that contain it, and of the whole window.
 SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t kind, SmRollAt at)
 {
@@ -534,7 +534,7 @@ SM_ROLL_INLINE_FOR_SPEED void sm_roll_combine(uint64_t *w, uint32_t n, uint32_t 
     if ((partials & 8u) != 0)
         *all = (uint64_t)sm_roll_update_smallest(node, n, i, count, ~(int64_t)(key > other ? key : other));
 }
-// snippet: sm_roll_sum_group
+// snippet of emitted C: sm_roll_sum_group
 // The sum of the first SM_ROLL_AT_ONCE of the `left` slots from `at` on, or of all if these are fewer, added in pairs.
 SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, uint32_t kind)
 {
@@ -547,7 +547,7 @@ SM_ROLL_INLINE SmF64 sm_roll_sum_group(const unsigned char *at, uint32_t left, u
     other = sm_roll_value(kind, sm_roll_load(at, 2, kind));
     return sm_add(sum, left > 3 ? sm_add(other, sm_roll_value(kind, sm_roll_load(at, 3, kind))) : other);
 }
-// snippet: sm_roll_sum
+// snippet of emitted C: sm_roll_sum
 // The sum of all slots: adds slots in pairs, the sums of pairs in pairs again, and so on.  `part` has the sums that wait for their partner.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
@@ -566,7 +566,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum(const uint64_t *w, uint32_t n, uint32
         sum = sm_add(*--end, sum);
     return sum;
 }
-// snippet: sm_roll_sum_of_integers
+// snippet of emitted C: sm_roll_sum_of_integers
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum_of_integers(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
     const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
@@ -582,7 +582,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_sum_of_integers(const uint64_t *w, uint32
         sum += sm_roll_load(at, i, kind);
     return sm_from_i64(sum);
 }
-// snippet: sm_roll_avg
+// snippet of emitted C: sm_roll_avg
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
     const unsigned partials = sm_roll_partials(n, kind);
@@ -595,10 +595,10 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg(const uint64_t *w, uint32_t n, uint32
         sum = !SM_ROLL_SMALL || (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64 ? sm_roll_sum(w, n, kind, count) : sm_roll_sum_of_integers(w, n, kind, count);
     return sm_div(sum, sm_from_u32(count));
 }
-// snippet: end
+// snippet of emitted C: end
 #if SM_F64_SOFT
 #include "stdlib/soft_cells.h"
-// snippet: sm_roll_avg_of_f32
+// snippet of emitted C: sm_roll_avg_of_f32
 // The same for at most SM_SOFT_SUM_MOST samples of F32, which are usually so close to each other that their sum is exact.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg_of_f32(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
@@ -606,26 +606,26 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_avg_of_f32(const uint64_t *w, uint32_t n,
     const uint64_t sum = SM_ROLL_SMALL && count > 0 ? sm_soft_sum_f32(keys, (uint8_t)count) : 0;
     return sum == 0 ? sm_roll_avg(w, n, kind, count) : sm_div(sm_from_bits(sum), sm_from_u32(count));
 }
-// snippet: end
+// snippet of emitted C: end
 #endif
-// snippet: sm_roll_load_f32
+// snippet of emitted C: sm_roll_load_f32
 SM_ROLL_INLINE float sm_roll_load_f32(const unsigned char *at) { float x; memcpy(&x, at, sizeof x); return x; }
-// snippet: sm_roll_load_f64
+// snippet of emitted C: sm_roll_load_f64
 SM_ROLL_INLINE SmF64 sm_roll_load_f64(const unsigned char *at) { SmF64 x; memcpy(&x, at, sizeof x); return x; }
-// snippet: sm_roll_extreme_of_f32
+// snippet of emitted C: sm_roll_extreme_of_f32
 // The smaller number, or the larger if `up`.  A comparison in this form is one instruction on x86.
 SM_ROLL_INLINE float sm_roll_extreme_of_f32(bool up, float a, float b) { return (up ? b < a : a < b) ? a : b; }
-// snippet: sm_roll_extreme_of_f64
+// snippet of emitted C: sm_roll_extreme_of_f64
 // The smaller F64, or the larger if `up`.
 SM_ROLL_INLINE SmF64 sm_roll_extreme_of_f64(bool up, SmF64 a, SmF64 b) { return (up ? sm_lt(b, a) : sm_lt(a, b)) ? a : b; }
-// snippet: sm_roll_extreme_of_two
+// snippet of emitted C: sm_roll_extreme_of_two
 // The smaller key, or the larger if `up`.
 SM_ROLL_INLINE SmRollKey sm_roll_extreme_of_two(bool up, SmRollKey a, SmRollKey b) { return (up ? a > b : a < b) ? a : b; }
-// snippet: end
+// snippet of emitted C: end
 #ifndef SM_ROLL_VECTORS
 #define SM_ROLL_VECTORS 0       // outside emitted C, sizes are known only at run time
 #endif
-// snippet: SM_ROLL_VECTORS
+// snippet of emitted C: SM_ROLL_VECTORS
 // 1: the smallest and largest of F32 are found four at a time, by instructions that every x86-64 has.
 #ifndef SM_ROLL_VECTORS
 #if SM_ROLL_BY_VALUE && defined(__SSE2__) && defined(__GNUC__) && defined(__OPTIMIZE__)
@@ -637,7 +637,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_extreme_of_two(bool up, SmRollKey a, SmRollKey 
 #if SM_ROLL_VECTORS
 #include <xmmintrin.h>
 #endif
-// snippet: sm_roll_extreme_vector
+// snippet of emitted C: sm_roll_extreme_vector
 #if SM_ROLL_VECTORS
 // The smallest of n >= 4 numbers, or the largest if `up`.  If that is 0, its sign can be wrong.  The last four overlap the four before them.
 SM_ROLL_INLINE __m128 sm_roll_load_vector(const unsigned char *at) { return _mm_loadu_ps((const float *)(const void *)at); }
@@ -653,7 +653,7 @@ SM_ROLL_INLINE float sm_roll_extreme_vector(const unsigned char *at, uint32_t n,
     return _mm_cvtss_f32(sm_roll_extreme_of_vectors(up, end, _mm_shuffle_ps(end, end, 1)));
 }
 #endif
-// snippet: sm_roll_extreme_f32
+// snippet of emitted C: sm_roll_extreme_f32
 // The smallest number, or the largest if `up`.  If that is 0, its sign can be wrong.
 SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, uint32_t n, SmRollSize left, bool up)
 {
@@ -673,7 +673,7 @@ SM_ROLL_INLINE float sm_roll_extreme_f32(const unsigned char *at, uint32_t n, Sm
         end = sm_roll_extreme_of_f32(up, end, sm_roll_load_f32(at));
     return end;
 }
-// snippet: sm_roll_extreme_f64
+// snippet of emitted C: sm_roll_extreme_f64
 // As sm_roll_extreme_f32, for numbers of type F64.
 SM_ROLL_INLINE SmF64 sm_roll_extreme_f64(const unsigned char *at, SmRollSize left, bool up)
 {
@@ -687,21 +687,21 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme_f64(const unsigned char *at, SmRollSize lef
         end = sm_roll_extreme_of_f64(up, end, sm_roll_load_f64(at));
     return end;
 }
-// snippet: sm_roll_compares_numbers
+// snippet of emitted C: sm_roll_compares_numbers
 // Whether the smallest and largest of a window are found by comparing its samples as numbers.
 SM_ROLL_INLINE bool sm_roll_compares_numbers(uint32_t n, uint32_t kind)
 {
     const bool real = (kind & SM_ROLL_TYPE) == SM_ROLL_F32 || (kind & SM_ROLL_TYPE) == SM_ROLL_F64;
     return SM_ROLL_BY_VALUE && real && !sm_roll_stores_order(kind) && sm_roll_partials(n, kind) < 4;
 }
-// snippet: sm_roll_extreme_number
+// snippet of emitted C: sm_roll_extreme_number
 // The smallest sample, or the largest if `up`, by comparing numbers.  If that is 0, its sign can be wrong.
 SM_ROLL_INLINE SmF64 sm_roll_extreme_number(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
     const unsigned char *const at = (const unsigned char *)(w + sm_roll_slots_at(n, kind));
     return (kind & SM_ROLL_TYPE) == SM_ROLL_F32 ? sm_from_f32(sm_roll_extreme_f32(at, n, count, up)) : sm_roll_extreme_f64(at, count, up);
 }
-// snippet: sm_roll_extreme_zero
+// snippet of emitted C: sm_roll_extreme_zero
 // Returns the smallest sample, or the largest if `up`, where it is a zero: the smallest is -0 if any sample is -0, the largest 0 if any is 0.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_extreme_zero(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
@@ -711,7 +711,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_extreme_zero(const uint64_t *w, uint32_t 
         i++;
     return sm_from_bits(up == (i < count) ? 0 : 0x8000000000000000u);
 }
-// snippet: sm_roll_extreme_key
+// snippet of emitted C: sm_roll_extreme_key
 // The smallest key of all, or the largest if `up`.
 SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
@@ -728,7 +728,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_extreme_key(const uint64_t *w, uint32_t n, uint
         end = sm_roll_extreme_of_two(up, end, sm_roll_load(at, 0, kind));
     return end;
 }
-// snippet: sm_roll_rank_of_three
+// snippet of emitted C: sm_roll_rank_of_three
 // The key of a rank in a window of three slots, of which `count` are used.
 SM_ROLL_INLINE SmRollKey sm_roll_rank_of_three(const uint64_t *w, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
@@ -740,7 +740,7 @@ SM_ROLL_INLINE SmRollKey sm_roll_rank_of_three(const uint64_t *w, uint32_t kind,
         return sm_roll_order_of_key(kind, rank == 0 ? lo : hi);
     return sm_roll_order_of_key(kind, rank == 1 ? (lo < mid ? mid : lo) : rank == 0 ? (lo < c ? lo : c) : (hi < c ? c : hi));
 }
-// snippet: sm_roll_middle_f32
+// snippet of emitted C: sm_roll_middle_f32
 // The median of three numbers.  If that is 0, its sign can be wrong.
 SM_ROLL_INLINE float sm_roll_middle_f32(const unsigned char *at)
 {
@@ -748,7 +748,7 @@ SM_ROLL_INLINE float sm_roll_middle_f32(const unsigned char *at)
     const float lo = sm_roll_extreme_of_f32(false, a, b), hi = sm_roll_extreme_of_f32(true, a, b);
     return sm_roll_extreme_of_f32(true, lo, sm_roll_extreme_of_f32(false, hi, c));
 }
-// snippet: sm_roll_middle_f64
+// snippet of emitted C: sm_roll_middle_f64
 // As sm_roll_middle_f32, for numbers of type F64.
 SM_ROLL_INLINE SmF64 sm_roll_middle_f64(const unsigned char *at)
 {
@@ -756,7 +756,7 @@ SM_ROLL_INLINE SmF64 sm_roll_middle_f64(const unsigned char *at)
     const SmF64 lo = sm_roll_extreme_of_f64(false, a, b), hi = sm_roll_extreme_of_f64(true, a, b);
     return sm_roll_extreme_of_f64(true, lo, sm_roll_extreme_of_f64(false, hi, c));
 }
-// snippet: sm_roll_middle_number
+// snippet of emitted C: sm_roll_middle_number
 // The median of a full window of three slots, by comparing numbers.  If that is 0, at least two of the three have its sign.
 SM_ROLL_INLINE SmF64 sm_roll_middle_number(const uint64_t *w, uint32_t kind)
 {
@@ -770,7 +770,7 @@ SM_ROLL_INLINE SmF64 sm_roll_middle_number(const uint64_t *w, uint32_t kind)
     c = sm_roll_slot_key(w, 3, kind, 2);
     return sm_from_bits(((a & b) | (a & c) | (b & c)) < 0 ? 0x8000000000000000u : 0);
 }
-// snippet: sm_roll_key_of_rank
+// snippet of emitted C: sm_roll_key_of_rank
 // The key of the sample that has this rank in ascending order.
 SM_ROLL_INLINE SmRollKey sm_roll_key_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
@@ -779,13 +779,13 @@ SM_ROLL_INLINE SmRollKey sm_roll_key_of_rank(const uint64_t *w, uint32_t n, uint
         return sm_roll_rank_of_three(w, kind, count, rank);
     return sm_roll_load(sorted, sm_roll_index_of_rank(sorted, n, kind, rank), kind);
 }
-// snippet: sm_roll_value_of_rank
+// snippet of emitted C: sm_roll_value_of_rank
 // The value of the ordered sample of a rank.
 SM_ROLL_INLINE SmF64 sm_roll_value_of_rank(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, SmRollSize rank)
 {
     return sm_roll_value(kind, sm_roll_key_of_rank(w, n, kind, count, rank));
 }
-// snippet: sm_roll_whole_median
+// snippet of emitted C: sm_roll_whole_median
 // The median of integers of at most 16 bits, without its fraction.
 SM_ROLL_INLINE_FOR_SPEED int32_t sm_roll_whole_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
@@ -795,7 +795,7 @@ SM_ROLL_INLINE_FOR_SPEED int32_t sm_roll_whole_median(const uint64_t *w, uint32_
     a = (int32_t)sm_roll_key_of_rank(w, n, kind, count, (SmRollSize)((count - 1u) / 2u));
     return count % 2 != 0 ? a : (a + (int32_t)sm_roll_key_of_rank(w, n, kind, count, (SmRollSize)(count / 2u))) / 2;
 }
-// snippet: sm_roll_mean_of_two
+// snippet of emitted C: sm_roll_mean_of_two
 // The mean of a <= b, the two samples in the middle.
 SM_ROLL_OUTLINE SmF64 sm_roll_mean_of_two(SmF64 a, SmF64 b)
 {
@@ -807,7 +807,7 @@ SM_ROLL_OUTLINE SmF64 sm_roll_mean_of_two(SmF64 a, SmF64 b)
         return sm_add(sm_div(a, sm_from_i32(2)), sm_div(b, sm_from_i32(2)));
     return sm_add(a, sm_div(d, sm_from_i32(2)));
 }
-// snippet: sm_roll_median
+// snippet of emitted C: sm_roll_median
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
     SmF64 a;
@@ -816,7 +816,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median(const uint64_t *w, uint32_t n, uin
     a = sm_roll_value_of_rank(w, n, kind, count, (count - 1u) / 2u);
     return count % 2 != 0 ? a : sm_roll_mean_of_two(a, sm_roll_value_of_rank(w, n, kind, count, count / 2u));
 }
-// snippet: sm_roll_median_of_3
+// snippet of emitted C: sm_roll_median_of_3
 // The median of a window of three slots.  It is another function than sm_roll_median, because that is shared when optimizing for size.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median_of_3(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
@@ -828,7 +828,7 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_median_of_3(const uint64_t *w, uint32_t n
         return sm_roll_mean_of_two(sm_roll_value_of_rank(w, n, kind, 2, 0), sm_roll_value_of_rank(w, n, kind, 2, 1));
     return count == 0 ? sm_from_i32(0) : sm_roll_value_of_rank(w, n, kind, 1, 0);
 }
-// snippet: sm_roll_extreme
+// snippet of emitted C: sm_roll_extreme
 // The smallest sample, or the largest if `up`; -0 is below +0.
 SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count, bool up)
 {
@@ -845,11 +845,11 @@ SM_ROLL_INLINE SmF64 sm_roll_extreme(const uint64_t *w, uint32_t n, uint32_t kin
         return sm_roll_value(kind, sm_roll_extreme_key(w, n, kind, count, up));
     return sm_roll_value(kind, sm_roll_order_of_key(kind, (SmRollKey)(up ? ~w[sm_roll_partial_words(partials) - 1u] : w[sm_roll_partial_words(partials & 3u)])));
 }
-// snippet: sm_roll_min
+// snippet of emitted C: sm_roll_min
 SM_ROLL_INLINE SmF64 sm_roll_min(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count) { return sm_roll_extreme(w, n, kind, count, false); }
-// snippet: sm_roll_max
+// snippet of emitted C: sm_roll_max
 SM_ROLL_INLINE SmF64 sm_roll_max(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count) { return sm_roll_extreme(w, n, kind, count, true); }
-// snippet: sm_roll_range
+// snippet of emitted C: sm_roll_range
 // The largest minus the smallest sample; 0 if they are equal, even if infinite.
 SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint32_t kind, SmRollSize count)
 {
@@ -863,50 +863,50 @@ SM_ROLL_INLINE_FOR_SPEED SmF64 sm_roll_range(const uint64_t *w, uint32_t n, uint
     }
     return sm_eq(lo, hi) ? sm_from_i32(0) : sm_sub(hi, lo);
 }
-// snippet: sm_roll_oldest_slot
+// snippet of emitted C: sm_roll_oldest_slot
 // The slot of the oldest sample; slot 0 of an empty window.
 SM_ROLL_INLINE SmRollSize sm_roll_oldest_slot(const uint64_t *ring, uint32_t n) { return sm_roll_count(ring) < n ? 0 : sm_roll_next(ring); }
-// snippet: sm_roll_newest_slot
+// snippet of emitted C: sm_roll_newest_slot
 // The slot of the newest sample; slot n - 1 of an empty window.
 SM_ROLL_INLINE SmRollSize sm_roll_newest_slot(const uint64_t *ring, uint32_t n) { return (SmRollSize)((sm_roll_next(ring) != 0 ? sm_roll_next(ring) : n) - 1u); }
-// snippet: sm_roll_oldest
+// snippet of emitted C: sm_roll_oldest
 SM_ROLL_INLINE SmF64 sm_roll_oldest(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
 {
     return sm_roll_value(kind, sm_roll_slot_key(w, n, kind, sm_roll_oldest_slot(ring, n)));
 }
-// snippet: sm_roll_newest
+// snippet of emitted C: sm_roll_newest
 SM_ROLL_INLINE SmF64 sm_roll_newest(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
 {
     return sm_roll_value(kind, sm_roll_slot_key(w, n, kind, sm_roll_newest_slot(ring, n)));
 }
-// snippet: sm_roll_change
+// snippet of emitted C: sm_roll_change
 SM_ROLL_INLINE SmF64 sm_roll_change(const uint64_t *w, uint32_t n, uint32_t kind, const uint64_t *ring)
 {
     return sm_roll_count(ring) < 2 ? sm_from_i32(0) : sm_sub(sm_roll_newest(w, n, kind, ring), sm_roll_oldest(w, n, kind, ring));
 }
-// snippet: sm_roll_push_time
+// snippet of emitted C: sm_roll_push_time
 // Adds a time to a window of n times, unless the event is 0.
 SM_ROLL_INLINE void sm_roll_push_time(uint64_t *w, uint32_t n, uint64_t *ring, uint32_t event, uint64_t now)
 {
     if (event != 0)
         w[sm_roll_advance(ring, n).slot] = now;
 }
-// snippet: sm_roll_elapsed
+// snippet of emitted C: sm_roll_elapsed
 SM_ROLL_INLINE SmF64 sm_roll_elapsed(const uint64_t *w, uint32_t n, const uint64_t *ring)
 {
     return sm_roll_count(ring) == 0 ? sm_from_i32(0) : sm_from_u64(w[sm_roll_newest_slot(ring, n)] - w[sm_roll_oldest_slot(ring, n)]);
 }
-// snippet: sm_roll_run_length
+// snippet of emitted C: sm_roll_run_length
 // The number of events of a run, at most its size; 0: it has ended.
 SM_ROLL_INLINE uint32_t sm_roll_run_length(const uint64_t *ring) { uint32_t v; memcpy(&v, ring, 4); return v; }
-// snippet: sm_roll_run_steps
+// snippet of emitted C: sm_roll_run_steps
 SM_ROLL_INLINE SmF64 sm_roll_run_steps(const uint64_t *ring) { return sm_from_u32(sm_roll_run_length(ring)); }
-// snippet: sm_roll_run_time
+// snippet of emitted C: sm_roll_run_time
 SM_ROLL_INLINE SmF64 sm_roll_run_time(const uint64_t *w, const uint64_t *ring)
 {
     return sm_roll_run_length(ring) == 0 ? sm_from_i32(0) : sm_from_u64(w[1] - w[0]);
 }
-// snippet: sm_roll_extend_run
+// snippet of emitted C: sm_roll_extend_run
 // Adds an event to a run: 0 ends it, 1 extends it or begins one, 2 begins a new one.
 SM_ROLL_INLINE void sm_roll_extend_run(uint64_t *w, uint32_t n, uint64_t *ring, uint32_t event, uint64_t now)
 {
@@ -916,7 +916,7 @@ SM_ROLL_INLINE void sm_roll_extend_run(uint64_t *w, uint32_t n, uint64_t *ring, 
     w[1] = now;
     sm_roll_set_count(ring, event == 0 ? 0 : length < n ? length + 1 : n);
 }
-// snippet: end
+// snippet of emitted C: end
 
 #ifndef SM_ROLL_NONE
 // 1: a VM without windows, for chips with too little memory: its verifier rejects images that have any.  Must be the same for all files

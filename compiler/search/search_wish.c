@@ -84,6 +84,7 @@ static void wait_for_time(SearchRun *k, uint32_t var, Rel rel, double x)
 
 // ---- variables ----
 
+// Wishes for the outcomes of all decisions on a path, the last one first.  A wish is a value of an input that the search then tries.
 static void add_wishes_for_path(SearchRun *k, SearchPath path, int depth)
 {
     for (uint32_t e = path.n; e-- > 0; ) {

@@ -2,9 +2,10 @@
 // Runs while smc is built.  Writes a table of the snippets in the stdlib headers named as arguments to standard output.  A snippet is the source
 // of a function or type that the C emitter copies.
 //
-// In a header, the comment `// snippet: NAME` marks the beginning of snippet NAME, which ends at the next such comment; `// snippet: end` begins no
-// snippet. `// snippet: NAME (only where SmF64 is a double)` marks a snippet that exists only there.  A snippet depends on those whose names it
-// contains outside comments.  It may only depend on earlier ones, so the emitter can write them in table order.
+// In a header, the comment `// snippet of emitted C: NAME` marks the beginning of snippet NAME, which ends at the next such comment;
+// `// snippet of emitted C: end` begins no snippet. `// snippet of emitted C: NAME (only where SmF64 is a double)` marks a snippet that exists only
+// there.  A snippet depends on those whose names it contains outside comments.  It may only depend on earlier ones, so the emitter can write them in
+// table order.
 //
 // `-lines NAME FILE…` writes whole files as an array of lines instead, without SPDX lines and includes of stdlib files.
 #include <stdbool.h>
@@ -12,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MARK "// snippet: "
+#define MARK "// snippet of emitted C: "
 
 enum { SNIPPETS_MAX = 250, DEPS_MAX = 24, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LINE_MAX_LEN = 400 };
 
