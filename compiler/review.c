@@ -16,7 +16,7 @@ void review_begin(Session *s, const Program *flown, Report *r)
 }
 
 // Adds the costs of a machine as it flies: compiled with the option `measure`, with its image as `smc build` writes it, without names but
-// with pins.  `step_given`: the user chose s->step; otherwise it is the delta_t of the scripts.
+// with pins.  `step_given`: the user chose s->step; otherwise the machine declares it, or its scripts do.
 void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, bool step_given, Report *r)
 {
     r->step_given = step_given;

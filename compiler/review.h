@@ -9,7 +9,7 @@
 // Begins a review without runs.  Its findings are those in s->diags when the report is built.
 void review_begin(Session *s, const Program *flown, Report *r);
 // Adds the costs of a machine as it flies: compiled with the option `measure`, with its image as `smc build` writes it, without names but with
-// pins.  `step_given`: the user chose s->step; otherwise it is the delta_t of the scripts.
+// pins.  `step_given`: the user chose s->step; otherwise the machine declares it, or its scripts do.
 void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, bool step_given, Report *r);
 // Runs the script `src` on the engines in lock step and records what the first one does in *run.  `p` is the machine as its scripts run it.
 // `script`: the compiled script; NULL: it is compiled now, and if it has errors, run->script is NULL and nothing has run.  Diagnostics go to

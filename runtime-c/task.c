@@ -18,7 +18,8 @@ static void emit_event(const SmTask *t, SmEvents *events, const SmTick *tick, Sm
     sm_event(events, &e);
 }
 
-// Returns the mode that element t->mode of sv selects.  If it cannot be read, returns the mode of the last tick.
+// Returns the mode that element t->mode of sv selects: SM_SAFED if its value is no mode, SM_ENABLED without such an element.  If the vector cannot be
+// entered, returns the mode of the last tick.
 static uint8_t read_mode(const SmTask *t, SmStateVec *sv)
 {
     uint8_t mode;

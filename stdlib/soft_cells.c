@@ -42,7 +42,8 @@ static uint32_t load_key(const unsigned char *keys, uint8_t i)
     return key;
 }
 
-// These return the sign and magnitude of the number with this key: the bits of the number, all but the sign bit flipped if it is negative.
+// The next functions return the sign, magnitude, exponent and digits of the number with this key.  A key is the bits of the number, all but the sign
+// bit flipped if the number is negative.
 static bool is_negative(uint32_t key) { return key >> 31 != 0; }
 static uint32_t magnitude_of(uint32_t key) { return (is_negative(key) ? ~key : key) & 0x7FFFFFFFu; }
 static uint8_t exponent_of(uint32_t key) { return magnitude_of(key) >> 23 != 0 ? (uint8_t)(magnitude_of(key) >> 23) : 1; }

@@ -217,7 +217,8 @@ static bool is_comparison_decided(const Expr *e, bool holds)
     return n > 0 && (holds ? decided == n : decided > 0);
 }
 
-// Whether e is always true (`holds`) or never true.  Recursion depth equals the nesting of expressions, which AST_DEPTH_MAX bounds.
+// Whether it is proved that e is always true where the assert is (`holds`), or never true.  Recursion depth equals the nesting of
+// expressions, which AST_DEPTH_MAX bounds.
 static bool is_decided(AssertCheck *k, const Expr *e, bool holds)
 {
     if (holds ? guard_is_always_true(&k->a, e) || is_made_true(k, e) : guard_is_never_true(&k->a, e))

@@ -163,7 +163,7 @@ static uint32_t cycles_of_load(Cycles *c, uint8_t op, const uint32_t *number)
 
 static uint32_t cycles_of_store(Cycles *c, uint8_t type) { return row_cost(c, (CyclesRow)(CYCLES_store_I8 + type), c->x.whole); }
 
-// Returns the cycles of an operation on the registers.
+// Returns the cycles of an operation on the registers, and sets c->x to what X then contains.
 static uint32_t cycles_of_operation(Cycles *c, uint8_t op)
 {
     const bool is_binary = op < SMVM_neg;              // opcodes from SMVM_neg on have the operand X alone

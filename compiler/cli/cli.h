@@ -97,7 +97,8 @@ int cli_write_outputs(Cli *c, const OsOutput *out, size_t n);
 int cli_write_edited(Cli *c, const OsOutput *out);
 // Writes a file that a command generates into a folder of the user, without outputs_check: the caller knows that nothing of others is there.
 int cli_write_generated(Cli *c, const OsOutput *out);
-bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard output (1) or error (2); false after a message
+bool cli_print(Cli *c, int fd, const Buf *text);          // prints to standard output (1) or error (2); returns false if that
+                                                          // failed, for standard output after a message
 
 // Prints the session's diagnostics to standard error, with warnings as -W… selects them, and empties the list. Returns EXIT_PROBLEM if
 // there was an error, EXIT_ENVIRONMENT if printing failed, else EXIT_OK.

@@ -91,7 +91,8 @@ static void describe_image(const char *name, const Source *image, Buf *out)
     buf_str(out, "\n");
 }
 
-// Reports whether an image is signed; with a key, also whether it is signed with that key.
+// Writes with which key an image is signed, if it is signed.  With a key, first checks that it is signed with that key; returns EXIT_PROBLEM after a
+// message if not.
 static int describe_code(Cli *c, const Source *image, const uint8_t *key, Buf *out)
 {
     SmvmAuth a;

@@ -37,8 +37,8 @@ static int report_damage(Cli *c, const char *path, const Log *log)
 
 // ---- the selected session ----
 
-// Stores the session that is to be shown in f->session: the one of --session, else the last. For text without --session it stays NULL, and all
-// sessions are shown.
+// Sets f->session to the session that is shown: the one of --session, else the last.  Only for text without --session it stays NULL: all sessions
+// are shown.  Returns EXIT_OK, or the exit code after a message.
 static int choose_session(Cli *c, Flight *f, size_t format)
 {
     const size_t n = f->log->session.n;

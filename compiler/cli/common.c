@@ -165,7 +165,7 @@ int cli_write_edited(Cli *c, const OsOutput *out)
 
 int cli_write_generated(Cli *c, const OsOutput *out) { return write_files(c, out, 1); }
 
-// Prints to standard output (1) or error (2); false after a message.
+// Prints to standard output (1) or error (2).  Returns false if that failed, for standard output after a message.
 bool cli_print(Cli *c, int fd, const Buf *text)
 {
     const char *why;

@@ -383,7 +383,7 @@ static bool reads(const Expr *e, const Var *v)
     return found;
 }
 
-// Whether e is the maximum of the local and of what does not depend on it.
+// Whether e is the maximum (or for SM_FN_min the minimum) of the local, once, and of what does not depend on it.
 static bool is_extreme_of_itself(const Extreme *k, const Expr *e)
 {
     uint32_t own = 0;

@@ -28,7 +28,8 @@ typedef struct ReportRun {
 typedef struct Report {
     Arena *arena;
     Analysis analysis;            // analysis.diags contains all findings, including those that an @allow covers
-    bool step_given;              // analysis.step is the user's --step; otherwise it is the delta_t of the scripts
+    bool step_given;              // analysis.step is the user's --step; otherwise it is the step that the machine declares, or else the delta_t of
+                                  // the scripts
     Cost cost;                    // cost of steps, in VM instructions
     Cost flash, eeprom;           // cost of steps, in estimated cycles of an ATmega328P that runs the image from flash or from EEPROM
     const uint8_t *image;         // the image that `smc build` writes

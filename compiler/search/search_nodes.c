@@ -113,7 +113,7 @@ static void drop_node(SearchRun *k, uint32_t n)
 
 // ---- eviction ----
 
-// Removes an entry from the pool of the state that has most: the one after most changes and steps.
+// Removes an entry from the pool of the state that has most: the one after most changes and steps.  Returns false if no state has two entries.
 static bool evict_entry(SearchRun *k)
 {
     uint32_t state = 0, worst = 0;

@@ -102,7 +102,7 @@ static void parse_setting(Parser *p, AstData *d, size_t row)
         diag_note(p->diags, parser_report(p, DIAG_data_repeated, s->span, word), was.span, DIAG_note_first_here);
 }
 
-// Parses `P1 = "PT-101" @scale 0.1`.
+// Parses `P1 = "PT-101"`, a line of [data].  parse_line parses the annotations that follow.
 static void parse_column(Parser *p, AstDataLine *line)
 {
     parser_advance(p);

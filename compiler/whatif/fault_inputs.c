@@ -158,8 +158,8 @@ static void mark_inputs_of_asserts(FaultRunner *x, Marks *m)
     }
 }
 
-// Marks the inputs that requirements read.
-static void find_inputs_of_requirements(FaultRunner *x)
+// Marks the inputs that requirements read (is_required), and those that requirements, asserts or @compare read (is_judged).
+static void find_judged_inputs(FaultRunner *x)
 {
     const Requirements *rq = x->f->options.requirements;
 
@@ -182,7 +182,7 @@ void fault_find_inputs(FaultRunner *x)
 {
     list_inputs(x);
     list_outputs(x);
-    find_inputs_of_requirements(x);
+    find_judged_inputs(x);
     find_reads_of_states(x);
 }
 

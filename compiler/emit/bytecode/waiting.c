@@ -195,7 +195,8 @@ static void find_possible_signs(BcSelect *s, const IrBlk *b)
 
 // ---- a block ----
 
-// Sets the depth of r: the length of the chain of operations that would wait with r (be computed where their results are used).  Returns whether
+// Sets the depth of r, if it is a pure operation: the length of the chain of operations that would wait with r (be computed where their results
+// are used).  Returns whether
 // the chain is too long.
 static bool set_chain_depth(BcSelect *s, IrRef r)
 {
