@@ -45,7 +45,7 @@ not noticed; these inputs would show it:
   line 10:7: `>` changed to `>=` in Fill, on the way to an @abort state
     from Fill, at G = 0: p = 825; at G = 10, S differs [a-change-10-7-2.ss]
   line 10:9: `825` changed to `743` in Fill, on the way to an @abort state
-    from Fill, at G = 0: p = 762.5; at G = 10, S differs [a-change-10-7-2.ss]
+    from Fill, at G = 0: p = 783.75; at G = 10, S differs [a-change-10-7-2.ss]
   line 10:9: `825` changed to `907` in Fill, on the way to an @abort state
     from Fill, at G = 0: p = 907; at G = 10, S differs [a-change-10-9-2.ss]
   line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state
@@ -57,7 +57,7 @@ not noticed; these inputs would show it:
   line 9:19: `>` changed to `>=` in Fill, an output
     from Fill, at G = 0: p = 700; at G = 0, open differs [a-change-9-19-2.ss]
   line 9:21: `700` changed to `630` in Fill, an output
-    from Fill, at G = 0: p = 700; at G = 0, open differs [a-change-9-19-2.ss]
+    from Fill, at G = 0: p = 631; at G = 0, open differs [a-change-9-19-2.ss]
   line 9:21: `700` changed to `770` in Fill, an output
     from Fill, at G = 0: p = 770; at G = 0, open differs [a-change-9-21-2.ss]
   line 9:26: `and` changed to `or` in Fill, an output
@@ -67,7 +67,7 @@ not noticed; these inputs would show it:
   line 9:35: `1` changed to `0` in Fill, an output
     from Fill, at G = 0, open differs [a-change-10-5-2.ss]
   line 9:35: `1` changed to `2` in Fill, an output
-    from Fill, at G = 0: p = -1.05; at G = 0, open differs [a-change-9-32-2.ss]
+    from Fill, at G = 0: p = -1; at G = 0, open differs [a-change-9-32-2.ss]
 6 scripts in made show 15 of these changes
 a-change-10-5-2.ss
 a-change-10-7-2.ss
