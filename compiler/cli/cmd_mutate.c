@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// smc mutate: changes a machine in one place at a time, and lists the changes that no script notices.
+// smc mutate: changes a machine, or each machine of an application, in one place at a time, and lists the changes that no script notices.
 #include "compiler/analysis/transitions.h"
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
@@ -12,7 +12,8 @@
 typedef struct MutateRun {
     Cli *c;
     Arena *arena;
-    const Program *p;
+    const Program *p;         // the machine, or the application
+    const Program *machine_program;       // the machine that is changed: p, or one of the application's
     const Requirements *requirements;     // NULL: none
     Mutation *u;
     VEC(const Script *) script;
@@ -21,6 +22,7 @@ typedef struct MutateRun {
     uint32_t tried;           // number of mutants that have run
     bool is_searched;         // the search of --generate has begun
     double least;             // the value of --min-score, in percent
+    Buf out;                  // the text or JSON of the result
 } MutateRun;
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
@@ -47,7 +49,7 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
         buf_str(out, " [if only inputs change]");
     if (m->scenario) {
         buf_str(out, "\n    ");
-        mutant_write_scenario(r->p, m, MUTANT_INPUTS_SHOWN, out);
+        mutant_write_scenario(r->machine_program, m, MUTANT_INPUTS_SHOWN, out);
     }
     if (path_of_script(r, m))
         buf_printf(out, " [%s]", path_file_name(path_of_script(r, m)));
@@ -91,14 +93,15 @@ static void write_requirements(const MutateRun *r, Buf *out)
 static void write_search_result(const MutateRun *r, const MutationScore *s, Buf *out)
 {
     buf_printf(out, "inputs were found for %lu of the %lu changes that no script notices%s\n", s->of[MUTANT_GENERATED],
-               s->of[MUTANT_GENERATED] + s->of[MUTANT_UNNOTICED], s->of[MUTANT_GENERATED] && !r->c->given[OPT_SCRIPTS] ? "; --scripts=DIR writes them as scripts" : "");
+               s->of[MUTANT_GENERATED] + s->of[MUTANT_UNNOTICED], s->of[MUTANT_GENERATED] && !r->c->given[OPT_SCRIPTS] && !r->p->joint ? "; --scripts=DIR writes them as scripts" : "");
 }
 
-static void write_text(const MutateRun *r, Buf *out)
+static void write_text(MutateRun *r)
 {
+    Buf *const out = &r->out;
     const MutationScore s = mutation_score(r->u);
 
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->p->name->text, s.of[MUTANT_NOTICED], s.noticeable, s.percent);
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->machine_program->name->text, s.of[MUTANT_NOTICED], s.noticeable, s.percent);
     if (s.of[MUTANT_EQUIVALENT])
         buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)
@@ -141,7 +144,7 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     if (m->scenario) {
         Buf words;
         buf_init(&words, r->arena);
-        mutant_write_scenario(r->p, m, SIZE_MAX, &words);
+        mutant_write_scenario(r->machine_program, m, SIZE_MAX, &words);
         buf_str(out, ",\"inputs\":");
         json_put_string(out, buf_text(&words));
     }
@@ -152,13 +155,14 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     buf_char(out, '}');
 }
 
-static void write_json(const MutateRun *r, Buf *out)
+static void write_json(MutateRun *r)
 {
+    Buf *const out = &r->out;
     const MutationScore s = mutation_score(r->u);
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
 
-    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->p->name->text, s.percent);
+    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->machine_program->name->text, s.percent);
     for (int v = MUTANT_NOTICED; v < MUTANT_VERDICT_COUNT; v++)
         buf_printf(out, ",\"%s\":%lu", mutant_verdict_name[v], s.of[v]);
     buf_printf(out, ",\"waiting\":%lu,\"mutants\":[\n", s.of[MUTANT_WAITING]);
@@ -176,8 +180,6 @@ static void run_mutants(MutateRun *r)
 {
     ProgressLine k = {r->c, 0, false};
 
-    os_signals_begin();
-    os_signals_delay();
     while (!os_signal_waiting() && mutation_run_next(r->u)) {
         r->tried++;
         mutate_show_progress(r->u, &k);
@@ -190,18 +192,10 @@ static void run_mutants(MutateRun *r)
     progress_end(&k);
 }
 
-static int write_result(MutateRun *r, size_t format)
+static int write_result(MutateRun *r)
 {
-    OsOutput file = {r->c->given[OPT_OUTPUT] ? r->c->value[OPT_OUTPUT] : "-", NULL, 0};
-    Buf out;
+    const OsOutput file = {r->c->given[OPT_OUTPUT] ? r->c->value[OPT_OUTPUT] : "-", buf_text(&r->out), r->out.n};
 
-    buf_init(&out, r->arena);
-    if (format == 0)
-        write_text(r, &out);
-    else
-        write_json(r, &out);
-    file.bytes = buf_text(&out);
-    file.n = out.n;
     return cli_write_outputs(r->c, &file, 1);
 }
 
@@ -212,16 +206,20 @@ static int check_min_score(MutateRun *r)
 
     if (!r->c->given[OPT_MIN_SCORE] || s.percent >= r->least)
         return EXIT_OK;
-    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", s.percent), format_in(r->arena, "%g %%", r->least));
+    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", s.percent),
+                    r->p->joint ? format_in(r->arena, " of %s", r->machine_program->name->text) : "", format_in(r->arena, "%g %%", r->least));
     return EXIT_PROBLEM;
 }
 
-static int mutate_machine(MutateRun *r, uint64_t max_steps, size_t format)
+// Changes one machine, and adds what is found to the result.
+static int mutate_machine(MutateRun *r, size_t member, uint64_t max_steps, size_t format)
 {
     uint32_t failing;
-    int code;
+    int code = EXIT_OK;
 
-    r->u = mutation_new(r->arena, r->p, r->script.at, r->script.n, r->requirements, max_steps);
+    r->tried = 0;
+    r->machine_program = r->p->joint ? r->p->joint->member.at[member].program : r->p;
+    r->u = mutation_new(r->arena, r->p, member, r->script.at, r->script.n, r->requirements, max_steps);
     failing = mutation_find_failing(r->u);
     if (failing < r->script.n) {
         cli_print_error(r->c, TEXT_mutate_fails, r->script.at[failing]->src->name);
@@ -229,17 +227,43 @@ static int mutate_machine(MutateRun *r, uint64_t max_steps, size_t format)
         return EXIT_PROBLEM;
     }
     run_mutants(r);
-    code = r->c->given[OPT_SCRIPTS] ? mutate_write_scripts(r->c, r->u, r->p, r->machine, r->c->value[OPT_SCRIPTS], &r->scripts) : EXIT_OK;
-    if (code == EXIT_OK)
-        code = write_result(r, format);
-    if (code == EXIT_OK)
+    if (r->c->given[OPT_SCRIPTS])
+        code = mutate_write_scripts(r->c, r->u, r->p, r->machine, r->c->value[OPT_SCRIPTS], &r->scripts);
+    if (code == EXIT_OK) {
+        (format == 0 ? write_text : write_json)(r);
         code = check_min_score(r);
+    }
     if (r->tried < mutation_score(r->u).all)
         cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, mutation_score(r->u).all);
     mutation_end(r->u);
+    return code;
+}
+
+// Changes the machine, or each machine of the application in turn, and writes what is found.
+static int mutate_machines(MutateRun *r, uint64_t max_steps, size_t format)
+{
+    const size_t machines = engine_machines(r->p);
+    int code = EXIT_OK, written;
+
+    os_signals_begin();
+    os_signals_delay();
+    buf_init(&r->out, r->arena);
+    if (r->p->joint && format > 0)
+        buf_printf(&r->out, "{\"smc-mutations\":1,\"application\":\"%s\",\"machines\":[\n", r->p->name->text);
+    for (size_t i = 0; i < machines && code <= EXIT_PROBLEM && !os_signal_waiting(); i++) {
+        int now;
+        buf_str(&r->out, format > 0 && i > 0 ? "," : "");
+        now = mutate_machine(r, i, max_steps, format);
+        if (mutation_find_failing(r->u) < r->script.n)
+            return now;
+        code = now > code ? now : code;
+    }
+    if (r->p->joint && format > 0)
+        buf_str(&r->out, "]}\n");
+    written = code <= EXIT_PROBLEM ? write_result(r) : code;
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();
-    return code;
+    return written == EXIT_OK ? code : written;
 }
 
 // ---- the command ----
@@ -300,5 +324,5 @@ int cmd_mutate(Cli *c)
     r.requirements = runs_find_machine(&in, &made)->requirements;
     if ((code = check_scripts(&r, &in, &made)) != EXIT_OK)
         return code;
-    return mutate_machine(&r, max_steps, format);
+    return mutate_machines(&r, max_steps, format);
 }

@@ -150,7 +150,7 @@ static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *c
         cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
         return;
     }
-    u = mutation_new(&c->session.arena, p, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
+    u = mutation_new(&c->session.arena, p, 0, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
     while ((goes_on = may_go_on(clock)) && mutation_run_next(u))
         mutate_show_progress(u, &k);
     while (goes_on && (goes_on = may_go_on(clock)) && mutation_search_next(u, MUTATE_SEARCH_STEPS))

@@ -7,29 +7,62 @@
 
 enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the default limit of smc test
 
-// Returns the path of the first file of a kind that an application names, or `otherwise`.
-static const char *find_app_file(Cli *c, const CompileInput *in, FileKind kind, const char *otherwise)
+// Returns the path of the application's state vector.
+static const char *find_app_vector(Cli *c, const AppFiles *files)
 {
-    const AppFiles *files = &in->app->files;
-
     for (size_t i = 0; i < files->n; i++)
-        if (files->at[i].kind == kind && files->at[i].src)
+        if (files->at[i].kind == FILE_SV && files->at[i].src)
             return cli_printable_name(&c->session.arena, files->at[i].src->name);
-    return otherwise;
+    return "VECTOR.sv";
 }
 
-// Reports that the command is for one machine, and names the files of the application to use instead.
+// Appends the bindings of a machine as an option: " --bind go=apogee,fire=drogueFire".  A parameter with a value of its own is named in a remark.
+static void write_bindings(const AstBindings *b, Buf *out)
+{
+    size_t bound = 0, values = 0;
+
+    for (size_t i = 0; i < b->n; i++)
+        if (b->at[i].element.text)
+            buf_printf(out, "%s%s=%s", bound++ ? "," : " --bind ", b->at[i].name.text->text, b->at[i].element.text->text);
+    for (size_t i = 0; i < b->n; i++)
+        if (!b->at[i].element.text && b->at[i].name.text)
+            buf_printf(out, "%s%s", values++ ? ", " : ", without its values of ", b->at[i].name.text->text);
+}
+
+// Writes the command for one machine of the application.
+static void write_command(Cli *c, const AppFiles *files, const AppInstance *m, Buf *out)
+{
+    const AppFile *file = &files->at[m->file];
+
+    buf_printf(out, "\n  %s: smc %s %s", m->task->name.text->text, c->command->name,
+               file->src ? cli_printable_name(&c->session.arena, file->src->name) : file->name.text->text);
+    if (c->command->run == cmd_prove)
+        buf_str(out, " REQUIREMENTS.rq");
+    buf_printf(out, " --sv %s", find_app_vector(c, files));
+    write_bindings(&m->task->bindings, out);
+}
+
+// Reports that the command is for one machine, and the command for each machine of the application.
 int runs_refuse_app(Cli *c, const char *app)
 {
     CompileSource source = {.text = cli_read_source(c, app), .kind = FILE_APP};
     CompileInput in = {.at = &source, .n = 1};
+    Buf commands, all;
 
     if (!source.text)
         return EXIT_ENVIRONMENT;
     cli_load_app(c, &in);
     diags_clear(&c->session.diags);
-    return cli_usage_error(c, TEXT_not_an_app, app, c->command->name, c->command->name, find_app_file(c, &in, FILE_SM, "MACHINE.sm"),
-                           strcmp(c->command->name, "prove") == 0 ? " REQUIREMENTS.rq" : "", find_app_file(c, &in, FILE_SV, "VECTOR.sv"));
+    buf_init(&commands, &c->session.arena);
+    for (size_t i = 0; i < in.app->files.instances; i++)
+        write_command(c, &in.app->files, &in.app->files.instance[i], &commands);
+    if (commands.n == 0)
+        return cli_usage_error(c, TEXT_not_an_app, app, c->command->name, c->command->name,
+                               c->command->run == cmd_prove ? " REQUIREMENTS.rq" : "", find_app_vector(c, &in.app->files));
+    buf_init(&all, &c->session.arena);
+    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), c->command->name, buf_text(&commands));
+    cli_print(c, 2, &all);
+    return EXIT_USAGE;
 }
 
 // Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
@@ -40,10 +73,11 @@ int runs_check_arguments(Cli *c)
     size_t machines = 0;
 
     for (size_t i = 0; i < c->files; i++) {
-        if (has_suffix(c->file[i], ".app"))
+        const bool app = has_suffix(c->file[i], ".app");
+        if (app && (c->command->run != cmd_mutate || c->given[OPT_SCRIPTS]))
             return runs_refuse_app(c, c->file[i]);
         const bool script = has_suffix(c->file[i], ".ss") || (judges && has_suffix(c->file[i], ".rq"));
-        if (!script && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
+        if (!script && !app && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],
                                    has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
         machines += !script;
@@ -68,7 +102,7 @@ const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *
 {
     size_t i = 0;
 
-    while (in->at[i].kind != FILE_SM)
+    while (in->at[i].kind != FILE_SM && in->at[i].kind != FILE_APP)
         i++;
     return &made->of[i];
 }

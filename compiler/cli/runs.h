@@ -13,7 +13,7 @@ int runs_refuse_app(Cli *c, const char *app);
 // Compiles `in` for a command that runs the scripts itself: no analysis runs, and each script still needs session_script.  Returns EXIT_OK, or
 // the exit code after messages.
 int runs_compile(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made);
-// Returns the machine among the compiled sources.
+// Returns the machine, or the application, among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made);
 // Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
 int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made);

@@ -53,6 +53,7 @@ struct MutantRuns {
     size_t values;            // number of values in all records
     Cover *cover;             // counts what the unchanged runs execute
     Engine *engine;           // runs the current mutant
+    Engine *whole;            // `engine`, or that of the application which contains it
     Diags muted;
     const Requirements *requirements; // judged in every run; or NULL
     const Requirement *violated;      // the requirement that the last run violated; NULL: none
@@ -176,7 +177,7 @@ static const Requirement *find_violated(const MutantRuns *u, const ScriptResult 
 // Runs the script once from its start to its end, without using records.  Returns whether it passes.
 static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
 {
-    ScriptResult result = script_run(work, &u->muted, r->script, &u->engine, 1, &r->options);
+    ScriptResult result = script_run(work, &u->muted, r->script, &u->whole, 1, &r->options);
 
     *steps = result.steps;
     u->violated = result.is_violated ? find_violated(u, &result) : NULL;
@@ -197,27 +198,42 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     if (!passes && u->failing == u->records)
         u->failing = script;
     r->reached = collect_executed(u);
-    list_seen(u->arena, u->p, u->requirements, u->original->m->var_of, r);
-    if (passes && run_has_points(r->script))
+    if (u->whole == u->engine)
+        list_seen(u->arena, u->p, u->requirements, u->original->m->var_of, r);
+    if (u->whole == u->engine && passes && run_has_points(r->script))
         record_run(u, r);
     r->options.max_steps = r->steps < UINT64_MAX / 8 ? 4 * r->steps + 1000 : r->steps;
 }
 
-MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps)
+// Opens the machines of an application as one engine, in which u->engine runs machine number `member`.
+static Engine *open_whole(MutantRuns *u, const Program *app, size_t member)
+{
+    const size_t machines = engine_machines(app);
+    Engine **machine = ARENA_ARRAY(u->arena, Engine *, machines);
+
+    for (size_t i = 0; i < machines; i++) {
+        const Program *p = app->joint->member.at[i].program;
+        machine[i] = i == member ? u->engine : engine_flat_open(u->arena, p, flat_new(u->arena, ir_build(u->arena, p), NULL));
+    }
+    return engine_app_open(u->arena, app, machine);
+}
+
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps)
 {
     MutantRuns *u = ARENA_NEW(arena, MutantRuns);
 
     u->arena = arena;
-    u->p = p;
+    u->p = p->joint ? p->joint->member.at[member].program : p;
     u->requirements = rq;
     u->records = u->failing = scripts;
     u->record = arena_array(arena, scripts, sizeof *u->record);
     u->order = ARENA_ARRAY(arena, uint32_t, scripts);
-    u->original = flat_new(arena, ir_build(arena, p), NULL);
+    u->original = flat_new(arena, ir_build(arena, u->p), NULL);
     u->state = arena_alloc(arena, u->original->size);
     u->at_point = arena_alloc(arena, u->original->size);
-    u->cover = cover_new(arena, p);
+    u->cover = cover_new(arena, u->p);
     u->engine = cover_open_engine(u->cover);
+    u->whole = p->joint ? open_whole(u, p, member) : u->engine;
     diags_init(&u->muted, arena);
     u->muted.muted = true;
     for (uint32_t i = 0; i < scripts; i++) {

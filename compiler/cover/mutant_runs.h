@@ -17,8 +17,8 @@
 typedef struct MutantRuns MutantRuns;
 
 // Records the runs of the scripts, and which statements they execute.  A run fails if it violates one of the requirements `rq`, which
-// can be NULL.
-MutantRuns *mutant_runs_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq,
+// can be NULL.  p: a machine, or an application, of whose machines number `member` has the mutants.  Its scripts run whole on each of these.
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq,
                             uint64_t max_steps);
 // Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
 uint32_t mutant_runs_find_failing(const MutantRuns *r);

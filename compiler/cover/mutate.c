@@ -323,23 +323,33 @@ bool mutation_search_next(Mutation *u, uint64_t steps)
     return true;
 }
 
-Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps)
+// Returns by how much G grows between two steps of a machine of an application; 0: not by a whole number.
+static uint64_t step_of_member(const Joint *j, const Member *m)
 {
+    const uint64_t period = m->every * j->tick;
+
+    return period % j->unit == 0 ? period / j->unit : 0;
+}
+
+Mutation *mutation_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq,
+                       uint64_t max_steps)
+{
+    const Member *m = p->joint ? &p->joint->member.at[member] : NULL;
     Mutation *u = ARENA_NEW(arena, Mutation);
 
     u->arena = arena;
     arena_init(&u->work, arena->alloc, arena->context, arena->oom);
-    u->p = p;
+    u->p = m ? m->program : p;
     u->scripts = scripts;
-    u->step = mutant_step(p, script, scripts);
+    u->step = m ? step_of_member(p->joint, m) : mutant_step(p, script, scripts);
     u->start = arena_array(arena, scripts + (size_t)1, sizeof *u->start);
-    add_start(u, p->state.at[0]);
-    for (uint32_t i = 0; i < scripts; i++)
+    add_start(u, m ? m->initial : p->state.at[0]);
+    for (uint32_t i = 0; i < scripts && !m; i++)
         add_start(u, script[i]->init_state);
-    u->runs = mutant_runs_new(arena, p, script, scripts, rq, max_steps);
-    u->initial = ARENA_ARRAY(arena, uint64_t, p->var.n);
-    for (size_t i = 0; i < p->var.n; i++)
-        u->initial[i] = p->var.at[i]->init;
+    u->runs = mutant_runs_new(arena, p, member, script, scripts, rq, max_steps);
+    u->initial = ARENA_ARRAY(arena, uint64_t, u->p->var.n);
+    for (size_t i = 0; i < u->p->var.n; i++)
+        u->initial[i] = u->p->var.at[i]->init;
     arena_reset(&u->work);
     u->original = optimised_text(u, arena);
     mutation_list_all(u);

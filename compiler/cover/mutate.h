@@ -2,7 +2,7 @@
 // Mutation: changes one number, operator, target or statement of a machine at a time, and finds the changes that no script notices
 // (docs/testing.md).  A change is made in the checked program and undone after its runs, so nothing is parsed again.
 //
-//     Mutation *u = mutation_new(arena, p, script, scripts, requirements, max_steps);
+//     Mutation *u = mutation_new(arena, p, 0, script, scripts, requirements, max_steps);
 //     while (mutation_run_next(u)) ;
 //
 // Every change is also an edit of the source: `old` at `span` becomes `text`.
@@ -51,8 +51,9 @@ typedef struct Mutation Mutation;
 #define MUTATE_SEARCH_STEPS UINT64_C(2000000)  // default of the steps of a search for one mutant: about 0.8 s
 
 // Lists the changes, and runs every script without a change.  rq: requirements that are judged after each step; or NULL.  While a mutant runs,
-// expressions and statements of p are changed; the change is undone afterwards.
-Mutation *mutation_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
+// expressions and statements of p are changed; the change is undone afterwards.  p: a machine, or an application, of which machine number `member` is
+// changed.
+Mutation *mutation_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
 // Returns the index of a script that fails without any change, or violates a requirement; `scripts` if all pass.
 uint32_t mutation_find_failing(const Mutation *u);
 // Runs the next mutant.  Returns false if no mutant is left.

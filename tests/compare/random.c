@@ -157,7 +157,7 @@ static bool runs_differ(Arena *arena, const Subject *a, const Subject *b, const 
 
 static const char *test_mutants(Arena *arena, Subject *a, Gen *g)
 {
-    Mutation *u = mutation_new(arena, a->program, NULL, 0, NULL, STEPS);
+    Mutation *u = mutation_new(arena, a->program, 0, NULL, 0, NULL, STEPS);
     uint32_t n;
     const Mutant *list = mutation_list(u, &n);
     const char *wrong = NULL;

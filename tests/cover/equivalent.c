@@ -113,7 +113,7 @@ static void check_program(uint64_t seed)
     Gen *g = gen_program(&arena, seed, STEPS);
     gen_plan_time(g);
     if (subject_compile(&s, g, &arena) == NULL) {
-        Mutation *u = mutation_new(&s.session.arena, s.program, NULL, 0, NULL, STEPS);
+        Mutation *u = mutation_new(&s.session.arena, s.program, 0, NULL, 0, NULL, STEPS);
         FlatMachine *original = flat_new(&s.session.arena, ir_build(&s.session.arena, s.program), NULL);
         uint32_t n;
         while (mutation_run_next(u))

@@ -42,6 +42,31 @@ compare() {
     done <"$dir/list"
 }
 
+# Compares all mutants of a machine of an application with its scripts: $1 folder, $2 name of the .app, $3 machine, which has a file of its own.
+compare_in_application() {
+    cp -r "$1" "$dir/app"
+    "$smc" mutate -w "$1/$2" "$1"/*.ss "$1"/*.rq --format=json -o "$dir/list.json" --force 2>"$dir/errors" || fail "$1: mutate: $(head -n 1 "$dir/errors")"
+    sed -n "/\"machine\":\"$3\"/,/^\]}/p" "$dir/list.json" |
+        sed -n 's/.*"at":\([0-9]*\),"length":\([0-9]*\),.*,"new":"\(.*\)","danger":.*"verdict":"\([a-z]*\)".*/\1 \2 \4 \3/p' >"$dir/list"
+    test "$(grep -c . "$dir/list")" -ge 50 || fail "$1: $(grep -c . "$dir/list") mutants of $3, not 50"
+    while read -r at length verdict text; do
+        { head -c "$at" "$1/$3.sm"; printf %s "$text"; tail -c +$((at + length + 1)) "$1/$3.sm"; } >"$dir/app/$3.sm"
+        "$smc" test -w "$dir/app/$2" "$dir"/app/*.ss "$dir"/app/*.rq >"$dir/out" 2>&1
+        code=$?
+        case $verdict in
+        noticed) wanted=1 ;;
+        *) wanted=0 ;;
+        esac
+        if test $code = $wanted; then
+            passed=$((passed + 1))
+        else
+            fail "$1, $3: byte $at, '$text': $verdict, but smc test exits $code: $(grep -m 1 error "$dir/out")"
+        fi
+    done <"$dir/list"
+    test "$(grep -c '^{"smc-mutations":1,"machine"\|^,{"smc-mutations"' "$dir/list.json")" = 3 || fail "$1: the list is not of three machines"
+}
+
+compare_in_application examples/dualdeploy dualdeploy.app flight
 compare examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
 compare examples/recovery/recovery.sm examples/recovery/recovery.ss
 for machine in tests/cover/*.sm; do

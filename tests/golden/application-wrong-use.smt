@@ -81,20 +81,19 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
     7 |     machine m "missing.sm"
       |               ^~~~~~~~~~~~
 4 errors
-smc: 'a.app' is an application, and smc mutate is for one machine: name the file of a machine and the state vector, as in 'smc mutate MACHINE.sm --sv a.sv'
-Try 'smc mutate --help'.
-smc: 'a.app' is an application, and smc cover is for one machine: name the file of a machine and the state vector, as in 'smc cover MACHINE.sm --sv a.sv'
-Try 'smc cover --help'.
-smc: 'a.app' is an application, and smc prove is for one machine: name the file of a machine and the state vector, as in 'smc prove MACHINE.sm REQUIREMENTS.rq --sv a.sv'
-Try 'smc prove --help'.
-smc: 'a.app' is an application, and smc faults is for one machine: name the file of a machine and the state vector, as in 'smc faults MACHINE.sm --sv a.sv'
-Try 'smc faults --help'.
-smc: 'a.app' is an application, and smc sweep is for one machine: name the file of a machine and the state vector, as in 'smc sweep MACHINE.sm --sv a.sv'
-Try 'smc sweep --help'.
-smc: 'a.app' is an application, and smc diff is for one machine: name the file of a machine and the state vector, as in 'smc diff MACHINE.sm --sv a.sv'
-Try 'smc diff --help'.
-smc: 'a.app' is an application, and smc report is for one machine: name the file of a machine and the state vector, as in 'smc report MACHINE.sm --sv a.sv'
-Try 'smc report --help'.
+smc: cannot read 'a.ss': No such file or directory
+smc: 'a.app' is an application, and smc cover is for one machine, with scripts of that machine. Its machines:
+  m: smc cover missing.sm --sv a.sv
+smc: 'a.app' is an application, and smc prove is for one machine, with scripts of that machine. Its machines:
+  m: smc prove missing.sm REQUIREMENTS.rq --sv a.sv
+smc: 'a.app' is an application, and smc faults is for one machine, with scripts of that machine. Its machines:
+  m: smc faults missing.sm --sv a.sv
+smc: 'a.app' is an application, and smc sweep is for one machine, with scripts of that machine. Its machines:
+  m: smc sweep missing.sm --sv a.sv
+smc: 'a.app' is an application, and smc diff is for one machine, with scripts of that machine. Its machines:
+  m: smc diff missing.sm --sv a.sv
+smc: 'a.app' is an application, and smc report is for one machine, with scripts of that machine. Its machines:
+  m: smc report missing.sm --sv a.sv
 smc: cannot read 'nosuch.app': No such file or directory
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 2 2 2 2 2 2 2 3 0
+2 2 2 2 2 2 2 2 2 3 1 1 3 2 2 2 2 2 2 3 0

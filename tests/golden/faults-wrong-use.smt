@@ -88,8 +88,8 @@ my own script
 -- stderr --
 smc: faults requires a script to run, as in 'smc faults a.sm SCRIPT.ss'
 Try 'smc faults --help'.
-smc: 'a.app' is an application, and smc faults is for one machine: name the file of a machine and the state vector, as in 'smc faults a.sm --sv VECTOR.sv'
-Try 'smc faults --help'.
+smc: 'a.app' is an application, and smc faults is for one machine, with scripts of that machine. Its machines:
+  a: smc faults a.sm --sv VECTOR.sv
 smc: bad.ss fails without any fault: 'smc test' shows why
 broken.ss:4:7: error: unknown element 'q' [E0204]
     4 | true: q = 1

@@ -17,7 +17,7 @@ Usage:
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
   smc prove M.sm R.rq... [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       decide for each requirement whether any run of the machine can violate it
-  smc mutate M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--min-score=PERCENT]
+  smc mutate M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--min-score=PERCENT]
       change one number, operator, target or statement at a time, and list the changes that no script and no requirement notices
   smc diff OLD.sm NEW.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       compare what two machines do: states, transitions, outputs, costs and findings, and in scripts
