@@ -360,10 +360,10 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
         out = check_script_source(&c, &s->tree, &s->work, tree, files.n, p);
     else if (is_whole)
         out = check_script(&c, tree, files.n, p);
-    if (out && s->warnings) {
+    if (out && s->warnings)
         analyse_units_of_script(&s->tree, &s->diags, out);
+    if (out && s->warnings && s->diags.errors_seen == errors)             // items with errors may lack their guards
         analyse_asserts_of_script(&s->tree, &s->diags, out);
-    }
     arena_free(&s->tree);
     if (s->diags.errors_seen > errors || !out)
         return NULL;
