@@ -62,7 +62,7 @@ static size_t find_only_machine(const CompileInput *in)
 static void mark_included_scripts(Compilation *c)
 {
     for (size_t i = 0; i < c->in->n; i++) {
-        ScriptFiles files = {NULL, 1};
+        ScriptFiles files = {NULL, NULL, 1};
         if (c->in->at[i].kind == FILE_SS && !c->out->of[i].is_included)       // files that include each other: the first one runs as a script
             files = session_script_files(c->s, c->in->at[i].text, true);
         for (size_t k = 0; k + 1 < files.n; k++)

@@ -11,6 +11,7 @@ enum { DEPTH_MAX = 64 };      // limit on the depth of includes; bounds the recu
 typedef struct Search {
     Session *s;
     VEC(const Source *) done;         // complete files, in the order in which their sections run
+    VEC(Span) include;                // by complete file: as in ScriptFiles
     VEC(const Source *) open;         // the files whose includes are being followed; each is included by the preceding one
 } Search;
 
@@ -62,8 +63,9 @@ static void report_cycle(Search *h, const AstInclude *in, const Source *again)
     diag_report(&h->s->diags, DIAG_include_cycle, in->span, buf_text(&chain));
 }
 
-// Adds the files that `src` includes, and then src.  Syntax errors are reported later, when the whole file is parsed.
-static void add_file(Search *h, const Source *src)
+// Adds the files that `src` includes, and then src.  include: the line of the script itself that leads to src; without a source for the script.
+// Syntax errors are reported later, when the whole file is parsed.
+static void add_file(Search *h, const Source *src, Span include)
 {
     Diags unseen;
     const AstFile *f;
@@ -79,10 +81,11 @@ static void add_file(Search *h, const Source *src)
         if (contains(h->open.at, h->open.n, in))
             report_cycle(h, &f->includes.at[i], in);
         else
-            add_file(h, in);
+            add_file(h, in, include.src ? include : f->includes.at[i].span);
     }
     h->open.n--;
     vec_push(&h->s->arena, &h->done, src);
+    vec_push(&h->s->arena, &h->include, include);
 }
 
 ScriptFiles session_script_files(Session *s, const Source *script, bool is_silent)
@@ -92,9 +95,9 @@ ScriptFiles session_script_files(Session *s, const Source *script, bool is_silen
     Search h = {.s = s};
 
     s->diags.muted = muted || is_silent;
-    add_file(&h, script);
+    add_file(&h, script, (Span){0});
     s->diags.muted = muted;
     if (is_silent)
         s->diags.errors_seen = before;
-    return (ScriptFiles){h.done.at, h.done.n};
+    return (ScriptFiles){h.done.at, h.include.at, h.done.n};
 }

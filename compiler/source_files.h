@@ -8,6 +8,7 @@
 // The files in the order in which their sections run: an included file precedes the file that includes it, so the script itself is the last.
 typedef struct ScriptFiles {
     const Source **at;
+    const Span *include;      // by file: the line of the script itself that includes the file, directly or through others
     size_t n;
 } ScriptFiles;
 

@@ -380,9 +380,11 @@ const ScriptItem *script_first_stop(const Script *s)
 static void report_endless_script(ScriptRun *r)
 {
     const ScriptItem *stop = script_first_stop(r->s);
+    Diag *d = diag_report(r->diags, DIAG_script_endless, stop ? script_stop_span(stop) : start_of_script(r),
+                          format_in(r->arena, "%" PRIu64, r->o->max_steps));
 
-    history_add(r, diag_report(r->diags, DIAG_script_endless, stop ? script_stop_span(stop) : start_of_script(r),
-                               format_in(r->arena, "%" PRIu64, r->o->max_steps)));
+    run_note_include(r, d);
+    history_add(r, d);
 }
 
 static void report_time_overflow(ScriptRun *r)

@@ -122,6 +122,8 @@ void assert_check_step(ScriptRun *r);
 const char *assert_finish_printing(ScriptRun *r);
 // Reports the assert that failed, with the values of its operands and the history of the run.
 void assert_report_failure(ScriptRun *r);
+// Adds a note to d, which a run has reported, if its position is in a file that the script includes.
+void run_note_include(const ScriptRun *r, Diag *d);
 // Warns about asserts that no step evaluated, and about a script without asserts.
 void assert_report_unevaluated(const ScriptRun *r);
 // Appends the value of e in the format of diagnostics. w: the windows that e belongs to.

@@ -395,8 +395,12 @@ typedef struct ScriptData {
     const struct DataFile *source;    // the file; set after checking
 } ScriptData;
 
+// A file that a script includes; include: the line of the script itself that includes the file, directly or through others.
+typedef struct ScriptPart { const Source *src; Span include; } ScriptPart;
+
 typedef struct Script {
     const Source *src;
+    VEC(ScriptPart) part;     // the files that the script includes, in the order in which their sections run
     const Program *program;
     uint64_t delta_t;         // 0 if by_rows
     bool by_rows;             // `delta_t file`: one step for each row of the data
