@@ -5,6 +5,7 @@
 #include "compiler/base/os_signal.h"
 #include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
+#include "compiler/cli/whatif.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_text.h"
 
@@ -65,13 +66,18 @@ static int exit_code_of_verdicts(const ProveResult *r)
     return code;
 }
 
+// The context of the calls that show what has been decided.
+typedef struct ProveProgress {
+    Cli *c;
+    const Requirements *what;
+    bool prints;              // each verdict is printed when it is known
+    bool is_lost;             // a verdict could not be printed
+} ProveProgress;
+
 static bool is_not_interrupted(void *context)
 {
-    (void)context;
-    return !os_signal_waiting();
+    return !os_signal_waiting() && !((const ProveProgress *)context)->is_lost;
 }
-
-typedef struct ProveProgress { Cli *c; const Requirements *what; } ProveProgress;
 
 // On a terminal, shows the requirement that is being decided; `done`: how many have been. After the last one, erases that line.
 static void show_progress(void *context, uint32_t done)
@@ -88,6 +94,23 @@ static void show_progress(void *context, uint32_t done)
     else
         buf_printf(&out, "\r%70s\r", "");
     cli_print(k->c, 2, &out);
+}
+
+// Prints the verdict on requirement i, the first one with what precedes the verdicts.
+static void print_verdict(void *context, const ProveResult *r, uint32_t i)
+{
+    ProveProgress *k = context;
+    Arena *arena = &k->c->session.arena;
+    Buf out;
+
+    if (!k->prints || k->is_lost)
+        return;
+    show_progress(k, k->what->at.n);          // erases the line
+    buf_init(&out, arena);
+    if (i == 0)
+        prove_write_head(k->what->program, r, &out);
+    prove_write_verdict(arena, k->what->program, r, i, &out);
+    k->is_lost = !cli_print(k->c, 1, &out);
 }
 
 // ---- scripts ----
@@ -134,18 +157,79 @@ static int run_scripts(Cli *c, const CompileInput *in, const Compiled *made, con
 
 // ---- the command ----
 
+// The requirements of --requirements.
+typedef struct ProveSelection { Cli *c; const Requirements *all; bool *is_chosen; } ProveSelection;
+
+// Returns the ids of all requirements: "R1, R2, R3".
+static const char *ids_of(Arena *arena, const Requirements *all)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    for (size_t i = 0; i < all->at.n; i++)
+        buf_printf(&out, "%s%s", i ? ", " : "", all->at.at[i].id->text);
+    return buf_text(&out);
+}
+
+// Called for each word of --requirements: selects the requirement with this id. Returns false after a message.
+static bool add_id(void *context, const char *word, size_t n)
+{
+    const ProveSelection *s = context;
+    bool found = false;
+
+    for (size_t i = 0; i < s->all->at.n; i++)
+        if (s->all->at.at[i].id->len == n && memcmp(s->all->at.at[i].id->text, word, n) == 0)
+            found = s->is_chosen[i] = true;
+    if (!found)
+        cli_print_error(s->c, TEXT_prove_no_requirement, (int)n, word, ids_of(&s->c->session.arena, s->all));
+    return found;
+}
+
+// Returns the requirements to decide, in the order of the files: those of --requirements, or all; NULL after a message.
+static const Requirements *select_requirements(Cli *c, const Requirements *all)
+{
+    Arena *arena = &c->session.arena;
+    ProveSelection s = {c, all, ARENA_ARRAY(arena, bool, all->at.n + 1)};
+    Requirements *out;
+
+    if (!c->given[OPT_REQUIREMENTS])
+        return all;
+    if (!whatif_read_list(c->value[OPT_REQUIREMENTS], &s, add_id))
+        return NULL;
+    out = ARENA_NEW(arena, Requirements);
+    out->program = all->program;
+    out->by_id = all->by_id;
+    out->window = all->window;
+    for (size_t i = 0; i < all->at.n; i++)
+        if (s.is_chosen[i])
+            vec_push(arena, &out->at, all->at.at[i]);
+    return out;
+}
+
+// Reports two requirements that contradict each other.
+static bool report_contradiction(Cli *c, const Requirements *all)
+{
+    const Requirement *first, *second;
+
+    if (!prove_find_contradiction(&c->session.arena, all, &first, &second))
+        return false;
+    diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
+              first->span, DIAG_note_first_here);
+    return true;
+}
+
 // The limits of a search and of a proof; 0: the defaults.
 typedef struct ProveSettings { uint64_t effort, memory; } ProveSettings;
 
 static int prove_requirements(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, const ProveSettings *s, size_t format)
 {
     const Program *p = what->program;
-    ProveProgress progress = {c, what};
+    const bool is_printed = !c->given[OPT_OUTPUT] || strcmp(c->value[OPT_OUTPUT], "-") == 0;
+    ProveProgress progress = {c, what, format == 0 && is_printed && what->at.n && !deps_wanted(c), false};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
                                   .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20,
-                                  .progress = show_progress,
+                                  .progress = show_progress, .decided = print_verdict,
                                   .go_on = is_not_interrupted, .context = &progress};
-    const Requirement *first, *second;
     const ProveResult *r;
     int code;
 
@@ -153,16 +237,11 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
         return cli_usage_error(c, TEXT_no_state, c->value[OPT_INIT_STATE]);
     if (p->step && o->step && o->step != p->step)
         return cli_usage_error(c, TEXT_other_step, (unsigned long)p->step);
-    if (prove_find_contradiction(&c->session.arena, what, &first, &second)) {
-        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
-                  first->span, DIAG_note_first_here);
-        return cli_print_diagnostics(c);
-    }
     os_signals_begin();
     os_signals_delay();
     r = prove_run(&c->session.arena, what, &options);
     show_progress(&progress, what->at.n);
-    code = write_result(c, format, p, r);
+    code = progress.is_lost ? EXIT_PROBLEM : progress.prints ? EXIT_OK : write_result(c, format, p, r);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();
     if (code != EXIT_OK)
@@ -182,7 +261,7 @@ int cmd_prove(Cli *c)
     CompileInput in;
     CompileOptions o;
     Compiled made;
-    const Requirements *what;
+    const Requirements *all, *what;
     Givens given = {.at = NULL};
     int code;
 
@@ -202,8 +281,12 @@ int cmd_prove(Cli *c)
     compile_sources(&c->session, &in, &o, &made);
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
-    what = requirements_without_scripts(c, &in, runs_find_machine(&in, &made));
+    all = requirements_without_scripts(c, &in, runs_find_machine(&in, &made));
+    if ((what = select_requirements(c, all)) == NULL)
+        return EXIT_USAGE;
     if ((code = run_scripts(c, &in, &made, what->program, &given)) != EXIT_OK)
         return code;
+    if (report_contradiction(c, all))
+        return cli_print_diagnostics(c);
     return prove_requirements(c, what, &given, &o, &settings, format);
 }

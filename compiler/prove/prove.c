@@ -526,14 +526,17 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->givens = o->givens;
     judge_givens(&v);
     result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
-    for (uint32_t i = 0; i < r->at.n; i++) {
+    for (uint32_t i = 0; i < r->at.n; i++)
         result->of[i].what = &r->at.at[i];
+    for (uint32_t i = 0; i < r->at.n; i++) {
         result->of[i].tried = ARENA_ARRAY(arena, bool, v.p->state.n);
         result->of[i].excluded = ARENA_ARRAY(arena, bool, v.p->state.n);
         if (o->progress)
             o->progress(o->context, i);
         arena_reset(&v.models);
         decide_requirement(&v, &result->of[i]);
+        if (o->decided)
+            o->decided(o->context, result, i);
     }
     return result;
 }

@@ -122,20 +122,6 @@ typedef struct ProveOf {
     uint64_t visits;          // paths from block to block that all explorations visited
 } ProveOf;
 
-typedef struct ProveOptions {
-    uint64_t delta_t;         // used if the machine declares no step; 0: that of the first given run, or 10
-    const State *init_state;  // NULL: the first state
-    bool assume_ranges;       // proofs can use PROVE_RANGES, and searches keep inputs within their ranges
-    const ProveGiven *given;  // `givens` runs of scripts; those that begin in another state than init_state, or have another step, are not used
-    uint32_t givens;
-    uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h); 0: a default
-    size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It affects results only if used up
-    uint64_t visits;          // how many paths from block to block an exploration can visit; 0: a default
-    void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
-    bool (*go_on)(void *context);     // called now and then; returns false to stop: what is not decided then is interrupted.  NULL: never stops
-    void *context;
-} ProveOptions;
-
 typedef struct ProveResult {
     ProveOf *of;              // by requirement
     uint32_t n;
@@ -147,6 +133,21 @@ typedef struct ProveResult {
     uint64_t effort;          // steps that the searches for a requirement can run: as in the options, or the default
     const char *bug;          // a sentence: a found violation that the reference interpreter does not confirm; or NULL
 } ProveResult;
+
+typedef struct ProveOptions {
+    uint64_t delta_t;         // used if the machine declares no step; 0: that of the first given run, or 10
+    const State *init_state;  // NULL: the first state
+    bool assume_ranges;       // proofs can use PROVE_RANGES, and searches keep inputs within their ranges
+    const ProveGiven *given;  // `givens` runs of scripts; those that begin in another state than init_state, or have another step, are not used
+    uint32_t givens;
+    uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h); 0: a default
+    size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It affects results only if used up
+    uint64_t visits;          // how many paths from block to block an exploration can visit; 0: a default
+    void (*progress)(void *context, uint32_t done);   // called before each requirement, with how many are decided; or NULL
+    void (*decided)(void *context, const ProveResult *r, uint32_t i);         // called after each requirement: r->of[i] is complete; or NULL
+    bool (*go_on)(void *context);     // called now and then; returns false to stop: what is not decided then is interrupted.  NULL: never stops
+    void *context;
+} ProveOptions;
 
 // Finds two requirements that contradict each other: no values of the variables meet both.  Compares only requirements that are judged in the same
 // steps: in every step, or in those with the same premise (a of `a implies b`).  Returns false if no two contradict each other.

@@ -376,25 +376,34 @@ static void write_givens(const Program *p, const ProveResult *r, Buf *out)
     }
 }
 
-void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out)
+void prove_write_head(const Program *p, const ProveResult *r, Buf *out)
 {
-    size_t width = 0;
-
-    for (uint32_t i = 0; i < r->n; i++)
-        width = r->of[i].what->id->len > width ? r->of[i].what->id->len : width;
     buf_printf(out, "requirements of %s, from state %s, with a step every %llu", p->name->text, r->init_state->name->text,
                (unsigned long long)r->delta_t);
     if (p->uses_time_unit)
         buf_printf(out, " %s", time_unit_name(p->time_unit));
     buf_str(out, ":\n");
     write_givens(p, r, out);
-    for (uint32_t i = 0; i < r->n; i++) {
-        const ProveOf *of = &r->of[i];
-        buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, prove_verdict_words(of->verdict), of->what->text->text);
-        prove_write_reason(arena, p, of, 6, out);
-        if (of->verdict == PROVE_UNDECIDED)
-            write_advice(p, r, of, 6, out);
-    }
+}
+
+void prove_write_verdict(Arena *arena, const Program *p, const ProveResult *r, uint32_t n, Buf *out)
+{
+    const ProveOf *of = &r->of[n];
+    size_t width = 0;
+
+    for (uint32_t i = 0; i < r->n; i++)
+        width = r->of[i].what->id->len > width ? r->of[i].what->id->len : width;
+    buf_printf(out, "  %-*s  %-18s  %s\n", (int)width, of->what->id->text, prove_verdict_words(of->verdict), of->what->text->text);
+    prove_write_reason(arena, p, of, 6, out);
+    if (of->verdict == PROVE_UNDECIDED)
+        write_advice(p, r, of, 6, out);
+}
+
+void prove_write_text(Arena *arena, const Program *p, const ProveResult *r, Buf *out)
+{
+    prove_write_head(p, r, out);
+    for (uint32_t i = 0; i < r->n; i++)
+        prove_write_verdict(arena, p, r, i, out);
 }
 
 // ---- JSON ----

@@ -6,6 +6,8 @@ args prove a.rq
 args prove a.sm a.csv a.rq
 args prove a.sm a.rq --init-state=Flying
 args prove a.sm a.rq --step=20
+args prove a.sm a.rq two.rq --requirements=R1,R2,R3
+args prove a.sm a.rq two.rq --requirements=
 args test a.sm a.ss a.rq --prove
 
 -- a.sm --
@@ -44,6 +46,8 @@ U8   count
 [Never] @safe
 -- a.rq --
 R1 "closed outside of filling"   never S != Fill and valve
+-- two.rq --
+R2 "closed at the end"           never S == Never and valve
 -- a.ss --
 [options]
 delta_t 10
@@ -77,7 +81,10 @@ smc: --init-state: the machine has no state 'Flying'
 Try 'smc prove --help'.
 smc: --step differs from the step of the machine, which is 10
 Try 'smc prove --help'.
+smc: --requirements: there is no requirement 'R3'; the files have R1, R2
+smc: option '--requirements' has an empty LIST
+Try 'smc prove --help'.
 smc: --prove requires --traceability
 Try 'smc test --help'.
 -- exit --
-1 1 2 2 2 2 2 2
+1 1 2 2 2 2 2 2 2 2

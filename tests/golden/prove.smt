@@ -2,6 +2,8 @@
 args prove a.sm a.rq
 args prove a.sm two.rq --assume-ranges
 args prove a.sm two.rq --init-state=Hold --format=json -o r.json; cat r.json
+args prove a.sm a.rq --requirements=R6,R4 --effort=1
+args prove a.sm a.rq --requirements=R5 --format=json | grep -c verdict
 args prove a.sm one.rq --init-state=Hold --effort=1
 
 -- a.sm --
@@ -135,10 +137,29 @@ requirements of a, from state Idle, with a step every 10 ms:
 {"smc-proofs":1,"machine":"a","state":"Hold","delta_t":10,"scripts":[],"requirements":[
 {"id":"Q1","text":"nothing after Never","verdict":"violated","premise_seen":true,"steps":[..],"abstract_states":[..],"paths":[..],"assumptions":[],"violated_after":6,"changes":2,"script":"# Violates Q1 (nothing after Never).\u000a\u000a[options]\u000adelta_t    10 ms\u000ainit_state Hold\u000a\u000a[all_states]\u000aat 0:     @assert state Hold and not valve and count == 1\u000aat 10 ms: arm = true\u000aat 10 ms: @assert state Hold and not valve and count == 2\u000aat 20 ms: @assert state Hold and not valve and count == 3\u000aat 30 ms: @assert state Idle and not valve and count == 3\u000aat 40 ms: p = [..]\u000aat 40 ms: @assert state Fill and not valve and count == 0\u000aat 50 ms: @assert state Never and not valve and count == 0\u000aat 50 ms: @stop\u000a"}
 ]}
+requirements of a, from state Idle, with a step every 10 ms:
+  R4  proved              no hold before filling
+      in Fill: T is at most 2000
+      in Hold: count is at least 1
+  R6  violated            armed before filling
+      after 2 steps
+      # Violates R6 (armed before filling).
+
+      [options]
+      delta_t    10 ms
+      init_state Idle
+
+      [all_states]
+      at 0:     arm = true
+      at 0:     @assert state Idle and not valve and count == 0
+      at 10 ms: arm = false
+      at 10 ms: @assert state Fill and valve and count == 0
+      at 10 ms: @stop
+1
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
       [..] steps were tried; what is known about the values is too little for a proof
       [..] abstract states and [..] paths were examined
       what can help: --assume-ranges, if there are no values beyond the @range of 'p'; --effort=10, which searches longer
 -- exit --
-1 0 0 5
+1 0 0 1 0 5
