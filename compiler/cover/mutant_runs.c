@@ -218,7 +218,8 @@ static Engine *open_whole(MutantRuns *u, const Program *app, size_t member)
     return engine_app_open(u->arena, app, machine);
 }
 
-MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps)
+MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq,
+                            uint64_t max_steps)
 {
     MutantRuns *u = ARENA_NEW(arena, MutantRuns);
 
