@@ -161,7 +161,8 @@ static bool is_edited_script(const FaultLines *l, const char *path)
     bool edited = false;
 
     if (os_read_file(path, MOST, &text, &n, &why))
-        edited = n >= sizeof begin - 1 && memcmp(text, begin, sizeof begin - 1) == 0 && generated_read(MADE_BY, machine_file(l->c), text, n) != GENERATED_WHOLE;
+        edited = n >= sizeof begin - 1 && memcmp(text, begin, sizeof begin - 1) == 0 &&
+                 generated_read(MADE_BY, machine_file(l->c), text, n) != GENERATED_WHOLE;
     os_alloc(NULL, text, 0);
     return edited;
 }
