@@ -987,6 +987,7 @@ $(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/e
 $(call test, search,               thorough, $(B)/search/bench, $(B)/search/bench --effort=32000000 --expect=tests/search/expected.txt)
 $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
+$(call test, kept,                 thorough, , sh tests/cover/kept.sh $(B)/smc)
 $(call test, mutation-verdicts,    thorough, , sh tests/cover/verdicts.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, whatif,               thorough, , sh tests/whatif/run.sh $(B)/smc)
