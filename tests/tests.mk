@@ -432,7 +432,10 @@ $(B)/search/bench: tests/search/bench.c $(B)/libsmc.a
 	$(call say,CC)$(CC) $(STRICT_C) -D_POSIX_C_SOURCE=200809L $(WARN) $(CFLAGS) $< -o $@ $(B)/libsmc.a -lm
 bench-search: $(B)/search/bench
 	$(B)/search/bench $(or $(M),$(SEARCH_MACHINES))
-.PHONY: bench-search
+# The machines of the table of searches, with a tenth of the default effort and with all of it; the last two lines are the totals.
+search-table: $(B)/search/bench
+	$(B)/search/bench $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
+.PHONY: bench-search search-table
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr

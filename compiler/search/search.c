@@ -8,7 +8,8 @@
 
 enum {
     // X_PART: 1 / X_PART of the effort is for a purpose.  X_PERCENT: that many attempts of a hundred are made in a way.
-    SEARCH_PART = 4,          // choosing and simplifying scenarios
+    SEARCH_PART = 2,          // choosing and simplifying scenarios
+    FIRST_PART = 4,           // searching all goals, before shorter runs are searched for
     GIVEN_PART = 2,           // running given scenarios; the last one that begins in time is run to its end
     MANY_CHANGES = 4,
     SHORTER_PART = 8,         // at most: searching runs with fewer changes
@@ -222,7 +223,7 @@ static void run_search(SearchRun *k)
 
     while (specials && k->open && k->r->steps < k->effort / SPECIAL_PART && search_goes_on(k))
         attempt_specials(k, k->root);
-    search_until(k, k->effort / 2);
+    search_until(k, k->effort / FIRST_PART);
     search_shorter(k);
     search_until(k, k->effort);
 }
