@@ -382,6 +382,7 @@ static void check(const Expected *e)
     free(x.changes);
     if (lists)
         printf("%-40s %4u %3u %3u %3d %3d\n", e->path, x.reached, x.impossible, x.missing, x.median, x.most);
+    fflush(stdout);
     if (x.r->refuted) {
         failed++;
         printf("search: %s: %u goals that are proved impossible are reached\n", e->path, (unsigned)x.r->refuted);
