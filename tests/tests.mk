@@ -442,7 +442,10 @@ bench-search: $(B)/search/bench
 	$(B)/search/bench $(or $(M),$(SEARCH_MACHINES))
 bench-mutants: $(B)/smc
 	@sh tests/bench/mutants.sh $(B)/smc
-.PHONY: bench-search bench-mutants
+# The machines of the table of searches, with a tenth of the default effort and with all of it; the last two lines are the totals.
+search-table: $(B)/search/bench
+	$(B)/search/bench $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
+.PHONY: bench-search bench-mutants search-table
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr
