@@ -103,13 +103,8 @@ static void write_text(MutateRun *r)
     Buf *const out = &r->out;
     const MutationScore s = mutation_score(r->u);
 
-<<<<<<< HEAD
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->machine_program->name->text, s.of[MUTANT_NOTICED],
-               s.noticeable, s.percent);
-=======
     buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->machine_program->name->text, s.of[MUTANT_NOTICED], s.noticeable,
                s.percent);
->>>>>>> trust
     if (s.of[MUTANT_EQUIVALENT])
         buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)
