@@ -442,7 +442,10 @@ bench-search: $(B)/search/bench
 	$(B)/search/bench $(or $(M),$(SEARCH_MACHINES))
 bench-mutants: $(B)/smc
 	@sh tests/bench/mutants.sh $(B)/smc
-.PHONY: bench-search bench-mutants
+# The machines of the table of searches, with a tenth of the default effort and with all of it; the last two lines are the totals.
+search-table: $(B)/search/bench
+	$(B)/search/bench $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
+.PHONY: bench-search bench-mutants search-table
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr
@@ -987,6 +990,7 @@ $(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/e
 $(call test, search,               thorough, $(B)/search/bench, $(B)/search/bench --effort=32000000 --expect=tests/search/expected.txt)
 $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
 $(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
+$(call test, kept,                 thorough, , sh tests/cover/kept.sh $(B)/smc)
 $(call test, mutation-verdicts,    thorough, , sh tests/cover/verdicts.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
 $(call test, whatif,               thorough, , sh tests/whatif/run.sh $(B)/smc)

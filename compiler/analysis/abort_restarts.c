@@ -10,6 +10,7 @@
 typedef struct RestartCheck {
     Analysis *a;
     const InputDepsTable *deps;
+    const size_t *first;          // transitions_by_state
     bool *free_start;             // by State.number - 1: the machine can come here from its first state without a command, and not through an abort
     const Transition **via;       // by State.number - 1: the transition into it on the way from the @abort state; NULL: none
 } RestartCheck;
@@ -54,17 +55,18 @@ static bool needs_command(const RestartCheck *k, const Transition *way)
 
 static void mark_free_starts(RestartCheck *k)
 {
-    bool grown = true;
+    VEC(const State *) waiting = {NULL, 0, 0};
 
     k->free_start[0] = true;
-    while (grown) {
-        grown = false;
-        for (size_t i = 0; i < k->a->transition.n; i++) {
+    vec_push(k->a->arena, &waiting, k->a->p->state.at[0]);
+    while (waiting.n > 0) {
+        const State *s = waiting.at[--waiting.n];
+        for (size_t i = k->first[s->number - 1]; !s->is_abort && i < k->first[s->number]; i++) {
             const Transition *way = &k->a->transition.at[i];
-            if (!k->free_start[way->from->number - 1] || k->free_start[way->to->number - 1] || way->from->is_abort || !is_reached(k, way) ||
-                needs_command(k, way))
+            if (k->free_start[way->to->number - 1] || !is_reached(k, way) || needs_command(k, way))
                 continue;
-            k->free_start[way->to->number - 1] = grown = true;
+            k->free_start[way->to->number - 1] = true;
+            vec_push(k->a->arena, &waiting, way->to);
         }
     }
 }
@@ -132,10 +134,10 @@ static void check_abort_state(RestartCheck *k, const State *abort)
         k->via[s] = NULL;
     vec_push(k->a->arena, &queue, abort);
     for (size_t next = 0; next < queue.n; next++)
-        for (size_t i = 0; i < k->a->transition.n; i++) {
+        for (size_t i = k->first[queue.at[next]->number - 1]; i < k->first[queue.at[next]->number]; i++) {
             const Transition *way = &k->a->transition.at[i];
             const Stmt *on;
-            if (way->from != queue.at[next] || way->to->is_abort || k->via[way->to->number - 1] || !is_reached(k, way) ||
+            if (way->to->is_abort || k->via[way->to->number - 1] || !is_reached(k, way) ||
                 depends_on_person(k, way))
                 continue;
             k->via[way->to->number - 1] = way;
@@ -150,7 +152,7 @@ static void check_abort_state(RestartCheck *k, const State *abort)
 
 void analyse_abort_restarts(Analysis *a)
 {
-    RestartCheck k = {a, NULL, ARENA_ARRAY(a->arena, bool, a->p->state.n), ARENA_ARRAY(a->arena, const Transition *, a->p->state.n)};
+    RestartCheck k = {a, NULL, NULL, ARENA_ARRAY(a->arena, bool, a->p->state.n), ARENA_ARRAY(a->arena, const Transition *, a->p->state.n)};
     bool any = false;
 
     for (size_t s = 0; s < a->p->state.n; s++)
@@ -158,6 +160,7 @@ void analyse_abort_restarts(Analysis *a)
     if (!any)
         return;
     k.deps = input_deps_of(a);
+    k.first = transitions_by_state(a->arena, a->p, &a->transition);
     mark_free_starts(&k);
     for (size_t s = 0; s < a->p->state.n; s++)
         if (a->p->state.at[s]->is_abort)

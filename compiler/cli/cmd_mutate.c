@@ -92,8 +92,10 @@ static void write_requirements(const MutateRun *r, Buf *out)
 // Writes for how many changes the search has found inputs, and how the user gets them.
 static void write_search_result(const MutateRun *r, const MutationScore *s, Buf *out)
 {
+    const bool can_write = s->of[MUTANT_GENERATED] && !r->c->given[OPT_SCRIPTS] && !r->p->joint;
+
     buf_printf(out, "inputs were found for %lu of the %lu changes that no script notices%s\n", s->of[MUTANT_GENERATED],
-               s->of[MUTANT_GENERATED] + s->of[MUTANT_UNNOTICED], s->of[MUTANT_GENERATED] && !r->c->given[OPT_SCRIPTS] && !r->p->joint ? "; --scripts=DIR writes them as scripts" : "");
+               s->of[MUTANT_GENERATED] + s->of[MUTANT_UNNOTICED], can_write ? "; --scripts=DIR writes them as scripts" : "");
 }
 
 static void write_text(MutateRun *r)
@@ -101,8 +103,8 @@ static void write_text(MutateRun *r)
     Buf *const out = &r->out;
     const MutationScore s = mutation_score(r->u);
 
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->machine_program->name->text, s.of[MUTANT_NOTICED],
-               s.noticeable, s.percent);
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->machine_program->name->text, s.of[MUTANT_NOTICED], s.noticeable,
+               s.percent);
     if (s.of[MUTANT_EQUIVALENT])
         buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)

@@ -8,9 +8,10 @@
 
 enum {
     // X_PART: 1 / X_PART of the effort is for this purpose.  X_PERCENT: of a hundred attempts, so many are of this kind.
-    SEARCH_PART = 4,          // choosing and simplifying scenarios, after the search
+    SEARCH_PART = 2,          // choosing and simplifying scenarios, after the search
+    FIRST_PART = 4,           // searching all goals, before shorter runs are searched
     GIVEN_PART = 2,           // running the caller's scenarios (SearchOptions.given); the last one that begins in time is run to its end
-    MANY_CHANGES = 4,         // goals reached after more changes than this are searched again first, for runs with fewer
+    MANY_CHANGES = 4,         // goals reached after more changes than this are searched again, for runs with fewer
     SHORTER_PART = 8,         // searching runs with fewer changes, at most
     SHORTER_TIMES = 4,        // the search for shorter scenarios runs at most this multiple of the steps before it
     WALK_PERCENT = 20,        // random walks, without a goal
@@ -222,7 +223,7 @@ static void run_search(SearchRun *k)
 
     while (specials && k->open && k->r->steps < k->effort / SPECIAL_PART && search_goes_on(k))
         attempt_specials(k, k->root);
-    search_until(k, k->effort / 2);
+    search_until(k, k->effort / FIRST_PART);
     search_shorter(k);
     search_until(k, k->effort);
 }

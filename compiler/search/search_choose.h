@@ -2,7 +2,8 @@
 // Choosing and simplifying scenarios, after the search.  Only files of this folder include it.
 //
 //     search_choose.c    which scenarios together reach what was reached
-//     search_simplify.c  fewer changes, shorter times, rounder values
+//     search_simplify.c  fewer changes
+//     search_round.c     shorter times, rounder values
 //     search_rounds.c    loops in place of changes that are made again and again
 //     search_replay.c    runs a scenario
 //     search_marks.c     snapshots along a scenario, from which replays begin
@@ -19,7 +20,7 @@ typedef struct SearchEnter { uint32_t state; uint64_t step; } SearchEnter;    //
 // the recorded run.  So the changes of later states move with it when an earlier state takes more or fewer steps.
 typedef struct SearchAnchor { uint32_t enter; uint64_t wait; } SearchAnchor;
 
-enum { MOST_MARKS = 64 };
+enum { MOST_MARKS = 64, FAILED_ATTEMPTS = 1 << 12 };
 
 // A snapshot along the scenario that is simplified: after `step` steps.
 typedef struct SearchMark {
@@ -37,7 +38,8 @@ typedef struct SearchMarks {
     uint64_t spacing;         // between snapshots that the current replay adds
     VEC(ScenarioChange) change;       // of the known scenario, without loops
     VEC(SearchEnter) enter;   // its transitions
-    uint64_t patience;        // an attempt that has waited for so many steps fails
+    uint64_t *patience;       // by State.number - 1: an attempt that has waited in the state for so many steps fails
+    uint64_t failed[FAILED_ATTEMPTS]; // hashes of attempts that have failed with the wanted goals, each at its value modulo the size
     bool is_known;
 } SearchMarks;
 
@@ -101,8 +103,15 @@ bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, co
 bool chooser_join_equal(Chooser *c, Scenario *s);
 // Replaces changes that a scenario makes again and again by loops: tries shorter ones.  Returns whether there is a new one.
 bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want);
+// Begins loops sooner, in place of changes before them.  Returns whether that saves any.
+bool chooser_extend_loops(Chooser *c, Scenario *s, const GoalSet *want);
 // Changes the periods of loops to round times, such as 100 ms, where the scenario still reaches all of `want`.
 void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);
+
+// Shorten the times between changes; replace what changes in each step by values that hold; round values.
+void chooser_shorten_waits(Chooser *c, Scenario *s, const GoalSet *want);
+void chooser_prefer_holds(Chooser *c, Scenario *s, const GoalSet *want);
+void chooser_round_values(Chooser *c, Scenario *s, const GoalSet *want);
 
 // Stores in `way` the beginnings of `s`, as its last replay has shown, that enter a state with fewer changes than known so far.
 void chooser_keep_ways(Chooser *c, const Scenario *s);

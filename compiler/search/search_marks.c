@@ -8,7 +8,8 @@
 enum {
     LEAST_SPACING = 32,       // steps between snapshots
     MARK_PART = 16,           // 1 / MARK_PART of the memory of the search is for them
-    PATIENCE = 2,             // an attempt fails if it waits for longer than PATIENCE times the longest wait of the scenario, and PATIENCE_MORE steps
+    // An attempt fails if it waits in a state for longer than PATIENCE times the longest wait there of the known scenario, and PATIENCE_MORE steps.
+    PATIENCE = 2,
     PATIENCE_MORE = 64
 };
 
@@ -25,6 +26,7 @@ void chooser_begin_marks(Chooser *c)
     const size_t fits = k->memory / MARK_PART / (k->nominal + 1) / 2;
 
     c->marks = ARENA_NEW(&k->work, SearchMarks);
+    c->marks->patience = ARENA_ARRAY(&k->work, uint64_t, k->p->state.n);
     c->marks->most = fits < MOST_MARKS ? (uint32_t)fits : MOST_MARKS;
     for (uint32_t i = 0; i < c->marks->most; i++) {
         c->marks->of[i] = (SearchMark){.block = arena_alloc(&k->work, k->block), .reached = arena_alloc(&k->work, k->goals + 1)};
@@ -36,6 +38,7 @@ void chooser_forget_marks(Chooser *c)
 {
     c->marks->is_known = false;
     c->marks->n = 0;
+    memset(c->marks->failed, 0, sizeof c->marks->failed);
 }
 
 static bool is_same_change(const ScenarioChange *x, const ScenarioChange *y)
@@ -119,19 +122,24 @@ void chooser_mark(Chooser *c, uint64_t step, const GoalSet *want)
         x->reached[i] = chooser_has_reached(c, want->at[i]);
 }
 
-// The longest time between two events of the known scenario: changes, transitions, and the end.
-static uint64_t find_longest_wait(const SearchMarks *m, uint64_t end)
+// Finds how long the known scenario waits in each state for the next event: a change, a transition, or the end.
+static void find_patience(Chooser *c, uint64_t end)
 {
-    uint64_t last = 0, longest = 0;
+    SearchMarks *m = c->marks;
+    uint64_t last = 0;
+    uint32_t state = c->k->start->number;
 
-    for (uint32_t i = 0, j = 0; i < m->change.n || j < m->enter.n; ) {
-        const bool is_change = j == m->enter.n || (i < m->change.n && m->change.at[i].step < m->enter.at[j].step);
-        const uint64_t step = is_change ? m->change.at[i++].step : m->enter.at[j++].step;
-        if (step > last + longest)
-            longest = step - last;
-        last = step > last ? step : last;
+    for (uint32_t i = 0; i < c->k->p->state.n; i++)
+        m->patience[i] = PATIENCE_MORE;
+    for (uint32_t i = 0, j = 1; last < end; ) {
+        const bool is_change = i < m->change.n && (j >= m->enter.n || m->change.at[i].step <= m->enter.at[j].step);
+        const uint64_t step = is_change ? m->change.at[i++].step : j < m->enter.n ? m->enter.at[j].step : end;
+        if (PATIENCE * (step - last) + PATIENCE_MORE > m->patience[state - 1])
+            m->patience[state - 1] = PATIENCE * (step - last) + PATIENCE_MORE;
+        last = step;
+        if (!is_change && j < m->enter.n)
+            state = m->enter.at[j++].state;
     }
-    return end > last + longest ? end - last : longest;
 }
 
 void chooser_keep_marks(Chooser *c, const Scenario *looped)
@@ -157,5 +165,5 @@ void chooser_keep_marks(Chooser *c, const Scenario *looped)
         vec_push(&c->k->work, &m->change, s.change[i]);
     for (uint32_t i = 0; i < c->enters.n; i++)
         vec_push(&c->k->work, &m->enter, c->enters.at[i]);
-    m->patience = PATIENCE * find_longest_wait(m, s.steps) + PATIENCE_MORE;
+    find_patience(c, s.steps);
 }

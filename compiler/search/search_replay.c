@@ -114,7 +114,7 @@ static size_t make_changes(Chooser *c, Scenario *s, const SearchAnchor *anchor, 
 // Whether a replay waits for what will not happen: no change is due at a fixed step, and nothing has happened for longer than in the known scenario.
 static bool is_stuck(const Chooser *c, const Scenario *s, const SearchAnchor *anchor, size_t next, uint64_t waited)
 {
-    return c->marks->is_known && waited > c->marks->patience && (anchor || next == s->changes);
+    return c->marks->is_known && waited > c->marks->patience[chooser_end_state(c) - 1] && (anchor || next == s->changes);
 }
 
 // Runs the steps of a scenario after `at`, until all of `want` is reached, and takes snapshots if `marks`.

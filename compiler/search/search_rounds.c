@@ -218,6 +218,85 @@ static bool replace_by_loops(Chooser *c, Scenario *s, const GoalSet *want)
     return false;
 }
 
+// ---- loops that begin sooner ----
+
+// Returns the scenario whose loop n begins at an entry of its state that is `less` steps earlier, in place of the changes until then, and makes
+// `more` rounds more.
+static Attempt begin_loop_sooner(Chooser *c, const Scenario *s, size_t n, uint64_t less, uint64_t more)
+{
+    const ScenarioLoop *l = &s->loop[n];
+    const bool is_endless = l->to > s->steps;
+    const uint64_t later = more * l->period;
+    Attempt t = chooser_begin_attempt(c, s, 0);
+    size_t changes = 0, loops = 0;
+
+    for (size_t i = 0; i < s->changes; i++) {
+        const uint64_t step = s->change[i].step;
+        if (step >= l->from - less && step < l->from)
+            continue;
+        t.change[changes] = s->change[i];
+        t.change[changes++].step = step < l->from ? step : step < l->to ? step - less : step - less + later;
+    }
+    for (size_t i = 0; i < s->loops; i++) {
+        const bool is_after = i > n;
+        if (i < n && s->loop[i].to > l->from - less)
+            continue;
+        t.loop[loops] = s->loop[i];
+        if (i >= n) {
+            t.loop[loops].from += (is_after ? later : 0) - less;
+            t.loop[loops].to += later - less;
+        }
+        loops++;
+    }
+    t.s.changes = changes;
+    t.s.loops = loops;
+    t.s.steps += later - less;
+    if (is_endless) {
+        t.s.steps += t.s.steps / 2 + 16 * l->period;
+        t.loop[loops - 1].to = t.s.steps + 1;
+    }
+    return t;
+}
+
+// Tries to begin a loop at an earlier entry of the state in which it begins: what leads to it can be a round that differs a little.
+static bool extend_loop(Chooser *c, Scenario *s, size_t n, const GoalSet *want)
+{
+    Scenario copy = *s;
+    const uint64_t from = s->loop[n].from;
+    SearchEnter *enter;
+    uint32_t last = 0;
+
+    if (chooser_replay(c, c->wanted, &copy, want, NULL) == 0)
+        return false;
+    enter = arena_copy(&c->k->work, c->enters.at, c->enters.n * sizeof *enter);
+    while (last + 1 < c->enters.n && enter[last + 1].step < from)
+        last++;
+    for (uint32_t i = 0, tries = 0; i < last && tries < SOME; i++) {
+        if (enter[i].state != enter[last].state)
+            continue;
+        tries++;
+        for (uint64_t more = 0; more <= SOME && chooser_has_effort(c); more++) {
+            const uint64_t less = enter[last].step - enter[i].step;
+            Attempt t = begin_loop_sooner(c, s, n, less, more);
+            if (t.s.changes < s->changes && chooser_accept(c, s, &t, want, NULL))
+                return true;
+            if (s->loop[n].to > s->steps)
+                break;
+        }
+    }
+    return false;
+}
+
+bool chooser_extend_loops(Chooser *c, Scenario *s, const GoalSet *want)
+{
+    bool shorter = false;
+
+    for (size_t n = 0; n < s->loops && chooser_has_effort(c); n++)
+        while (n < s->loops && extend_loop(c, s, n, want))
+            shorter = true;
+    return shorter;
+}
+
 bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     bool added = false;

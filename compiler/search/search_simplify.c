@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simplifies a scenario: fewer changes, shorter times, rounder values.  Every step of it is an attempt that is replayed, and accepted if the
-// scenario still reaches every wanted goal.
+// Simplifies a scenario: fewer changes, then shorter times and rounder values (search_round.c).  Every step of it is an attempt that is replayed, and
+// accepted if the scenario still reaches every wanted goal.
 //
 // A change that is removed lets the states that follow begin sooner or later.  So an attempt is made first with the changes anchored to the
 // entries of their states (SearchAnchor), and then with the changes at their times.
+#include <stdlib.h>
 #include <string.h>
 
 #include "compiler/search/search_choose.h"
-#include "compiler/search/search_wish.h"
-
-#define UNUSUAL_SIZE 1e15     // no sensor has values of this magnitude
+#include "stdlib/convert.h"
 
 enum {
     MOST_ROUNDS = 3,          // how often all edits are tried, as long as they leave more than one change
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
-    // skip_wait tries to replace a wait of more than LONG_WAIT steps before a change by a wait of 1 to SHORTEST_WAITS steps.  What follows the change
-    // can then be delayed by up to MOST_DELAY steps.
-    LONG_WAIT = 16,
-    SHORTEST_WAITS = 2,
-    MOST_DELAY = 3,
     MANY_CHANGES = 12,        // a scenario with more changes is first simplified by the edits that take few replays
+    MOST_DETOURS = 32,        // the most detours (ways back to a state) that are tried to be left out
+    MOST_DETOUR_ENDS = 256,   // the most pairs of entries of one state that are compared for them
     MOST_JOINS = 64           // how many of a run's last transitions are tried as the end of a beginning that is replaced by a shorter one
 };
 
@@ -125,12 +121,40 @@ void chooser_store_attempt(Chooser *c, Scenario *s, const Attempt *t)
     s->loop = arena_copy(&c->k->work, t->loop, (t->s.loops + 1) * sizeof *t->loop);
 }
 
+static uint64_t mix(uint64_t h, uint64_t x)
+{
+    h = (h ^ x) * UINT64_C(0x9e3779b97f4a7c15);
+    return h ^ h >> 29;
+}
+
+// A hash of what an attempt does.
+static uint64_t hash_attempt(const Scenario *s, const SearchAnchor *anchor)
+{
+    uint64_t h = mix(anchor != NULL, s->steps);
+
+    for (size_t i = 0; i < s->changes; i++) {
+        const ScenarioChange *x = &s->change[i];
+        h = mix(mix(h, sm_cell_from_f64(SM_F64, x->a)), sm_cell_from_f64(SM_F64, x->b));
+        h = mix(h, (uint64_t)x->var << 40 ^ (uint64_t)x->kind << 32 ^ x->source);
+        h = anchor ? mix(mix(h, anchor[i].enter), anchor[i].wait) : mix(h, x->step);
+    }
+    for (size_t i = 0; i < s->loops; i++)
+        h = mix(mix(mix(h, s->loop[i].from), s->loop[i].period), s->loop[i].to);
+    return h;
+}
+
 bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, const SearchAnchor *anchor)
 {
-    const uint64_t end = chooser_replay(c, c->wanted, &t->s, want, anchor);
+    const uint64_t hash = hash_attempt(&t->s, anchor);
+    uint64_t *failed = &c->marks->failed[hash % FAILED_ATTEMPTS], end;
 
-    if (end == 0)
+    if (*failed == hash)
         return false;
+    end = chooser_replay(c, c->wanted, &t->s, want, anchor);
+    if (end == 0) {
+        *failed = hash;
+        return false;
+    }
     end_at(c, &t->s, end);
     remove_overwritten(&t->s, t->change);
     remove_idle(c, &t->s, t->change);
@@ -309,154 +333,6 @@ static bool prefer_constants(Reducer *r)
     return shorter;
 }
 
-// ---- shorter times ----
-
-// Moves the changes and loops from change i on, and the end, by `less` steps towards the start, but what follows change i by `more` steps less.
-static Attempt move_changes(Chooser *c, const Scenario *s, size_t i, uint64_t less, uint64_t more)
-{
-    Attempt t = begin_attempt(c, s);
-
-    for (size_t j = i; j < t.s.changes; j++)
-        t.change[j].step -= t.change[j].step == s->change[i].step ? less : less - more;
-    for (size_t j = 0; j < t.s.loops; j++)
-        if (t.loop[j].from >= s->change[i].step) {
-            t.loop[j].from -= less;
-            t.loop[j].to -= less;
-        }
-    t.s.steps -= less - more;
-    return t;
-}
-
-static bool has_clash(const Attempt *t)
-{
-    for (size_t j = 0; j < t->s.changes; j++)
-        for (size_t n = 0; n < j; n++)
-            if (t->change[j].var == t->change[n].var && t->change[j].step == t->change[n].step)
-                return true;
-    return false;
-}
-
-// Tries change i `less` steps sooner, and what follows `less - more` steps sooner.
-static bool try_change_sooner(Chooser *c, Scenario *s, const GoalSet *want, size_t i, uint64_t less, uint64_t more)
-{
-    Attempt t = move_changes(c, s, i, less, more);
-
-    return (more == 0 || s->loops == 0) && !has_clash(&t) && chooser_accept(c, s, &t, want, NULL);
-}
-
-// A long wait can be for a timer where a change of an input leads to the next state, too, but some steps later.  Halving does not find that: a
-// wait of half the time does not reach the goal.  Tries the shortest waits, with more time after the change.
-static bool skip_wait(Chooser *c, Scenario *s, const GoalSet *want, size_t i, uint64_t gap)
-{
-    for (uint64_t short_gap = 1; gap >= LONG_WAIT && short_gap <= SHORTEST_WAITS; short_gap++)
-        for (uint64_t more = 0; more <= MOST_DELAY && chooser_has_effort(c); more++)
-            if (try_change_sooner(c, s, want, i, gap - short_gap, more))
-                return true;
-    return false;
-}
-
-// Returns the first step in which change i could be made: that of the change before it, or the end of a loop.
-static uint64_t earliest_step(const Scenario *s, size_t i)
-{
-    const ScenarioLoop *l = i ? scenario_loop_at(s, s->change[i - 1].step) : NULL;
-
-    return l ? l->to : i ? s->change[i - 1].step : 1;
-}
-
-// Shortens the time before each change outside loops: halves it as often as the goal is still reached.
-static void shorten_waits(Chooser *c, Scenario *s, const GoalSet *want)
-{
-    for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
-        const ScenarioLoop *l = scenario_loop_at(s, s->change[i].step);
-        const uint64_t before = earliest_step(s, i);
-        uint64_t gap = s->change[i].step - before, least = 0;
-        if (l && (s->change[i].step > l->from || (i && scenario_loop_at(s, s->change[i - 1].step) == l)))
-            continue;
-        if (skip_wait(c, s, want, i, gap))
-            gap = i < s->changes ? s->change[i].step - before : 0;
-        while (least < gap && chooser_has_effort(c) && i < s->changes) {
-            const uint64_t middle = least + (gap - least) / 2;
-            if (try_change_sooner(c, s, want, i, s->change[i].step - before - middle, 0))
-                gap = middle;
-            else
-                least = middle + 1;
-        }
-    }
-}
-
-// ---- simpler values ----
-
-static bool try_change(Chooser *c, Scenario *s, size_t i, ScenarioChange x, const GoalSet *want)
-{
-    Attempt t = begin_attempt(c, s);
-
-    t.change[i] = x;
-    return chooser_accept(c, s, &t, want, NULL);
-}
-
-static void prefer_holds(Chooser *c, Scenario *s, const GoalSet *want)
-{
-    for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++)
-        if (s->change[i].kind != SCENARIO_HOLD) {
-            const ScenarioChange was = s->change[i];
-            ScenarioChange x = was;
-            x.kind = SCENARIO_HOLD;
-            x.a = was.kind == SCENARIO_COPY ? 1 : was.a;
-            if (!try_change(c, s, i, x, want)) {
-                x.a = was.kind == SCENARIO_COPY ? 0 : was.b;
-                try_change(c, s, i, x, want);
-            }
-        }
-}
-
-static double nearest_whole(double x) { return x < -9e15 || x > 9e15 ? x : (double)(int64_t)(x + (x < 0 ? -0.5 : 0.5)); }
-
-// Replaces an infinity, or another value far beyond what the machine compares with, by one of a usual size, if that is enough.
-static bool try_usual_size(Chooser *c, Scenario *s, size_t i, const SearchInput *in, const GoalSet *want)
-{
-    ScenarioChange x = s->change[i];
-    const double sign = x.a < 0 ? -1 : 1;
-
-    if (x.a * sign < UNUSUAL_SIZE)
-        return false;
-    for (uint32_t n = 0; n < in->constant.n && chooser_has_effort(c); n++)
-        for (int units = 1; units >= 0; units--) {
-            x.a = in->constant.at[n] + sign * units * search_unit_of(in, in->constant.at[n]);
-            if (x.a * sign < UNUSUAL_SIZE && try_change(c, s, i, x, want))
-                return true;
-        }
-    return false;
-}
-
-// Rounds the values of holds to few digits, and prefers values within the range.
-static void round_values(Chooser *c, Scenario *s, const GoalSet *want)
-{
-    static const double unit[] = {1e6, 1e5, 1e4, 1e3, 500, 100, 50, 10, 5, 1};
-    static const double per[] = {2, 10, 20, 100, 1000, 10000};
-
-    for (size_t i = 0; i < s->changes && chooser_has_effort(c); i++) {
-        const SearchInput *in = &c->k->input[c->input_of[s->change[i].var]];
-        ScenarioChange x = s->change[i];
-        const double a = x.a, size = a < 0 ? -a : a;
-        bool done = x.kind != SCENARIO_HOLD || in->type == SM_BOOL;
-        if (!done && in->range && (a < in->range->lo || a > in->range->hi)) {
-            x.a = a < in->range->lo ? in->range->lo : in->range->hi;
-            done = try_change(c, s, i, x, want);
-        }
-        done = done || try_usual_size(c, s, i, in, want);
-        for (size_t u = 0; !done && i < s->changes && u < sizeof unit / sizeof *unit + sizeof per / sizeof *per; u++) {
-            const bool is_part = u >= sizeof unit / sizeof *unit;
-            const double f = is_part ? per[u - sizeof unit / sizeof *unit] : unit[u];
-            if ((!is_part && f > 2 * size) || (is_part && !ir_is_float(in->type)))
-                continue;
-            x.a = is_part ? nearest_whole(a * f) / f : nearest_whole(a / f) * f;
-            done = x.a == a;
-            if (!done && (!in->range || (x.a >= in->range->lo && x.a <= in->range->hi)))
-                done = try_change(c, s, i, x, want);
-        }
-    }
-}
-
 // ---- shorter beginnings ----
 
 // Returns the entry of a state with the fewest changes; SEARCH_NONE: none is left.
@@ -589,6 +465,97 @@ static bool simplify_beginning(Reducer *r)
     return false;
 }
 
+// ---- detours ----
+
+// Two entries of the same state, and how many changes are made between them.
+typedef struct Detour { uint32_t first, next; size_t changes; } Detour;
+
+static int compare_detours(const void *a, const void *b)
+{
+    const Detour *x = a, *y = b;
+
+    if (x->changes != y->changes)
+        return x->changes > y->changes ? -1 : 1;
+    if (x->first != y->first)
+        return x->first < y->first ? -1 : 1;
+    return x->next < y->next ? -1 : x->next > y->next;
+}
+
+// Lists the detours of the scenario, those with most changes first.
+static Detour *list_detours(const Reducer *r, uint32_t *n)
+{
+    Arena *arena = &r->c->k->work;
+    size_t *before = arena_array(arena, r->enters + 1, sizeof *before);
+    VEC(Detour) out = {NULL, 0, 0};
+
+    for (uint32_t i = 0; i < r->enters && i < MOST_DETOUR_ENDS; i++) {
+        before[i] = i ? before[i - 1] : 0;
+        while (before[i] < r->s->changes && r->s->change[before[i]].step <= r->enter[i].step)
+            before[i]++;
+        for (uint32_t a = 0; a < i; a++)
+            if (r->enter[a].state == r->enter[i].state && before[i] > before[a]) {
+                const Detour d = {a, i, before[i] - before[a]};
+                vec_push(arena, &out, d);
+            }
+    }
+    if (out.n)
+        qsort(out.at, out.n, sizeof *out.at, compare_detours);
+    *n = out.n;
+    return out.at;
+}
+
+// Leaves a detour out: what follows its end begins at its first entry, with the same inputs.
+static Attempt leave_out(Reducer *r, const Detour *d)
+{
+    const Scenario *s = r->s;
+    const uint64_t first = r->enter[d->first].step, next = r->enter[d->next].step;
+    Attempt t = begin_attempt(r->c, s);
+    size_t n = 0;
+
+    add_anchors(r->c, &t, r->enter, r->enters);
+    for (size_t i = 0; i < s->changes; i++) {
+        bool is_last = true;                              // no later change of the detour is one of the same input
+        for (size_t j = i + 1; j < s->changes && s->change[j].step <= next; j++)
+            is_last &= s->change[j].var != s->change[i].var;
+        if (s->change[i].step > first && s->change[i].step <= next && !is_last)
+            continue;
+        t.change[n] = s->change[i];
+        t.anchor[n] = t.anchor[i];
+        if (s->change[i].step > next) {
+            t.change[n].step -= next - first;
+            t.anchor[n].enter -= d->next - d->first;
+        } else if (s->change[i].step > first) {
+            t.change[n].step = first + 1;
+            t.anchor[n] = (SearchAnchor){d->first, 1};
+        }
+        n++;
+    }
+    t.s.changes = n;
+    t.s.steps += 16 - (next - first);
+    return t;
+}
+
+// Leaves out what the scenario does between two entries of the same state, if that still reaches the goals.
+static bool leave_out_detours(Reducer *r)
+{
+    bool shorter = false, again = r->s->loops == 0;
+
+    while (again) {
+        uint32_t n = 0;
+        const Detour *d = list_detours(r, &n);
+        again = false;
+        for (uint32_t i = 0; i < n && i < MOST_DETOURS && !again && chooser_has_effort(r->c); i++) {
+            const size_t was = r->s->changes;
+            Attempt t = leave_out(r, &d[i]);
+            if (t.s.changes < was && chooser_accept(r->c, r->s, &t, r->want, t.anchor)) {
+                store_enters(r);
+                again = shorter = true;
+            }
+        }
+    }
+    return shorter;
+}
+
 // ---- all of it ----
 
 // Simplifies a scenario of many changes as far as few attempts do: each attempt to remove one takes a replay.
@@ -618,6 +585,7 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
         shorten_long(&r);
     for (int round = 0; round < MOST_ROUNDS && s->changes > 1; round++) {
         bool shorter = s->changes > 2 && simplify_beginning(&r);
+        shorter |= s->changes > 2 && leave_out_detours(&r);
         shorter |= drop_changes(&r);
         shorter |= prefer_constants(&r);
         shorter |= merge_changes(&r);
@@ -628,11 +596,13 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
         prefer_constants(&r);
         merge_changes(&r);
     }
+    if (chooser_extend_loops(c, s, want))
+        record_enters(&r);
     drop_changes(&r);
-    shorten_waits(c, s, want);
+    chooser_shorten_waits(c, s, want);
     chooser_round_periods(c, s, want);
-    prefer_holds(c, s, want);
-    round_values(c, s, want);
+    chooser_prefer_holds(c, s, want);
+    chooser_round_values(c, s, want);
     if (record_enters(&r))
         drop_changes(&r);
     return true;

@@ -8,11 +8,12 @@ F64 p
 F64 n
 
 [all_states] @except Abort
-.step                              #! W0518 .entry of 'Check' or 'Again' makes a transition
+.step                              #! W0518 .entry of 'Check' or 'Again' or 'Last' makes a transition
     n = n + 1
     p > 3: -> Abort
 [Run]
 .step
+    T > 90: -> Last
     T > 0: -> Check
 [Check]
 .entry
@@ -23,6 +24,10 @@ F64 n
         n = n + 10
         -> Run
     }
+[Last]
+.entry
+    p > 9: n = 0
+    else: -> Run
 [Abort]
 .entry
     -> Run

@@ -1,4 +1,4 @@
-spec 7.33  With a step, a gap of more than two steps begins a new run; without one it counts.
+spec 7.32, 7.33  Steps without a gap continue the run; a sample that is false ends it.
 
 -- app.sm --
 [state_vector]

@@ -33,6 +33,12 @@ bool v
         c: v = true
     }
     end                             #! E0329 close braces with }
+    c {
+        if v then                   #! E0329 write '{' instead
+            v = false
+        end                         #! E0329 close braces with }
+        x = 1
+    }
 [Vent]
 .step
     -> Idle

@@ -115,7 +115,7 @@ requirements of a, from state Idle, with a step every 10 ms:
 "violated_by":"a.ss","violated_by_step":409
 requirements of a, from state Idle, with a step every 10 ms:
   R1  no violation found  never open
-      999942 steps were tried; what is known about the values is too little for a proof
+      992432 steps were tried; what is known about the values is too little for a proof
       no run that was tried came to Open
       8 abstract states and 541101 paths were examined
       what can help: a script that comes to these states, named in the command; @range on 'key', with --assume-ranges; --effort=10, which searches longer

@@ -58,12 +58,12 @@ R2 "it counts"   always held(go, 900 ms) and S == Wait leads to S == Idle or p !
 -- stdout --
 requirements of a, from state Idle, with a step every 10 ms:
   R1  no violation found  never open
-      999942 steps were tried; what is known about the values is too little for a proof
+      992432 steps were tried; what is known about the values is too little for a proof
       no run that was tried came to Locked, Deep
       928 abstract states and 2865809 paths were examined
       what can help: a script that comes to these states, named in the command; @range on 'p' and 'key', with --assume-ranges; --effort=10, which searches longer
   R3  no violation found  different
-      999942 steps were tried; a proof needs too many abstract states
+      992432 steps were tried; a proof needs too many abstract states
       no run that was tried came to Locked, Deep
       1576 abstract states and 3600385 paths were examined
       too many values for a proof have: count, T, the samples of held(p < 2, 300 ms), the samples of held(p > 3, 500 ms)

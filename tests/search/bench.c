@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far searches come: for each machine the goals that were reached with a tenth of the effort and with all of it, and how fast.
 //
-//     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…
+//     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…      and a line for all machines together at each effort
 //     bench [--effort=STEPS] [--seed=N] --expect=FILE       runs the machines of a table, and fails if one comes less far (expected.txt)
 //     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible
 //
@@ -120,9 +120,22 @@ typedef struct Result {
     Cover *c;
     SearchResult *r;
     unsigned reached, impossible, missing;
-    int median, most;         // changes of inputs in a scenario
+    int *changes;             // of inputs in each scenario, in ascending order
+    int median, most;
     double seconds;
 } Result;
+
+enum { SCRIPTS_MOST = 20000, MANY_CHANGES = 10 };
+
+// All machines together, with one effort.
+typedef struct Total {
+    unsigned machines, reached, impossible, missing, scripts, many;   // many: scripts with more changes than MANY_CHANGES
+    Count guards, conditions;
+    int changes[SCRIPTS_MOST];
+    double seconds, longest;
+} Total;
+
+static Total total[2];        // with a tenth of the effort, and with all of it
 
 static Result search_machine(Session *s, const Program *p, uint64_t steps)
 {
@@ -145,8 +158,46 @@ static Result search_machine(Session *s, const Program *p, uint64_t steps)
     qsort(changes, x.r->chosens, sizeof *changes, compare);
     x.median = x.r->chosens ? changes[x.r->chosens / 2] : 0;
     x.most = x.r->chosens ? changes[x.r->chosens - 1] : 0;
-    free(changes);
+    x.changes = changes;
     return x;
+}
+
+static void add_count(Count *to, Count n)
+{
+    to->goals += n.goals;
+    to->reached += n.reached;
+    to->impossible += n.impossible;
+    to->missing += n.missing;
+}
+
+static void add_result(Total *t, const Result *x)
+{
+    t->machines++;
+    t->reached += x->reached;
+    t->impossible += x->impossible;
+    t->missing += x->missing;
+    add_count(&t->guards, count_kinds(x->c, x->r, 1u << COVER_TRANSITION | 1u << COVER_GUARD));
+    add_count(&t->conditions, count_kinds(x->c, x->r, 1u << COVER_CONDITION));
+    for (uint32_t i = 0; i < x->r->chosens && t->scripts < SCRIPTS_MOST; i++) {
+        t->many += x->changes[i] > MANY_CHANGES;
+        t->changes[t->scripts++] = x->changes[i];
+    }
+    t->seconds += x->seconds;
+    t->longest = x->seconds > t->longest ? x->seconds : t->longest;
+}
+
+static double percent_of(Count n) { return n.goals > n.impossible ? 100.0 * n.reached / (n.goals - n.impossible) : 100; }
+
+static void print_total(Total *t, int percent)
+{
+    if (t->machines == 0)
+        return;
+    qsort(t->changes, t->scripts, sizeof *t->changes, compare);
+    printf("%u machines at %d%%: goals %u reached, %u impossible, %u not found; transitions and guards %u of %u (%.2f %%); MC/DC %u of %u (%.2f %%); "
+           "%u scripts, changes median %d max %d, %u with more than %d; %.1f s, at most %.1f\n", t->machines, percent, t->reached, t->impossible, t->missing,
+           t->guards.reached, t->guards.goals - t->guards.impossible, percent_of(t->guards), t->conditions.reached,
+           t->conditions.goals - t->conditions.impossible, percent_of(t->conditions), t->scripts, t->scripts ? t->changes[t->scripts / 2] : 0,
+           t->scripts ? t->changes[t->scripts - 1] : 0, t->many, MANY_CHANGES, t->seconds, t->longest);
 }
 
 static void print_result(const char *path, const Result *x, int percent)
@@ -173,6 +224,9 @@ static void run(const char *path)
     for (int part = 10; part >= 1; part -= 9) {
         const Result x = search_machine(&s, p, effort / (uint64_t)part);
         print_result(path, &x, 100 / part);
+        failed += x.r->refuted > 0;
+        add_result(&total[part == 1], &x);
+        free(x.changes);
         if (lists && part == 1)
             list_missing(x.c, x.r);
         if (lists > 1 && part == 1)
@@ -325,6 +379,14 @@ static void check(const Expected *e)
         return;
     }
     x = search_machine(&s, p, effort);
+    free(x.changes);
+    if (lists)
+        printf("%-40s %4u %3u %3u %3d %3d\n", e->path, x.reached, x.impossible, x.missing, x.median, x.most);
+    fflush(stdout);
+    if (x.r->refuted) {
+        failed++;
+        printf("search: %s: %u goals that are proved impossible are reached\n", e->path, (unsigned)x.r->refuted);
+    }
     if (x.reached >= e->reached && x.impossible >= e->impossible && x.missing <= e->missing && x.median <= e->median && x.most <= e->most && x.r->steps <= effort) {
         passed++;
     } else {
@@ -371,5 +433,7 @@ int main(int argc, char **argv)
             lists++;
         else
             (random_steps ? run_randomly : run)(argv[i]);
+    print_total(&total[0], 10);
+    print_total(&total[1], 100);
     return failed != 0;
 }
