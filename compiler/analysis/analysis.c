@@ -124,6 +124,24 @@ static void record_flow(Analysis *a, const ReachableFn *r, void *context)
     }
 }
 
+StmtFact *analysis_facts_in_states(const Analysis *a)
+{
+    Analysis in_states = *a;
+
+    in_states.stmt = ARENA_ARRAY(a->arena, StmtFact, a->p->stmts + 1u);
+    for (size_t s = 0; s < a->p->state.n; s++)
+        for (int b = 0; b < BLOCK_COUNT; b++) {
+            ReachableFn r = {a->p->state.at[s], (BlockKind)b, a->m->state.at[s].block[b], {NULL, NULL, NULL}};
+            const Env *begin;
+            if (!r.fn || !facts_may_reach(a->facts, s, b))
+                continue;
+            begin = env_set(&a->facts->shape, facts_at_begin(a->facts, s, b), a->m->s, fact_of_cell(SM_U32, s + 1));
+            r.flow = facts_of_function(a->facts, r.fn, begin);
+            record_flow(&in_states, &r, NULL);
+        }
+    return in_states.stmt;
+}
+
 // Sets StmtFact.env of all guards and transitions of a function.
 static void find_envs(const Analysis *a, uint32_t state, BlockKind block)
 {

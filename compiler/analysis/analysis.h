@@ -46,6 +46,10 @@ typedef struct Analysis {
 // Fills in *a for a machine: builds its IR, computes its facts and lists its transitions.  Reports no findings.  `arena` owns the result.
 void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 
+// Returns the facts about each statement, by Stmt.number, if S is the number of the state while the state's statements run.  Only `reached`, `then`,
+// `otherwise` and `value` are set.  The facts in Analysis.stmt do not assume this, because other code could write S.
+StmtFact *analysis_facts_in_states(const Analysis *a);
+
 // Runs all analyses of a machine, in its IR before any pass, whose warnings belong to these groups (1u << DiagGroup for each).
 // `step`: see Analysis.step.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
 void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step);

@@ -5,6 +5,7 @@
 
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
+#include "compiler/base/path.h"
 #include "compiler/cli/progress.h"
 #include "compiler/cli/setting.h"
 #include "compiler/cli/whatif.h"
@@ -27,12 +28,12 @@ static const CliFormat formats[] = {
 
 // ---- text ----
 
-static const char *number_text(const SweepRun *r, double x)
+static const char *number_text(const SweepRun *r, const SweepAxis *a, double x)
 {
     Buf b;
 
     buf_init(&b, r->arena);
-    format_number_shortest(&b, x);
+    sweep_write_value(a, x, &b);
     return buf_text(&b);
 }
 
@@ -42,16 +43,29 @@ static void write_line(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepLine *l = &r->s->line[axis];
 
-    buf_printf(out, "%s:\n", r->s->axis[axis].parameter->name->text);
     for (uint32_t first = 0, last; first < l->at.n; first = last + 1) {
         last = sweep_find_last_alike(r->s, axis, first);
-        buf_printf(out, "  %s", number_text(r, l->at.at[first].value[axis]));
+        buf_printf(out, "  %s", number_text(r, &r->s->axis[axis], l->at.at[first].value[axis]));
         if (last > first)
-            buf_printf(out, " to %s", number_text(r, l->at.at[last].value[axis]));
+            buf_printf(out, " to %s", number_text(r, &r->s->axis[axis], l->at.at[last].value[axis]));
         buf_str(out, l->at.at[last].failing ? ": fails: " : ": passes");
         sweep_write_failing(r->s, &l->at.at[last], ", ", out);
         buf_char(out, '\n');
     }
+}
+
+// Writes which scripts keep their own value of this parameter (`axis`: its index).
+static void write_kept(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    const char *before = "  left out, with a value of their own: ";
+
+    for (uint32_t i = 0; i < r->s->scripts; i++)
+        if (!sweep_takes_part(r->s, axis, i)) {
+            buf_printf(out, "%s%s", before, path_portable_name(r->s->script[i]->src->name));
+            before = ", ";
+        }
+    if (*before == ',')
+        buf_char(out, '\n');
 }
 
 // Writes the values of this parameter (`axis`: its index) at which the result of a check changes.
@@ -63,8 +77,8 @@ static void write_boundaries(const SweepRun *r, uint32_t axis, Buf *out)
             continue;
         buf_str(out, "  ");
         sweep_write_check(r->s, b->check, out);
-        buf_printf(out, b->passes < b->fails ? ": passes up to %s, fails from %s\n" : ": passes from %s, fails up to %s\n", number_text(r, b->passes),
-                   number_text(r, b->fails));
+        buf_printf(out, b->passes < b->fails ? ": passes up to %s, fails from %s\n" : ": passes from %s, fails up to %s\n",
+                   number_text(r, &r->s->axis[axis], b->passes), number_text(r, &r->s->axis[axis], b->fails));
     }
 }
 
@@ -73,7 +87,7 @@ static void write_margin(const SweepRun *r, uint32_t axis, Buf *out)
 {
     const SweepAxis *a = &r->s->axis[axis];
 
-    buf_printf(out, "  now %s: ", number_text(r, a->current));
+    buf_printf(out, "  now %s: ", number_text(r, a, a->current));
     if (r->s->line[axis].current == UINT32_MAX) {
         buf_str(out, "outside what was swept\n");
         return;
@@ -96,12 +110,12 @@ static void write_map(const SweepRun *r, Buf *out)
     size_t widest = 0;
 
     for (uint32_t k = 0; k < b->n; k++)
-        widest = strlen(number_text(r, b->value[k])) > widest ? strlen(number_text(r, b->value[k])) : widest;
+        widest = strlen(number_text(r, b, b->value[k])) > widest ? strlen(number_text(r, b, b->value[k])) : widest;
     buf_printf(out, "map: %s up, %s to the right from %s to %s; '.' passes, a digit is the number of checks that fail, '+' more than 9\n",
                b->parameter->name->text,
-               a->parameter->name->text, number_text(r, a->value[0]), number_text(r, a->value[a->n - 1]));
+               a->parameter->name->text, number_text(r, a, a->value[0]), number_text(r, a, a->value[a->n - 1]));
     for (uint32_t k = b->n; k-- > 0; ) {
-        buf_printf(out, "  %*s  ", (int)widest, number_text(r, b->value[k]));
+        buf_printf(out, "  %*s  ", (int)widest, number_text(r, b, b->value[k]));
         for (uint32_t i = 0; i < a->n && i * b->n + k < r->s->point.n; i++) {
             const uint32_t n = r->s->point.at[i * b->n + k].failing;
             buf_char(out, n == 0 ? '.' : n > 9 ? '+' : (char)('0' + n));
@@ -115,11 +129,17 @@ static void write_text(const SweepRun *r, Buf *out)
     buf_printf(out, "sweep of %s: %lu script%s, %" PRIu64 " runs\n", r->s->p->name->text, (unsigned long)r->s->scripts, r->s->scripts == 1 ? "" : "s",
                r->s->runs);
     for (uint32_t i = 0; i < r->o.axes; i++) {
+        buf_printf(out, "%s:\n", r->s->axis[i].parameter->name->text);
+        write_kept(r, i, out);
+        if (sweep_is_alone(r->s, i)) {
+            buf_str(out, "  no script is left\n");
+            continue;
+        }
         write_line(r, i, out);
         write_boundaries(r, i, out);
         write_margin(r, i, out);
     }
-    if (r->o.axes == 2)
+    if (r->s->point.n)
         write_map(r, out);
 }
 
@@ -137,7 +157,7 @@ static void each_point(const SweepRun *r, void (*f)(const SweepRun *r, const Swe
 static void write_csv_point(const SweepRun *r, const SweepPoint *p, Buf *out)
 {
     for (uint32_t i = 0; i < r->o.axes; i++)
-        buf_printf(out, "%s,", number_text(r, p->value[i]));
+        buf_printf(out, "%s,", number_text(r, &r->s->axis[i], p->value[i]));
     buf_printf(out, "%lu,\"", (unsigned long)p->failing);
     sweep_write_failing(r->s, p, " ", out);
     buf_str(out, "\"\n");
@@ -157,7 +177,7 @@ static void write_json_point(const SweepRun *r, const SweepPoint *p, Buf *out)
 
     buf_str(out, out->at[out->n - 1] == '[' ? "\n{\"at\":[" : ",\n{\"at\":[");
     for (uint32_t i = 0; i < r->o.axes; i++)
-        buf_printf(out, "%s%s", i ? "," : "", number_text(r, p->value[i]));
+        buf_printf(out, "%s%s", i ? "," : "", number_text(r, &r->s->axis[i], p->value[i]));
     buf_str(out, "],\"fails\":[");
     for (uint32_t c = 0; c < r->s->check.n; c++)
         if (p->fails[c]) {
@@ -181,8 +201,24 @@ static void write_json_boundaries(const SweepRun *r, Buf *out)
         sweep_write_check(r->s, b->check, &name);
         buf_printf(out, "%s\n{\"parameter\":\"%s\",\"check\":", i ? "," : "", r->s->axis[b->axis].parameter->name->text);
         json_put_string(out, buf_text(&name));
-        buf_printf(out, ",\"passes\":%s,\"fails\":%s}", number_text(r, b->passes), number_text(r, b->fails));
+        buf_printf(out, ",\"passes\":%s,\"fails\":%s}", number_text(r, &r->s->axis[b->axis], b->passes),
+                   number_text(r, &r->s->axis[b->axis], b->fails));
     }
+}
+
+// Writes the scripts that keep their own value of the parameter, if there are any.
+static void write_json_kept(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    const char *before = ",\"left_out\":[";
+
+    for (uint32_t i = 0; i < r->s->scripts; i++)
+        if (!sweep_takes_part(r->s, axis, i)) {
+            buf_str(out, before);
+            json_put_string(out, path_portable_name(r->s->script[i]->src->name));
+            before = ",";
+        }
+    if (!before[1])
+        buf_char(out, ']');
 }
 
 static void write_json(const SweepRun *r, Buf *out)
@@ -191,12 +227,14 @@ static void write_json(const SweepRun *r, Buf *out)
                r->is_interrupted ? "false" : "true");
     for (uint32_t i = 0; i < r->o.axes; i++) {
         double fails;
-        buf_printf(out, "%s{\"name\":\"%s\",\"now\":%s", i ? "," : "", r->s->axis[i].parameter->name->text, number_text(r, r->s->axis[i].current));
+        buf_printf(out, "%s{\"name\":\"%s\",\"now\":%s", i ? "," : "", r->s->axis[i].parameter->name->text, number_text(r, &r->s->axis[i], r->s->axis[i].current));
         if (sweep_find_margin(r->s, i, false, &fails))
-            buf_printf(out, ",\"fails_below\":%s", number_text(r, fails));
+            buf_printf(out, ",\"fails_below\":%s", number_text(r, &r->s->axis[i], fails));
         if (sweep_find_margin(r->s, i, true, &fails))
-            buf_printf(out, ",\"fails_above\":%s", number_text(r, fails));
-        buf_printf(out, ",\"fails_now\":%s}", sweep_fails_now(r->s, i) ? "true" : "false");
+            buf_printf(out, ",\"fails_above\":%s", number_text(r, &r->s->axis[i], fails));
+        buf_printf(out, ",\"fails_now\":%s", sweep_fails_now(r->s, i) ? "true" : "false");
+        write_json_kept(r, i, out);
+        buf_char(out, '}');
     }
     buf_str(out, "],\n\"points\":[");
     each_point(r, write_json_point, out);

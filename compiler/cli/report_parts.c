@@ -324,7 +324,7 @@ static const char *value_text(Arena *arena, const Sweep *s, double x)
     if (s->axis[0].parameter->type == SM_BOOL)
         return x != 0 ? "true" : "false";
     buf_init(&b, arena);
-    format_number_shortest(&b, x);
+    sweep_write_value(&s->axis[0], x, &b);
     return buf_text(&b);
 }
 
@@ -334,6 +334,18 @@ static const char *check_meaning(const SweepCheck *c)
     if (c->requirement)
         return c->requirement->text->text;
     return c->assert && c->assert->remark && c->assert->remark->text ? c->assert->remark->text->text : "";
+}
+
+// Returns the scripts that keep their own value of the parameter, as a list; "": none.
+static const char *list_kept(Arena *arena, const Sweep *s)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    for (uint32_t i = 0; i < s->scripts; i++)
+        if (!sweep_takes_part(s, 0, i))
+            buf_printf(&out, "%s%s", out.n ? ", " : "", path_portable_name(s->script[i]->src->name));
+    return buf_text(&out);
 }
 
 // Stores the results along the parameter. Successive values at which the same checks fail become one span.
@@ -360,11 +372,14 @@ static void fill_spans(Arena *arena, const Sweep *s, ReportSweepOf *out)
 static ReportSweepOf fill_sweep(Arena *arena, const Sweep *s)
 {
     const SweepAxis *a = &s->axis[0];
-    ReportSweepOf out = {a->parameter->name->text, value_text(arena, s, a->current), value_text(arena, s, a->lo), value_text(arena, s, a->hi), "", "",
-                         sweep_fails_now(s, 0), false, {NULL, 0, 0}, {NULL, 0, 0}, NULL};
+    ReportSweepOf out = {.parameter = a->parameter->name->text, .now = value_text(arena, s, a->current), .from = value_text(arena, s, a->lo),
+                         .to = value_text(arena, s, a->hi), .below = "", .above = "", .left_out = list_kept(arena, s), .has_scripts = !sweep_is_alone(s, 0),
+                         .fails_now = sweep_fails_now(s, 0)};
     Buf below, above, svg;
     double fails;
 
+    if (!out.has_scripts)
+        return out;
     buf_init(&below, arena);
     buf_init(&above, arena);
     buf_init(&svg, arena);
@@ -402,10 +417,12 @@ static void run_sweeps(Cli *c, Report *r, const Program *p, const PartsClock *cl
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
         Sweep *s;
-        if (!(goes_on = may_go_on(clock)))
-            break;
         if (v->kind != VAR_LOCAL || !v->parameter || !(v->parameter->lo < v->parameter->hi))
             continue;
+        if (!goes_on) {
+            vec_push(arena, &out->not_swept, v->name->text);
+            continue;
+        }
         s = sweep_new(arena, p, script, (uint32_t)r->runs, &(SweepOptions){.axis = {{.parameter = v, .lo = v->parameter->lo, .hi = v->parameter->hi, .n = SWEEP_POINTS}},
                                                                            .axes = 1, .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements});
         while ((goes_on = may_go_on(clock)) && sweep_run_next(s))
@@ -413,11 +430,14 @@ static void run_sweeps(Cli *c, Report *r, const Program *p, const PartsClock *cl
                 progress_show(&k, format_in(arena, "sweep of '%.40s': %lu runs", v->name->text, (unsigned long)s->runs));
         if (goes_on)
             vec_push(arena, &out->of, fill_sweep(arena, s));
+        else
+            vec_push(arena, &out->not_swept, v->name->text);
         sweep_end(s);
     }
     progress_end(&k);
     if (!goes_on)
-        add_unfinished(r, "margins of parameters");
+        add_unfinished(r, format_in(arena, "margins of %lu of %lu parameters", (unsigned long)out->not_swept.n,
+                                    (unsigned long)(out->not_swept.n + out->of.n)));
 }
 
 // Runs the requested parts of the report. seconds: the time for all of them together; 0: no limit.

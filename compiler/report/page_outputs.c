@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each output is while the machine stays in a state: a constant, the value that an earlier state has left, or a computed one.
+// What each output is while the machine stays in a state: a constant, the value that an earlier state has left, or an expression.
 //
 // A data flow over the states: the values with which a state begins are joined over the transitions into it.  Guards whose result the facts
 // decide are followed in that direction only; others in both.  So a cell can contain a value that no run has, and lacks none.
@@ -7,11 +7,13 @@
 
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
+#include "compiler/report/state_rest.h"
 #include "stdlib/convert.h"
 
 enum {
     CONSTANTS_MAX = 3,                // the most constants that are distinguished
-    COLUMNS_MAX = 7                   // the most outputs in one table, so that it fits on paper
+    COLUMNS_MAX = 7,                  // the most outputs in one table, so that it fits on paper
+    REST_MAX = 60                     // the most characters of an expression in a cell; a longer one is "computed"
 };
 
 // The values that an output can have at one point.
@@ -20,6 +22,7 @@ typedef struct OutputValues {
     uint8_t n;
     bool assigned;                    // the current state has assigned the output
     bool computed;                    // further values are possible: computed ones, or more than CONSTANTS_MAX constants
+    const char *rest;                 // with `computed`: the only expression that this step has computed them from; NULL: none, or several
     bool initial;                     // the value that the output has when the machine starts is possible, too
 } OutputValues;
 
@@ -32,7 +35,9 @@ typedef struct OutputFlow {
     bool *reached;                    // by State.number: a transition leads to it, or it is the first state
     OutputValues **begin;             // by State.number, then by index in `output`: the values when the state is entered
     OutputValues **end;               // the same, after a step that stays in the state
+    StmtFact *stmt;                   // by Stmt.number: the facts, where S is the state
     const State *state;               // the state whose statements are being followed
+    bool in_step;                     // they are those of .step
     bool grew;                        // this pass over the states has added a value to some set
 } OutputFlow;
 
@@ -47,8 +52,9 @@ static bool add_constant(OutputValues *to, uint64_t cell)
         if (to->cell[i] == cell)
             return false;
     if (to->n == CONSTANTS_MAX) {
-        const bool grew = !to->computed;
+        const bool grew = !to->computed || to->rest;
         to->computed = true;
+        to->rest = NULL;
         return grew;
     }
     for (at = to->n++; at > 0 && to->cell[at - 1] > cell; at--)
@@ -60,8 +66,11 @@ static bool add_constant(OutputValues *to, uint64_t cell)
 // Adds the values of *from to *to.  Returns whether there are new ones.
 static bool join_values(OutputValues *to, const OutputValues *from)
 {
-    bool grew = (from->computed && !to->computed) || (from->initial && !to->initial);
+    const bool differs = from->computed && to->computed && to->rest && (!from->rest || strcmp(from->rest, to->rest) != 0);
+    bool grew = (from->computed && !to->computed) || (from->initial && !to->initial) || differs;
 
+    if (from->computed && (!to->computed || differs))
+        to->rest = differs ? NULL : from->rest;
     to->computed |= from->computed;
     to->initial |= from->initial;
     to->assigned |= from->assigned;
@@ -93,13 +102,18 @@ static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now)
 static void apply_assignment(OutputFlow *f, const Stmt *s, OutputValues *now)
 {
     const uint32_t column = f->column[s->var->index];
-    const Fact value = f->r->analysis.stmt[s->number].value;
+    const Fact value = f->stmt[s->number].value;
 
     if (column == UINT32_MAX)
         return;
     now[column] = (OutputValues){.assigned = true, .computed = true};
+    if (f->in_step) {
+        const char *rest = state_rest(f->r->arena, f->p, f->state, s->value);
+        now[column].rest = strlen(rest) <= REST_MAX ? rest : NULL;
+    }
     if (value.lo == value.hi && !value.nan) {
         now[column].computed = false;
+        now[column].rest = NULL;
         add_constant(&now[column], sm_cell_from_f64(s->var->type, value.lo));
     }
 }
@@ -107,11 +121,16 @@ static void apply_assignment(OutputFlow *f, const Stmt *s, OutputValues *now)
 // Leaves the state: executes its .exit, and adds the values to those with which the target begins.
 static void leave(OutputFlow *f, const Stmt *s, const OutputValues *now)
 {
+    const bool was_in_step = f->in_step;
     OutputValues *left = copy_outputs(f, now);
 
+    f->in_step = false;
     run_statements(f, &f->state->block[BLOCK_EXIT], left);
-    for (uint32_t i = 0; i < f->outputs; i++)
+    f->in_step = was_in_step;
+    for (uint32_t i = 0; i < f->outputs; i++) {
         left[i].assigned = false;
+        left[i].rest = NULL;
+    }
     f->grew |= !f->reached[s->target->number];
     f->reached[s->target->number] = true;
     f->grew |= join_outputs(f, f->begin[s->target->number], left);
@@ -120,7 +139,7 @@ static void leave(OutputFlow *f, const Stmt *s, const OutputValues *now)
 // Executes both branches that the facts allow.  Returns whether control can reach the end of the conditional.
 static bool run_branches(OutputFlow *f, const Stmt *s, OutputValues *now)
 {
-    const StmtFact *fact = &f->r->analysis.stmt[s->number];
+    const StmtFact *fact = &f->stmt[s->number];
     OutputValues *other = copy_outputs(f, now);
     const bool then = fact->then && run_statements(f, &s->then, now);
     const bool otherwise = fact->otherwise && run_statements(f, &s->otherwise, other);
@@ -138,7 +157,7 @@ static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now)
 {
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
-        if (!f->r->analysis.stmt[s->number].reached)
+        if (!f->stmt[s->number].reached)
             return false;
         if (s->kind == ST_ASSIGN)
             apply_assignment(f, s, now);
@@ -156,9 +175,13 @@ static void run_state(OutputFlow *f, const State *s)
     OutputValues *now = copy_outputs(f, f->begin[s->number]), *end = f->end[s->number];
 
     f->state = s;
+    f->in_step = false;
     if (!run_statements(f, &s->block[BLOCK_ENTRY], now))
         return;
+    f->in_step = true;
     do {
+        for (uint32_t i = 0; i < f->outputs; i++)
+            now[i].rest = NULL;                       // of an earlier step
         if (!run_statements(f, &s->block[BLOCK_STEP], now))
             return;
     } while (join_outputs(f, end, now));
@@ -208,16 +231,18 @@ static void compute_flow(OutputFlow *f)
 // Returns the values as words: "`true`, `false` or the initial value".
 static const char *values_text(const OutputFlow *f, const Var *v, const OutputValues *values)
 {
-    const size_t n = values->n + (values->initial ? 1u : 0u);
+    const size_t n = values->n + (values->initial ? 1u : 0u) + (values->computed ? 1u : 0u);
     Buf out;
 
-    if (values->computed)
+    if (values->computed && !values->rest)
         return "computed";
     buf_init(&out, f->r->arena);
     for (size_t i = 0; i < n; i++) {
         buf_str(&out, i == 0 ? "" : i + 1 < n ? ", " : " or ");
         if (i < values->n)
             buf_printf(&out, "`%s`", report_format_cell(f->r->arena, v->type, values->cell[i]));
+        else if (i == values->n && values->computed)
+            buf_printf(&out, "`%s`", values->rest);
         else
             buf_str(&out, "initial");
     }
@@ -267,6 +292,7 @@ void report_add_outputs(Report *r, Doc *d)
 {
     OutputFlow f = {.r = r, .p = r->analysis.p};
 
+    f.stmt = analysis_facts_in_states(&r->analysis);
     find_outputs(&f);
     if (f.outputs == 0)
         return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section on parameters: how far each is from a value at which something fails, and what fails where.
+#include "compiler/report/describe.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 
@@ -17,7 +18,7 @@ static void add_margins(const Report *r, Doc *d)
     for (uint32_t i = 0; i < r->sweep->of.n; i++) {
         const ReportSweepOf *s = &r->sweep->of.at[i];
         doc_add_code_cell(t, s->parameter);
-        doc_add_badge_cell(t, s->fails_now ? "fails now" : s->has_margin ? "has a limit" : "nothing fails",
+        doc_add_badge_cell(t, !s->has_scripts ? "not changed" : s->fails_now ? "fails now" : s->has_margin ? "has a limit" : "nothing fails",
                            s->fails_now ? "bad" : s->has_margin ? "good" : "note");
         doc_add_plain_cell(t, s->now);
         doc_add_plain_cell(t, s->below);
@@ -31,6 +32,10 @@ static void add_parameter(const Report *r, Doc *d, const ReportSweepOf *s)
     DocTable *t;
 
     doc_add_heading(d, NULL, format_in(r->arena, "`%s` from %s to %s", s->parameter, s->from, s->to));
+    if (*s->left_out)
+        doc_add_plain(d, format_in(r->arena, s->has_scripts ? TEXT_SWEEP_LEFT_OUT : TEXT_SWEEP_ALL_LEFT_OUT, s->left_out));
+    if (!s->has_scripts)
+        return;
     t = doc_add_table(d, format_in(r->arena, "values.%s", s->parameter), span_columns, sizeof span_columns / sizeof *span_columns);
     t->narrow = true;
     for (uint32_t i = 0; i < s->span.n; i++) {
@@ -53,6 +58,17 @@ static void add_parameter(const Report *r, Doc *d, const ReportSweepOf *s)
         doc_add_figure(d, s->svg, "Green: the check passes. Red: it fails. The dashed line is the current value.");
 }
 
+// Names the parameters that the sweep did not come to the end of.
+static void add_not_swept(const Report *r, Doc *d)
+{
+    Buf names;
+
+    buf_init(&names, r->arena);
+    for (uint32_t i = 0; i < r->sweep->not_swept.n; i++)
+        buf_printf(&names, "%s%s", describe_separator(i, r->sweep->not_swept.n), r->sweep->not_swept.at[i]);
+    doc_add_plain(d, format_in(r->arena, TEXT_SWEEP_STOPPED, buf_text(&names)));
+}
+
 void report_add_sweep(Report *r, Doc *d)
 {
     const ReportSweep *s = r->sweep;
@@ -64,8 +80,11 @@ void report_add_sweep(Report *r, Doc *d)
         doc_add_plain(d, format_in(r->arena, "No parameter was changed, because %s.", s->not_run));
         return;
     }
+    if (s->not_swept.n)
+        add_not_swept(r, d);
     if (s->of.n == 0) {
-        doc_add_paragraph(d, TEXT_SWEEP_NONE);
+        if (s->not_swept.n == 0)
+            doc_add_paragraph(d, TEXT_SWEEP_NONE);
         return;
     }
     doc_add_paragraph(d, TEXT_SWEEP);

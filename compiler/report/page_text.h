@@ -17,7 +17,8 @@
 
 #define TEXT_OUTPUTS \
     "What each output is after a step in which the machine stays in the state. Several values: which one depends on conditions or on the path " \
-    "to the state. \"Unchanged\": the state does not assign it, so it is what earlier states have left. \"Initial\": no state has assigned it " \
+    "to the state. An expression: the step computes the output from it; parts that the state decides are left out. \"Computed\": from more than " \
+    "fits here, or in an earlier step. \"Unchanged\": the state does not assign it, so it is what earlier states have left. \"Initial\": no state has assigned it " \
     "yet. Other machines, or a `[start]`, can set other values."
 
 // ---- states ----
@@ -99,10 +100,13 @@
     "No requirement was judged, because no file of requirements (`.rq`) was named. Asserts of scripts describe a flight without faults, so one " \
     "that fails with a fault does not mean that the machine did something dangerous."
 #define TEXT_SWEEP \
-    "Each parameter is set to values over its whole range, the others stay as they are, and all scripts run again. A margin is the distance " \
-    "from the current value to the nearest value at which something fails. Between neighbouring values with different results, the boundary was " \
+    "Each parameter is set to values over its whole range, the others stay as they are, and all scripts run again that do not set it " \
+    "themselves. A margin is the distance from the current value of the machine to the nearest value at which something fails. Between neighbouring values with different results, the boundary was " \
     "searched by bisection. Where nothing fails, these scripts and requirements do not notice a wrong value of the parameter."
 #define TEXT_SWEEP_NONE "The machine has no parameter that can be set."
+#define TEXT_SWEEP_STOPPED "Stopped before it was complete, so nothing is known of: %s."                // names of parameters
+#define TEXT_SWEEP_LEFT_OUT "Left out, because they set the parameter themselves: %s."                  // names of scripts
+#define TEXT_SWEEP_ALL_LEFT_OUT "Not changed, because all scripts set the parameter themselves: %s."    // names of scripts
 
 // ---- messages ----
 

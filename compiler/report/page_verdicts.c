@@ -146,7 +146,7 @@ static void add_faults(const Report *r, DocTable *t)
 // Verdict on parameters: failed when a check fails at the present value, open when no check depends on some parameter.
 static void add_sweep(const Report *r, DocTable *t)
 {
-    unsigned long failing = 0, limited = 0;
+    unsigned long failing = 0, limited = 0, unchanged = 0, all;
     Buf out;
 
     if (!r->sweep)
@@ -155,15 +155,20 @@ static void add_sweep(const Report *r, DocTable *t)
         add_verdict(t, "sweep", "Parameters", VERDICT_OPEN, format_in(r->arena, "not changed, because %s", r->sweep->not_run));
         return;
     }
+    all = r->sweep->of.n + r->sweep->not_swept.n;
     for (uint32_t i = 0; i < r->sweep->of.n; i++) {
         failing += r->sweep->of.at[i].fails_now;
         limited += !r->sweep->of.at[i].fails_now && r->sweep->of.at[i].has_margin;
+        unchanged += !r->sweep->of.at[i].has_scripts;
     }
     buf_init(&out, r->arena);
     add_count(&out, failing, "fail now");
     add_count(&out, limited, "with a known margin");
-    add_count(&out, r->sweep->of.n - failing - limited, "whose value nothing notices");
-    add_verdict(t, "sweep", "Parameters", failing ? VERDICT_BAD : r->sweep->of.n == 0 ? VERDICT_FACT : limited < r->sweep->of.n ? VERDICT_OPEN : VERDICT_GOOD, out.n ? buf_text(&out) : "none can be set");
+    add_count(&out, r->sweep->of.n - failing - limited - unchanged, "whose value nothing notices");
+    add_count(&out, unchanged, "that all scripts set themselves");
+    add_count(&out, r->sweep->not_swept.n, "not known: stopped before");
+    add_verdict(t, "sweep", "Parameters", failing ? VERDICT_BAD : all == 0 ? VERDICT_FACT : limited < all ? VERDICT_OPEN : VERDICT_GOOD,
+                out.n ? buf_text(&out) : "none can be set");
 }
 
 // Names what the page does not contain because it was not requested.

@@ -73,6 +73,8 @@ typedef struct ReportSweepBoundary { const char *check, *meaning, *passes, *fail
 typedef struct ReportSweepOf {
     const char *parameter, *now, *from, *to;
     const char *below, *above;        // "fails at 20.1 (10.1 away)", "nothing fails up to 100"
+    const char *left_out;     // the scripts that set the parameter themselves and so keep their value, between commas; "": none
+    bool has_scripts;         // other scripts were run; if not, the following fields are empty
     bool fails_now, has_margin;       // has_margin: something fails below or above the current value
     VEC(ReportSweepSpan) span;
     VEC(ReportSweepBoundary) boundary;
@@ -82,6 +84,7 @@ typedef struct ReportSweepOf {
 typedef struct ReportSweep {
     const char *not_run;      // why the sweep did not run, as ReportFaults.not_run
     VEC(ReportSweepOf) of;    // by parameter
+    VEC(const char *) not_swept;      // the parameters that were not swept to the end, because the part was stopped before
 } ReportSweep;
 
 #endif

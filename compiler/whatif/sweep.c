@@ -9,6 +9,8 @@
 #include "compiler/cover/cover.h"
 #include "compiler/script/ref.h"
 
+enum { SWEEP_MAP = SWEEP_AXES };      // in place of an axis: the map of two parameters
+
 // A check fails at exactly one of the points `point` and point + 1 of the line of `axis`, so a boundary between them is searched.
 typedef struct Gap { uint32_t axis, check, point; } Gap;
 
@@ -77,7 +79,26 @@ static void note_violations(void *context, const ScriptStep *step)
         x->violated[i] |= step->results[i] == MONITOR_VIOLATED;
 }
 
-// Runs a script with the parameters at these values, and notes what fails.
+// Whether the script sets the parameter itself.  It keeps that value in all runs.
+static bool script_sets(const Script *s, const Var *parameter)
+{
+    for (uint32_t k = 0; k < s->setting.n; k++)
+        if (s->setting.at[k].parameter == parameter)
+            return true;
+    return false;
+}
+
+bool sweep_takes_part(const Sweep *s, uint32_t axis, uint32_t script) { return !script_sets(s->script[script], s->axis[axis].parameter); }
+
+bool sweep_is_alone(const Sweep *s, uint32_t axis)
+{
+    for (uint32_t i = 0; i < s->scripts; i++)
+        if (sweep_takes_part(s, axis, i))
+            return false;
+    return true;
+}
+
+// Runs a script with the parameters at these values, except those that it sets itself, and notes what fails.
 static void run_script(SweepRunner *x, uint32_t script, const double *value, uint8_t *fails)
 {
     const Sweep *s = x->s;
@@ -93,7 +114,8 @@ static void run_script(SweepRunner *x, uint32_t script, const double *value, uin
     for (size_t i = 0; i < s->options.settings; i++)
         setting[o.settings++] = s->options.setting[i];
     for (uint32_t i = 0; i < s->options.axes; i++)
-        setting[o.settings++] = (ScriptSetting){s->axis[i].parameter, ref_convert(s->axis[i].parameter->type, value[i]), {0}};
+        if (sweep_takes_part(s, i, script))
+            setting[o.settings++] = (ScriptSetting){s->axis[i].parameter, ref_convert(s->axis[i].parameter->type, value[i]), {0}};
     o.setting = setting;
     diags_init(&unused, &x->run);
     unused.muted = true;
@@ -109,15 +131,22 @@ static void run_script(SweepRunner *x, uint32_t script, const double *value, uin
     }
 }
 
-// Runs all scripts with the parameters at one point; returns which checks fail there.
-static SweepPoint run_point(SweepRunner *x, const double *value, Arena *arena)
+// Whether the script runs on the line of this axis; for SWEEP_MAP, on the map of two.
+static bool is_run(const Sweep *s, uint32_t axis, uint32_t script)
+{
+    return axis == SWEEP_MAP ? sweep_takes_part(s, 0, script) || sweep_takes_part(s, 1, script) : sweep_takes_part(s, axis, script);
+}
+
+// Runs the scripts of this axis, or of SWEEP_MAP, with the parameters at one point; returns which checks fail there.
+static SweepPoint run_point(SweepRunner *x, uint32_t axis, const double *value, Arena *arena)
 {
     const Sweep *s = x->s;
     SweepPoint p = {{value[0], value[1]}, arena_alloc(arena, s->check.n + 1), 0};
 
     memset(x->violated, 0, s->check.n + 1);
     for (uint32_t i = 0; i < s->scripts; i++)
-        run_script(x, i, value, p.fails);
+        if (is_run(s, axis, i))
+            run_script(x, i, value, p.fails);
     for (uint32_t c = 0; c < s->check.n && s->check.at[c].requirement; c++)
         p.fails[c] = x->violated[c];                  // the first entries of `check` are the requirements
     for (uint32_t c = 0; c < s->check.n; c++)
@@ -125,8 +154,8 @@ static SweepPoint run_point(SweepRunner *x, const double *value, Arena *arena)
     return p;
 }
 
-// Whether one check fails with the parameters at these values.
-static bool check_fails(SweepRunner *x, uint32_t check, const double *value)
+// Whether one check fails on the line of this axis with the parameters at these values.
+static bool check_fails(SweepRunner *x, uint32_t axis, uint32_t check, const double *value)
 {
     const SweepCheck *c = &x->s->check.at[check];
     Arena own;
@@ -136,7 +165,7 @@ static bool check_fails(SweepRunner *x, uint32_t check, const double *value)
     arena_init(&own, x->arena->alloc, x->arena->context, x->arena->oom);
     fails = arena_alloc(&own, x->s->check.n + 1);
     if (c->requirement)
-        fails[check] = run_point(x, value, &own).fails[check];
+        fails[check] = run_point(x, axis, value, &own).fails[check];
     else
         run_script(x, c->script, value, fails);
     result = fails[check] != 0;
@@ -195,7 +224,7 @@ static void find_boundary(SweepRunner *x, const Gap *g)
         if (middle <= low || middle >= high)
             break;
         value[g->axis] = middle;
-        if (check_fails(x, g->check, value) == low_fails)
+        if (check_fails(x, g->axis, g->check, value) == low_fails)
             low = middle;
         else
             high = middle;
@@ -219,7 +248,7 @@ static void list_gaps(SweepRunner *x)
 
 // ---- all of it ----
 
-// Adds the next point of the lines.  Returns false after the last one.
+// Adds the next point of the lines that have scripts.  Returns false after the last one.
 static bool run_line_point(SweepRunner *x)
 {
     while (x->axis < x->s->options.axes) {
@@ -229,13 +258,13 @@ static bool run_line_point(SweepRunner *x)
         const bool current_is_next = line->current == UINT32_MAX && a->current >= a->lo && a->current <= a->hi &&
                                      (x->next == a->n || a->current <= a->value[x->next]);
         SweepPoint p;
-        if (x->next == a->n && !current_is_next) {
+        if (sweep_is_alone(x->s, x->axis) || (x->next == a->n && !current_is_next)) {
             x->axis++;
             x->next = 0;
             continue;
         }
         value[x->axis] = current_is_next ? a->current : a->value[x->next];
-        p = run_point(x, value, x->arena);
+        p = run_point(x, x->axis, value, x->arena);
         if (current_is_next)
             line->current = line->at.n;
         x->next += x->next < a->n && value[x->axis] == a->value[x->next];
@@ -251,9 +280,9 @@ bool sweep_run_next(Sweep *s)
 
     if (run_line_point(x))
         return true;
-    if (s->options.axes == 2 && x->next_point < s->axis[0].n * s->axis[1].n) {
+    if (s->options.axes == 2 && !(sweep_is_alone(s, 0) && sweep_is_alone(s, 1)) && x->next_point < s->axis[0].n * s->axis[1].n) {
         const double value[SWEEP_AXES] = {s->axis[0].value[x->next_point / s->axis[1].n], s->axis[1].value[x->next_point % s->axis[1].n]};
-        const SweepPoint p = run_point(x, value, x->arena);
+        const SweepPoint p = run_point(x, SWEEP_MAP, value, x->arena);
         vec_push(x->arena, &s->point, p);
         x->next_point++;
         return true;
@@ -282,15 +311,11 @@ static void set_values(SweepRunner *x, SweepAxis *a)
     a->n = n;
 }
 
-// Returns the value of a parameter outside the sweep: set with --set, or by a script, or the default.
+// Returns the value of a parameter outside the sweep: set with --set, or the machine's.
 static double current_value(const Sweep *s, const Var *parameter)
 {
     uint64_t cell = parameter->init;
 
-    for (uint32_t i = 0; i < s->scripts; i++)
-        for (uint32_t k = 0; k < s->script[i]->setting.n; k++)
-            if (s->script[i]->setting.at[k].parameter == parameter)
-                cell = s->script[i]->setting.at[k].cell;
     for (size_t i = 0; i < s->options.settings; i++)
         if (s->options.setting[i].parameter == parameter)
             cell = s->options.setting[i].cell;
@@ -344,6 +369,14 @@ bool sweep_find_margin(const Sweep *s, uint32_t axis, bool above, double *fails)
     return found;
 }
 
+void sweep_write_value(const SweepAxis *a, double x, Buf *out)
+{
+    if (a->parameter->type == SM_F32)
+        format_cell_stored(out, SM_F32, ref_convert(SM_F32, x));
+    else
+        format_number_shortest(out, x);
+}
+
 uint32_t sweep_find_last_alike(const Sweep *s, uint32_t axis, uint32_t first)
 {
     const SweepLine *l = &s->line[axis];
@@ -365,18 +398,29 @@ void sweep_write_failing(const Sweep *s, const SweepPoint *p, const char *separa
         }
 }
 
+// Returns the number that a person reads where sweep_write_value writes x.
+static double written_value(const SweepAxis *a, double x, Arena *arena)
+{
+    Buf b;
+
+    buf_init(&b, arena);
+    sweep_write_value(a, x, &b);
+    return strtod(buf_text(&b), NULL);
+}
+
 void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out)
 {
     const SweepAxis *a = &s->axis[axis];
-    double fails;
+    double fails, distance;
 
     if (sweep_find_margin(s, axis, above, &fails)) {
         buf_str(out, "fails at ");
-        format_number_shortest(out, fails);
-        buf_printf(out, " (%.6g away)", above ? fails - a->current : a->current - fails);
+        sweep_write_value(a, fails, out);
+        distance = written_value(a, fails, out->arena) - written_value(a, a->current, out->arena);
+        buf_printf(out, " (%.6g away)", above ? distance : -distance);
     } else {
         buf_str(out, above ? "nothing fails up to " : "nothing fails down to ");
-        format_number_shortest(out, above ? a->hi : a->lo);
+        sweep_write_value(a, above ? a->hi : a->lo, out);
     }
 }
 

@@ -17,7 +17,7 @@ typedef struct SweepAxis {
     double lo, hi;            // lo < hi, both are values of the parameter
     uint32_t n;               // number of points; at least 2
     double *value;            // the n values that are tried, as the parameter stores them, ascending; equal ones are dropped, which reduces n
-    double current;           // the parameter's value outside the sweep
+    double current;           // the parameter's value outside the sweep, where no script sets it
 } SweepAxis;
 
 // Something that can fail at a point: an assert, a requirement, or a whole script.
@@ -35,7 +35,7 @@ typedef struct SweepPoint {
     uint32_t failing;         // number of checks that fail
 } SweepPoint;
 
-// Points along one axis, with the other parameter at its current value.  The axis's own current value is among them if it is from lo to hi.
+// Points along one axis, for the scripts that do not set its parameter themselves, with the other parameter at its current value.  The axis's own current value is among them if it is from lo to hi.
 typedef struct SweepLine {
     VEC(SweepPoint) at;
     uint32_t current;         // index of the parameter's current value; UINT32_MAX: it is not among the points
@@ -79,12 +79,16 @@ bool sweep_run_next(Sweep *s);
 // Finds the value nearest to the current one at which something fails, below (`above` false) or above it.  Returns false if nothing fails there, or
 // if the current value is outside the axis or fails itself.
 bool sweep_find_margin(const Sweep *s, uint32_t axis, bool above, double *fails);
+bool sweep_takes_part(const Sweep *s, uint32_t axis, uint32_t script);       // false: the script sets the parameter itself, so its runs do not change
+bool sweep_is_alone(const Sweep *s, uint32_t axis);        // no script takes part
 bool sweep_fails_now(const Sweep *s, uint32_t axis);       // whether something fails at the current value
 void sweep_end(Sweep *s);
 
 // Appends the name of a check: "R3", "tank.ss:12", "tank.ss does not end".
 void sweep_write_check(const Sweep *s, uint32_t check, Buf *out);
 
+// Appends a value of the parameter, with the fewest digits that are this value of its type.
+void sweep_write_value(const SweepAxis *a, double x, Buf *out);
 // Appends the checks that fail at a point.
 void sweep_write_failing(const Sweep *s, const SweepPoint *p, const char *separator, Buf *out);
 // Appends what is below (`above` false) or above the current value: "fails at 20.1 (10.1 away)", "nothing fails up to 41".

@@ -27,12 +27,12 @@ static void write_label(double x, double y, const char *anchor, const char *text
     buf_str(out, "</text>\n");
 }
 
-static const char *number_text(Arena *arena, double x)
+static const char *number_text(Arena *arena, const SweepAxis *a, double x)
 {
     Buf b;
 
     buf_init(&b, arena);
-    format_number_shortest(&b, x);
+    sweep_write_value(a, x, &b);
     return buf_text(&b);
 }
 
@@ -40,8 +40,8 @@ static double x_of_value(const SweepAxis *a, double x) { return LEFT + WIDTH * (
 
 static void write_axis(Arena *arena, const SweepAxis *a, double y, Buf *out)
 {
-    write_label(LEFT, y + 14, "start", number_text(arena, a->lo), out);
-    write_label(LEFT + WIDTH, y + 14, "end", number_text(arena, a->hi), out);
+    write_label(LEFT, y + 14, "start", number_text(arena, a, a->lo), out);
+    write_label(LEFT + WIDTH, y + 14, "end", number_text(arena, a, a->hi), out);
     write_label(LEFT + WIDTH / 2, y + 30, "middle", a->parameter->name->text, out);
 }
 
@@ -105,7 +105,7 @@ static void write_rows(Arena *arena, const Sweep *s, Buf *out)
     for (uint32_t c = 0; c < s->check.n; c++)
         rows += ever_fails(&s->line[0], c);
     write_start(TOP + (rows ? rows : 1) * ROW + BOTTOM, out);
-    if (rows == 0)
+    if (rows == 0 && s->line[0].at.n)
         write_rect(LEFT, TOP + 2, WIDTH, ROW - 4, good, out);
     rows = 0;
     for (uint32_t c = 0; c < s->check.n; c++)
@@ -130,8 +130,8 @@ static void write_map(Arena *arena, const Sweep *s, Buf *out)
             buf_printf(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\" fill=\"#fff\">%lu</text>\n", x + w / 2, y + h / 2 + 4,
                        (unsigned long)p->failing);
     }
-    write_label(LEFT - 8, TOP + 10, "end", number_text(arena, b->value[b->n - 1]), out);
-    write_label(LEFT - 8, TOP + h * b->n, "end", number_text(arena, b->value[0]), out);
+    write_label(LEFT - 8, TOP + 10, "end", number_text(arena, b, b->value[b->n - 1]), out);
+    write_label(LEFT - 8, TOP + h * b->n, "end", number_text(arena, b, b->value[0]), out);
     write_label(LEFT - 8, TOP + h * b->n / 2 + 4, "end", b->parameter->name->text, out);
     write_axis(arena, a, TOP + h * b->n, out);
 }

@@ -76,12 +76,13 @@ Outputs in each state
 ---------------------
 
 What each output is after a step in which the machine stays in the state. Several values: which one
-depends on conditions or on the path to the state. "Unchanged": the state does not assign it, so it
-is what earlier states have left. "Initial": no state has assigned it yet. Other machines, or a
-`[start]`, can set other values.
+depends on conditions or on the path to the state. An expression: the step computes the output from
+it; parts that the state decides are left out. "Computed": from more than fits here, or in an
+earlier step. "Unchanged": the state does not assign it, so it is what earlier states have left.
+"Initial": no state has assigned it yet. Other machines, or a `[start]`, can set other values.
 
   State  valve
-  Idle   computed
+  Idle   `x > 5`
 
 States
 ------

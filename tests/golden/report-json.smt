@@ -38,10 +38,10 @@ bool valve    # lets "fuel" in
     }}},
  "outputs": {"title": "Outputs in each state",
    "text": [
-    "What each output is after a step in which the machine stays in the state. Several values: which one depends on conditions or on the path to the state. \"Unchanged\": the state does not assign it, so it is what earlier states have left. \"Initial\": no state has assigned it yet. Other machines, or a `[start]`, can set other values."],
+    "What each output is after a step in which the machine stays in the state. Several values: which one depends on conditions or on the path to the state. An expression: the step computes the output from it; parts that the state decides are left out. \"Computed\": from more than fits here, or in an earlier step. \"Unchanged\": the state does not assign it, so it is what earlier states have left. \"Initial\": no state has assigned it yet. Other machines, or a `[start]`, can set other values."],
    "tables": {
     "outputs": [
-      {"state": "Idle", "mark": "", "valve": "computed"},
+      {"state": "Idle", "mark": "", "valve": "`not valve`"},
       {"state": "Done", "mark": "", "valve": "unchanged: computed"}
     ]}},
  "states": {"title": "States",

@@ -1,4 +1,4 @@
-# What each output is while the machine stays in a state: a constant, what earlier states have left, or a computed value.  An assignment just
+# What each output is while the machine stays in a state: a constant, what earlier states have left, or an expression.  An assignment just
 # before a transition, or in .exit, is no value of the state that it leaves.
 args report app.sm --format=text
 
@@ -65,13 +65,14 @@ Outputs in each state
 ---------------------
 
 What each output is after a step in which the machine stays in the state. Several values: which one
-depends on conditions or on the path to the state. "Unchanged": the state does not assign it, so it
-is what earlier states have left. "Initial": no state has assigned it yet. Other machines, or a
-`[start]`, can set other values.
+depends on conditions or on the path to the state. An expression: the step computes the output from
+it; parts that the state decides are left out. "Computed": from more than fits here, or in an
+earlier step. "Unchanged": the state does not assign it, so it is what earlier states have left.
+"Initial": no state has assigned it yet. Other machines, or a `[start]`, can set other values.
 
   State  Mark         valve              vent                                   drive                reason          lamp
   Idle   safe         `false`            unchanged: `false`, `true` or initial  `0`                  `0`             unchanged: `true` or initial
-  Fill                `true`             `false`, `true` or initial             computed             unchanged: `0`  unchanged: `true`
+  Fill                `true`             `false`, `true` or initial             `p / 100`            unchanged: `0`  unchanged: `true`
   Pass                leaves at once     leaves at once                         leaves at once       leaves at once  leaves at once
   Hold   safe         unchanged: `true`  unchanged: `false`, `true` or initial  unchanged: computed  unchanged: `0`  unchanged: `true`
   Abort  abort, safe  `false`            `true`                                 unchanged: computed  unchanged: `3`  unchanged: `true`

@@ -112,9 +112,10 @@ Parameters at other values
 --------------------------
 
 Each parameter is set to values over its whole range, the others stay as they are, and all scripts
-run again. A margin is the distance from the current value to the nearest value at which something
-fails. Between neighbouring values with different results, the boundary was searched by bisection.
-Where nothing fails, these scripts and requirements do not notice a wrong value of the parameter.
+run again that do not set it themselves. A margin is the distance from the current value of the
+machine to the nearest value at which something fails. Between neighbouring values with different
+results, the boundary was searched by bisection. Where nothing fails, these scripts and
+requirements do not notice a wrong value of the parameter.
 
   Parameter  Verdict        Now    Below                      Above
   limit      nothing fails  300    nothing fails down to 100  nothing fails up to 500

@@ -87,6 +87,14 @@ printf '[state_vector]\nU64 G\nU32 S\n[A]\n.step\n' >"$out/nothing.sm"
 page nothing 0 "$out/nothing.sm"
 page alone 0 "$examples/tank/tank.sm"
 
+# A sweep that is stopped says so, and does not say that nothing can be swept: the time is not enough for 21 runs.
+printf '[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nF64 x\n[local]\nF32 burn = 8 @parameter @range 1 15\n[A]\n.step\nx = roll_avg(G * burn, 50)\n' >"$out/slow.sm"
+printf '[all_states]\nat 9000 s: @stop\n' >"$out/slow.ss"
+expect "a sweep that is stopped" ends_with 0 "$smc" report "$out/slow.sm" "$out/slow.ss" --sweep --time=1 -o "$out/slow.txt"
+expect "its verdict" grep -q '^  Parameters  *open  *1 not known: stopped before' "$out/slow.txt"
+expect "its section" grep -q 'Stopped before it was complete, so nothing is known of: burn' "$out/slow.txt"
+expect "no false statement about it" ends_with 1 grep -q 'has no parameter\|none can be set' "$out/slow.txt"
+
 # The messages of an application.
 cat >"$out/rocket.net" <<'END'
 send telemetry every 20 ms on tcp 5000 @peers 2 { [Sensors] }
