@@ -2,14 +2,17 @@
 // The compiler: every stage from source text to findings and artefacts.  Read compile_sources() at the end first.
 //
 //    .sv ── parse ── AST ── check ──▶ StateVec; parsed again for each .sm, .io and .net that is bound to it
-//    .io ── parse ── AST ── check ──▶ IoMap, for the image, the C of the pins, and findings about pins
+//    .io ── parse ── AST ── check ──▶ IoMap: of a source, for the C of the pins; of --io (CompileInput.pins), for the image; of both, for
+//                                     findings about pins
 //    .sm ── parse ── AST ── check ──▶ Program ── build ──▶ IR ──┬── analyse ──▶ findings
 //                                        │                      └── passes ──▶ IR ──┬──▶ image (emit/bytecode), verified
 //                                        │                                          ├── passes for C ──▶ C (emit/c)
-//                                        │                                          └──▶ image with lines ── costs ── limits ──▶ findings
+//                                        │                                          ├──▶ image with lines ── costs ── limits ──▶ findings
+//                                        │                                          └──▶ image without lines ── bytes ── limit ──▶ findings
 //                                        └── parsed and checked again if scripts write its locals ──▶ Program for scripts
 //    .ss ── parse without messages ──▶ the locals that it writes and its delta_t, for the stages above
-//        ── parse ── AST ── check with the Program for scripts ──▶ Script
+//        ── parse ── AST ── check with the Program for scripts ──▶ Script; if `scripts_later`, the caller does this with session_script(), as
+//                                     smc test, report, graph and diff do
 //    .net ─ parse ── AST ── check ──▶ Network, for the C of the messages and their dictionary
 //    .app ─ parse ── AST ── check ──▶ App, with the IoMap of its pins, a StateVec for all and a Program for each machine, as above;
 //                                     ── analyse ──▶ findings; C: X_app.c with the tasks and the images, and a file for each
@@ -29,8 +32,8 @@
 // Values that a variable can have are computed from the IR (facts/): analyses, passes and emit/c use them.
 //
 // The caller runs scripts on engines (script/), writes reports (report/), and writes the artefacts if compile_sources() returned true:
-// -Werror turns findings into errors after they have been emitted.  The engines do not run the artefacts: session_open_vm() builds its own
-// IR and image from the Program.
+// -Werror turns findings into errors after they have been emitted.  The engines do not run the artefacts: session_open_vm() makes its own
+// IR and image from the Program, and device/engine_c.c its own C, one program with two variants of each machine (emit_c_driver).
 //
 // Each stage is a function of its folder, and the header of that folder states what the stage relies on.  A function of session.h that
 // parses or checks returns NULL after errors.  Stages that do not depend on its result still run, so that one call reports as many errors as
@@ -105,7 +108,7 @@ static void read_script_writes_and_step(Compilation *c, size_t m, const Program 
 
 static void check_limits(Compilation *c, const CompiledSource *of)
 {
-    const ImageOptions as_sent = {false, NULL};
+    const ImageOptions as_sent = {false, c->out->image_pins};
     LimitSubject m = {of->program, of->ir, of->measured, 0};
     Buf image;
 
@@ -115,7 +118,8 @@ static void check_limits(Compilation *c, const CompiledSource *of)
     limits_check(&c->s->arena, &c->s->diags, &m, &c->o->limits);
 }
 
-// Optimises a machine.  If its costs are needed, also builds an image with line numbers, and checks the limits on that image.
+// Optimises a machine.  If its costs are needed, also builds an image with line numbers.  The limits of steps and RAM are checked on that
+// image, the bytes of a board on another one.
 static void build_ir_and_measure(Compilation *c, CompiledSource *of)
 {
     const ImageOptions with_lines = {true, NULL};
@@ -213,6 +217,8 @@ static void analyse_all_machines(Compilation *c)
 static void compile_files(Compilation *c)
 {
     mark_included_scripts(c);
+    if (c->in->pins)                                      // before the machines: check_limits counts the pins
+        c->out->image_pins = session_io(c->s, c->in->pins, c->in->vector);
     for (size_t i = 0; i < c->in->n; i++) {
         const CompileSource *src = &c->in->at[i];
         CompiledSource *of = &c->out->of[i];
@@ -230,8 +236,6 @@ static void compile_files(Compilation *c)
     compile_requirements(c);
     if (!c->o->scripts_later)
         compile_scripts(c);
-    if (c->in->pins)
-        c->out->image_pins = session_io(c->s, c->in->pins, c->in->vector);
     analyse_all_machines(c);
     if (c->s->diags.errors == 0)
         artefacts_emit(c);

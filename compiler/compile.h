@@ -30,7 +30,7 @@ typedef struct CompileApp {
 typedef struct CompileInput {
     CompileSource *at;
     size_t n;
-    const Source *vector;         // the state vector of every machine, of all pins and messages; or NULL
+    const Source *vector;         // the text of the state vector of every machine, of all pins and messages; or NULL
     const Source *pins;           // the pins that the image contains; or NULL
     const Source *messages;       // messages (.net) for a report; nothing else reads them; or NULL
     const MachineInstance *instance;      // the bindings of the only machine, with `vector`; or NULL

@@ -26,7 +26,7 @@ typedef struct LimitSubject {
     const Program *p;
     IrMachine *ir;
     const uint8_t *image;     // contains only this machine, with line numbers
-    uint32_t length;          // bytes of the image without its line numbers
+    uint32_t length;          // bytes of the image without its line numbers, and with the pins of --io
 } LimitSubject;
 
 // Reports by how much a machine exceeds the limits.

@@ -15,10 +15,10 @@ const SmOpInfo sm_op_info[SM_OP_COUNT] = {
 };
 
 const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT] = {
-#define SM_PURE(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, false, SM_STAT_COUNT },
-#define SM_COMPOSED(name, arguments, steps, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, false, SM_STAT_COUNT },
-#define SM_LIST(name, sentence) [SM_FN_##name] = { #name, sentence, 2, SM_LIST_MAX, false, false, SM_STAT_COUNT },
-#define SM_ROLL(name, stat, sentence) [SM_FN_##name] = { #name, sentence, 2, 2, true, false, SM_STAT_##stat },
-#define SM_SAMPLED(name, arguments, sentence) [SM_FN_##name] = { #name, sentence, arguments, arguments, false, true, SM_STAT_COUNT },
+#define SM_PURE(name, arguments, usage, units, sentence) [SM_FN_##name] = { #name, usage, sentence, arguments, arguments, false, false, SM_STAT_COUNT, SM_UNITS_##units },
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) [SM_FN_##name] = { #name, usage, sentence, arguments, arguments, false, false, SM_STAT_COUNT, SM_UNITS_##units },
+#define SM_LIST(name, units, sentence) [SM_FN_##name] = { #name, "(a, b, ...)", sentence, 2, SM_LIST_MAX, false, false, SM_STAT_COUNT, SM_UNITS_##units },
+#define SM_ROLL(name, stat, sentence) [SM_FN_##name] = { #name, "(x, n)", sentence, 2, 2, true, false, SM_STAT_##stat, SM_UNITS_SAMPLES },
+#define SM_SAMPLED(name, arguments, usage, sentence) [SM_FN_##name] = { #name, usage, sentence, arguments, arguments, false, true, SM_STAT_COUNT, SM_UNITS_SAMPLES },
 #include "stdlib/builtins.def"
 };

@@ -66,23 +66,37 @@ typedef enum SmStat {
 #define SM_STATS_OF_RUNS (1u << SM_STAT_RUN_STEPS | 1u << SM_STAT_RUN_TIME)
 
 typedef enum SmBuiltin {
-#define SM_PURE(name, arguments, sentence) SM_FN_##name,
-#define SM_COMPOSED(name, arguments, steps, sentence) SM_FN_##name,
-#define SM_LIST(name, sentence) SM_FN_##name,
+#define SM_PURE(name, arguments, usage, units, sentence) SM_FN_##name,
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) SM_FN_##name,
+#define SM_LIST(name, units, sentence) SM_FN_##name,
 #define SM_ROLL(name, stat, sentence) SM_FN_##name,
-#define SM_SAMPLED(name, arguments, sentence) SM_FN_##name,
+#define SM_SAMPLED(name, arguments, usage, sentence) SM_FN_##name,
 #include "stdlib/builtins.def"
     SM_FN_COUNT
 } SmBuiltin;
 
+// What the units of a function's arguments and of its result have to do with each other.
+typedef enum SmUnits {
+    SM_UNITS_SAME,          // all arguments have one unit, and so has the result
+    SM_UNITS_NUMBER,        // the argument has any unit; the result is a plain number
+    SM_UNITS_OF_ANGLE,      // the argument is in radians; the result is a plain number
+    SM_UNITS_ANGLE,         // the argument is a plain number; the result is in radians
+    SM_UNITS_DIRECTION,     // all arguments have one unit; the result is in radians
+    SM_UNITS_ROOT,          // the unit of the result is the square root of the argument's
+    SM_UNITS_POWER,         // the second argument is a plain number: the power to which the unit of the first is raised
+    SM_UNITS_SAMPLES        // decided by the statistics of windows that the function becomes; no call has it
+} SmUnits;
+
 typedef struct SmBuiltinInfo {
     const char *name;
+    const char *usage;      // how the arguments are written: "(x, n)"
     const char *sentence;   // describes the result, for messages and docs
     uint8_t arguments;      // the number of arguments, or the least number; a roll function has 2
     uint8_t most;           // the most arguments: SM_LIST_MAX for a function of a list of values, else `arguments`
     bool is_roll;
     bool is_sampled;        // prev and similar
     SmStat stat;            // for a roll function: the statistic that it returns
+    SmUnits units;
 } SmBuiltinInfo;
 
 extern const SmBuiltinInfo sm_builtin_info[SM_FN_COUNT];   // indexed by SmBuiltin

@@ -330,7 +330,7 @@ $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) 
 #   6. conformance-c-small compiles what conformance-O2 compiles with one macro; stdlib_roll_small runs that code under the sanitizers.
 ASAN_LEAVES_OUT = check-words check-wrap check-sentences check-links check-layers check-hints check-codes check-builtins check-arguments check-clauses \
                   check-citations check-licence check-columns check-last-return check-places check-configurations check-headers check-headers-targets check-names \
-                  check-imports check-commits documents mutants-places runner \
+                  check-imports check-commits check-mutants documents mutants-places runner \
                   check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small
 SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
 asan:
@@ -920,6 +920,7 @@ $(call test, prove-author-scripts, quick,, sh tests/prove/author.sh --scripts $(
 # The house rules.
 $(call test, runner,               quick,, sh tests/check/runner.sh)
 $(call test, check-commits,        quick,, sh tests/check/commits_test.sh)
+$(call test, check-mutants,        quick,, sh tests/check/mutants_test.sh)
 $(call test, mutants-places,       quick,, sh tests/check/mutants.sh --places tests/check/mutants.txt tests/check/faults.txt)
 $(call test, check-words,          quick,, sh tests/check/files.sh text | awk -f tests/check/words.awk tests/check/words.txt -)
 $(call test, check-wrap,           quick,, sh tests/check/files.sh documents | xargs sh tests/check/wrap.sh)

@@ -174,7 +174,7 @@ static void check_argument(UnitCheck *k, const Expr *call, const Quantity *q, co
 {
     const Measure one = measure_of_number();
     const Quantity plain = quantity_of_unit(&one);
-    const Span span = call->arg[call->fn == SM_FN_pow]->span;
+    const Span span = call->arg[sm_builtin_info[call->fn].units == SM_UNITS_POWER]->span;
     Diag *d;
 
     if (quantity_fit(q, &plain, QUANTITY_COMPARED) != QUANTITY_DIFFERS)
@@ -199,27 +199,29 @@ static Quantity infer_call(UnitCheck *k, const Expr *e)
     const Measure radian = measure_named("rad");
     Quantity a;
 
-    switch ((int)e->fn) {
-    case SM_FN_sin: case SM_FN_cos: case SM_FN_tan:
+    switch (sm_builtin_info[e->fn].units) {
+    case SM_UNITS_SAME: return infer_group(k, e);
+    case SM_UNITS_NUMBER:
+        infer(k, e->arg[0]);
+        return quantity_of_kind(QUANTITY_PLAIN);
+    case SM_UNITS_OF_ANGLE:
         a = infer(k, e->arg[0]);
         check_argument(k, e, &a, "radians");
         return quantity_of_kind(QUANTITY_PLAIN);
-    case SM_FN_asin: case SM_FN_acos: case SM_FN_atan:
+    case SM_UNITS_ANGLE:
         a = infer(k, e->arg[0]);
         check_argument(k, e, &a, "a plain number");
         return quantity_of_unit(&radian);
-    case SM_FN_atan2:
+    case SM_UNITS_DIRECTION:
         infer_group(k, e);
         return quantity_of_unit(&radian);
-    case SM_FN_exp: case SM_FN_log: case SM_FN_log10: case SM_FN_sign:
-        infer(k, e->arg[0]);
-        return quantity_of_kind(QUANTITY_PLAIN);
-    case SM_FN_sqrt:
+    case SM_UNITS_ROOT:
         a = infer(k, e->arg[0]);
         return quantity_power(&a, 0.5);
-    case SM_FN_pow: return infer_power(k, e);
-    default: return infer_group(k, e);                                // abs, round, min, clamp, hypot: the unit of the arguments
+    case SM_UNITS_POWER: return infer_power(k, e);
+    case SM_UNITS_SAMPLES: break;                                     // not reached: an EX_ROLL, never a call
     }
+    return quantity_of_kind(QUANTITY_UNKNOWN);
 }
 
 // ---- samples ----

@@ -147,13 +147,13 @@ static IrRef build_call(Builder *b, const Expr *e)
     switch (e->fn) {
 #define STEP1(name, x) v[n++] = emit_op(b, IR_##name, SM_F64, v[x], IR_NONE, e->span);
 #define STEP2(name, x, y) v[n++] = emit_op(b, IR_##name, SM_F64, v[x], v[y], e->span);
-#define SM_PURE(name, arguments, sentence) \
+#define SM_PURE(name, arguments, usage, units, sentence) \
     case SM_FN_##name: v[n++] = emit_op(b, IR_##name, SM_F64, v[0], arguments > 1 ? v[1] : IR_NONE, e->span); break;
-#define SM_COMPOSED(name, arguments, steps, sentence) \
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) \
     case SM_FN_##name: steps break;
-#define SM_LIST(name, sentence) case SM_FN_##name: return build_list(b, e, v);
+#define SM_LIST(name, units, sentence) case SM_FN_##name: return build_list(b, e, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
-#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, usage, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
 #undef STEP1
 #undef STEP2

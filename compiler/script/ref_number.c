@@ -253,11 +253,11 @@ double ref_list(SmBuiltin fn, double *x, uint32_t n)
 double ref_pure(SmBuiltin fn, const double *arg)
 {
     switch (fn) {
-#define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(ref_##name);
-#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
-#define SM_LIST(name, sentence) case SM_FN_##name:
+#define SM_PURE(name, arguments, usage, units, sentence) case SM_FN_##name: return CALL_##arguments(ref_##name);
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) SM_PURE(name, arguments, usage, units, sentence)
+#define SM_LIST(name, units, sentence) case SM_FN_##name:
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
-#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, usage, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
     case SM_FN_COUNT: break;                          // ref_list, or a rolling statistic, which is an EX_ROLL and never a call
     }

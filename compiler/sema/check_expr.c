@@ -595,7 +595,7 @@ static void report_argument_count(Sema *s, const AstExpr *e, const SmBuiltinInfo
     else if (id == SM_FN_round && e->args->n == 2)
         diag_label(s->diags, d, DIAG_label_round_digits, first);
     else
-        diag_label(s->diags, d, DIAG_label_write_call, fn->name, ast_function_usage(fn));
+        diag_label(s->diags, d, DIAG_label_write_call, fn->name, fn->usage);
 }
 
 static Expr *check_call(Sema *s, const AstExpr *e)

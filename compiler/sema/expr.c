@@ -102,11 +102,11 @@ static SmF64 eval_call(const Expr *e, const SmF64 *value)
     for (uint32_t i = 0; i < SM_LIST_MAX; i++)
         v[i] = i < e->n ? expr_eval(e->arg[i], value) : sm_from_i32(0);
     switch (e->fn) {
-#define SM_PURE(name, arguments, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
-#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
-#define SM_LIST(name, sentence) case SM_FN_##name: return list_value(e->fn, e->n, v);
+#define SM_PURE(name, arguments, usage, units, sentence) case SM_FN_##name: return CALL_##arguments(sm_##name, v);
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) SM_PURE(name, arguments, usage, units, sentence)
+#define SM_LIST(name, units, sentence) case SM_FN_##name: return list_value(e->fn, e->n, v);
 #define SM_ROLL(name, stat, sentence) case SM_FN_##name:
-#define SM_SAMPLED(name, arguments, sentence) case SM_FN_##name:
+#define SM_SAMPLED(name, arguments, usage, sentence) case SM_FN_##name:
 #include "stdlib/builtins.def"
     case SM_FN_COUNT: break;
     }
@@ -153,11 +153,11 @@ static const char *const operator_spelling[SM_OP_COUNT] = {
 };
 
 static const char *const builtin_name[SM_FN_COUNT] = {
-#define SM_PURE(name, arguments, sentence) [SM_FN_##name] = #name,
-#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
-#define SM_LIST(name, sentence) SM_PURE(name, 2, sentence)
-#define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, sentence)
-#define SM_SAMPLED(name, arguments, sentence) SM_PURE(name, arguments, sentence)
+#define SM_PURE(name, arguments, usage, units, sentence) [SM_FN_##name] = #name,
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) SM_PURE(name, arguments, usage, units, sentence)
+#define SM_LIST(name, units, sentence) SM_PURE(name, 2, "", units, sentence)
+#define SM_ROLL(name, stat, sentence) SM_PURE(name, 2, "", SAME, sentence)
+#define SM_SAMPLED(name, arguments, usage, sentence) SM_PURE(name, arguments, usage, SAME, sentence)
 #include "stdlib/builtins.def"
 };
 

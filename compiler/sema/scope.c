@@ -209,7 +209,7 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     if (s->in_script && report_member_name(s, name, span, false))
         return;
     if (fn && !unlisted) {
-        diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, ast_function_usage(fn));
+        diag_report(s->diags, DIAG_function_without_call, span, name->text, name->text, fn->usage);
         return;
     }
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);

@@ -270,8 +270,6 @@ typedef struct AstFile {
     struct AstRequirements *requirements;     // the tree of a .rq, which has no AstSection (ast_rq.h); else NULL
 } AstFile;
 
-const char *ast_function_usage(const SmBuiltinInfo *fn);    // returns how a function's arguments are written: "(x, n)"
-
 void ast_print(const AstFile *f, Buf *out);      // prints the tree as text: the output of --emit=ast
 
 #endif

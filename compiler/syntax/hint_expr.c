@@ -95,8 +95,7 @@ HintResult hint_report_missing_call(HintCase *c)
     if (p->ahead.kind == TOK_ASSIGN || fn == SM_FN_COUNT || parser_is_steps(p) || is_at_word_after_value(p) || find_infix(p, &end) ||
         hint_is_word(&p->tok, "then") || hint_is_word(&p->tok, "do") || hint_is_word(&p->tok, "between"))
         return HINT_NONE;
-    d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text,
-                      ast_function_usage(&sm_builtin_info[fn]));
+    d = parser_report(p, DIAG_function_without_call, name->span, name->name->text, name->name->text, sm_builtin_info[fn].usage);
     parser_advance(p);
     if (sm_builtin_info[fn].arguments != 1 ||
         (!p->tok.first && (p->tok.kind == TOK_NAME || p->tok.kind == TOK_NUMBER || p->tok.kind == TOK_LPAREN))) {

@@ -123,18 +123,6 @@ static AstExpr *parse_paren(Parser *p)
     return check_depth(p, e, e->a);
 }
 
-// Returns how a function's arguments are written: "(x, n)".
-const char *ast_function_usage(const SmBuiltinInfo *fn)
-{
-    static const char *const usage[] = {"()", "(x)", "(a, b)", "(x, lo, hi)"};
-
-    if (fn == &sm_builtin_info[SM_FN_held])
-        return "(c, 30 ms)";
-    if (fn->most > fn->arguments)
-        return "(a, b, ...)";
-    return fn->is_roll || fn == &sm_builtin_info[SM_FN_rate] ? "(x, n)" : usage[fn->arguments];
-}
-
 // Whether the current token is the word `steps` that ends an argument.
 bool parser_is_steps(const Parser *p)
 {

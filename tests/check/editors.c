@@ -32,10 +32,10 @@ static const Entry table_words[] = {
 #define SM_TYPE(name, wire, spelling, c_type, bytes, kind) {TYPE, spelling},
 #include "stdlib/types.def"
 #undef SM_TYPE
-#define SM_PURE(name, arguments, sentence) {BUILTIN, #name},
-#define SM_COMPOSED(name, arguments, steps, sentence) {BUILTIN, #name},
-#define SM_LIST(name, sentence) {BUILTIN, #name},
-#define SM_SAMPLED(name, arguments, sentence) {BUILTIN, #name},
+#define SM_PURE(name, arguments, usage, units, sentence) {BUILTIN, #name},
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) {BUILTIN, #name},
+#define SM_LIST(name, units, sentence) {BUILTIN, #name},
+#define SM_SAMPLED(name, arguments, usage, sentence) {BUILTIN, #name},
 #define SM_ROLL(name, stat, sentence) {BUILTIN, #name},
 #include "stdlib/builtins.def"
 #define ANNOTATION(name, spelling, takes, where) {MARK, spelling},

@@ -3,7 +3,8 @@
 # Breaks the implementation on purpose, one line at a time (mutants.txt, faults.txt), and demands that tests notice.
 #   mutants.sh LIST FOLDER [WHICH…]    FOLDER contains a copy of the tree and its build; WHICH: a clause as 5.7, a chapter as 5, an
 #                                      engine, lines of the list as 100-220 or 100-: a run in pieces
-#   mutants.sh --places LIST…          only whether each has its place still, and in mutants.txt each clause of the language a mutant
+#   mutants.sh --places LIST…          only whether each has its place still and is given once, and in mutants.txt each clause of the
+#                                      language a mutant
 # Ends with "N passed, N failed": a mutant passes when each of its engines notices it.  CFLAGS: what the copy is built with.
 #
 # An engine notices a mutant when its tests have been built with the fault, have run, and have failed.  Tests that cannot be built, or that do
@@ -18,12 +19,25 @@ without_mutant() {      # LIST
          /^\*\*[0-9]+\.[0-9]+\*\* / { gsub(/\*/, "", $1); if (!($1 in has)) print "clause " $1 " has no mutant" }' "$1" docs/language.md docs/requirements.md
 }
 
+# Prints the entries of the list that break a place in the same way as an earlier one.  One entry can name several engines.
+given_twice() {         # LIST
+    awk '/^(#|$)/ { next }
+         /^- / { old = $0; next }
+         /^\+ / { key = place SUBSEP old SUBSEP $0
+                  if (key in first) print FILENAME ":" line ": is given in line " first[key] " already; name both engines there"
+                  else first[key] = line
+                  next }
+         { place = $0; sub(/.*[ \t][ \t]/, "", place); line = FNR }' "$1"
+}
+
 if [ "$1" = --places ]; then
     shift
     for list in "$@"; do
         places "$list" | sed -n "s|^\([0-9]*\).*[|]$|$list:\1: its place is not there in exactly one line|p"
         failed=$((failed + $(places "$list" | grep -c '|$')))
         passed=$((passed + $(places "$list" | grep -c '[^|]$')))
+        given_twice "$list"
+        failed=$((failed + $(given_twice "$list" | wc -l)))
         [ "$list" = $here/mutants.txt ] || continue
         without_mutant "$list"
         failed=$((failed + $(without_mutant "$list" | wc -l)))

@@ -91,8 +91,8 @@ static void compare_with_stdlib(void)
 #define CALL_1(f) f(a[0])
 #define CALL_2(f) f(a[0], a[1])
 #define CALL_3(f) f(a[0], a[1], a[2])
-#define SM_PURE(name, arguments, sentence) CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
-#define SM_COMPOSED(name, arguments, steps, sentence) SM_PURE(name, arguments, sentence)
+#define SM_PURE(name, arguments, usage, units, sentence) CHECK(same(ref_pure(SM_FN_##name, a), CALL_##arguments(sm_##name)));
+#define SM_COMPOSED(name, arguments, usage, units, steps, sentence) SM_PURE(name, arguments, usage, units, sentence)
 #include "stdlib/builtins.def"
 }
 
