@@ -227,7 +227,8 @@ static void write_json(const SweepRun *r, Buf *out)
                r->is_interrupted ? "false" : "true");
     for (uint32_t i = 0; i < r->o.axes; i++) {
         double fails;
-        buf_printf(out, "%s{\"name\":\"%s\",\"now\":%s", i ? "," : "", r->s->axis[i].parameter->name->text, number_text(r, &r->s->axis[i], r->s->axis[i].current));
+        buf_printf(out, "%s{\"name\":\"%s\",\"now\":%s", i ? "," : "", r->s->axis[i].parameter->name->text,
+                   number_text(r, &r->s->axis[i], r->s->axis[i].current));
         if (sweep_find_margin(r->s, i, false, &fails))
             buf_printf(out, ",\"fails_below\":%s", number_text(r, &r->s->axis[i], fails));
         if (sweep_find_margin(r->s, i, true, &fails))

@@ -270,7 +270,8 @@ static void fill_faults(Arena *arena, const FaultLines *l, ReportFaults *out)
                              describe_count(arena, f->input.n, "input", "inputs"), describe_count(arena, f->trigger.n, "trigger", "triggers"),
                              describe_count(arena, f->scripts, "script", "scripts"));
     if (f->options.pairs)
-        out->summary = format_in(arena, "%s Of %lu pairs of faults, %lu are worse than each fault alone.", out->summary, (unsigned long)f->pairs, (unsigned long)f->pairs_worse);
+        out->summary = format_in(arena, "%s Of %lu pairs of faults, %lu are worse than each fault alone.", out->summary, (unsigned long)f->pairs,
+                                 (unsigned long)f->pairs_worse);
     fill_matrix(arena, l, out);
     fill_lines(arena, l, out);
     fill_requirements(arena, l, f->options.requirements, out);

@@ -35,7 +35,8 @@ typedef struct SweepPoint {
     uint32_t failing;         // number of checks that fail
 } SweepPoint;
 
-// Points along one axis, for the scripts that do not set its parameter themselves, with the other parameter at its current value.  The axis's own current value is among them if it is from lo to hi.
+// Points along one axis, for the scripts that do not set its parameter themselves, with the other parameter at its current value.
+// The current value of the axis's own parameter is among them if it is from lo to hi.
 typedef struct SweepLine {
     VEC(SweepPoint) at;
     uint32_t current;         // index of the parameter's current value; UINT32_MAX: it is not among the points
