@@ -81,6 +81,19 @@ const char *format_in(Arena *arena, const char *format, ...)
     return buf_text(&b);
 }
 
+void buf_percent(Buf *b, unsigned long n, unsigned long of, int digits)
+{
+    double unit = 1;
+    uint64_t units;           // of the last digit
+
+    for (int i = 0; i < digits; i++)
+        unit /= 10;
+    units = of ? (uint64_t)(100 * (double)n / (double)of / unit + 0.5) : (uint64_t)(100 / unit + 0.5);
+    if (n < of && (double)units * unit > 100 - unit / 2)
+        units--;
+    buf_printf(b, "%.*f", digits, (double)units * unit);
+}
+
 const char *buf_text(const Buf *b) { return b->at ? b->at : ""; }
 
 // Appends the low `bytes` bytes of v, the lowest first.

@@ -32,6 +32,8 @@ void buf_spaces(Buf *b, size_t n);
 __attribute__((format(printf, 2, 3)))
 #endif
 void buf_printf(Buf *b, const char *format, ...);
+// Appends how many percent n is of `of`, with `digits` digits after the point.  100 only if n is `of`; of nothing, it is 100.
+void buf_percent(Buf *b, unsigned long n, unsigned long of, int digits);
 const char *buf_text(const Buf *b);          // returns the content so far; "" if nothing was written
 void buf_u32(Buf *b, uint32_t v);            // appends 4 bytes, little-endian
 void buf_u64(Buf *b, uint64_t v);            // appends 8 bytes, little-endian

@@ -103,12 +103,13 @@ static void write_text(MutateRun *r)
     Buf *const out = &r->out;
     const MutationScore s = mutation_score(r->u);
 
-    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (%.1f %%)", r->machine_program->name->text, s.of[MUTANT_NOTICED], s.noticeable,
-               s.percent);
+    buf_printf(out, "mutations of %s: %lu of %lu changes are noticed (", r->machine_program->name->text, s.of[MUTANT_NOTICED], s.noticeable);
+    buf_percent(out, s.of[MUTANT_NOTICED], s.noticeable, 1);
+    buf_str(out, " %)");
     if (s.of[MUTANT_EQUIVALENT])
         buf_printf(out, ", and %lu make no difference", s.of[MUTANT_EQUIVALENT]);
     if (r->tried < s.all)
-        buf_printf(out, ", and %lu were not tried", s.all - r->tried);
+        buf_printf(out, ", and %lu of %lu were not tried", s.all - r->tried, s.all);
     buf_char(out, '\n');
     write_requirements(r, out);
     if (r->is_searched)
@@ -165,7 +166,8 @@ static void write_json(MutateRun *r)
     uint32_t n;
     const Mutant *m = mutation_list(r->u, &n);
 
-    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":%.1f", r->machine_program->name->text, s.percent);
+    buf_printf(out, "{\"smc-mutations\":1,\"machine\":\"%s\",\"score\":", r->machine_program->name->text);
+    buf_percent(out, s.of[MUTANT_NOTICED], s.noticeable, 1);
     for (int v = MUTANT_NOTICED; v < MUTANT_VERDICT_COUNT; v++)
         buf_printf(out, ",\"%s\":%lu", mutant_verdict_name[v], s.of[v]);
     buf_printf(out, ",\"waiting\":%lu,\"mutants\":[\n", s.of[MUTANT_WAITING]);
@@ -206,10 +208,13 @@ static int write_result(MutateRun *r)
 static int check_min_score(MutateRun *r)
 {
     const MutationScore s = mutation_score(r->u);
+    Buf percent;
 
     if (!r->c->given[OPT_MIN_SCORE] || s.percent >= r->least)
         return EXIT_OK;
-    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%.1f %%", s.percent),
+    buf_init(&percent, r->arena);
+    buf_percent(&percent, s.of[MUTANT_NOTICED], s.noticeable, 1);
+    cli_print_error(r->c, TEXT_score_too_low, format_in(r->arena, "%s %%", buf_text(&percent)),
                     r->p->joint ? format_in(r->arena, " of %s", r->machine_program->name->text) : "", format_in(r->arena, "%g %%", r->least));
     return EXIT_PROBLEM;
 }

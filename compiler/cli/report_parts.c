@@ -158,8 +158,10 @@ static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *c
     while (goes_on && (goes_on = may_go_on(clock)) && mutant_reach_next(u, MUTANT_REACH_EFFORT, MUTATE_SEARCH_STEPS))
         mutate_show_progress(u, &k);
     progress_end(&k);
-    if (!goes_on)
-        add_unfinished(r, "changes that no script notices");
+    if (!goes_on) {
+        const MutationScore s = mutation_score(u);
+        add_unfinished(r, format_in(r->arena, "changes that no script notices (%lu of %lu tried)", s.all - s.of[MUTANT_WAITING], s.all));
+    }
     mutation_end(u);
     r->mutation = u;
 }

@@ -114,6 +114,7 @@ static void add_changes(const Report *r, Doc *d, MutantDanger danger, const char
 void report_add_mutation(Report *r, Doc *d)
 {
     MutationScore s;
+    Buf percent;
 
     if (!r->mutation && !r->not_mutated)
         return;
@@ -124,8 +125,12 @@ void report_add_mutation(Report *r, Doc *d)
     }
     s = mutation_score(r->mutation);
     doc_add_paragraph(d, TEXT_MUTATION);
-    doc_add_plain(d, format_in(r->arena, "The scripts notice %lu of %lu changes (%.1f %%). Changes that make no difference are not counted: %lu.",
-                               s.of[MUTANT_NOTICED], s.noticeable, s.percent, s.of[MUTANT_EQUIVALENT]));
+    buf_init(&percent, r->arena);
+    buf_percent(&percent, s.of[MUTANT_NOTICED], s.noticeable, 1);
+    if (s.of[MUTANT_WAITING])
+        doc_add_plain(d, format_in(r->arena, TEXT_MUTATION_STOPPED, s.all - s.of[MUTANT_WAITING], s.all));
+    doc_add_plain(d, format_in(r->arena, "The scripts notice %lu of %lu changes (%s %%). Changes that make no difference are not counted: %lu.",
+                               s.of[MUTANT_NOTICED], s.noticeable, buf_text(&percent), s.of[MUTANT_EQUIVALENT]));
     add_scores(r, d);
     add_changes(r, d, DANGER_ABORT, "mutation-abort", "On the way to an abort");
     add_changes(r, d, DANGER_OUTPUT, "mutation-output", "At an output");

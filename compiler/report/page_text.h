@@ -83,6 +83,8 @@
 #define TEXT_MUTATION \
     "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
     "would not find. The most dangerous ones come first. On paper, long tables have their first 20 rows, and the inputs that would show a change are left out."
+#define TEXT_MUTATION_STOPPED \
+    "Stopped before it was complete: only %lu of %lu changes were tried, and the numbers are about these."        // tried, all
 
 // ---- faults and sweeps ----
 

@@ -90,6 +90,7 @@ static void add_scripts(const Report *r, DocTable *t)
 static void add_coverage(const Report *r, DocTable *t)
 {
     unsigned long covered = 0, possible = 0;
+    Buf details;
 
     if (!r->cover)
         return;
@@ -98,21 +99,32 @@ static void add_coverage(const Report *r, DocTable *t)
         covered += of.covered;
         possible += of.possible;
     }
-    add_verdict(t, "scripts", "Coverage", covered < possible ? VERDICT_OPEN : VERDICT_GOOD,
-                format_in(r->arena, "%lu of %lu places (%.0f %%)", covered, possible, possible ? 100 * (double)covered / (double)possible : 100.0));
+    buf_init(&details, r->arena);
+    buf_printf(&details, "%lu of %lu places (", covered, possible);
+    buf_percent(&details, covered, possible, 0);
+    buf_str(&details, " %)");
+    add_verdict(t, "scripts", "Coverage", covered < possible ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&details));
 }
 
 static void add_mutation(const Report *r, DocTable *t)
 {
     MutationScore s;
+    Buf details;
 
     if (r->not_mutated)
         add_verdict(t, "mutation", "Changes that scripts notice", VERDICT_BAD, format_in(r->arena, "not tried, because %s", r->not_mutated));
     if (!r->mutation)
         return;
     s = mutation_score(r->mutation);
-    add_verdict(t, "mutation", "Changes that scripts notice", s.of[MUTANT_NOTICED] < s.noticeable ? VERDICT_OPEN : VERDICT_GOOD,
-                format_in(r->arena, "%.1f %% of %lu", s.percent, s.noticeable));
+    buf_init(&details, r->arena);
+    if (s.noticeable || s.of[MUTANT_WAITING] == 0) {
+        buf_percent(&details, s.of[MUTANT_NOTICED], s.noticeable, 1);
+        buf_printf(&details, " %% of %lu", s.noticeable);
+    }
+    if (s.of[MUTANT_WAITING])
+        buf_printf(&details, "%sonly %lu of %lu were tried", details.n ? "; " : "", s.all - s.of[MUTANT_WAITING], s.all);
+    add_verdict(t, "mutation", "Changes that scripts notice", s.of[MUTANT_NOTICED] < s.noticeable || s.of[MUTANT_WAITING] ? VERDICT_OPEN : VERDICT_GOOD,
+                buf_text(&details));
 }
 
 static void add_faults(const Report *r, DocTable *t)

@@ -90,10 +90,30 @@ page alone 0 "$examples/tank/tank.sm"
 # A sweep that is stopped says so, and does not say that nothing can be swept: the time is not enough for 21 runs.
 printf '[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nF64 x\n[local]\nF32 burn = 8 @parameter @range 1 15\n[A]\n.step\nx = roll_avg(G * burn, 50)\n' >"$out/slow.sm"
 printf '[all_states]\nat 9000 s: @stop\n' >"$out/slow.ss"
-expect "a sweep that is stopped" ends_with 0 "$smc" report "$out/slow.sm" "$out/slow.ss" --sweep --time=1 -o "$out/slow.txt"
+expect "a sweep that is stopped" ends_with 0 sh -c "'$smc' report '$out/slow.sm' '$out/slow.ss' --sweep --time=1 -o '$out/slow.txt' 2>'$out/slow.note'"
+expect "its note" grep -q 'stopped before it was complete: margins of 1 of 1 parameters' "$out/slow.note"
 expect "its verdict" grep -q '^  Parameters  *open  *1 not known: stopped before' "$out/slow.txt"
 expect "its section" grep -q 'Stopped before it was complete, so nothing is known of: burn' "$out/slow.txt"
 expect "no false statement about it" ends_with 1 grep -q 'has no parameter\|none can be set' "$out/slow.txt"
+
+# The same for changes of the machine: how many of how many were tried, wherever a score is.
+for i in 1 2 3 4 5 6 7 8 9; do
+    echo "x = x + roll_avg(G * burn > $i and T < $i or x > 5, 50) * $i"
+done >>"$out/slow.sm"
+expect "changes that are stopped" ends_with 0 sh -c "'$smc' report '$out/slow.sm' '$out/slow.ss' --mutate --time=1 -o '$out/slow.txt' 2>'$out/slow.note'"
+expect "their note" grep -q 'changes that no script notices ([0-9]* of [0-9]* tried)' "$out/slow.note"
+expect "their verdict" grep -q '^  Changes that scripts notice  *open .*only [0-9]* of [0-9]* were tried' "$out/slow.txt"
+expect "their section" grep -q 'only [0-9]* of [0-9]* changes were' "$out/slow.txt"
+
+# Not everything is never 100 %: here 904 of 907 places, which are 99.67 %.
+{
+    printf '[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nU8 x\n[A]\n.step\n'
+    for i in $(seq 1 150); do echo "G >= $((i * 10)): x = $i"; done
+    echo 'G > 5000: x = 0'
+} >"$out/nearly.sm"
+printf '[all_states]\nat 2 s: @stop\n' >"$out/nearly.ss"
+expect "nearly all" "$smc" report "$out/nearly.sm" "$out/nearly.ss" -o "$out/nearly.txt"
+expect "is not 100 %" grep -q '^  Coverage  *open  *[0-9]* of [0-9]* places (99 %)' "$out/nearly.txt"
 
 # The messages of an application.
 cat >"$out/rocket.net" <<'END'
