@@ -362,8 +362,10 @@ Script *session_script(Session *s, const Source *ss, const Program *p)
         out = check_script(&c, tree, files.n, p);
     if (out && s->warnings)
         analyse_units_of_script(&s->tree, &s->diags, out);
-    if (out && s->warnings && s->diags.errors_seen == errors)             // items with errors may lack their guards
+    if (out && s->warnings && s->diags.errors_seen == errors) {           // items with errors may lack their guards
+        analyse_inputs_of_script(&s->diags, out);
         analyse_asserts_of_script(&s->tree, &s->diags, out);
+    }
     for (size_t i = 0; out && i + 1 < files.n; i++)
         vec_push(&s->arena, &out->part, ((ScriptPart){files.at[i], files.include[i]}));
     arena_free(&s->tree);

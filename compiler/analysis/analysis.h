@@ -64,6 +64,9 @@ void analyse_shared_pins(Arena *arena, Diags *diags, const IoMap *io, const Prog
 // Reports values of a script whose units do not fit each other.  Nothing in `arena` is needed afterwards.
 void analyse_units_of_script(Arena *arena, Diags *diags, const Script *script);
 
+// Reports inputs of a script that alternate between two values, because they are set to their own prev.
+void analyse_inputs_of_script(Diags *diags, const Script *script);
+
 // Reports asserts of a script that no behaviour of the machine can make false.  Nothing in `arena` is needed afterwards.
 void analyse_asserts_of_script(Arena *arena, Diags *diags, const Script *script);
 

@@ -70,7 +70,7 @@ static const Expr *time_of_at(Arena *arena, const Expr *at)
 // Adds the variables and calls anywhere in e, and the operands of comparisons.  `is_compared`: e is an operand of a comparison.
 static void add_operands(Operands *o, const Expr *e, bool is_compared)
 {
-    if (e->kind == EX_NUMBER || o->n == OPERANDS_MOST)
+    if (e->kind == EX_NUMBER || expr_is_negative_number(e) || o->n == OPERANDS_MOST)
         return;
     if (e->kind == EX_AT)
         e = time_of_at(o->r->arena, e);

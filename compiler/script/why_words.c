@@ -73,10 +73,25 @@ static bool is_inside_call(const WatchStmt *s, uint32_t leaf, uint32_t operand)
     return watch_is_run(e) || watch_same_span(s->node[leaf].e->span, e->span);
 }
 
+// Whether an operand of which the text and the value are in the list is node i.
+static bool is_listed(const WatchStmt *s, const uint64_t *value, const uint32_t *listed, size_t n, uint32_t i)
+{
+    const Span span = s->node[i].e->span;
+
+    for (size_t k = 0; k < n; k++) {
+        const Span other = s->node[listed[k]].e->span;
+        if (value[s->base + listed[k]] == value[s->base + i] && other.len == span.len &&
+            memcmp(other.src->text + other.at, span.src->text + span.at, span.len) == 0)
+            return true;
+    }
+    return false;
+}
+
 void why_append_operands(const WhyWords *words, const WatchStmt *s, const uint64_t *value, uint32_t node, Buf *out)
 {
-    const char *separator = "";
-    uint32_t leaf = node;
+    enum { LISTED_MOST = 32 };                            // of more operands, the later ones can be listed twice
+    uint32_t leaf = node, listed[LISTED_MOST];
+    size_t n = 0;
 
     for (uint32_t i = node; i < s->node[node].end; i++) {
         const Span span = s->node[i].e->span;
@@ -84,12 +99,15 @@ void why_append_operands(const WhyWords *words, const WatchStmt *s, const uint64
             leaf = i;
         if (s->node[i].kind == WATCH_OPERAND ? is_inside_call(s, leaf, i) : i == node || s->node[i].e->kind != EX_VAR)
             continue;
-        buf_str(out, separator);
+        if (expr_is_negative_number(s->node[i].e) || is_listed(s, value, listed, n, i))
+            continue;
+        buf_str(out, n ? ", " : "");
         diag_put_printable(out, span.src->text + span.at, span.len);
         buf_str(out, " = ");
         why_append_value(s, value, i, out);
         append_samples(words, s, s->node[i].e, out);
-        separator = ", ";
+        if (n < LISTED_MOST)
+            listed[n++] = i;
     }
 }
 

@@ -131,7 +131,7 @@ bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
     check_value(s, in, out);
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
     if (good && s->in_script && out->value && expr_is_constant(out->value) && sm_is_nan(expr_constant_value(out->value)))
-        diag_report(s->diags, DIAG_stores_nan, out->value->span, v->name->text);
+        diag_label(s->diags, diag_report(s->diags, DIAG_stores_nan, out->value->span, v->name->text), DIAG_label_write_zero);
     return good && out->value;
 }
 

@@ -144,6 +144,14 @@ bool expr_is_constant(const Expr *e)
     return true;
 }
 
+bool expr_is_negative_number(const Expr *e)
+{
+    const Span s = e->span;
+
+    return e->kind == EX_UNARY && e->op == SM_OP_NEG && e->arg[0]->kind == EX_NUMBER && s.len > 1 && s.src->text[s.at] == '-' &&
+           strchr("0123456789.", s.src->text[s.at + 1]);
+}
+
 // ---- text ----
 
 static const char *const operator_spelling[SM_OP_COUNT] = {

@@ -440,6 +440,8 @@ void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
 
 // Whether the value of e never changes: it contains only numbers, constant locals, operators and pure functions.
 bool expr_is_constant(const Expr *e);
+// Whether e is written as a negative number, as -100: its text is its value.
+bool expr_is_negative_number(const Expr *e);
 // Returns the value of a constant expression.  If e reads a local that is not constant, uses its initial value.
 SmF64 expr_constant_value(const Expr *e);
 // Returns the value of any expression for the given values of variables (by Var.index).  Assumes that every window is filled with

@@ -153,7 +153,10 @@ static bool suggest_spelling(Sema *s, Diag *d, Str name)
 
     if (!f)
         return false;
-    diag_label(s->diags, d, f->label, f->argument);
+    if (s->in_script && f->label == DIAG_label_never_nan)
+        diag_label(s->diags, d, DIAG_label_write_zero);
+    else
+        diag_label(s->diags, d, f->label, f->argument);
     if (strcmp(f->name, "true") == 0 || strcmp(f->name, "false") == 0)
         diag_edit(s->diags, d, d->span, f->argument);
     return true;
