@@ -12,6 +12,7 @@
 #include "compiler/script/replay.h"
 #include "compiler/sema/join.h"
 #include "compiler/source_files.h"
+#include "compiler/state_runs.h"
 #include "compiler/syntax/parse.h"
 
 // Prepares a session.  If `alloc` returns NULL, a call of the session jumps to *oom; the caller then calls session_free.
@@ -433,7 +434,7 @@ void session_analyse(Session *s, const Program *p)
     if (s->warnings == 0)
         return;
     s->built = ir_build(&s->arena, p);
-    analyse_machine(&s->work, &s->scratch, &s->diags, s->built, s->warnings, s->step);
+    analyse_machine(&s->work, &s->scratch, &s->diags, s->built, s->warnings, s->step, state_runs_find);
     arena_free(&s->work);
 }
 

@@ -4,8 +4,11 @@
 //
 // A state can abort if some trial from it reaches an @abort state, directly or through states that lead nowhere else.  It is
 // reported as unable to abort only if two things are true: no trial aborts, and every transition to an abort depends on the failed
-// sensor.
+// sensor.  Of a state that no run has reached, nothing is concluded: trials begin in it without what earlier states have stored.
 #include "compiler/analysis/abort.h"
+
+#include <string.h>
+
 #include "compiler/analysis/trial_gaps.h"
 #include "compiler/analysis/trial_checks.h"
 
@@ -16,13 +19,15 @@ enum {
     INPUT_CHANGES = 4,            // how often the inputs change in one trial
     WORK_MAX = 1600000             // instructions spent on one state and sensor
 };
+static const double healthy_noise = 0.001;      // as a fraction of a sensor's scale: some machines take a reading without any noise for a dead sensor
 
 typedef struct AbortTrials {
     Trials *t;
     const AbortBound *b;          // the states that always lead to an @abort state
     const InputDepsTable *deps;
     void *at;                     // the current situation
-    double *in;                   // the inputs of the next step
+    double *in, *now;             // the inputs of the present trial; with their noise, those of the last step
+    double noise;                 // the most noise of healthy sensors, as a fraction of their scale
     bool commands;                // trials also change commands at random.  If false, commands keep their values; but if some element is
                                   // marked @command, bools without the mark are no commands here and do change
     const SensorFailure *failed;  // the failed sensor, or NULL
@@ -30,6 +35,7 @@ typedef struct AbortTrials {
     bool left;                    // some trial left the state later, but before windows were full, and did not abort
     bool stayed;                  // some trial stayed in the state until windows were full
     bool aborted;                 // some trial aborted
+    bool cut;                     // no trial aborted, and the effort ended before all trials had run: they show nothing
     bool driven;                  // an output was on during a trial
     uint64_t until;               // value of Trials.run.work at which the trials stop
 } AbortTrials;
@@ -53,9 +59,11 @@ static TrialEnd classify_last_step(AbortTrials *k, uint32_t state)
 
 static TrialEnd run_step(AbortTrials *k, uint32_t state)
 {
+    memcpy(k->now, k->in, k->t->inputs * sizeof *k->now);
+    trial_add_noise(k->t, k->now, k->noise);
     if (k->failed)
-        k->in[k->failed->input] = k->failed->reading;
-    trial_step(k->t, k->at, k->in, k->t->dt, &k->t->trace);
+        k->now[k->failed->input] = k->in[k->failed->input] = k->failed->reading;
+    trial_step(k->t, k->at, k->now, k->t->dt, &k->t->trace);
     return classify_last_step(k, state);
 }
 
@@ -97,6 +105,7 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
 
     for (int n = 0; n < TRIALS_PER_ENTRY && t->run->work < k->until; n++) {
         TrialEnd f = TRIAL_STAYS;
+        k->noise = n % 4 == 3 ? healthy_noise : 0;
         trial_begin_at_entry(t, e, k->at, k->in);
         if (k->failed) {
             k->in[k->failed->input] = k->failed->reading;
@@ -120,8 +129,17 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
     return false;
 }
 
+// Returns the value of Trials.run.work at which the next trials of a state stop.  `bounded`: also at the end of the check's effort.
+static uint64_t until_of_trials(const AbortTrials *k, bool bounded)
+{
+    const uint64_t until = k->t->run->work + WORK_MAX / k->t->share;
+
+    return bounded && until > k->t->until ? k->t->until : until;
+}
+
 // Runs trials of a state, with or without commands, and with or without a failed sensor.  Returns true if a trial aborted.  Also returns
-// true if the trials do not show that the state cannot abort: no trial stayed in the state, or, with a failed sensor, too few could be run.
+// true if the trials do not show that the state cannot abort: no trial stayed in the state, or, with a failed sensor, too few could be run
+// (k->cut).
 static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const SensorFailure *failed)
 {
     const TrialState *s = &k->t->state[r->state->number - 1];
@@ -130,12 +148,13 @@ static bool try_to_abort(AbortTrials *k, const AbortRow *r, bool commands, const
     k->commands = commands;
     k->failed = failed;
     k->stayed = k->left = k->left_at_once = false;
-    k->until = k->t->run->work + WORK_MAX / k->t->share;
+    k->until = until_of_trials(k, failed != NULL);
     for (size_t n = 0; n < s->entry.n && n < ENTRIES_TRIED && !found; n++)
         found = find_aborting_trial(k, &s->entry.at[n]);
     k->failed = NULL;
     k->aborted = found;
-    if (failed && !found && k->stayed && k->t->run->work >= k->until) {
+    k->cut = failed && !found && k->t->run->work >= k->until;
+    if (k->cut) {
         trial_add_gap(k->t->gaps, (TrialGap){GAP_SENSOR, r->state, k->t->input[failed->input].v, NULL});
         return true;
     }
@@ -190,14 +209,14 @@ static bool fails_to_abort_at(AbortTrials *k, const AbortRow *r, uint32_t input,
 {
     const SensorFailure f = {input, reading, 0};
 
-    return !try_to_abort(k, r, false, &f) || (!k->stayed && !k->aborted && k->left && !k->left_at_once);
+    return !try_to_abort(k, r, false, &f) || (!k->cut && !k->stayed && !k->aborted && k->left && !k->left_at_once);
 }
 
 // Whether the state fails to abort at a reading that no healthy sensor delivers.  Unlike in fails_to_abort_at, a state that is left at once
 // without an abort also counts as failing.
 static bool is_blind_at(AbortTrials *k, const AbortRow *r, uint32_t input, double reading)
 {
-    return fails_to_abort_at(k, r, input, reading) || (!k->stayed && !k->aborted && k->left_at_once);
+    return fails_to_abort_at(k, r, input, reading) || (!k->cut && !k->stayed && !k->aborted && k->left_at_once);
 }
 
 // Finds out whether the state cannot abort while the sensor reads 0, or a number outside its range that the type can represent.
@@ -249,7 +268,7 @@ static void find_latch(AbortTrials *k, AbortRow *r)
     k->commands = true;
     for (size_t n = 0; n < s->entry.n && n < LATCH_ENTRIES_TRIED && !(can && cannot); n++) {
         k->stayed = false;
-        k->until = k->t->run->work + WORK_MAX / k->t->share;
+        k->until = until_of_trials(k, true);
         if (find_aborting_trial(k, &s->entry.at[n]))
             can = &s->entry.at[n];
         else if (k->stayed && k->t->run->work < k->until)
@@ -274,7 +293,7 @@ static void fill_in_trial_results(AbortTrials *k, AbortRow *r)
     r->by_itself = try_to_abort(k, r, false, NULL);
     r->by_command = can_abort_in_known_time(r) && !r->by_itself && all_paths_need_command(r) && try_to_abort(k, r, true, NULL);
     r->drives = k->driven;
-    if (!can_abort_in_known_time(r) || !r->by_itself)
+    if (!can_abort_in_known_time(r) || !r->by_itself || !t->state[r->state->number - 1].reached)
         return;
     find_latch(k, r);
     for (uint32_t i = 0; i < t->inputs && !(r->blind && r->single); i++)
@@ -291,6 +310,7 @@ void abort_run_trials(Trials *t, AbortMatrix *x, const AbortBound *b)
     Arena *arena = t->a->arena;
     AbortTrials k = {.t = t, .b = b, .deps = input_deps_of(t->a), .at = arena_alloc(arena, t->run->size), .in = trial_new_inputs(t)};
 
+    k.now = trial_new_inputs(t);
     x->deps = k.deps;
     for (size_t s = 0; s < x->n; s++) {
         AbortRow *r = &x->row[s];

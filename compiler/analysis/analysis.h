@@ -13,6 +13,7 @@
 #include "compiler/analysis/transitions.h"
 #include "compiler/diag/diag.h"
 #include "compiler/facts/facts.h"
+#include "compiler/script/scenario.h"
 #include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 #include "compiler/sema/requirements.h"
@@ -28,6 +29,11 @@ typedef struct StmtFact {
     const Env *env;               // private to env_of_stmt: the facts where the guard (IF) is evaluated, or the transition is executed
 } StmtFact;
 
+// Runs from the machine's start, as a search finds them.
+typedef struct AnalysisRuns { const Scenario *at; uint32_t n; } AnalysisRuns;
+// Finds runs that reach states of the machine, in which G grows by delta_t in a step.  The result is the arena's.
+typedef AnalysisRuns AnalysisSearch(Arena *arena, const Program *p, uint64_t delta_t);
+
 typedef struct Analysis {
     unsigned groups;              // the groups whose warnings are enabled: a set of 1u << DiagGroup
     uint64_t step;                // how much the global time G advances per step; 0: unknown
@@ -41,6 +47,8 @@ typedef struct Analysis {
     StmtFact *stmt;               // stmt[Stmt.number]: the facts about a statement
     bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
     Transitions transition;       // all transitions of the machine, in file order
+    AnalysisSearch *search;       // asked for states that trial runs do not reach; NULL: there is no search
+    AnalysisRuns *runs;           // what it has found; NULL: it was not asked
 } Analysis;
 
 // Fills in *a for a machine: builds its IR, computes its facts and lists its transitions.  Reports no findings.  `arena` owns the result.
@@ -51,8 +59,9 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 StmtFact *analysis_facts_in_states(const Analysis *a);
 
 // Runs all analyses of a machine, in its IR before any pass, whose warnings belong to these groups (1u << DiagGroup for each).
-// `step`: see Analysis.step.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
-void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step);
+// `step`, `search`: see Analysis.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
+void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step,
+                     AnalysisSearch *search);
 
 // Reports conflicts between n machines that share a state vector, such as two machines that write one element.  The names of all
 // machines must be interned in one pool.

@@ -225,7 +225,7 @@ static void try_failures(FailureSearch *k, FailureCase *c)
     for (FailureKind f = READS_ZERO; f <= STICKS; f++) {
         bool found;
         c->failure = f;
-        if (!is_failure_of_case(&z->t->input[c->sensor], c, f))
+        if (!trial_may_continue(z->t) || !is_failure_of_case(&z->t->input[c->sensor], c, f))
             continue;
         found = failure_run(z, c, &e) == HAS_EFFECT;
         k->tried |= z->cut ? 0 : 1u << f;
@@ -301,7 +301,7 @@ static void try_readings(FailureSearch *k, FailureCase *c, uint32_t n, bool is_f
         c->reading = i->reading[m];
         if (!trial_is_healthy(i, c->reading) || !(is_first ? trial_may_continue(t) : work < until))
             continue;
-        for (uint32_t others = n; others < (is_first ? k->tries : n + 1) && !lasts; others++)
+        for (uint32_t others = n; others < (is_first ? k->tries : n + 1) && !lasts && trial_may_continue(t); others++)
             lasts = try_reading(k, c, others, share);
     }
 }

@@ -200,7 +200,7 @@ void check_ping_pong(Trials *t)
     f.level = ARENA_ARRAY(t->a->arena, double, t->run->m->var.n);
     for (size_t s = 0; s < t->a->p->state.n; s++)
         for (size_t n = 0; n < t->state[s].entry.n && n < ENTRIES_TRIED; n++)
-            for (int k = 0; k < INPUTS_TRIED; k++) {
+            for (int k = 0; k < INPUTS_TRIED && trial_may_continue(t); k++) {
                 size_t cycle;
                 choose_cycle_inputs(&f, &t->state[s].entry.at[n], k);
                 cycle = find_cycle(&f, &t->state[s].entry.at[n], 0);

@@ -164,6 +164,18 @@ static void hold_inputs(TrialSearch *k)
     }
 }
 
+// Records whether the inputs, which were k->was, show a command or a sensor that has failed.
+static void record_change(TrialSearch *k)
+{
+    const Trials *t = k->t;
+
+    for (uint32_t i = 0; i < t->inputs; i++)
+        if (t->input[i].command)
+            k->commanded |= k->steps > 0 && k->in[i] != k->was[i];
+        else
+            k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
+}
+
 // Chooses random values for all inputs on which state s depends, or changes one input.
 static void change_inputs(TrialSearch *k, const TrialState *s)
 {
@@ -180,11 +192,7 @@ static void change_inputs(TrialSearch *k, const TrialState *s)
         else if (t->inputs > 0)
             trial_set_group(t, k->in, i, trial_pick_reading(t, &t->input[i], unhealthy));
     }
-    for (uint32_t i = 0; i < t->inputs; i++)
-        if (t->input[i].command)
-            k->commanded |= k->steps > 0 && k->in[i] != k->was[i];
-        else
-            k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
+    record_change(k);
 }
 
 // Runs one trial of a state: from a random entry, with a few changes of its inputs one after another.
@@ -214,6 +222,64 @@ static bool has_untaken_transition(const Trials *t, uint32_t state)
             return true;
     }
     return false;
+}
+
+// ---- runs that another search has found ----
+
+// Returns the reading of an input in a step; `change` is the last change of the input.
+static double reading_of_change(const Trials *t, const ScenarioChange *change, uint64_t step, const double *var, uint64_t *cell)
+{
+    const Program *p = t->a->p;
+
+    if (change->kind == SCENARIO_COPY && t->a->m->var_of[change->source] != IR_NONE)
+        cell[change->source] = sm_cell_from_f64(p->var.at[change->source]->type, var[t->a->m->var_of[change->source]]);
+    return sm_cell_to_f64(p->var.at[change->var]->type, scenario_cell(p, change, step, cell));
+}
+
+// Follows a run from the machine's start, and stores the situations at the entries of states.
+static void follow_run(TrialSearch *k, const Scenario *s)
+{
+    Trials *t = k->t;
+    const Program *p = t->a->p;
+    const ScenarioChange **current = ARENA_ARRAY(t->a->arena, const ScenarioChange *, p->var.n + 1u);
+    uint64_t *cell = ARENA_ARRAY(t->a->arena, uint64_t, p->var.n + 1u);
+    size_t next = 0;
+
+    ir_run_start(t->run, k->at, s->init_state->number);
+    memset(k->in, 0, (t->inputs + 1) * sizeof *k->in);
+    k->steps = 0;
+    k->noise = 0;
+    k->unhealthy = k->commanded = false;
+    for (uint64_t step = 1; step <= s->steps; step++) {
+        memcpy(k->was, k->in, t->inputs * sizeof *k->was);
+        for (; next < s->changes && s->change[next].step <= step; next++)
+            current[s->change[next].var] = &s->change[next];
+        for (uint32_t i = 0; i < t->inputs; i++)
+            if (current[t->input[i].v->index])
+                k->in[i] = reading_of_change(t, current[t->input[i].v->index], step, trial_vars(t, k->at), cell);
+        record_change(k);
+        search_step(k, false);
+    }
+}
+
+// If a state has not been reached although the facts allow it, follows the runs that Analysis.search finds, for which random inputs are too few.
+// Returns whether it did.
+static bool follow_found_runs(TrialSearch *k)
+{
+    Analysis *a = k->t->a;
+    bool all = true;
+
+    for (uint32_t s = 0; s < a->p->state.n; s++)
+        all &= k->t->state[s].entry.n > 0 || !facts_may_reach(a->facts, s, BLOCK_ENTRY);
+    if (all || !a->search)
+        return false;
+    if (!a->runs) {
+        a->runs = ARENA_NEW(a->kept, AnalysisRuns);
+        *a->runs = a->search(a->kept, a->p, (uint64_t)k->t->dt);
+    }
+    for (uint32_t i = 0; i < a->runs->n; i++)
+        follow_run(k, &a->runs->at[i]);
+    return a->runs->n > 0;
 }
 
 // Adds an entry for each state that the search could not reach, as if the machine were started in it.
@@ -266,6 +332,8 @@ static void search_situations(Trials *t)
     add_entry(&k, NULL);
     t->near = t->gaps ? trial_near_new(t) : NULL;
     search_rounds(&k, 0, ROUNDS + ROUNDS_MORE);
+    if (follow_found_runs(&k))
+        search_rounds(&k, ROUNDS, ROUNDS + ROUNDS_MORE);
     add_unreached_states(&k);
     t->near = NULL;
     search_rounds(&k, ROUNDS, ROUNDS + ROUNDS_MORE);
@@ -361,6 +429,7 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *
     t->before = ARENA_ARRAY(a->arena, double, a->m->var.n);
     t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);
     t->random = TRIAL_SEED;
+    t->until = UINT64_MAX;
     t->var = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);
     for (size_t v = 0; v < a->p->var.n; v++)
         if (a->m->var_of[v] != IR_NONE)

@@ -21,8 +21,9 @@ double trial_check_round(double x)
     return strtod(text, NULL);
 }
 
-// The most IR instructions that a check may execute in trials: about two seconds.  Some checks have smaller limits.
-static const uint64_t effort = 400000000;
+// The most IR instructions that the checks of a machine may execute in trials: about two seconds.  Each check may execute half of what the checks
+// before it have left, so that one of them cannot use everything.  Some checks have smaller limits.
+static const uint64_t effort = 640000000;
 
 static bool has_setting(const Analysis *a, TrialSetting setting)
 {
@@ -36,11 +37,13 @@ static bool has_setting(const Analysis *a, TrialSetting setting)
 
 static void run_checks(Trials *t)
 {
-    const uint64_t share = effort / t->share;
+    uint64_t left = effort / t->share, begin;
 
 #define TRIAL_CHECK(name, flag, sentence) \
-    t->random = TRIAL_SEED, t->until = t->run->work + share, check_##name(t); \
-    if (!trial_may_continue(t)) \
+    begin = t->run->work; \
+    t->random = TRIAL_SEED, t->until = begin + left / 2 + 1, check_##name(t); \
+    left -= t->run->work - begin < left ? t->run->work - begin : left; \
+    if (!trial_may_continue(t) && t->run->work > begin) \
         trial_add_gap(t->gaps, (TrialGap){GAP_CHECK, NULL, NULL, flag});
 #include "compiler/analysis/trial_checks.def"
 #undef TRIAL_CHECK

@@ -17,6 +17,7 @@ typedef struct NearPart {
     bool wanted;                      // the value that the part must have so that the guard can be true; false after `not`
     bool sampled;                     // the part belongs to a condition that a window samples, as in `held`
     bool met;                         // the part had the wanted value after some step
+    bool known;                       // some step has told whether the part had the wanted value when the guard was evaluated
     double distance, at, to;          // the smallest distance between the two sides, and their values then; negative: none was computed
 } NearPart;
 
@@ -37,6 +38,17 @@ static bool has_window(const Expr *e)
     for (uint32_t i = 0; i < e->n && !has; i++)
         has = has_window(e->arg[i]);
     return has;
+}
+
+// Whether a transition of the same step cannot change what e reads: neither T nor what the machine writes.
+static bool reads_only_inputs(const TrialNear *near, const Expr *e)
+{
+    const Program *p = near->t->a->p;
+    bool only = e->kind != EX_ROLL && (e->kind != EX_VAR || (!e->var->written && e->var != p->t && e->var != p->s));
+
+    for (uint32_t i = 0; i < e->n && only; i++)
+        only = reads_only_inputs(near, e->arg[i]);
+    return only;
 }
 
 static bool is_relation(SmOperator op) { return (COMPARISONS >> op & 1) != 0; }
@@ -97,11 +109,16 @@ TrialNear *trial_near_new(const Trials *t)
 
 // ---- recording ----
 
-// Records whether the part is as the guard needs it after this step, and how close the sides of its comparison are.
-static void record_part(const TrialNear *near, NearPart *part)
+// Records whether the part is as the guard needs it after this step, and how close the sides of its comparison are.  The guard may have been
+// evaluated with other values than those after the step: if the step has made a transition, records only parts that depend on inputs alone.
+static void record_part(const TrialNear *near, NearPart *part, bool left)
 {
     double a, b, distance;
 
+    if (left && !part->pair.a ? !reads_only_inputs(near, part->e)
+             : left && !(reads_only_inputs(near, part->pair.a) && reads_only_inputs(near, part->pair.b)))
+        return;
+    part->known = true;
     if (!part->pair.a) {
         part->met |= !has_window(part->e) && (expr_eval(part->e, near->value) != 0) == part->wanted;
         return;
@@ -128,13 +145,13 @@ void trial_near_record(TrialNear *near, const void *situation, const IrTrace *tr
         if (g->part.n == 0)
             continue;
         g->seen |= trace->at[n] & 1 ? WAS_TRUE : WAS_FALSE;
-        if (g->seen == (WAS_TRUE | WAS_FALSE) || trace->transition)
+        if (g->seen == (WAS_TRUE | WAS_FALSE))
             continue;
         for (size_t v = 0; v < t->a->p->var.n && !copied; v++)
             near->value[v] = t->a->m->var_of[v] != IR_NONE ? var[t->a->m->var_of[v]] : 0;
         copied = true;
         for (size_t k = 0; k < g->part.n; k++)
-            record_part(near, &g->part.at[k]);
+            record_part(near, &g->part.at[k], trace->transition != 0);
     }
 }
 
@@ -192,16 +209,22 @@ static void note_guard(const TrialNear *near, Diag *d, const State *to, const Co
     Arena *arena = near->t->a->arena;
     const NearGuard *g = &near->guard[unmet->stmt->number];
     const char *name = to->name->text;
-    bool sampled = false;
+    bool sampled = false, all_known = true;
 
     for (size_t k = 0; k < g->part.n; k++) {
         const NearPart *part = &g->part.at[k];
         sampled |= part->sampled;
-        if (part->met || (!part->pair.a && has_window(part->e) && g->part.n > 1))
+        all_known &= part->known;
+        if (part->met || !part->known || (!part->pair.a && has_window(part->e) && g->part.n > 1))
             continue;
         diag_note(near->t->a->diags, d, part->span, DIAG_note_gap_guard, name, source_text(arena, part->span),
                   part->wanted ? "true" : "false", closest_text(arena, part));
         note_ranges(near, d, part, noted);
+        return;
+    }
+    if (!all_known) {
+        diag_note(near->t->a->diags, d, unmet->stmt->value->span, DIAG_note_gap_guard, name, source_text(arena, unmet->stmt->value->span),
+                  unmet->holds ? "true" : "false", "");
         return;
     }
     diag_note(near->t->a->diags, d, unmet->stmt->value->span, sampled ? DIAG_note_gap_duration : DIAG_note_gap_together, name,

@@ -22,7 +22,7 @@ bool valve
 [Short]                                                                 #! W0930 no run reached 'Target'; not every failure of 'p' was tried in 'Short'
 .step
     p > 50: valve = true
-    T > 50 ms and (x - 3) * (x - 3) + (y - 4) * (y - 4) < 0.0001: -> Target
+    T > 50 ms and (x - 3) * (x - 3) + (y - 4) * (y - 4) < 0.0001 and x + y > 7.02: -> Target
     roll_avg(p, 100) > 60: -> Wait
     T > 60 ms: -> Wait
 

@@ -21,7 +21,7 @@ bool go    @read_only @command
 
 [Short]
 .step
-    go and (x - 3) * (x - 3) + (y - 4) * (y - 4) < 0.0001: -> Target
+    go and (x - 3) * (x - 3) + (y - 4) * (y - 4) < 0.0001 and x + y > 7.02: -> Target
     x * 2 == 7 and x * 2 == 7.001: -> Both
     T > 60 ms: -> Wait
 
@@ -58,9 +58,9 @@ F64  p     @read_only @range 0 100
 app.sm:22:2: warning: trial runs have not tried everything: no run reached 'Target', 'Both', 'After' [W0930 not-tried]
    22 | [Target] @safe
       |  ^~~~~~
-app.sm:18:12: note: no run reached 'Target', because '(x - 3) * (x - 3) + (y - 4) * (y - 4) < 0.0001' was never true; the closest was (x - 3) * (x - 3) + (y - 4) * (y - 4) = 0.3133
+app.sm:18:12: note: no run reached 'Target', because '(x - 3) * (x - 3) + (y - 4) * (y - 4) < 0.0001' was never true; the closest was (x - 3) * (x - 3) + (y - 4) * (y - 4) = 0.07079
 app.sm:9:6: note: 'y' has no @range: with one, trial runs also read its ends and its middle
-app.sm:19:5: note: no run reached 'Both', because 'x * 2 == 7' was never true; the closest was x * 2 = 7.0002999999946445
+app.sm:19:5: note: no run reached 'Both', because 'x * 2 == 7' was never true; the closest was x * 2 = 6.9998999999946445
 note: trials of a state that no run reached begin with it, as if it were the first state; a script that leads there, run with 'smc faults', tries it as it is
 1 warning
 long.sm:14:2: warning: trial runs have not tried everything: no run reached 'Long' [W0930 not-tried]
