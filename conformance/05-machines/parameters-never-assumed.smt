@@ -27,7 +27,7 @@ twice = a * 2
     -> Last
 [Last]
 .step
-    x = 1 / (f + 0)
+    x = 1 / abs(f)
     y = floor(a)
 -- app.ss --
 [options]
