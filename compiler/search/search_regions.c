@@ -91,13 +91,11 @@ void region_number_values(Prover *p, uint32_t fn)
     number_function(p, &p->own, before, false);
 }
 
-// Whether the value is a constant; sets *x.
+// Whether the value is a constant; sets *x.  A constant that is converted to F64 has no value of its own (number_function).
 static bool constant_of(const Prover *p, uint32_t value, double *x)
 {
     const Value *v = &p->value.at[value];
 
-    if (v->op == IR_cvt)
-        return v->type == SM_F64 && constant_of(p, v->a, x);
     if (v->op != IR_const)
         return false;
     *x = ir_number(v->type, v->bits);

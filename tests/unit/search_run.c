@@ -507,7 +507,7 @@ int main(void)
     check_machine_of("stuck", 0);
     check_machine_of("impossible", 15);
     check_machine_of("bounds", 8);
-    check_machine_of("proofs", 27);
+    check_machine_of("proofs", 43);
     check_determinism();
     check_stop();
     check_effort();
