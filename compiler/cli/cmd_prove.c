@@ -73,8 +73,8 @@ static bool is_not_interrupted(void *context)
 
 typedef struct ProveProgress { Cli *c; const Requirements *what; } ProveProgress;
 
-// On a terminal, shows the requirement that is being decided; `done`: how many have been. After the last one, erases that line.
-static void show_progress(void *context, uint32_t done)
+// On a terminal, shows the requirement that is being tried, and how many have been decided. If all have been, erases that line.
+static void show_progress(void *context, uint32_t done, uint32_t now)
 {
     const ProveProgress *k = context;
     Buf out;
@@ -84,7 +84,7 @@ static void show_progress(void *context, uint32_t done)
     buf_init(&out, &k->c->session.arena);
     if (done < k->what->at.n)
         buf_printf(&out, "\r%lu of %lu requirements decided, now %.30s  ", (unsigned long)done, (unsigned long)k->what->at.n,
-                   k->what->at.at[done].id->text);
+                   k->what->at.at[now].id->text);
     else
         buf_printf(&out, "\r%70s\r", "");
     cli_print(k->c, 2, &out);
@@ -161,7 +161,7 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
     os_signals_begin();
     os_signals_delay();
     r = prove_run(&c->session.arena, what, &options);
-    show_progress(&progress, what->at.n);
+    show_progress(&progress, (uint32_t)what->at.n, 0);
     code = write_result(c, format, p, r);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();
