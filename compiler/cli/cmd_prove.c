@@ -70,8 +70,10 @@ static int exit_code_of_verdicts(const ProveResult *r)
 typedef struct ProveProgress {
     Cli *c;
     const Requirements *what;
-    bool prints;              // each verdict is printed when it is known
+    bool prints;              // each verdict is printed when it and those before it are known
     bool is_lost;             // a verdict could not be printed
+    bool *decided;            // by requirement: its verdict is known
+    uint32_t printed;         // number of verdicts that have been printed
 } ProveProgress;
 
 static bool is_not_interrupted(void *context)
@@ -79,8 +81,8 @@ static bool is_not_interrupted(void *context)
     return !os_signal_waiting() && !((const ProveProgress *)context)->is_lost;
 }
 
-// On a terminal, shows the requirement that is being decided; `done`: how many have been. After the last one, erases that line.
-static void show_progress(void *context, uint32_t done)
+// On a terminal, shows the requirement that is being tried, and how many have been decided. If all have been, erases that line.
+static void show_progress(void *context, uint32_t done, uint32_t now)
 {
     const ProveProgress *k = context;
     Buf out;
@@ -90,26 +92,29 @@ static void show_progress(void *context, uint32_t done)
     buf_init(&out, &k->c->session.arena);
     if (done < k->what->at.n)
         buf_printf(&out, "\r%lu of %lu requirements decided, now %.30s  ", (unsigned long)done, (unsigned long)k->what->at.n,
-                   k->what->at.at[done].id->text);
+                   k->what->at.at[now].id->text);
     else
         buf_printf(&out, "\r%70s\r", "");
     cli_print(k->c, 2, &out);
 }
 
-// Prints the verdict on requirement i, the first one with what precedes the verdicts.
+// Prints the verdict on requirement i, and those after it that were known before, in the order of the files.  The first one has before it what
+// precedes the verdicts.
 static void print_verdict(void *context, const ProveResult *r, uint32_t i)
 {
     ProveProgress *k = context;
     Arena *arena = &k->c->session.arena;
     Buf out;
 
-    if (!k->prints || k->is_lost)
+    k->decided[i] = true;
+    if (!k->prints || k->is_lost || i != k->printed)
         return;
-    show_progress(k, k->what->at.n);          // erases the line
+    show_progress(k, (uint32_t)k->what->at.n, 0);         // erases the line
     buf_init(&out, arena);
     if (i == 0)
         prove_write_head(k->what->program, r, &out);
-    prove_write_verdict(arena, k->what->program, r, i, &out);
+    for (; k->printed < r->n && k->decided[k->printed]; k->printed++)
+        prove_write_verdict(arena, k->what->program, r, k->printed, &out);
     k->is_lost = !cli_print(k->c, 1, &out);
 }
 
@@ -225,7 +230,8 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
 {
     const Program *p = what->program;
     const bool is_printed = !c->given[OPT_OUTPUT] || strcmp(c->value[OPT_OUTPUT], "-") == 0;
-    ProveProgress progress = {c, what, format == 0 && is_printed && what->at.n && !deps_wanted(c), false};
+    ProveProgress progress = {c, what, format == 0 && is_printed && what->at.n && !deps_wanted(c), false,
+                              ARENA_ARRAY(&c->session.arena, bool, what->at.n + 1), 0};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
                                   .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20,
                                   .progress = show_progress, .decided = print_verdict,
@@ -240,7 +246,7 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
     os_signals_begin();
     os_signals_delay();
     r = prove_run(&c->session.arena, what, &options);
-    show_progress(&progress, what->at.n);
+    show_progress(&progress, (uint32_t)what->at.n, 0);
     code = progress.is_lost ? EXIT_PROBLEM : progress.prints ? EXIT_OK : write_result(c, format, p, r);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

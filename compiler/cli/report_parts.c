@@ -71,14 +71,14 @@ typedef struct ProofProgress { ProgressLine line; const Requirements *what; cons
 
 static bool proofs_may_go_on(void *context) { return may_go_on(((ProofProgress *)context)->clock); }
 
-// Called before each proof; `done`: how many requirements have been decided.
-static void show_proofs(void *context, uint32_t done)
+// Called before attempts at requirement number `now`; `done`: how many requirements have been decided.
+static void show_proofs(void *context, uint32_t done, uint32_t now)
 {
     ProofProgress *k = context;
 
     if (progress_is_due(&k->line) || (k->line.is_shown && done < k->what->at.n))
         progress_show(&k->line, format_in(&k->line.c->session.arena, "proofs: %lu of %lu requirements decided, now %.30s", (unsigned long)done,
-                                          (unsigned long)k->what->at.n, done < k->what->at.n ? k->what->at.at[done].id->text : ""));
+                                          (unsigned long)k->what->at.n, done < k->what->at.n ? k->what->at.at[now].id->text : ""));
 }
 
 // Records the runs of the scripts, as starting points of searches.  Drops their diagnostics, because the report has already run the scripts.

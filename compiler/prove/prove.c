@@ -11,12 +11,28 @@ enum {
     EFFORT = 30000000,        // how many steps the searches for a violation of a requirement run
     NEAR_SHARE = 32,          // 1 / NEAR_SHARE of the steps are for runs close to the given runs
     FIRST_SHARE = 16,         // 1 / FIRST_SHARE of the steps run before the proofs that need long
+    STEPS_PER_VISIT = 20,     // an exploration that needs long visits at most a path for each of so many steps of the effort
     FEW_STEPS = 1000,         // a longer scenario is shortened
     FEW_CHANGES = 4,          // if a scenario changes inputs more often than this, further searches try to find a simpler one
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
 
-static const ProveLimits coarse = {.nodes = 1500, .visits = 300000}, fine = {.nodes = 4000, .visits = 1500000};
+// The limits of an exploration: in the first round, in the second one, and with all variables as keys.
+typedef enum ProveSize { PROVE_BRIEF, PROVE_COARSE, PROVE_FINE } ProveSize;
+
+static const ProveLimits limits_of[] = {{.nodes = 1500, .visits = 50000}, {.nodes = 1500, .visits = 300000}, {.nodes = 4000, .visits = 1500000}};
+
+// The attempts at a proof, from cheap to expensive.
+static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false}, {PROVE_RELATED, false},
+                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
+
+enum { ATTEMPTS_FIRST = 5, ATTEMPTS = sizeof attempt / sizeof *attempt, SETS = 2 };
+
+// What is kept of a requirement from round to round.
+typedef struct ProveKept {
+    bool is_decided;
+    bool failed[SETS][ATTEMPTS];      // by set of assumptions: the exploration was complete, but no proof: a larger limit changes nothing
+} ProveKept;
 
 typedef struct ProveRun {
     Arena *arena;
@@ -32,10 +48,19 @@ typedef struct ProveRun {
     const ProveGiven **given_of;      // by index into `given`: the script run that it comes from
     const GivenResult **judged;       // by index into `given`, then by requirement: what the run shows
     uint32_t givens;
+    ProveKept *kept;          // by requirement
     bool stopped;             // go_on has returned false
 } ProveRun;
 
 static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
+
+// Returns how many paths an exploration with all variables as keys can visit: fewer with less effort, but not fewer than one with few keys.
+static uint64_t visits_of_fine(const ProveRun *v)
+{
+    const uint64_t most = limits_of[PROVE_FINE].visits, least = limits_of[PROVE_COARSE].visits, share = effort_of(v) / STEPS_PER_VISIT;
+
+    return share > most ? most : share < least ? least : share;
+}
 
 // Whether the caller wants to go on.  Once ProveOptions.go_on has returned false, the answer stays false.
 static bool goes_on(void *run)
@@ -49,28 +74,30 @@ static bool goes_on(void *run)
 // ---- proofs ----
 
 // Tries a proof.  Returns whether no run violates the requirement under the assumptions.
-static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, ProveSize size, ProveExplored *x, ProveOf *of)
 {
-    ProveLimits limits = is_fine ? fine : coarse;
+    ProveLimits limits = limits_of[size];
 
-    if (v->o->visits)
+    if (size == PROVE_FINE)
+        limits.visits = visits_of_fine(v);
+    if (v->o->visits && (size != PROVE_BRIEF || v->o->visits < limits.visits))
         limits.visits = v->o->visits;
     limits.memory = v->o->memory ? v->o->memory : SEARCH_MEMORY;
     limits.go_on = goes_on;
     limits.context = v;
-    *x = prove_explore(&v->models, &v->work, model, v->result->init_state, assumed, is_fine, &limits);
+    *x = prove_explore(&v->models, &v->work, model, v->result->init_state, assumed, size == PROVE_FINE, &limits);
     of->visits += x->visits;
     of->nodes = x->nodes;
     return x->closed && !x->violated;
 }
 
 // Removes the assumptions that the proof does not need, one after another.
-static unsigned weaken_assumptions(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveExplored *x, ProveOf *of)
+static unsigned weaken_assumptions(ProveRun *v, ProveModel *model, unsigned assumed, ProveSize size, ProveExplored *x, ProveOf *of)
 {
     for (int a = PROVE_ASSUMPTIONS - 1; a >= 0; a--) {
         ProveExplored without;
         const unsigned less = assumed & ~(1u << a);
-        if (less == assumed || !goes_on(v) || !try_proof(v, model, less, is_fine, &without, of) || without.premise != x->premise)
+        if (less == assumed || !goes_on(v) || !try_proof(v, model, less, size, &without, of) || without.premise != x->premise)
             continue;
         assumed = less;
         *x = without;
@@ -106,22 +133,18 @@ static const ProveInvariant *invariants_of(const ProveRun *v, const ProveModel *
     return out;
 }
 
-// The attempts at a proof, from cheap to expensive.
-static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false}, {PROVE_RELATED, false},
-                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
-
-enum { ATTEMPTS_FIRST = 5, ATTEMPTS = sizeof attempt / sizeof *attempt };
-
 // What the attempts at the proof of a requirement have in common.
 typedef struct ProveProof {
     ProveModel *model[PROVE_LOOSENINGS];
-    unsigned assumed[2];      // sets of assumptions, the one with fewer assumptions first
-    uint32_t sets, tried;     // number of sets; number of attempts that have been made with each of them
+    unsigned assumed[SETS];   // `sets` sets of assumptions, the one with fewer assumptions first
+    uint32_t sets;
 } ProveProof;
 
-// Stores the inputs with numbers that can influence the requirement.
+// Stores the inputs with numbers that can influence the requirement, and how many variables cannot.
 static void note_inputs(const ProveRun *v, const ProveModel *model, ProveOf *of)
 {
+    for (uint32_t n = 0; n < v->m->var.n; n++)
+        of->irrelevant += model->var[n].kind == PROVE_IRRELEVANT;
     for (uint32_t n = 0; n < v->p->var.n; n++) {
         const Var *var = v->p->var.at[n];
         if (v->m->var_of[n] == IR_NONE || var->type == SM_BOOL || model->var[v->m->var_of[n]].kind != PROVE_INPUT)
@@ -134,16 +157,13 @@ static void note_inputs(const ProveRun *v, const ProveModel *model, ProveOf *of)
 }
 
 // Builds the models of a requirement, one for each way to make it less exact, and the assumptions under which they are explored.
-static void begin_proof(ProveRun *v, ProveProof *p, ProveOf *of)
+static void begin_proof(ProveRun *v, ProveProof *p, const ProveOf *of)
 {
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
 
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
         p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
-    note_inputs(v, p->model[PROVE_EXACT], of);
-    for (uint32_t n = 0; n < v->m->var.n; n++)
-        of->irrelevant += p->model[PROVE_EXACT]->var[n].kind == PROVE_IRRELEVANT;
 }
 
 // Returns the variable or window of the program that a variable of the model stands for, to name it in the verdict.
@@ -177,16 +197,17 @@ static void note_obstacle(const ProveRun *v, const ProveModel *model, const Prov
         of->excluded[s] |= !x->entered[s];
 }
 
-// Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.
-static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, bool is_fine, ProveOf *of)
+// Tries an attempt under the assumptions, and then under fewer.  Returns whether it is a proof.  *failed: no limit can make it one.
+static bool try_attempt(ProveRun *v, ProveModel *model, unsigned assumed, ProveSize size, ProveOf *of, bool *failed)
 {
     ProveExplored x;
 
-    if (!try_proof(v, model, assumed, is_fine, &x, of)) {
+    if (!try_proof(v, model, assumed, size, &x, of)) {
+        *failed = x.closed;
         note_obstacle(v, model, &x, of);
         return false;
     }
-    of->assumed = weaken_assumptions(v, model, assumed, is_fine, &x, of);
+    of->assumed = weaken_assumptions(v, model, assumed, size == PROVE_BRIEF ? PROVE_COARSE : size, &x, of);
     of->is_loose = model->loosened > 0;
     of->is_compared = model->compared > 0;
     of->is_related = model->pairs > 0;
@@ -207,20 +228,23 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
     return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
 }
 
-// Makes the attempts before number `to` that have not been made.  Returns whether one is a proof.
-static bool try_proofs(ProveRun *v, ProveProof *p, ProveOf *of, uint32_t to)
+// Makes the attempts from number `from` to `to` - 1 that have not failed.  Returns whether one is a proof.  If they are brief, more is assumed only
+// once none can succeed without.
+static bool try_proofs(ProveRun *v, const ProveProof *p, ProveOf *of, uint32_t from, uint32_t to, bool are_brief)
 {
-    const uint32_t from = p->tried;
+    ProveKept *kept = &v->kept[of - v->result->of];
+    bool is_open = false;
 
-    p->tried = to;
-    for (uint32_t set = 0; set < p->sets; set++)
+    for (uint32_t set = 0; set < p->sets && !(is_open && are_brief); set++)
         for (uint32_t n = from; n < to; n++) {
-            if (is_repeated(p, attempt[n].loose))
+            const ProveSize size = attempt[n].is_fine ? PROVE_FINE : are_brief ? PROVE_BRIEF : PROVE_COARSE;
+            if (kept->failed[set][n] || is_repeated(p, attempt[n].loose))
                 continue;
             if (!goes_on(v))
                 return false;
-            if (try_attempt(v, p->model[attempt[n].loose], p->assumed[set], attempt[n].is_fine, of))
+            if (try_attempt(v, p->model[attempt[n].loose], p->assumed[set], size, of, &kept->failed[set][n]))
                 return true;
+            is_open = is_open || !kept->failed[set][n];
         }
     return false;
 }
@@ -311,14 +335,19 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
 
 // Searches with the rest of the effort: short searches with other random numbers, then long ones.  Where a state has to last almost as long as it
 // can, one search commits to early exits from it, and another one to late exits.
-static void search_long(ProveRun *v, ProveOf *of)
+static const uint64_t most_steps[] = {1000000, 1000000, 1000000, 1000000, 4000000, 4000000, UINT64_MAX};
+
+enum { SEARCHES_SHORT = 4, SEARCHES = sizeof most_steps / sizeof *most_steps };
+
+// Makes the searches from number `from` to `to` - 1.  Returns whether one has found a violation.
+static bool search_again(ProveRun *v, ProveOf *of, uint32_t from, uint32_t to)
 {
-    static const uint64_t most[] = {1000000, 1000000, 1000000, 1000000, 4000000, 4000000, UINT64_MAX};
     const uint64_t effort = effort_of(v);
     bool found = false;
 
-    for (uint32_t n = 0; n < sizeof most / sizeof *most && !found && of->steps < effort && goes_on(v); n++)
-        found = search_violation(v, of, n + 2, most[n] < effort - of->steps ? most[n] : effort - of->steps);
+    for (uint32_t n = from; n < to && !found && of->steps < effort && goes_on(v); n++)
+        found = search_violation(v, of, n + 2, most_steps[n] < effort - of->steps ? most_steps[n] : effort - of->steps);
+    return found;
 }
 
 // ---- given runs ----
@@ -418,37 +447,75 @@ static bool is_violated_near_given(ProveRun *v, ProveOf *of)
     return true;
 }
 
-// Tries, in this order: given runs, short proofs, a short search, long proofs, a long search.  Most requirements are decided early.
-static void try_to_decide(ProveRun *v, ProveOf *of)
-{
-    const uint64_t effort = effort_of(v);
-    ProveProof proof;
+// ---- rounds ----
 
-    if (record_violation_by_given(v, of))
-        return;
-    of->verdict = PROVE_UNDECIDED;
-    begin_proof(v, &proof, of);
-    if (!try_proofs(v, &proof, of, ATTEMPTS_FIRST)) {
-        if (is_violated_near_given(v, of) || search_violation(v, of, 1, effort / FIRST_SHARE))
-            return;
-        if (!try_proofs(v, &proof, of, ATTEMPTS)) {
-            search_long(v, of);
-            return;
-        }
-    }
+// All requirements are tried in each round, so that none waits for another one that needs long.  Most are decided in the first ones.
+typedef enum ProveRound {
+    ROUND_BRIEF,              // the given runs, and proofs with a small limit
+    ROUND_COARSE,             // the same proofs, runs close to the given ones, and a short search
+    ROUND_FINE,               // proofs that need long
+    ROUND_SEARCHES,           // short searches with other random numbers
+    ROUND_REST,               // searches with the rest of the effort
+    ROUNDS
+} ProveRound;
+
+// After a proof, searches for a run that comes to the premise.
+static void search_premise(ProveRun *v, ProveOf *of)
+{
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
-        of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE).premise_seen;
+        of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE < effort_of(v) ? EFFORT_PREMISE : effort_of(v)).premise_seen;
 }
 
-// The verdict "undecided" means that all attempts failed.  If the caller stops before all were made, the verdict is "interrupted" instead.
-static void decide_requirement(ProveRun *v, ProveOf *of)
+// Makes the attempts of a round at a proof.  Returns whether one has succeeded.
+static bool prove_in_round(ProveRun *v, ProveOf *of, ProveRound round)
 {
-    of->verdict = PROVE_INTERRUPTED;
-    if (!goes_on(v))
-        return;
-    try_to_decide(v, of);
-    if (of->verdict == PROVE_UNDECIDED && !goes_on(v))
-        of->verdict = PROVE_INTERRUPTED;
+    const bool is_fine = round == ROUND_FINE;
+    ProveProof proof;
+
+    arena_reset(&v->models);
+    begin_proof(v, &proof, of);
+    if (round == ROUND_BRIEF)
+        note_inputs(v, proof.model[PROVE_EXACT], of);
+    if (!try_proofs(v, &proof, of, is_fine ? ATTEMPTS_FIRST : 0, is_fine ? ATTEMPTS : ATTEMPTS_FIRST, round == ROUND_BRIEF))
+        return false;
+    search_premise(v, of);
+    return true;
+}
+
+// Makes the attempts of a round to decide a requirement.  Returns whether it is decided.
+static bool decide_in_round(ProveRun *v, ProveOf *of, ProveRound round)
+{
+    switch (round) {
+    case ROUND_BRIEF: return record_violation_by_given(v, of) || prove_in_round(v, of, round);
+    case ROUND_COARSE:
+        return prove_in_round(v, of, round) || is_violated_near_given(v, of) || search_violation(v, of, 1, effort_of(v) / FIRST_SHARE);
+    case ROUND_FINE: return prove_in_round(v, of, round);
+    case ROUND_SEARCHES: return search_again(v, of, 0, SEARCHES_SHORT);
+    case ROUND_REST: return search_again(v, of, SEARCHES_SHORT, SEARCHES);
+    case ROUNDS: break;
+    }
+    return false;
+}
+
+// The verdict "undecided" means that all attempts failed.  If the caller stops before all were made, the verdict is "interrupted".
+static void run_round(ProveRun *v, ProveRound round, uint32_t *decided)
+{
+    ProveResult *r = v->result;
+
+    for (uint32_t i = 0; i < r->n && goes_on(v); i++) {
+        if (v->kept[i].is_decided)
+            continue;
+        if (v->o->progress)
+            v->o->progress(v->o->context, *decided, i);
+        v->kept[i].is_decided = decide_in_round(v, &r->of[i], round);
+        if (!v->kept[i].is_decided && round == ROUNDS - 1 && goes_on(v)) {
+            r->of[i].verdict = PROVE_UNDECIDED;
+            v->kept[i].is_decided = true;
+        }
+        *decided += v->kept[i].is_decided;
+        if (v->kept[i].is_decided && v->o->decided)
+            v->o->decided(v->o->context, r, i);
+    }
 }
 
 // ---- contradictions ----
@@ -513,6 +580,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
 {
     ProveResult *result = ARENA_NEW(arena, ProveResult);
     ProveRun v = {.arena = arena, .all = r, .p = r->program, .o = o, .result = result};
+    uint32_t decided = 0;
 
     arena_init_within(&v.work, arena);
     arena_init_within(&v.models, arena);
@@ -526,17 +594,17 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->givens = o->givens;
     judge_givens(&v);
     result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
-    for (uint32_t i = 0; i < r->at.n; i++)
-        result->of[i].what = &r->at.at[i];
+    v.kept = ARENA_ARRAY(arena, ProveKept, r->at.n + 1);
     for (uint32_t i = 0; i < r->at.n; i++) {
+        result->of[i].what = &r->at.at[i];
+        result->of[i].verdict = PROVE_INTERRUPTED;
         result->of[i].tried = ARENA_ARRAY(arena, bool, v.p->state.n);
         result->of[i].excluded = ARENA_ARRAY(arena, bool, v.p->state.n);
-        if (o->progress)
-            o->progress(o->context, i);
-        arena_reset(&v.models);
-        decide_requirement(&v, &result->of[i]);
-        if (o->decided)
-            o->decided(o->context, result, i);
     }
+    for (int round = 0; round < ROUNDS; round++)
+        run_round(&v, (ProveRound)round, &decided);
+    for (uint32_t i = 0; i < r->at.n && o->decided; i++)
+        if (!v.kept[i].is_decided)
+            o->decided(o->context, result, i);
     return result;
 }

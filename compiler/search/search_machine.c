@@ -4,6 +4,7 @@
 
 #include "compiler/ir/eval.h"
 #include "compiler/search/search_run.h"
+#include "stdlib/convert.h"
 
 // ---- inputs ----
 
@@ -263,12 +264,36 @@ static void find_dependences(SearchRun *k)
 
 // ---- constants ----
 
+// Returns the entry of the hash table for x: that of an equal number, or else an empty one.
+static uint32_t *find_constant(const SearchInput *in, double x)
+{
+    const uint64_t bits = sm_bits(x == 0 ? 0.0 : x) * UINT64_C(0x9e3779b97f4a7c15);
+    uint32_t at = (uint32_t)(bits >> 32) & (in->slots - 1);
+
+    while (in->slot[at] && !(in->constant.at[in->slot[at] - 1] == x))
+        at = (at + 1) & (in->slots - 1);
+    return &in->slot[at];
+}
+
+static void grow_constants(SearchRun *k, SearchInput *in)
+{
+    in->slots = in->slots ? in->slots * 2 : 16;
+    in->slot = ARENA_ARRAY(&k->work, uint32_t, in->slots);
+    for (uint32_t i = 0; i < in->constant.n; i++)
+        *find_constant(in, in->constant.at[i]) = i + 1;
+}
+
 static void add_constant(SearchRun *k, SearchInput *in, double x)
 {
-    for (uint32_t i = 0; i < in->constant.n; i++)
-        if (in->constant.at[i] == x)
-            return;
+    uint32_t *slot;
+
+    if (in->constant.n * 2 >= in->slots)
+        grow_constants(k, in);
+    slot = find_constant(in, x);
+    if (*slot)
+        return;
     vec_push(&k->work, &in->constant, x);
+    *slot = in->constant.n;
 }
 
 // Adds each constant of an expression to those that are tried for these inputs.

@@ -40,6 +40,8 @@ typedef struct SearchInput {
     bool forced;              // the machine writes the input, too, so that runs set it again before every step
     const Range *range;       // @range of the input; NULL: none
     VEC(double) constant;     // numbers with which the machine compares the input, and hints of the caller for it
+    uint32_t *slot;           // hash table: 1 + index into `constant`; 0: empty.  Scripts with noise set an input to many thousand numbers
+    uint32_t slots;           // a power of 2, or 0
 } SearchInput;
 
 // A decision on the path to a statement, and the outcome that leads there.

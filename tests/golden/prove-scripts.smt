@@ -117,7 +117,7 @@ requirements of a, from state Idle, with a step every 10 ms:
   R1  no violation found  never open
       992432 steps were tried; what is known about the values is too little for a proof
       no run that was tried came to Open
-      8 abstract states and 541101 paths were examined
+      8 abstract states and 301615 paths were examined
       what can help: a script that comes to these states, named in the command; @range on 'key', with --assume-ranges; --effort=10, which searches longer
   R2  proved              waits
       in Idle: a is 0, b is 0

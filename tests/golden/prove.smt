@@ -158,8 +158,10 @@ requirements of a, from state Idle, with a step every 10 ms:
 1
 requirements of a, from state Hold, with a step every 10 ms:
   Q2  no violation found  the sum fits
-      [..] steps were tried; what is known about the values is too little for a proof
+      [..] steps were tried; a proof needs too many abstract states
       [..] abstract states and [..] paths were examined
+      too many values for a proof have: T, the samples of held(p > 100, 50 ms)
+      a proof can become possible by: a shorter timer than 2000 ms in Fill; fewer samples in held(p > 100, 50 ms)
       what can help: --assume-ranges, if there are no values beyond the @range of 'p'; --effort=10, which searches longer
 -- exit --
 1 0 0 1 0 5

@@ -60,19 +60,20 @@ interrupt()
     code=$?
 }
 
-# The signal can come before R1 is decided, or even before signals are delayed, on a computer that is busy.  Then it has to come later.
+# R2 takes long, but R3 does not wait for it.  The signal can come before R3 is decided, or even before signals are delayed, on a computer that is
+# busy.  Then it has to come later.
 for seconds in 2 4 8 16 32 64; do
     interrupt "$seconds"
-    grep -q '^  R1  proved ' out && break
+    grep -q '^  R3  proved ' out && break
 done
 checks=$((checks + 1))
 grep -q '^  R1  proved ' out || fail "R1 is not proved before the signal"
 checks=$((checks + 1))
+grep -q '^  R3  proved ' out || fail "R3, which a short proof decides, has waited for R2"
+checks=$((checks + 1))
 [ "$code" = 130 ] || fail "ends with $code, not by the signal"
 checks=$((checks + 1))
 grep -q '^  R2  not decided ' out && grep -q '^      interrupted after [1-9][0-9]* steps of runs and [1-9][0-9]* paths of proofs; this says nothing about it$' out || fail "R2 was interrupted"
-checks=$((checks + 1))
-grep -q '^  R3  not decided ' out && grep -q '^      interrupted before anything was tried$' out || fail "R3 was not begun"
 checks=$((checks + 1))
 grep -q 'no violation found' out && fail "a requirement that was not decided counts as searched"
 
@@ -83,7 +84,7 @@ grep -q '^  R1  proved ' out && ! grep -q '^  R[23]' out || fail "the verdict on
 
 interrupt "$seconds" --format=json -o verdicts
 checks=$((checks + 1))
-if [ "$code" != 130 ] || ! grep -q '"id":"R2".*"verdict":"interrupted".*"steps":[1-9]' verdicts || ! grep -q '"id":"R3".*"verdict":"interrupted".*"steps":0,"abstract_states":0,"paths":0' verdicts; then
+if [ "$code" != 130 ] || ! grep -q '"id":"R2".*"verdict":"interrupted".*"steps":[1-9]' verdicts; then
     cp verdicts out 2>/dev/null
     fail "in JSON, what was not decided is not interrupted"
 fi
