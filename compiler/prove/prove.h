@@ -140,8 +140,8 @@ typedef struct ProveOptions {
     bool assume_ranges;       // proofs can use PROVE_RANGES, and searches keep inputs within their ranges
     const ProveGiven *given;  // `givens` runs of scripts; those that begin in another state than init_state, or have another step, are not used
     uint32_t givens;
-    uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h).  A small one also limits
-                              // the proofs that need long.  0: a default
+    uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h).  A small
+                              // one also limits the proofs that need long.  0: a default
     size_t memory;            // bytes of an exploration, and of the snapshots of a search; 0: SEARCH_MEMORY.  It affects results only if used up
     uint64_t visits;          // how many paths from block to block an exploration can visit; 0: a default
     void (*progress)(void *context, uint32_t done, uint32_t now);     // `done` are decided, and attempts at number `now` begin; or NULL

@@ -127,7 +127,9 @@ F64 a = 0
 .entry
     valve = true
 END
-for n in 1 2 3 4 5 6 7 8 9; do echo "P$n \"different\" never count == 4000000000 and other == 7$n and held(p > 3, 500 ms)"; done >large.rq
+for n in 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29; do
+    echo "P$n \"different\" never count == 4000000000 and other == 7$n and held(p > 3, 500 ms)"
+done >large.rq
 for seconds in 1 2 3; do
     timeout --preserve-status -s INT "$seconds" "$smc" prove large.sm large.rq --effort=1 >out 2>err
     checks=$((checks + 1))
@@ -136,18 +138,26 @@ for seconds in 1 2 3; do
     [ -s out ] && ! grep -q ' not decided ' out && fail "the proofs ended before $seconds s"
 done
 
-# A report has what was found until then.  The traceability matrix is not written.
+# A report has what was found until then.  The traceability matrix is not written.  On a fast computer the proofs have ended before a late signal.
 printf '@step_all 10\n' >a.ss
-timeout --preserve-status -s INT 2 "$smc" report a.sm a.rq --prove -o page.html >out 2>err
-code=$?
+for seconds in 2 1 0.5 0.25; do
+    timeout --preserve-status -s INT "$seconds" "$smc" report a.sm a.rq --prove -o page.html >out 2>err
+    code=$?
+    [ "$code" = 130 ] && break
+    rm -f page.html
+done
 checks=$((checks + 1))
 [ "$code" = 130 ] || fail "report ends with $code"
 checks=$((checks + 1))
 if [ -e page.html ]; then
     grep -q 'not decided' page.html && ! grep -q 'no violation found' page.html || fail "in a report, a requirement that was not decided counts as searched"
 fi
-timeout --preserve-status -s INT 2 "$smc" test a.sm a.ss a.rq --traceability=trace.csv --prove >out 2>err
-code=$?
+for seconds in 2 1 0.5 0.25; do
+    timeout --preserve-status -s INT "$seconds" "$smc" test a.sm a.ss a.rq --traceability=trace.csv --prove >out 2>err
+    code=$?
+    [ "$code" = 130 ] && break
+    rm -f trace.csv
+done
 checks=$((checks + 1))
 [ "$code" = 130 ] && [ ! -e trace.csv ] || fail "test ends with $code, and may have written a matrix"
 
