@@ -21,8 +21,8 @@
 #include <avr/sleep.h>
 
 enum {
-    PERIOD = 10,              // ms, for an image that was sent without one
-    EEPROM_WRITE = 4,         // ms, rounded up: no byte write starts if it would still be in progress at the next step
+    PERIOD = 10,              // milliseconds between steps, for an image that was sent without a period
+    EEPROM_WRITE = 4,         // milliseconds of a byte write, rounded up: none starts if it would still be in progress at the next step
     MS_CYCLES = F_CPU / 1000, // CPU cycles of a millisecond
     STEP_CYCLES = MS_CYCLES / 10 * 9      // cycles that a step may take per millisecond of its period: clock and line use the rest
 };
@@ -76,12 +76,12 @@ static SmEvent event_ring[FIRMWARE_EVENTS];
 static SmEvents events = {.at = event_ring, .room = FIRMWARE_EVENTS, .guarded = true};
 static uint16_t state[SMVM_RUNNER_MACHINES];           // the state of each machine after the last step
 
-static volatile uint16_t ms_left = 1, period = PERIOD;  // ms until the next step, and between steps
+static volatile uint16_t ms_left = 1, period = PERIOD;  // milliseconds until the next step; milliseconds between steps
 static volatile bool stepping;         // a step is running
 static volatile bool is_paused = true; // no step may begin
 static volatile bool is_after_step;    // a step has ended since the last tick (on_tick), and may_write has not been called since
 static bool is_logging;                // the EEPROM write that may_write decides on is one of the log, for which no step may wait
-static uint16_t skipped;                               // steps that were due while another ran
+static uint16_t skipped;                               // number of steps that were due while another step ran
 static struct { uint32_t low, high; } now_g;           // G in milliseconds.  Two halves, because avr-gcc needs three times the code for a uint64_t
 
 // Converts milliseconds to nanoseconds: multiplies by 125, 125 and 64, byte by byte.  This takes half the flash of gcc's multiplication.

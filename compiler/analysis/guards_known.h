@@ -8,9 +8,9 @@
 
 typedef struct KnownGuard KnownGuard;
 struct KnownGuard {               // an entry of a list, innermost first: a guard, or an assignment
-    const Expr *guard;            // NULL: the entry is an assignment
+    const Expr *guard;            // the guard; NULL: the entry is an assignment
     bool holds;                   // the known value of the guard
-    const Stmt *assigned;         // the assignment: executed, or perhaps executed, after the guards of the outer entries were evaluated
+    const Stmt *assigned;         // the assignment, which was or may have been executed after the guards of the outer entries were evaluated
     const KnownGuard *outer;      // the next entry; NULL: none
 };
 

@@ -12,9 +12,9 @@
 
 typedef enum QuantityKind {
     QUANTITY_UNKNOWN,             // no unit, or computed from values without one: can be anything
-    QUANTITY_NUMBER,              // computed from numbers alone: `factor`
+    QUANTITY_NUMBER,              // computed from numbers alone: its value is `factor`
     QUANTITY_PLAIN,               // certainly a plain number, such as a bool, a sign or an exponential; can be added to and compared with anything
-    QUANTITY_UNIT                 // has `unit`
+    QUANTITY_UNIT                 // has the unit `unit`
 } QuantityKind;
 
 typedef struct Quantity {

@@ -291,8 +291,8 @@ void assert_check_step(ScriptRun *r)
 
 // ---- asserts never evaluated ----
 
-// Whether the author intends that no step evaluates the assert: an @fail, or `@assert false`, which states that its guard is never true.
-// An @print tests nothing.
+// Whether it is no mistake that no step evaluates the assert: it is an @fail, or an `@assert false`, which states that its guard is never true, or an
+// @print, which tests nothing.
 static bool may_stay_unevaluated(const ScriptRun *r, const ScriptAssert *a)
 {
     return !a->condition || (a->kind == SCRIPT_ASSERT && expr_is_constant(a->condition) && !is_true(r, a));

@@ -32,7 +32,7 @@ void why_append_need(const WhyWords *words, const WatchStmt *s, uint32_t node, B
 const char *why_condition(const WhyWords *words, const WatchStmt *s, uint32_t node, bool since);
 // Returns the outermost of s and the conditionals around it that the last step did not execute; NULL: it executed s.
 const WatchStmt *why_obstacle(const Watch *w, const WatchStmt *s);
-// Whether the guard of the parent of an obstacle is the reason; otherwise an earlier transition came first.
+// Whether the guard around an obstacle (from why_obstacle) is the reason why the obstacle was not executed; otherwise an earlier transition is.
 bool why_is_blocked(const WatchStmt *obstacle);
 // Returns why a transition was taken: "`p > 825` was true: p = 850", for each guard around it.  "" if no guard is around it.
 const char *why_guards(const WhyWords *words, const WatchStmt *s, const uint64_t *value);

@@ -136,7 +136,7 @@ struct Define {
     uint32_t names;           // if the expression is only the name of another definition with a unit: 1 + `number` of that definition; else 0
     bool used;                // a statement, a declaration, a used definition or a requirement uses it
     bool expanded;            // its expression has been checked, so the uses in it are listed in `use`
-    VEC(DefineUse) use;       // in the order of the check; a use in [all_states] once for each copy
+    VEC(DefineUse) use;       // in the order in which the checker found them; a use in [all_states] once for each copy
     Span span;                // position of its name in [define]
 };
 
@@ -286,7 +286,7 @@ typedef struct Program {
     Windows window;
     Defines define;
     VEC(AllStates *) all_states;      // in file order
-    VEC(RequirementMark) mark;        // in the order of the check
+    VEC(RequirementMark) mark;        // in the order in which the checker found them
     VEC(Allow) allow;         // the machine's own @allow annotations, and those of the .sv, which cover the line where the machine lists the element
     Map by_name;              // name or alias to Var
     Map state_by_name;

@@ -387,7 +387,8 @@ static bool can_be_worse(const FaultRunner *x)
            fault_is_read(x, x->single.at[x->i].input, visited_by(x, x->k)) && fault_is_read(x, x->single.at[x->k].input, visited_by(x, x->i));
 }
 
-// Whether a pair is found to do what one of its faults does alone.  The more dangerous one is more likely to decide, so it comes first.
+// Whether replay shows that a pair has the same effect as one of its two faults alone.  Tries the more dangerous fault first, because it more likely
+// determines the effect of the pair.
 static bool repeats_single(FaultRunner *x, const Fault *both)
 {
     const FaultTrigger *t = &x->f->trigger.at[x->at];
