@@ -46,7 +46,7 @@ static void emit_store_constant(DecodeState *d, const StoreTarget *to, SmF64 c) 
     smvm_emit_integer(d, cell);
 }
 
-// Emits one instruction for `to = x + c`, if X is that deferred sum, `to` and x have the same integer type, c is a whole number of at most
+// Emits one instruction for `to = x + c`, if register X is that deferred sum, `to` and x have the same integer type, c is a whole number of at most
 // 31 bits, and X is dead afterwards.  Otherwise returns false.
 static bool try_emit_increment(DecodeState *d, const StoreTarget *to)
 {

@@ -68,7 +68,7 @@ static unsigned statistic_op(const DecodedWindow *w, uint32_t stat, bool and_sto
     return find_specialized_use(w, &type) == FOR_NONE || family[and_store][stat] == 0 ? (unsigned)FAST_STAT_OP : family[and_store][stat] + type;
 }
 
-// Translates the addition of X to a rolling window. A value in memory that has the window's type is sampled from there.
+// Translates the instruction that adds register X to a rolling window. A value in memory that has the window's type is sampled from there.
 void smvm_decode_sample(DecodeState *d)
 {
     const DecodedWindow w = read_window(d, d->n[0]);

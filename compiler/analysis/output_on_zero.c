@@ -78,7 +78,8 @@ static bool choose_other_readings(FailureSearch *k, const FailureCase *c, uint32
     return n < OTHERS;
 }
 
-// Whether the effect is the same for all tried readings of other sensors from z->begin on, as long as the healthy machine stays quiet.
+// Whether the effect is the same for all tried readings of other sensors from z->begin on, as long as the healthy machine does not leave
+// its state before.
 // Readings with which the healthy machine leaves its state before the time of the effect show nothing.
 // Earlier readings of other sensors and earlier commands are not varied, because only the current situation counts.
 static bool is_effect_independent_of_other_sensors(FailureSearch *k, const FailureCase *c, const FailureEffect *e)
@@ -90,7 +91,7 @@ static bool is_effect_independent_of_other_sensors(FailureSearch *k, const Failu
     const double reading = z->reading;
     const double *level = z->leaves ? NULL : &z->level[t->a->m->var_of[e->output[0]->index]];
     bool needed = false;
-    uint32_t quiet = 0;
+    uint32_t quiet = 0;                   // number of readings with which the healthy machine stayed in its state
     FailureEffect again;
 
     trial_copy_situation(t, k->saved, z->begin);

@@ -253,7 +253,8 @@ static EngineStatus c_init(Engine *engine, uint32_t state, EngineStep *out)
     return run_request(e, out);
 }
 
-// Runs a step after writing n elements: sends the command to both variants (see VARIANTS).
+// Runs a step after writing n elements: sends the command to both variants of the emitted machine, with and without
+// tracked stores.
 static EngineStatus c_step(Engine *engine, const EngineWrite *write, uint32_t n, EngineStep *out)
 {
     EngineC *e = engine->self;

@@ -97,7 +97,8 @@ uint32_t image_sign(const uint8_t *image, uint32_t length, const uint8_t *key, u
     return length;
 }
 
-// Returns the number for a time in seconds since 1970; 0 if the time is outside the range, because the clock is wrong.
+// Returns the number that a signed image or swap gets at a time in seconds since 1970: the seconds since 2020.  Returns 0 if the time is outside the
+// range, because the clock is wrong.
 uint32_t sign_number_at(int64_t time)
 {
     const int64_t start_of_2020 = 1577836800, number = time - start_of_2020;

@@ -19,8 +19,8 @@ struct Env {
 
 typedef struct EnvTable EnvTable;
 
-// The join of the nodes a and b: subtrees on level `level` of the tree of side `side` (EnvShape), whose first leaf entry has index `first`.
-// `joined` is the result.
+// The join of the nodes a and b, with the result in `joined`.  Both are subtrees on level `level`, whose first leaf entry has index `first`.  An
+// environment has two trees (EnvShape): 1 of the private variables, 0 of the others; `side` selects one.
 typedef struct EnvJoin {
     const Env *a, *b;
     const FactLimits *widen;

@@ -140,8 +140,8 @@ struct SmcSession {
     int is_cancelled;             // accessed atomically
     int is_busy;                  // accessed atomically
     bool is_guarded;              // the running call can be cancelled, so a failed allocation may mean that it was
-    bool has_layer;               // library_begin_layer was called
-    Session below;                // the value of `compiler` when library_begin_layer was called
+    bool has_layer;               // `compiler` allocates in a layer, memory that is freed at the end of one call (library_begin_layer)
+    Session below;                // while there is a layer: the value of `compiler` before it
     Session compiler;
     bool has_compiler;
     LibrarySource *source;

@@ -53,7 +53,7 @@ static const char *dependence_text(const Report *r, const AbortRow *row)
     return buf_text(&b);
 }
 
-// What the condition of a transition waits for before it is true, which the number of steps does not include.
+// What the condition of a transition waits for before it can be true.  This time is not part of the number of steps that the matrix shows.
 typedef enum Waiting { WAITS_FOR_NOTHING, WAITS_FOR_WINDOW, WAITS_FOR_HELD } Waiting;
 
 // What the expression waits for: a duration (`held`), a full window of samples, or nothing; the largest of its parts.

@@ -343,7 +343,8 @@ static void write_phases(const Writer *w, Buf *out)
 
 // ---- all inputs ----
 
-// Adds the copies whose variable no copy that is still to come reads, again and again.  Returns false if there is a circle.
+// Adds the copies (an input gets the value of another) in an order in which each runs before the copies that change what it reads.  Returns false if
+// there is no such order, because they form a circle.
 static bool add_early_copies(Writer *w)
 {
     bool *is_done = arena_array(w->arena, w->s->changes + 1, sizeof *is_done);

@@ -73,6 +73,7 @@ static void number_function(Prover *p, RegionView *v, const bool *before, bool s
         }
 }
 
+// Gives temporaries with equal values equal numbers (value numbering), in the function and in the samples of its windows.
 void region_number_values(Prover *p, uint32_t fn)
 {
     bool *before = arena_alloc(&p->k->work, p->k->m->var.n);

@@ -16,7 +16,7 @@ struct FaultTape {
     Engine *inner;
     FaultRunner *x;
     FaultRecord *to;          // NULL: nothing is recorded
-    uint64_t *last;           // by slot: its value after the last recorded step
+    uint64_t *last;           // by slot of a record (count_slots): the value after the last recorded step
 };
 
 // ---- what scripts and requirements read ----
