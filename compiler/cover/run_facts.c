@@ -23,8 +23,10 @@ struct RunFacts {
 // have any value at the start, as facts about a parameter allow every value of its range.
 static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *is_input, bool any_elements)
 {
-    static const Parameter any = {.lo = -INFINITY, .hi = INFINITY};
+    Parameter *any = ARENA_NEW(arena, Parameter);
 
+    any->lo = -INFINITY;
+    any->hi = INFINITY;
     m->var.at = arena_copy(arena, m->var.at, m->var.n * sizeof *m->var.at);
     for (uint32_t v = 0; v < m->var.n; v++) {
         IrVar *var = &m->var.at[v];
@@ -32,7 +34,7 @@ static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *i
             continue;
         if (var->space == IR_ELEMENT) {
             var->init = 0;
-            var->parameter = any_elements ? &any : NULL;
+            var->parameter = any_elements ? any : NULL;
         }
         var->space = IR_LOCAL;
         var->outside = false;
