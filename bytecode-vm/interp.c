@@ -221,7 +221,7 @@ void smvm_store(SmF64 x, uint8_t type, void *at) { number_store_real(x, type, (u
 
 // ---- windows ----
 
-// Adds x to the rolling window w: an event that is true or false for a window of times, else a value.
+// Adds x to the rolling window w: for a window of times an event (0, 1 or 2, see stdlib/roll.h) at the current time, else a value.
 void smvm_sample(const SmVm *vm, uint64_t *w, uint32_t n, uint32_t kind, SmF64 x)
 {
     if ((kind & SM_ROLL_TYPE) == SM_ROLL_TIMES)

@@ -152,7 +152,7 @@ SMVM_NOINLINE static void number_write_real(SmF64 x, uint8_t type, uint8_t *p)
     }
 }
 
-// Whether an I32 can represent all values of the type.
+// Whether this is an integer type all values of which an I32 can represent.
 static bool number_is_narrow(uint8_t type) { return type <= SM_I32 || type == SM_U8 || type == SM_U16; }
 
 static void number_write_integer(int32_t v, uint8_t type, uint8_t *p)

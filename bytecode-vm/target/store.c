@@ -285,7 +285,7 @@ SmResult smvm_store_count_start(Store *s)
     return write_choice(s);
 }
 
-// Reports that the caller has stopped the image in the slot and runs the built-in one.
+// Records that the caller runs the built-in image: it has stopped the one in the slot, or runs none.
 void smvm_store_run_built_in(Store *s) { s->running = STORE_BUILT_IN; }
 
 // ---- an update ----
@@ -433,7 +433,8 @@ SmResult smvm_store_end(Store *s, uint16_t session, SmvmVerdict *why)
     return r;
 }
 
-// Chooses the image that was sent.  From the next start on it is on trial, with `period` milliseconds between steps.
+// Chooses the image that was sent.  From the next start on it is on trial, with `period` milliseconds between steps.  A repeated
+// request changes nothing.
 SmResult smvm_store_activate(Store *s, uint16_t session, uint16_t period)
 {
     StoreChoice *const c = &s->choice;

@@ -241,7 +241,7 @@ static void find_blind_readings(AbortTrials *k, AbortRow *r, uint32_t input)
                             above ? format_in(arena, "more than %s", const_text(arena, i->hi)) : "");
 }
 
-// Finds a healthy reading at which the sensor may stick so that the state cannot abort.
+// Finds a healthy reading other than 0 at which the sensor may stick so that the state cannot abort, among the readings of the trials.
 static void find_stuck_reading(AbortTrials *k, AbortRow *r, uint32_t input)
 {
     const TrialInput *i = &k->t->input[input];

@@ -78,9 +78,8 @@ static bool choose_other_readings(FailureSearch *k, const FailureCase *c, uint32
     return n < OTHERS;
 }
 
-// Whether the effect is the same for all tried readings of other sensors from z->begin on, as long as the healthy machine does not leave
-// its state before.
-// Readings with which the healthy machine leaves its state before the time of the effect show nothing.
+// Whether the effect is the same for all tried readings of other sensors from z->begin on, of which at least QUIET_LEAST
+// leave the healthy machine in its state until the time of the effect.  Other readings show nothing.
 // Earlier readings of other sensors and earlier commands are not varied, because only the current situation counts.
 static bool is_effect_independent_of_other_sensors(FailureSearch *k, const FailureCase *c, const FailureEffect *e)
 {

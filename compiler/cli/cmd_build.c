@@ -197,7 +197,7 @@ static int check_app_arguments(Cli *c)
     return EXIT_OK;
 }
 
-// Checks the options that apply to C or to images only.
+// Checks the options that apply to C or to images only, and the value of --prefix.
 static int check_c_options(Cli *c, CompileEmit emit)
 {
     if (c->given[OPT_RUNTIME] && emit != EMIT_C)

@@ -127,7 +127,8 @@ static bool has_marks(const TestRun *t)
     return false;
 }
 
-// Writes a line for each requirement: its id, the result, how often it was judged, and its text; below them where it is implemented and tested.
+// Writes a line for each requirement with its id, the result and its text; below it how often each script judged it, and where it is implemented and
+// tested.
 void test_requirements_write(const TestRun *t, Buf *out)
 {
     const bool marks = has_marks(t);

@@ -65,8 +65,8 @@ static void judge_tested_requirements(TestRun *t, const Traceability *matrix, co
 
     for (size_t i = 0; i < all && 100.0 * tested < percent * all; i++) {
         const TracedRequirement *q = &matrix->requirement.at[i];
-        if (q->result[0] != 'u')
-            continue;                             // only "untested" and "undecided" are listed
+        if (q->result[0] != 'u')                  // "untested" and "undecided" begin with u
+            continue;
         if (low == NULL)
             low = diag_report(d, DIAG_coverage_too_low, requirement_span(matrix, q), "requirements",
                               format_in(t->arena, "%lu of %lu", (unsigned long)tested, (unsigned long)all), format_in(t->arena, "%.6g", percent));

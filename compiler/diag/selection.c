@@ -87,7 +87,8 @@ static void apply_word(const char *w, const DiagFlag *flag, FlagChoice *v)
         v->on = skip_prefix(w, "no-") == NULL;
 }
 
-// Decides about a warning: the words apply in order, the last one that names it wins.
+// Decides about a warning: the words that name it or its group, `error` and `no-error` apply in order, and a later one replaces what an earlier one
+// said.  With -w the warning is off.
 static FlagChoice select_flag(const DiagSelection *w, const DiagFlag *flag)
 {
     FlagChoice v = {!flag || flag->group == DIAG_GROUP_ALL, false};

@@ -87,7 +87,7 @@ static void add_states_covered(const Report *r, Doc *d)
     }
 }
 
-// The edges of the diagram with the counts of all scripts.
+// Returns the diagram, with the counts of all scripts added up; its edges are listed.
 static const Diagram *build_counted_diagram(const Report *r)
 {
     DiagramCounts *counts = ARENA_NEW(r->arena, DiagramCounts);

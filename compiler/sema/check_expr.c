@@ -35,8 +35,8 @@ static bool check_args(Sema *s, AstExpr *const *in, uint32_t n, Expr **out)
 
 // ---- names ----
 
-// Returns whether the initial value of a local can read v, and reports the use of v if not.  The initial value is computed at compile time,
-// when only the locals declared before it have a value.
+// Returns whether the initial value of a local can read v: a local that is declared before it, has a value, and is no parameter.  Reports the use if
+// not, unless v has no value because of an error.
 static bool check_use_in_initial(Sema *s, const Var *v, const AstExpr *e)
 {
     Diag *d;

@@ -216,7 +216,8 @@ static Expr *check_rate(Sema *s, const AstExpr *call)
                          new_operation(s, call, SM_OP_DIV, elapsed, new_number(s, call, sm_from_i32(units_a_second[s->p->time_unit]))));
 }
 
-// Builds prev(x), rising(c) or falling(c): the oldest, and the newest, of the last two samples. In the first step both are the same sample.
+// Builds held(c), rate(x), prev(x), rising(c) or falling(c).  The last three read the oldest, and the newest, of the last two samples.  In the first
+// step both are the same sample.
 Expr *check_sampled_call(Sema *s, const AstExpr *call, SmBuiltin fn)
 {
     Expr *x, *old, *new;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hints about guards by time, which only scripts have: at 5 s, from 1 s to 2 s, after 5 s, every 10 ms.
+// Hints about malformed guards by time, such as `at 1 s, 2 s:` or `at 5 s for 1 s:`, and about guards by time in a machine: only scripts have them.
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/time_unit.h"

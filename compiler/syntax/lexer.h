@@ -15,8 +15,8 @@ uint32_t lexer_skip_word(const Lexer *l, uint32_t p);       // returns the end o
 const char *lexer_text(const Lexer *l, uint32_t at, uint32_t end);      // returns a part of the source, cut to a readable length
 void lexer_skip_comment(Lexer *l);                          // skips to the end of the line
 void lexer_end_line(Lexer *l);                              // consumes the line end
-// Whether quoted text at the current position can be the text of an item of a script, as in `@fail "text"`: it follows a complete value, or the word
-// that begins the item.
+// Whether quoted text at the current position can be the text of an item, as in `@fail "text"`: outside parentheses, after a complete value, a comma,
+// another text, or the word that begins the item.
 bool lexer_may_be_remark(const Lexer *l);
 void lexer_finish_token(Lexer *l, Token *t, TokenKind kind, uint32_t end);
 void lexer_read_word(Lexer *l, Token *t);                        // reads the name or reserved word at the current position

@@ -207,7 +207,7 @@ static bool convert_exactly(const Decimal *d, SmF64 *value)
     return true;
 }
 
-// Converts any decimal literal by an exact division of big integers. Returns false if the value is too large for an F64.
+// Converts a decimal literal, however many digits it has, by an exact division of big integers. Returns false if the value is too large for an F64.
 static bool convert_by_division(const Decimal *d, SmF64 *value)
 {
     Big top = {{0}, 0}, bottom = {{1}, 1};

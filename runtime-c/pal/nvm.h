@@ -61,7 +61,8 @@ SmResult pal_nvm_read(PalNvm memory, uint32_t at, void *bytes, uint32_t n);
 // After SM_E_SPACE or SM_E_DEVICE the range is in the same state as after a power cut.
 SmResult pal_nvm_write(PalNvm memory, uint32_t at, const void *bytes, uint32_t n);
 
-// Makes n bytes blank.  If info.erase is 0, this writes blank bytes.  Results as for pal_nvm_write.
+// Makes n bytes blank.  If info.erase is 0, this writes blank bytes.  Results as for pal_nvm_write, but `at` and n must be
+// multiples of info.erase if that is not 0.
 SmResult pal_nvm_erase(PalNvm memory, uint32_t at, uint32_t n);
 
 SmResult pal_nvm_close(PalNvm memory);

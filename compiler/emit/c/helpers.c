@@ -92,7 +92,8 @@ static void write_snippet(const CUnit *u, int i, const char *text, Buf *out)
         buf_printf(out, "%s\n", text);
 }
 
-// Whether the snippet is written by helper_write_type.
+// Whether the snippet is left out here: helper_write_type writes SmRoll, and SmF64 is never written, because emitted C uses double or the soft
+// library.
 static bool is_type_snippet(int i) { return strcmp(stdlib_text[i].name, "SmF64") == 0 || strcmp(stdlib_text[i].name, "SmRoll") == 0; }
 
 // Writes the snippets that were counted as used, and the snippets that they use. A snippet uses only earlier ones, so one pass from the last to
