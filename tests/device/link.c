@@ -731,6 +731,8 @@ int main(int argc, char **argv)
         test_one_slot();
     else
         test_two_slots();
+    if (!one_slot)                     // an update that fails leaves the other of the two images
+        CHECK(run_on_good_line("flash", images[1], "--confirm") == 0 && is_listed(images[1], ", runs, confirmed"));
     for (int i = 0; i < runs; i++)
         test_update_over_a_bad_line(i % 2);
     for (int i = 0; i < runs; i++)
