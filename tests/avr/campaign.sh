@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# N random programs from SEED on, as images streamed into one firmware on an emulated ATmega328P, in lock step with the VM here: from flash,
+# N random programs from SEED on, as images streamed into one firmware on an emulated ATmega1284P, in lock step with the VM here: from flash,
 # where no step may take more cycles than is estimated of its machine, and from EEPROM.     campaign.sh BUILD N SEED
 # Goes on where it was stopped.  Wants the firmware and the runner that run.sh builds.
 B=$1/avr N=${2:-10000} SEED=${3:-1}
 done_file=$B/campaign-$SEED images=$B/campaign-images BATCH=100
 read -r program passed skipped 2>/dev/null <"$done_file" || program=$SEED passed=0 skipped=0
 export ASAN_OPTIONS=detect_leaks=0             # libsimavr forgets what it read of the firmware
+export AVR_MCU=atmega1284p                     # as in run.sh: the chip for which it has built the firmware
 
 make_image() {
     "$1/diff/difftest" --seed="$2" --print --out="$B/campaign-program" >/dev/null || return 1

@@ -89,7 +89,7 @@ count test $(($(size_of vm_plain) - $(size_of vm_none))) -ge 1900
 sed 's/F64  tankPressure/I16  tankPressure/' tests/avr/tank.sv >"$B/tank.sv"
 sed 's/^F64 *tankPressure/I16 tankPressure/' examples/tank/tank.sm >"$B/tank_i16.sm"
 "$1/smc" build -w "$B/tank_i16.sm" --sv "$B/tank.sv" -o "$B/tank_i16.smb" || exit 1
-for program in types numbers; do
+for program in types numbers functions; do
     "$1/smc" build -w tests/avr/$program.sm -o "$B/$program.smb" || exit 1
 done
 {   # more outputs than an SmVm itself has bits for
@@ -107,6 +107,7 @@ for kind in vm vm_eeprom vm_portable; do           # in assembly, whose cycles a
     count "$B/run_vm" "$B/$kind.elf" 500 700 820 "$B/tank.smb" "$B/tank_i16.smb"                # in its band: never Abort
     count "$B/run_vm" "$B/$kind.elf" 600 0 0 "$B/types.smb"
     count "$B/run_vm" "$B/$kind.elf" 200 0 0 "$B/numbers.smb" "$B/many.smb"
+    count "$B/run_vm" "$B/$kind.elf" 1000 0 0 "$B/functions.smb"
     count "$B/run_vm" "$B/$kind.elf" 100 0 0 "$B"/images/*.smb >"$B/$kind.txt"
     tail -1 "$B/$kind.txt"
 done
