@@ -120,7 +120,17 @@ bool smvm_next_pin(SmvmPins *p, SmvmPin *pin)
 
 // ---- for the verifier ----
 
-static bool is_finite(const SmF64 *x) { return (sm_bits(*x) & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
+// Compares the two bytes with sign and exponent alone, because avr-gcc 5.4 takes a comparison of all 64 masked bits for true.
+SMVM_NOINLINE static bool is_finite(const SmF64 *x)
+{
+    const uint16_t one = 1;
+    uint8_t is_little;
+    uint16_t top;
+
+    memcpy(&is_little, &one, sizeof is_little);
+    memcpy(&top, (const uint8_t *)x + (is_little ? sizeof *x - sizeof top : 0), sizeof top);
+    return (top & 0x7FF0u) != 0x7FF0u;
+}
 
 // Whether the pin's element lies within the state vector.
 static bool is_in_vector(const SmvmPins *p, const SmvmPin *pin)

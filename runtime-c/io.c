@@ -49,7 +49,8 @@ static SmResult write_pin(SmIo *io, uint16_t i, SmF64 x) { return sm_pin_write(&
 
 // ---- opening ----
 
-static bool is_finite(uint64_t bits) { return (bits & 0x7FF0000000000000u) != 0x7FF0000000000000u; }
+// Compares the upper half alone, because avr-gcc 5.4 takes a comparison of all 64 masked bits for true.
+static bool is_finite(uint64_t bits) { return ((uint32_t)(bits >> 32) & 0x7FF00000u) != 0x7FF00000u; }
 
 // Whether the row of the pin table is consistent: kind, type, offset, and finite numbers; p->scale << 1 is 0 for a scale of 0 or
 // -0.
