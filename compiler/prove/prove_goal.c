@@ -390,24 +390,18 @@ uint64_t goal_cost_of_step(const Monitor *m)
 GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearch *g)
 {
     GoalWatch *w;
-    const Expr *condition[3];
-    SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal, .condition = condition};
+    SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal};
     GoalStop stop = {g};
     SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true,
                        .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
                        .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS,
                        .go_on = may_go_on, .context = &stop};
-    const Requirement *r = &g->all->at.at[g->requirement];
-    const Expr *const part[3] = {r->a, r->b, r->c};
     const SearchResult *found;
     GoalFound out = {.scenario = NULL};
 
     arena_reset(work);
     watch.self = w = new_watch(work, g);
     watch.size = MEMORY_SIZE + w->monitor->size;
-    for (int k = 0; k < 3; k++)
-        if (part[k])
-            condition[watch.conditions++] = part[k];
     o.writable = goal_inputs(work, g->all->program);
     o.effort = (g->effort - 1) / goal_cost_of_step(w->monitor) + 1;
     found = search_run(work, c, &o);

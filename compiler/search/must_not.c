@@ -132,17 +132,11 @@ MustNots *must_not_list(Arena *arena, const Program *p)
 {
     MustNots *m = ARENA_NEW(arena, MustNots);
     Transitions *all = ARENA_NEW(arena, Transitions);
-    VEC(const Expr *) condition = {NULL, 0, 0};
 
     *all = transitions_of(arena, p);
     m->p = p;
     for (uint32_t i = 0; i < p->state.n; i++)
         add_pairs_of(arena, m, all, p->state.at[i]);
-    for (uint32_t i = 0; i < m->at.n; i++)
-        for (const Condition *c = m->at.at[i].other->when; c && (i == 0 || m->at.at[i].to != m->at.at[i - 1].to); c = c->outer)
-            vec_push(arena, &condition, c->stmt->value);
-    m->watch = (SearchWatch){.self = m, .goals = m->at.n, .size = m->at.n * sizeof(bool), .start = start_situation, .step = judge_step,
-                             .condition = condition.at,
-                             .conditions = condition.n};
+    m->watch = (SearchWatch){.self = m, .goals = m->at.n, .size = m->at.n * sizeof(bool), .start = start_situation, .step = judge_step};
     return m;
 }

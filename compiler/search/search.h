@@ -36,8 +36,6 @@ typedef struct SearchWatch {
     // Judges the step after which the variables have these cells, by Var.index (stdlib/convert.h).  Sets distance[i] for each goal: 0 if this
     // step reaches it, else how far it is from that, above 0; SEARCH_UNKNOWN: it knows nothing.
     void (*step)(void *self, void *situation, const uint64_t *cell, double *distance);
-    const Expr *const *condition;     // the conditions that the goals judge
-    uint32_t conditions;
 } SearchWatch;
 
 // A value that is worth trying: a sensor had it in a script, or a requirement compares with it.
