@@ -15,8 +15,6 @@
 
 enum { SWEEP_POINTS = 21 };   // values of each parameter, before the search for boundaries
 
-enum { QUICK_EFFORT = 2000000 };      // steps of a first search for a violation, if the time is limited
-
 // When the parts stop: at a signal, and at the end of the time that the user has given.  Each part may take its share of the time that is left.
 typedef struct PartsClock {
     double end, part_end;         // times at which all parts, and the current part, have to end, in seconds; 0: no limit
@@ -95,21 +93,6 @@ static void record_scripts(Cli *c, const Report *r, ProveOptions *o)
     o->given = given;
 }
 
-// Decides all requirements with a small effort, then the others with the usual one: so a limited time is not spent on the first of them.
-static const ProveResult *run_in_two_passes(Report *r, ProveOptions *o)
-{
-    ProveResult *first, *second;
-
-    o->effort = QUICK_EFFORT;
-    first = prove_run(r->arena, r->requirements, o);
-    o->effort = 0;
-    second = prove_run(r->arena, r->requirements, o);
-    for (uint32_t i = 0; i < first->n; i++)
-        if (second->of[i].verdict == PROVE_INTERRUPTED)
-            second->of[i] = first->of[i];
-    return second;
-}
-
 // Decides the requirements.  EXIT_PROBLEM if two of them contradict each other, which is printed.
 static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClock *clock)
 {
@@ -127,7 +110,7 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClo
         return EXIT_PROBLEM;
     }
     record_scripts(c, r, &options);
-    r->proofs = clock->part_end > 0 ? run_in_two_passes(r, &options) : prove_run(r->arena, r->requirements, &options);
+    r->proofs = prove_run(r->arena, r->requirements, &options);
     progress_end(&k.line);
     for (uint32_t i = 0; i < r->proofs->n; i++)
         interrupted += r->proofs->of[i].verdict == PROVE_INTERRUPTED;
