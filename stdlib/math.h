@@ -59,7 +59,7 @@ static inline uint64_t sm_sqrt_digits(uint64_t n)
 #if defined(SM_SOFT_SQRT_DIGITS)
     return sm_soft_sqrt_digits(n);
 #elif defined(__AVR__) || (defined(__OPTIMIZE_SIZE__) && defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1)
-    // Multiplication is a long function here, or there is none: one bit at a time is slower, and less code.
+    // This processor multiplies by a long function, or not at all: one bit at a time is slower, and less code.
     uint64_t rest = n >> 7, root = 0, bit;
     for (bit = 0x0020000000000000u; bit != 0; bit >>= 1) {
         if (2 * root + bit <= rest) {

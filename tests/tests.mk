@@ -889,7 +889,7 @@ mutants faults:
 $(call test, golden,               quick, $(B)/golden, $(B)/golden $(B)/smc tests/golden/*.smt)
 $(call test, analysis,             quick,, $(B)/smc test tests/analysis)
 $(call test, conformance,          quick,, $(B)/smc test --engine=ref,vm conformance)
-UNIT_SLOW = vm_mutate vm_switch vm_decode stdlib_roll stdlib_roll_small stdlib_roll_emitted
+UNIT_SLOW = vm_mutate vm_switch vm_decode stdlib_roll stdlib_roll_small stdlib_roll_emitted search_run
 $(foreach u,$(filter-out $(UNIT_SLOW:%=$(B)/unit/%),$(UNIT)) $(B)/unit/stdlib_convert_small,$(call test,$(notdir $(u)),quick,$(u),$(u)))
 $(call test, ir,                   quick, $(B)/ir/run, $(B)/ir/run tests/ir/*.smt tests/ir/samples/*.ir conformance/*/*.smt)
 $(call test, ir-verify,            quick, $(B)/ir/verify, $(B)/ir/verify)

@@ -73,7 +73,7 @@ static void mark_free_starts(RestartCheck *k)
 
 // ---- outputs ----
 
-// Returns the assignment that switches the variable off (not `on`: value 0) or on in the state; NULL: there is none.
+// Returns the assignment that switches the variable off (not `on`: value 0) or on in the state; NULL: the state has no such assignment.
 static const Stmt *find_switch(const RestartCheck *k, const Stmts *list, const Var *v, bool on)
 {
     const Stmt *found = NULL;
@@ -90,7 +90,7 @@ static const Stmt *find_switch(const RestartCheck *k, const Stmts *list, const V
     return found;
 }
 
-// Returns the statement of the state that switches on what .entry of the @abort state switches off; NULL: there is none.
+// Returns the statement of the state that switches on what .entry of the @abort state switches off; NULL: the state has no such statement.
 static const Stmt *find_started_output(const RestartCheck *k, const State *abort, const State *s)
 {
     for (size_t i = 0; i < abort->block[BLOCK_ENTRY].n; i++) {

@@ -59,7 +59,7 @@ static bool share_a_state(const Carried *a, const Carried *b)
     return shared;
 }
 
-// Returns a reset of the variable in a run that can be repeated; NULL: there is none.
+// Returns a reset of the variable in a run that can be repeated; NULL: the variable has no reset there.
 static const CarriedStore *find_home_reset(const ResetCheck *k, const Carried *c)
 {
     for (size_t i = 0; i < c->store.n; i++) {

@@ -26,7 +26,7 @@ static bool compares(const Expr *e, const Var *v)
     return found;
 }
 
-// Returns the transition out of the state that the variable's limit causes; NULL: there is none.
+// Returns the transition out of the state that the variable's limit causes; NULL: the limit causes none.
 static const Transition *find_limit(const TimerCheck *k, const State *s, const Var *v)
 {
     const Analysis *a = k->t.a;

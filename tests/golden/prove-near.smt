@@ -1,7 +1,7 @@
 # smc prove with scripts: violations that differ from the run of a script in one or two inputs.  No search finds these five numbers, so what is after them
 # is only reached by the script.
-args prove a.sm a.rq a.ss -w --effort=2
-args prove a.sm a.rq a.ss -w --effort=2 --format=json | grep -o '"violated_near".*]'
+args prove a.sm a.rq a.ss -w --effort=1
+args prove a.sm a.rq a.ss -w --effort=1 --format=json | grep -o '"violated_near".*]'
 
 -- a.sm --
 [options]
