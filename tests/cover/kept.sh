@@ -5,38 +5,25 @@
 #     sh tests/cover/kept.sh SMC
 smc=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 root=$PWD
+. tests/checks.sh
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 cp examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq examples/ignition/ignition.rq "$dir" && cd "$dir" || exit 1
-passed=0 failed=0
-
-check() { # LABEL CONDITION...
-    label=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "kept: $label: failed: $*"
-        head -n 3 out
-    fi
-}
-
 # A folder of scripts, written by the command after its name.
 folder() { # NAME COMMAND...
-    name=$1
+    made=$1
     shift
     "$@" >out 2>&1
-    first=$name/$(ls "$name" | head -n 1) last=$name/$(ls "$name" | tail -n 1)
-    check "$name: at least two scripts" test "$first" != "$last"
+    first=$made/$(ls "$made" | head -n 1) last=$made/$(ls "$made" | tail -n 1)
+    check "$made: at least two scripts" test "$first" != "$last"
     cp "$last" was.ss && rm "$last"
     echo '# mine' >>"$first" && cp "$first" edited.ss
-    echo 'not of smc' >"$name/zz-foreign.ss"
+    echo 'not of smc' >"$made/zz-foreign.ss"
     "$@" >out 2>&1
-    check "$name: the edited script is kept" cmp "$first" edited.ss
-    check "$name: and named" grep -q "$(basename "$first").*kept\|kept.*$(basename "$first")" out
-    check "$name: the missing script is written again" cmp "$last" was.ss
-    check "$name: another file stays" grep -q 'not of smc' "$name/zz-foreign.ss"
+    check "$made: the edited script is kept" cmp "$first" edited.ss
+    check "$made: and named" grep -q "$(basename "$first").*kept\|kept.*$(basename "$first")" out
+    check "$made: the missing script is written again" cmp "$last" was.ss
+    check "$made: another file stays" grep -q 'not of smc' "$made/zz-foreign.ss"
 }
 
 folder covered "$smc" cover -w tank.sm tank.ss -o covered --effort=2
@@ -99,5 +86,4 @@ refuse 1 "requirement R1 violated" "$smc" test tank.sm tank.ss both.rq
 refuse 1 "fails without any fault" "$smc" faults tank.sm tank.ss both.rq
 refuse 1 "fails without any change" "$smc" mutate tank.sm tank.ss both.rq
 cd "$root" || exit 1
-echo "kept: $passed passed, $failed failed"
-test "$failed" -eq 0 && test "$passed" -ge 45
+finish kept && test "$passed" -ge 45

@@ -7,6 +7,7 @@
 
 #include "stdlib/f64.h"
 #include "stdlib/math.h"
+#include "tests/unit/nearly_tie.h"
 
 static unsigned long wrong, done;
 
@@ -42,18 +43,6 @@ static void check_random(void)
             x ^= x << 13, x ^= x >> 7, x ^= x << 17;
             check(exponent << 52 | x >> 12);
         }
-}
-
-// Returns the k from 2^52 to 2^53 of this parity for which k^2 + k - c is divisible by 2^52; c must be even.
-static uint64_t solve_tie(uint64_t c, uint64_t k)
-{
-    for (int bits = 1; bits < 64; bits *= 2) {
-        uint64_t inverse = 1;
-        for (int i = 0; i < 6; i++)
-            inverse *= 2 - (2 * k + 1) * inverse;
-        k -= (k * k + k - c) * inverse;
-    }
-    return (k & (((uint64_t)1 << 52) - 1)) | (uint64_t)1 << 52;
 }
 
 // The root of (k^2 + k - c) 2^-104 is almost halfway between k 2^-52 and (k + 1) 2^-52.  That number has 106 bits of which the last 52 are 0.

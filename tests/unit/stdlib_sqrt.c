@@ -8,6 +8,7 @@
 #undef SM_SQRT_INSTRUCTION
 #include "stdlib/math.h"
 #include "tests/test.h"
+#include "tests/unit/nearly_tie.h"
 #include "tests/unit/random.h"
 
 // Whether k is nearest to the square root of n * 2^44, an integer: above (k - 1/2)^2 and below (k + 1/2)^2.
@@ -32,19 +33,6 @@ static void test_sqrt_digits(void)
         CHECK(is_nearest_root(n, sm_sqrt_digits(n)));
     }
     CHECK(sm_sqrt_digits(first) == first >> 8 && sm_sqrt_digits(4 * first - 2 * step) == (first >> 7) - 1);
-}
-
-// Returns the k from 2^52 to 2^53 for which k^2 + k - c is divisible by 2^52; c must be even.  There is one even k and one odd k, of which
-// `k` selects one.  Each step of Newton's method doubles the number of bits for which the condition is true.
-static uint64_t solve_tie(uint64_t c, uint64_t k)
-{
-    for (int bits = 1; bits < 64; bits *= 2) {
-        uint64_t inverse = 1;
-        for (int i = 0; i < 6; i++)
-            inverse *= 2 - (2 * k + 1) * inverse;
-        k -= (k * k + k - c) * inverse;
-    }
-    return (k & (((uint64_t)1 << 52) - 1)) | (uint64_t)1 << 52;
 }
 
 // The root of (k^2 + k - c) 2^-104 is almost halfway between k 2^-52 and (k + 1) 2^-52: above it exactly if c is negative.
