@@ -9,6 +9,7 @@ root=$PWD
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 cp examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq examples/ignition/ignition.rq "$dir" && cd "$dir" || exit 1
+
 # A folder of scripts, written by the command after its name.
 folder() { # NAME COMMAND...
     made=$1
