@@ -42,8 +42,6 @@ Script *check_script(CheckContext *c, const AstFile *const *file, size_t n, cons
 // `tree`.  The caller frees both arenas.
 Script *check_script_source(CheckContext *c, Arena *tree, Arena *items, const AstFile *const *outline, size_t n, const Program *program);
 
-// Whether the parameter `name` of p can have the value x; *cell is then the value as a bit cell of its type.  If not, reports why at `span`.
-bool report_parameter_refused(const CheckContext *c, const Program *p, Str name, Span span, SmF64 x, uint64_t *cell);
 // Checks the requirements of n files of a machine (check_rq.c).
 Requirements *check_requirements(CheckContext *c, const AstFile *const *file, size_t n, const Program *p);
 // Warn of marks @req, in the machine and in a script, with ids that no requirement has.

@@ -237,8 +237,6 @@ static void warn_of_times(Sema *s, SmOperator op, const AstExpr *a, const AstExp
 
     if (op == SM_OP_MUL || op == SM_OP_DIV)
         warn_of_time_factors(s, a, b);
-    if (a->unit == TIME_NONE && b->unit == TIME_NONE)
-        return;
     if (class == SM_CLASS_RELATION || class == SM_CLASS_EQUALITY) {
         warn_of_time_fraction(s, a, b);
         warn_of_time_fraction(s, b, a);

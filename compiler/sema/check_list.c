@@ -5,7 +5,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
 
-// Whether roll_median(x, n) would be valid with this second argument of median(x, n), and is certainly what the user means.
+// Whether roll_median(x, n) would be valid with this argument of median as its second.
 static bool is_window_size(const Sema *s, const AstExpr *n, const Expr *value)
 {
     SmF64 x;
@@ -25,10 +25,11 @@ static void report_constant(Sema *s, const AstExpr *call, const SmBuiltinInfo *f
     AstExpr *const *args = call->args->at;
     const char *roll = fn == &sm_builtin_info[SM_FN_median] ? "roll_median" : "roll_avg";
     Diag *d = diag_report(s->diags, DIAG_constant_in_list, args[index]->span, fn->name, sema_quote_source(s, args[index]->span));
+    const bool is_size = index > 0 && is_window_size(s, args[index], value);
 
     diag_label(s->diags, d, DIAG_label_rolls, roll, sema_quote_source(s, args[0]->span),
-               index > 0 ? sema_quote_source(s, args[index]->span) : "n");
-    if (index == 1 && call->args->n == 2 && is_window_size(s, args[1], value))
+               is_size ? sema_quote_source(s, args[index]->span) : "n");
+    if (is_size && call->args->n == 2)
         diag_edit(s->diags, d, ast_op_span(call), roll);
 }
 

@@ -230,7 +230,9 @@ SmRefusal parameter_judge(const Var *parameter, SmF64 x, uint64_t *cell)
     return refusal;
 }
 
-bool report_parameter_refused(const CheckContext *c, const Program *p, Str name, Span span, SmF64 x, uint64_t *cell)
+// Whether the parameter `name` of p can have the value x; *cell is then the value as a bit cell of its type.  If not, reports why at `span`;
+// `shown`: the value in the message.
+static bool check_refusal(Sema *s, const Program *p, Str name, Span span, const char *shown, SmF64 x, uint64_t *cell)
 {
     const Var *v = program_parameter(p, name);
     const SmRefusal refusal = v ? parameter_judge(v, x, cell) : SM_REFUSAL_UNKNOWN;
@@ -238,11 +240,11 @@ bool report_parameter_refused(const CheckContext *c, const Program *p, Str name,
 
     if (!refusal)
         return true;
-    d = diag_report(c->diags, DIAG_parameter_refused, span, name->text, const_text(c->arena, x), parameter_refusal_text(refusal));
+    d = diag_report(s->diags, DIAG_parameter_refused, span, name->text, shown, parameter_refusal_text(refusal));
     if (v && v->type != SM_BOOL)
-        diag_label(c->diags, d, DIAG_label_parameter_values, const_text(c->arena, v->parameter->lo), const_text(c->arena, v->parameter->hi));
+        diag_label(s->diags, d, DIAG_label_parameter_values, const_text(s->arena, v->parameter->lo), const_text(s->arena, v->parameter->hi));
     if (v)
-        diag_note(c->diags, d, v->span, DIAG_note_declared_here, v->name->text);
+        diag_note(s->diags, d, v->span, DIAG_note_declared_here, v->name->text);
     return false;
 }
 
@@ -260,11 +262,11 @@ static void read_value(Sema *s, const AstExpr *e, SmF64 *x)
 
 bool check_parameter_value(Sema *s, const Program *p, Str name, Span name_span, const AstExpr *value, uint64_t *cell)
 {
-    const CheckContext c = {.arena = s->arena, .strings = s->strings, .diags = s->diags};
+    const Span span = program_parameter(p, name) ? value->span : name_span;
     SmF64 x;
 
     read_value(s, value, &x);
-    return report_parameter_refused(&c, p, name, program_parameter(p, name) ? value->span : name_span, x, cell);
+    return check_refusal(s, p, name, span, sm_is_nan(x) ? sema_quote_source(s, value->span) : const_text(s->arena, x), x, cell);
 }
 
 bool set_parameter_of_machine(Sema *s, Program *p, Str name, Span name_span, const AstExpr *value)

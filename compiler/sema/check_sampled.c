@@ -62,13 +62,14 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, bool *in_time)
     return check_step_count(s, call, x);
 }
 
-// Reports a number without a unit. A fraction cannot be a number of steps.
-static void report_held_number(Sema *s, Span span, const char *number, SmF64 limit)
+// Reports a number without a unit. A fraction cannot be a number of steps. Only a number or a name can precede `steps`, and only a number a unit.
+static void report_held_number(Sema *s, const AstExpr *n, SmF64 limit)
 {
-    Diag *d = diag_report(s->diags, DIAG_held_number, span);
+    const char *const number = const_text(s->arena, limit);
+    Diag *d = diag_report(s->diags, DIAG_held_number, n->span);
 
     if (sm_eq(sm_trunc(limit), limit))
-        diag_label(s->diags, d, DIAG_label_held, number, number);
+        diag_label(s->diags, d, DIAG_label_held, n->kind == AST_NAME ? n->name->text : number, number);
     else
         diag_label(s->diags, d, DIAG_label_held_unit, number);
 }
@@ -89,7 +90,7 @@ static Duration check_held_duration(Sema *s, const AstExpr *call, SmF64 *limit)
     if (d == DURATION_TIME)
         diag_report(s->diags, DIAG_held_time, span, number, time_unit_name(s->p->time_unit));
     else if (d == DURATION_NUMBER)
-        report_held_number(s, span, number, *limit);
+        report_held_number(s, call->args->at[1], *limit);
     *limit = sm_from_i32(0);
     return d;
 }

@@ -34,19 +34,8 @@ static bool is_time_literal(const AstExpr *e) { return e->kind == AST_NUMBER && 
 
 static bool is_whole(SmF64 x) { return sm_eq(sm_trunc(x), x); }
 
-// Warns of a literal that is no whole number of units beside T or G in a comparison: T is never equal to it, and < and <= are the same.
-void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *literal)
-{
-    const Var *v = time->kind == AST_NAME ? scope_find_variable(s, time->name) : NULL;
-    SmF64 value;
-
-    if (!v || (v != s->p->t && v != s->p->g) || !is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value) || is_whole(value))
-        return;
-    diag_report(s->diags, DIAG_time_fraction, literal->span, sema_quote_source(s, literal->span), const_text(s->arena, value),
-                time_unit_name(s->p->time_unit), time->name->text);
-}
-
-// Returns e without parentheses, and with the names of definitions replaced by their expressions; *named: e without parentheses only.
+// Returns e without parentheses and signs, and with the names of definitions replaced by their expressions; *named: e without parentheses and
+// signs only.
 // The loop ends, because a definition can only use earlier ones.
 static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExpr **named)
 {
@@ -54,7 +43,7 @@ static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExp
 
     for (*named = NULL;;) {
         const Define *d;
-        while (e->kind == AST_PAREN)
+        while (e->kind == AST_PAREN || (e->kind == AST_UNARY && (e->op == SM_OP_NEG || e->op == SM_OP_PLUS)))
             e = e->a;
         if (!*named)
             *named = e;
@@ -64,6 +53,29 @@ static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExp
         before = d->number;
         e = d->value;
     }
+}
+
+// Returns how a message names a literal: as the user wrote it, or by the name of its definition.
+static const char *literal_text(Sema *s, const AstExpr *literal, const AstExpr *named)
+{
+    return named == literal ? sema_quote_source(s, named->span) : format_in(s->arena, "'%s'", named->name->text);
+}
+
+// Warns of a literal that is no whole number of units beside T or G in a comparison: T is never equal to it, and < and <= are the same.
+// Both can also be in parentheses, or definitions.
+void warn_of_time_fraction(Sema *s, const AstExpr *time, const AstExpr *number)
+{
+    const AstExpr *named, *literal = find_literal(s, number, &named), *as_written;
+    const Var *v;
+    SmF64 value;
+
+    if (!is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value) || is_whole(value))
+        return;
+    time = find_literal(s, time, &as_written);
+    v = time->kind == AST_NAME ? scope_find_variable(s, time->name) : NULL;
+    if (v && (v == s->p->t || v == s->p->g))
+        diag_report(s->diags, DIAG_time_fraction, named->span, literal_text(s, literal, named), const_text(s->arena, value),
+                    time_unit_name(s->p->time_unit), time->name->text);
 }
 
 // Warns of a literal that is multiplied or divided, as in `v * 20 ms`: without a unit it is not a number of seconds.
@@ -77,9 +89,7 @@ static void warn_of_time_factor(Sema *s, const AstExpr *operand)
     literal = find_literal(s, operand, &named);
     if (!is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value))
         return;
-    d = diag_report(s->diags, DIAG_time_factor, named->span,
-                    named == literal ? sema_quote_source(s, named->span) : format_in(s->arena, "'%s'", named->name->text),
-                    const_text(s->arena, value));
+    d = diag_report(s->diags, DIAG_time_factor, named->span, literal_text(s, literal, named), const_text(s->arena, value));
     if (s->p->time_unit != TIME_S && literal_value(literal, TIME_S, &value))
         diag_label(s->diags, d, DIAG_label_time_in_seconds, const_text(s->arena, value));
 }

@@ -101,6 +101,20 @@ bool report_member_name(Sema *s, Str name, Span span, bool is_state)
     return true;
 }
 
+void label_state_of_machine(Sema *s, const Program *m, Str name, Span span, Diag *x)
+{
+    const Joint *j = s->p->joint;
+    Dotted d;
+
+    if (!j || !split_at_dot(s, name, &d) || !has_name(m, d.rest, true))
+        return;
+    for (size_t i = 0; i < j->member.n; i++)
+        if (j->member.at[i].name == d.machine && j->member.at[i].program == m) {
+            diag_label(s->diags, x, DIAG_label_write, d.rest->text);
+            diag_edit(s->diags, x, span, d.rest->text);
+        }
+}
+
 bool report_dotted_declaration(Sema *s, Str name, Span span)
 {
     if (!memchr(name->text, '.', name->len))

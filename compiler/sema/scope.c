@@ -245,7 +245,8 @@ State *scope_find_state(Sema *s, const Program *m, Str name, Span span)
         return NULL;
     d = diag_report(s->diags, DIAG_unknown_state, span, name->text);
     record_first_unknown(s, d);
-    if (s->guesses == 0)
+    label_state_of_machine(s, m, name, span, d);
+    if (d->label || s->guesses == 0)
         return NULL;
     similar = suggest_state(s->diags, d, &s->guesses, m, name);
     if (similar)

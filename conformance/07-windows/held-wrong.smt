@@ -10,10 +10,13 @@ F64 a
 step 20 ms
 [define]
 n = 20 ms + 1 ms
+k = 4
 [Run]
 .step
     a = held(p > 1, 20)           #! E0414 write '20 steps', or a time such as '20 ms'
     a = held(p > 1, 0.2)          #! E0414 write the time with its unit, as in 0.2 s
+    a = held(p > 1, k)            #! E0414 write 'k steps', or a time such as '4 ms'
+    a = held(p > 1, k + 1)        #! E0414 write '5 steps', or a time such as '5 ms'
     a = held(p > 1, 0.5 us)       #! E0415
     a = held(p > 1, 0 s)          #! E0415
     a = held(p > 1, 9007199254740992 ms)

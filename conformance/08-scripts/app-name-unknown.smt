@@ -15,6 +15,9 @@ c.T == 0: ready = true         #! E0792 c
 aa.T == 0: ready = true        #! E0792 aa
 a.sen > 0: ready = true        #! E0793 did you mean 'a.seen'?
 a.S == Got: ready = true      #! E0501 did you mean 'Go'?
+a.S == b.Shut: ready = true   #! E0501 unknown state 'b.Shut'
+b.S != b.Open: ready = true   #! E0501 write Open
+a.S == a.Go: ready = true     #! E0501 write Go
 G == 10: @stop
 [a.Wai]                        #! E0793 did you mean 'a.Wait'?
 G == 1: ready = true

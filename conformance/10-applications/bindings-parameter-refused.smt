@@ -7,7 +7,7 @@ time time 1 ms
 [flight]
 every 10 ms:
     machine main "channel.sm"
-    machine drogue "channel.sm" { fire = fireDrogue  state = drogueState  burn = 5001  gain = time }     #! E0424 5001  #! E0424 gain
+    machine drogue "channel.sm" { fire = fireDrogue  state = drogueState  burn = 5001  gain = time }     #! E0424 5001  #! E0424 'gain' to time: the value is not a number
 -- rocket.sv --
 [A]
 U64  time

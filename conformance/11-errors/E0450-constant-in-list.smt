@@ -21,5 +21,6 @@ size = 3
     x = median(p, 100 ms)           #! E0450 write roll_median(p, 100 ms)
     x = median(p, size)             #! E0450 write roll_median(p, size)
     x = median(p, q, max(n, 3))     #! E0450 write roll_median(p, max(n, 3))
+    x = median(p, 0.5)              #! E0450 write roll_median(p, n)
     x = average(7, p)               #! E0450 write roll_avg(7, n)
     x = median(p, q, missing)       #! E0204 missing
