@@ -69,9 +69,14 @@ Watch **why_short_watch(const ScriptRun *failed, Engine *ref, const uint64_t *st
 
 // ---- the notes ----
 
-// Adds a note to the message about the failed assert, unless it has WHY_SHORT_MOST notes already.
+// Adds a note to the message about the failed assert, unless it has WHY_SHORT_MOST notes already.  Several machines of an application can have
+// the same source, so the note names the machine.
 static void add_note(WhyShort *n, Span at, const char *text)
 {
+    const Joint *j = n->failed->p->joint;
+
+    if (j)
+        text = format_in(n->failed->arena, "%s: %s", j->member.at[n->machine].name->text, text);
     if (n->notes++ < WHY_SHORT_MOST)
         diag_note(n->failed->diags, n->d, at, DIAG_note_why, text);
 }
