@@ -52,6 +52,21 @@ static const char *describe_sample(Arena *arena, const Window *w)
     return source_text(arena, e->span);
 }
 
+// Returns `prev`, `rising` or `falling` in words: they read a sample and the one before.
+static const char *describe_neighbours(Arena *arena, const Window *w, const char *sample)
+{
+    static const struct { const char *name, *words; } call[] = {
+        {"rising", "whether `%s` is true now and was false one step before"},
+        {"falling", "whether `%s` is false now and was true one step before"},
+    };
+    const char *written = source_text(arena, w->span);
+
+    for (size_t i = 0; i < sizeof call / sizeof *call; i++)
+        if (strncmp(written, call[i].name, strlen(call[i].name)) == 0)
+            return format_in(arena, call[i].words, sample);
+    return format_in(arena, "`%s` one step before", sample);
+}
+
 // Returns a window in words.
 const char *describe_window(Arena *arena, const Program *p, const Window *w)
 {
@@ -59,7 +74,7 @@ const char *describe_window(Arena *arena, const Program *p, const Window *w)
     const char *sample = describe_sample(arena, w), *size = describe_window_size(arena, p, w);
 
     switch (w->stat) {
-    case SM_STAT_OLDEST: case SM_STAT_NEWEST: return format_in(arena, "`%s` in this step and in the one before", sample);
+    case SM_STAT_OLDEST: case SM_STAT_NEWEST: return describe_neighbours(arena, w, sample);
     case SM_STAT_CHANGE: return format_in(arena, "the change of `%s` over the last %s, per second", sample, size);
     case SM_STAT_RUN_STEPS: return format_in(arena, "whether `%s` was true in the last %s", sample, size);
     case SM_STAT_RUN_TIME: return format_in(arena, "how long `%s` has been true", sample);
