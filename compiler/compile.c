@@ -146,6 +146,14 @@ static bool has_requirements(const Compilation *c, size_t m)
     return false;
 }
 
+// Reports an option `step` other than the step that the machine declares.
+static void check_step_option(const Compilation *c, const Program *p)
+{
+    if (p->step && c->o->step && c->o->step != p->step)
+        diag_report(&c->s->diags, DIAG_step_option_differs, p->step_span, format_in(&c->s->arena, "%llu", (unsigned long long)c->o->step),
+                    format_in(&c->s->arena, "%llu", (unsigned long long)p->step));
+}
+
 static void compile_machine(Compilation *c, size_t i)
 {
     CompiledSource *of = &c->out->of[i];
@@ -156,6 +164,7 @@ static void compile_machine(Compilation *c, size_t i)
     c->s->has_requirements = has_requirements(c, i);
     if ((of->program = session_program(c->s, &m)) == NULL)
         return;
+    check_step_option(c, of->program);
     read_script_writes_and_step(c, i, of->program, &written);
     c->program[c->programs++] = of->program;
     session_analyse(c->s, of->program);

@@ -8,6 +8,7 @@
 // 3. an element combined with an input, as in `abs(order - position)`: the input is the reaction to the element's value of the last step;
 // 4. a variable that the same expression also reads without a window, as in `min(p, roll_min(p, 1))`: that read has this step's value.
 #include "compiler/analysis/guards_known.h"
+#include "compiler/analysis/transitions.h"
 
 typedef struct StatUse {
     Analysis *a;
@@ -51,6 +52,26 @@ static bool can_sample_assigned_value(const StatUse *u, const Stmt *assigned)
         && (is_float ? type == SM_F64 || value.f32 : value.whole && !value.minus_zero);
 }
 
+typedef struct OtherStore { const Stmt *assigned; bool found; } OtherStore;
+
+// Looks for another expression that the machine stores in the same variable; initial values of .entry do not count.
+static void find_other_store(const StmtLocation *at, void *context)
+{
+    OtherStore *o = context;
+
+    o->found |= at->stmt->kind == ST_ASSIGN && at->stmt->var == o->assigned->var && at->block != BLOCK_ENTRY &&
+                at->stmt->span.at != o->assigned->span.at;
+}
+
+// Whether the variable can be a definition of what is assigned: it is a local, and no other statement stores something else in it.
+static bool can_be_definition(const StatUse *u, const Stmt *assigned)
+{
+    OtherStore o = {assigned, assigned->var->kind != VAR_LOCAL};
+
+    each_stmt_location(u->a->diags->arena, u->a->p, find_other_store, &o);
+    return !o.found;
+}
+
 static bool reads_input(const Expr *e)
 {
     bool found = e->kind == EX_VAR && e->var->kind == VAR_ELEMENT && !e->var->written;
@@ -78,7 +99,7 @@ static void report_late_sample(const StatUse *u, const Var *v, const Stmt *assig
     diag_note(diags, d, assigned->span, DIAG_note_assigned_after_sample, v->name->text);
     if (!can_sample_assigned_value(u, assigned))
         return;
-    if (v->kind == VAR_LOCAL)
+    if (can_be_definition(u, assigned))
         diag_note(diags, d, (Span){0}, DIAG_note_sample_definition, v->name->text, v->name->text, value);
     else
         diag_note(diags, d, (Span){0}, DIAG_note_sample_itself, v->name->text, value);

@@ -241,8 +241,6 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
 
     if (c->given[OPT_INIT_STATE] && !options.init_state)
         return cli_usage_error(c, TEXT_no_state, c->value[OPT_INIT_STATE]);
-    if (p->step && o->step && o->step != p->step)
-        return cli_usage_error(c, TEXT_other_step, (unsigned long)p->step);
     os_signals_begin();
     os_signals_delay();
     r = prove_run(&c->session.arena, what, &options);

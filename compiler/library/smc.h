@@ -147,7 +147,8 @@ int32_t smc_source_kind(const SmcSession *s, uint32_t source);       // -1: ther
 enum SmcOption {
     SMC_OPTION_LEVEL = 0,         // of optimisation: 0, 1 or 2; initially 2.  Scripts and machines have the level of smc_compile
     SMC_OPTION_STEP = 1,          // by how much G advances in a step, for warnings about machines outside applications; 0: the step that the
-                                  //   machine declares, or else the delta_t of its scripts, if all have the same
+                                  //   machine declares, or else the delta_t of its scripts, if all have the same.  A machine that declares
+                                  //   another step has an error
     SMC_OPTION_MAX_RAM = 2,       // limits of a machine on the VM, which must not be exceeded: bytes of RAM,
     SMC_OPTION_MAX_STEP = 3,      //   instructions of the longest step,
     SMC_OPTION_MAX_CYCLES = 4,    //   cycles of the longest step on an ATmega328P.  0: no limit

@@ -107,9 +107,10 @@ static bool check_use(Sema *s, const Define *d, const AstExpr *use)
                       DIAG_note_declared_here, d->name->text);
         return false;
     }
+    if (!s->inside && s->expanded > EXPANDED_MAX)                         // has been reported
+        return false;
     if (!s->inside && (s->expanded += d->size) > EXPANDED_MAX) {
         diag_report(s->diags, DIAG_definitions_too_large, d->span, d->name->text);
-        s->expanded = EXPANDED_MAX;
         return false;
     }
     if (s->depth + d->value->depth <= AST_DEPTH_MAX)

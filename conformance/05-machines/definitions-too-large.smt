@@ -28,3 +28,4 @@ d16 = d15 + d15      #! E0226
     x = d15 + d14
 .step
     x = d16
+    x = d3 + d16         # the limit is reported once

@@ -21,6 +21,7 @@ F64  last  = 0
 F64  start = 0
 bool bad   = false
 F64  arm   = 0
+F64  twice = 0
 [Watch]
 .entry
     start = a
@@ -55,6 +56,8 @@ F64  arm   = 0
     rising(p > 1): -> Done                  #! W0421 'rising(p > 1)' does not include
     rate(p, 4) > 1: -> Done                 #! W0421 make 'p' a definition: p = max(a, b)
     p - prev(p) > 1: -> Done
+    twice = a * 2
+    rising(twice > 1): -> Done              #! W0421 replace 'twice' by the expression itself: a * 2
     a > 1 {
         arm = b
     }
@@ -63,4 +66,5 @@ F64  arm   = 0
     }
 [Done]
 .step
+    twice = a * 3                           # so it cannot be a definition
     shown = roll_avg(p, 5)                  # only the other state assigns

@@ -15,7 +15,8 @@ Options:
                            between commas
   -OLEVEL                  how hard to optimise: 0, 1 or 2 (default 2)
   --step=N                 how much time advances from step to step, for what analyses find
-                           (default: delta_t of the scripts, if all have the same)
+                           (default: the step of the machine, or delta_t of the scripts if all have
+                           the same)
   --engine=ENGINE          what runs the machine: vm (default), vm-soft, ref, c, c-soft, several
                            between commas, or all (but c-soft)
   --trace=FILE             write the values after every step as CSV: script, step, G, state,

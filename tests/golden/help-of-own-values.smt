@@ -15,7 +15,8 @@ Options:
   --bind=NAME=ELEMENT      the machine's element NAME is ELEMENT of the state vector; several
                            between commas
   --step=N                 how much time advances from step to step, for what analyses find
-                           (default: delta_t of the scripts, if all have the same)
+                           (default: the step of the machine, or delta_t of the scripts if all have
+                           the same)
   -MD                      write a make rule of what the output depends on
   -MF FILE                 where -MD writes; else the output's name ending in .d
   -MT TARGET               the target of that rule; else the output

@@ -79,12 +79,14 @@ smc: 'a.csv' is neither a machine (.sm) nor requirements (.rq) nor a script (.ss
 Try 'smc prove --help'.
 smc: --init-state: the machine has no state 'Flying'
 Try 'smc prove --help'.
-smc: --step differs from the step of the machine, which is 10
-Try 'smc prove --help'.
+a.sm:2:6: error: --step is 20, but the machine declares a step of 10 [E0706]
+    2 | step 10 ms
+      |      ^~~~~
+1 error
 smc: --requirements: there is no requirement 'R3'; the files have R1, R2
 smc: option '--requirements' has an empty LIST
 Try 'smc prove --help'.
 smc: --prove requires --traceability
 Try 'smc test --help'.
 -- exit --
-1 1 2 2 2 2 2 2 2 2
+1 1 2 2 2 2 1 2 2 2
