@@ -214,8 +214,8 @@ static void write_json(const FaultsRun *r, Buf *out)
 {
     const Faults *f = r->f;
 
-    buf_printf(out, "{\"smc-faults\":1,\"machine\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n",
-               f->p->name->text, f->faults, f->runs, f->pairs,
+    buf_printf(out, "{\"smc-faults\":1,\"%s\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n",
+               f->p->joint ? "application" : "machine", f->p->name->text, f->faults, f->runs, f->pairs,
                f->is_cut || r->is_interrupted ? "false" : "true");
     write_json_inputs(f, out);
     buf_str(out, ",\n");
@@ -348,9 +348,13 @@ static bool add_input(void *context, const char *word, size_t n)
 
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (v->kind != VAR_ELEMENT || v == p->g || v == p->s ||
+        if (v->kind != VAR_ELEMENT || v == p->g || v->state_of ||
             (strcmp(v->name->text, name) != 0 && (!v->alias || strcmp(v->alias->text, name) != 0)))
             continue;
+        if (p->joint && fault_is_written(p, v)) {
+            cli_print_error(r->c, TEXT_faults_shared, name);
+            return false;
+        }
         for (uint32_t k = 0; k < r->input.n; k++)
             if (r->input.at[k] == v)
                 return true;

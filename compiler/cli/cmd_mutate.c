@@ -226,7 +226,7 @@ static int mutate_machine(MutateRun *r, size_t member, uint64_t max_steps, size_
     int code = EXIT_OK;
 
     r->tried = 0;
-    r->machine_program = r->p->joint ? r->p->joint->member.at[member].program : r->p;
+    r->machine_program = engine_program(r->p, member);
     r->u = mutation_new(r->arena, r->p, member, r->script.at, r->script.n, r->requirements, max_steps);
     failing = mutation_find_failing(r->u);
     if (failing < r->script.n) {

@@ -223,7 +223,8 @@ static void write_json_kept(const SweepRun *r, uint32_t axis, Buf *out)
 
 static void write_json(const SweepRun *r, Buf *out)
 {
-    buf_printf(out, "{\"smc-sweep\":1,\"machine\":\"%s\",\"runs\":%" PRIu64 ",\"complete\":%s,\"parameters\":[", r->s->p->name->text, r->s->runs,
+    buf_printf(out, "{\"smc-sweep\":1,\"%s\":\"%s\",\"runs\":%" PRIu64 ",\"complete\":%s,\"parameters\":[",
+               r->s->p->joint ? "application" : "machine", r->s->p->name->text, r->s->runs,
                r->is_interrupted ? "false" : "true");
     for (uint32_t i = 0; i < r->o.axes; i++) {
         double fails;

@@ -141,21 +141,19 @@ static int read_time(WhyCommand *y)
 // ---- the names of the question ----
 
 static size_t machine_count(const WhyCommand *y) { return engine_machines(y->p); }
-static const Program *machine_program(const WhyCommand *y, size_t i) { return y->p->joint ? y->p->joint->member.at[i].program : y->p; }
-static const char *machine_name(const WhyCommand *y, size_t i) { return y->p->joint ? y->p->joint->member.at[i].name->text : y->p->name->text; }
 
 // Returns the state that the question names, in the machine with this index; NULL: the machine has no such state.
 static const State *find_state(const WhyCommand *y, size_t machine)
 {
     const Str name = y->to ? str_find(&y->c->session.strings, y->to, strlen(y->to)) : NULL;
 
-    return name ? map_find(&machine_program(y, machine)->state_by_name, name) : NULL;
+    return name ? map_find(&engine_program(y->p, machine)->state_by_name, name) : NULL;
 }
 
 // Finds the variable that the question names: by its name in the machine, or by the name of its state-vector element. Bindings can make them differ.
 static const Var *find_variable(const WhyCommand *y, size_t machine)
 {
-    const Program *p = machine_program(y, machine);
+    const Program *p = engine_program(y->p, machine);
     const Str name = y->of ? str_find(&y->c->session.strings, y->of, strlen(y->of)) : NULL;
     const Var *found = name ? map_find(&p->by_name, name) : NULL;
 
@@ -172,7 +170,7 @@ static const char *list_machines(const WhyCommand *y)
 
     buf_init(&out, y->arena);
     for (size_t i = 0; i < machine_count(y); i++)
-        buf_printf(&out, "%s%s", i ? ", " : "", machine_name(y, i));
+        buf_printf(&out, "%s%s", i ? ", " : "", engine_machine_name(y->p, i));
     return buf_text(&out);
 }
 
@@ -198,7 +196,7 @@ typedef VEC(const char *) Names;
 // Adds the names of the states of a machine, or of its elements and locals.
 static void add_names(const WhyCommand *y, size_t machine, bool states, Names *out)
 {
-    const Program *p = machine_program(y, machine);
+    const Program *p = engine_program(y->p, machine);
 
     for (size_t i = 0; states && i < p->state.n; i++)
         vec_push(y->arena, out, p->state.at[i]->name->text);
@@ -224,7 +222,7 @@ static const char *const kind_of_name[] = {"element or local", "state"};
 // Reports a name that the machine of the question does not have.
 static int report_unknown(WhyCommand *y, bool is_state, const char *word)
 {
-    const char *near, *machine = machine_name(y, y->q.machine);
+    const char *near, *machine = engine_machine_name(y->p, y->q.machine);
     Names names = {0};
 
     add_names(y, y->q.machine, !is_state, &names);
@@ -267,7 +265,7 @@ static int choose_machine(WhyCommand *y)
     if (word && !y->p->joint)
         return cli_usage_error(y->c, TEXT_why_machine_of_app);
     for (size_t i = 0; i < machine_count(y); i++)
-        if (word ? strcmp(word, machine_name(y, i)) == 0 : machine_count(y) == 1 || can_answer_for(y, i)) {
+        if (word ? strcmp(word, engine_machine_name(y->p, i)) == 0 : machine_count(y) == 1 || can_answer_for(y, i)) {
             found = i;
             n++;
         }
@@ -338,7 +336,7 @@ static int report_status(WhyCommand *y, const WhyAnswer *a)
         cli_print_error(y->c, y->q.at_step ? TEXT_why_ended_step : TEXT_why_ended, asked, (unsigned long long)a->steps,
                         (unsigned long long)a->before);
         break;
-    case WHY_NO_STEP: cli_print_error(y->c, TEXT_why_never_ran, machine_name(y, y->q.machine)); break;
+    case WHY_NO_STEP: cli_print_error(y->c, TEXT_why_never_ran, engine_machine_name(y->p, y->q.machine)); break;
     case WHY_NOT_RUN: cli_print_error(y->c, TEXT_why_not_run); break;
     }
     return EXIT_PROBLEM;

@@ -146,7 +146,7 @@ static const char *machine_file(const Cli *c)
     const char *name = "";
 
     for (size_t i = 0; i < c->files; i++)
-        if (has_suffix(c->file[i], ".sm"))
+        if (has_suffix(c->file[i], ".sm") || has_suffix(c->file[i], ".app"))
             name = path_file_name(c->file[i]);
     return name;
 }

@@ -65,7 +65,13 @@ int runs_refuse_app(Cli *c, const char *app)
     return EXIT_USAGE;
 }
 
-// Checks that the arguments are one machine and scripts.  Returns EXIT_OK, or the exit code after a message.
+// Whether the command accepts an application: scripts that it writes are for one machine, except those of faults.
+static bool accepts_app(const Cli *c)
+{
+    return (c->command->run == cmd_mutate && !c->given[OPT_SCRIPTS]) || c->command->run == cmd_faults || c->command->run == cmd_sweep;
+}
+
+// Checks that the arguments are one machine, or application, and scripts.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c)
 {
     const bool judges = c->command->run == cmd_report || c->command->run == cmd_mutate || c->command->run == cmd_faults ||
@@ -74,8 +80,10 @@ int runs_check_arguments(Cli *c)
 
     for (size_t i = 0; i < c->files; i++) {
         const bool app = has_suffix(c->file[i], ".app");
-        if (app && (c->command->run != cmd_mutate || c->given[OPT_SCRIPTS]))
+        if (app && !accepts_app(c))
             return runs_refuse_app(c, c->file[i]);
+        if (app && c->given[OPT_SV])
+            return cli_usage_error(c, TEXT_app_names_vector, c->file[i]);
         const bool script = has_suffix(c->file[i], ".ss") || (judges && has_suffix(c->file[i], ".rq"));
         if (!script && !app && !has_suffix(c->file[i], ".sm") && strcmp(c->file[i], "-") != 0)
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],

@@ -57,6 +57,22 @@ bool setting_parse(Cli *c, const char *word, Setting *s)
     return true;
 }
 
+// Reports a parameter without the name of its machine, in an application.  Returns false if no machine has the parameter.
+static bool report_parameter_of_machines(Cli *c, const Program *p, const Setting *s)
+{
+    Buf names;
+
+    buf_init(&names, &c->session.arena);
+    for (size_t i = 0; p->joint && i < p->joint->member.n; i++) {
+        const Member *m = &p->joint->member.at[i];
+        if (program_parameter(m->program, str_intern(&c->session.strings, s->name, s->name_size)))
+            buf_printf(&names, "%s'%s.%.*s'", names.n ? " or " : "", m->name->text, (int)s->name_size, s->name);
+    }
+    if (names.n)
+        cli_print_error(c, TEXT_setting_of_machine, (int)s->name_size, s->name, buf_text(&names));
+    return names.n > 0;
+}
+
 // Reports an unknown parameter whose name is near to that of another one.  Returns false if none is near.
 static bool report_similar_parameter(Cli *c, const Program *p, const Setting *s)
 {
@@ -68,7 +84,7 @@ static bool report_similar_parameter(Cli *c, const Program *p, const Setting *s)
             name[n++] = p->var.at[i]->name->text;
     near = str_nearest(format_in(&c->session.arena, "%.*s", (int)s->name_size, s->name), name, n);
     if (near)
-        cli_print_error(c, TEXT_setting_near, (int)s->name_size, s->name, near);
+        cli_print_error(c, TEXT_setting_near, p->joint ? "application" : "machine", (int)s->name_size, s->name, near);
     return near != NULL;
 }
 
@@ -83,8 +99,9 @@ int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
         refusal = parameter_judge(out->parameter, s->value, &out->cell);
     if (!refusal)
         return EXIT_OK;
-    if (refusal != SM_REFUSAL_UNKNOWN || !report_similar_parameter(c, p, s))
-        setting_report_refused(c, s, parameter_refusal_text(refusal));
+    if (refusal != SM_REFUSAL_UNKNOWN || !(report_parameter_of_machines(c, p, s) || report_similar_parameter(c, p, s)))
+        setting_report_refused(c, s, p->joint && refusal == SM_REFUSAL_UNKNOWN ? "the application has no such parameter"
+                                                                               : parameter_refusal_text(refusal));
     return EXIT_PROBLEM;
 }
 

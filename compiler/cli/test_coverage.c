@@ -141,7 +141,7 @@ static Engine *open_engine(Arena *arena, TestCoverage *v)
     v->machine = ARENA_ARRAY(arena, Cover *, v->machines);
     e = ARENA_ARRAY(arena, Engine *, v->machines);
     for (size_t i = 0; i < v->machines; i++) {
-        v->machine[i] = cover_new(arena, v->p->joint ? v->p->joint->member.at[i].program : v->p);
+        v->machine[i] = cover_new(arena, engine_program(v->p, i));
         e[i] = cover_open_engine(v->machine[i]);
     }
     return v->p->joint ? engine_app_open(arena, v->p, e) : e[0];

@@ -76,6 +76,11 @@ CoverTotal cover_total(const Cover *c, CoverKind kind);
 
 // Opens an engine on a flat machine, for runs in lock step.
 Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f);
+// Returns the flat machines of p, in the order of its machines: one, or those of an application.
+FlatMachine **flat_new_machines(Arena *arena, const Program *p);
+// Opens an engine on these machines of p; for an application, they run as one.  one: the engine that runs machine number `member` instead; NULL:
+// none.
+Engine *engine_flat_open_machines(Arena *arena, const Program *p, FlatMachine *const *flat, Engine *one, size_t member);
 // Makes the engine continue with another machine of the same program, in the state `run`, which the caller owns.
 void engine_flat_set(Engine *e, FlatMachine *f, void *run);
 // Returns the state of the engine's run, a block of flat->size bytes.

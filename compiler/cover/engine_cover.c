@@ -86,6 +86,26 @@ Engine *engine_flat_open(Arena *arena, const Program *p, FlatMachine *f)
     return &c->engine;
 }
 
+FlatMachine **flat_new_machines(Arena *arena, const Program *p)
+{
+    const size_t machines = engine_machines(p);
+    FlatMachine **flat = ARENA_ARRAY(arena, FlatMachine *, machines);
+
+    for (size_t i = 0; i < machines; i++)
+        flat[i] = flat_new(arena, ir_build(arena, engine_program(p, i)), NULL);
+    return flat;
+}
+
+Engine *engine_flat_open_machines(Arena *arena, const Program *p, FlatMachine *const *flat, Engine *one, size_t member)
+{
+    const size_t machines = engine_machines(p);
+    Engine **machine = ARENA_ARRAY(arena, Engine *, machines);
+
+    for (size_t i = 0; i < machines; i++)
+        machine[i] = one && i == member ? one : engine_flat_open(arena, engine_program(p, i), flat[i]);
+    return p->joint ? engine_app_open(arena, p, machine) : machine[0];
+}
+
 Engine *cover_open_engine(Cover *c)
 {
     Engine *e = engine_flat_open(c->arena, c->p, c->flat);

@@ -205,26 +205,13 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     r->options.max_steps = r->steps < UINT64_MAX / 8 ? 4 * r->steps + 1000 : r->steps;
 }
 
-// Opens the machines of an application as one engine, in which u->engine runs machine number `member`.
-static Engine *open_whole(MutantRuns *u, const Program *app, size_t member)
-{
-    const size_t machines = engine_machines(app);
-    Engine **machine = ARENA_ARRAY(u->arena, Engine *, machines);
-
-    for (size_t i = 0; i < machines; i++) {
-        const Program *p = app->joint->member.at[i].program;
-        machine[i] = i == member ? u->engine : engine_flat_open(u->arena, p, flat_new(u->arena, ir_build(u->arena, p), NULL));
-    }
-    return engine_app_open(u->arena, app, machine);
-}
-
 MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq,
                             uint64_t max_steps)
 {
     MutantRuns *u = ARENA_NEW(arena, MutantRuns);
 
     u->arena = arena;
-    u->p = p->joint ? p->joint->member.at[member].program : p;
+    u->p = engine_program(p, member);
     u->requirements = rq;
     u->records = u->failing = scripts;
     u->record = arena_array(arena, scripts, sizeof *u->record);
@@ -234,7 +221,7 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const
     u->at_point = arena_alloc(arena, u->original->size);
     u->cover = cover_new(arena, u->p);
     u->engine = cover_open_engine(u->cover);
-    u->whole = p->joint ? open_whole(u, p, member) : u->engine;
+    u->whole = p->joint ? engine_flat_open_machines(arena, p, flat_new_machines(arena, p), u->engine, member) : u->engine;
     diags_init(&u->muted, arena);
     u->muted.muted = true;
     for (uint32_t i = 0; i < scripts; i++) {

@@ -64,6 +64,10 @@ const char *engine_compare(Arena *arena, const Engine *a, const EngineStep *of_a
 
 // Returns how many machines p has: 1, or for an application the number of its machines.
 static inline size_t engine_machines(const Program *p) { return p->joint ? p->joint->member.n : 1; }
+// Returns the Program of machine i of p: p itself, or that of the application's machine.
+static inline const Program *engine_program(const Program *p, size_t i) { return p->joint ? p->joint->member.at[i].program : p; }
+// Returns the name of machine i of p, in the application.
+static inline const char *engine_machine_name(const Program *p, size_t i) { return p->joint ? p->joint->member.at[i].name->text : p->name->text; }
 
 // Joins one engine for each machine of an application, in the order of p->joint->member, to an engine for p (language.md 8.71 to 8.83).
 // Closing it closes them.

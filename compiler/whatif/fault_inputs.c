@@ -18,16 +18,41 @@ static bool script_writes(const Script *s, const Var *v)
     return false;
 }
 
+// Which uses of a variable some machine has: in an application, of the variables that are `v` in its machines.
+typedef struct MachineUses { bool read, written, read_only; } MachineUses;
+
+static MachineUses uses_of(const Program *p, const Var *v)
+{
+    MachineUses u = {p->joint ? false : v->read, p->joint ? false : v->written, v->read_only};
+
+    for (size_t m = 0; p->joint && m < p->joint->member.n; m++) {
+        const Member *member = &p->joint->member.at[m];
+        for (size_t i = 0; i < member->program->var.n; i++)
+            if (member->var[i] == v) {
+                u.read |= member->program->var.at[i]->read;
+                u.written |= member->program->var.at[i]->written;
+                u.read_only |= member->program->var.at[i]->read_only;
+            }
+    }
+    return u;
+}
+
+bool fault_is_written(const Program *p, const Var *v) { return uses_of(p, v).written; }
+
 bool fault_is_input(const Var *v, const Script *const *script, uint32_t scripts)
 {
     const Program *p = scripts ? script[0]->program : NULL;
+    MachineUses u;
 
-    if (!p || v->kind != VAR_ELEMENT || v == p->g || v == p->s || !v->read)
+    if (!p || v->kind != VAR_ELEMENT || v == p->g || v->state_of)
+        return false;
+    u = uses_of(p, v);
+    if (!u.read || (p->joint && u.written))
         return false;
     for (uint32_t i = 0; i < scripts; i++)
         if (script_writes(script[i], v))
             return true;
-    return v->read_only;
+    return u.read_only;
 }
 
 static void add_input(FaultRunner *x, const Var *v)
@@ -67,13 +92,14 @@ static void list_outputs(FaultRunner *x)
 {
     const Program *p = x->f->p;
 
-    x->output = ARENA_ARRAY(x->arena, const Var *, p->var.n);
+    x->output = ARENA_ARRAY(x->arena, const Var *, p->var.n + x->machines);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
-        if (v->kind == VAR_ELEMENT && v->written && v != p->s && v != p->g && !is_faulty_input(x->f, v))
+        if (v->kind == VAR_ELEMENT && fault_is_written(p, v) && !v->state_of && v != p->g && !is_faulty_input(x->f, v))
             x->output[x->outputs++] = v;
     }
-    x->output[x->outputs++] = p->s;
+    for (size_t i = 0; i < x->machines; i++)
+        x->output[x->outputs++] = p->joint ? p->joint->member.at[i].s : p->s;
 }
 
 bool fault_applies(const FaultInput *in, FaultKind kind)
@@ -107,7 +133,8 @@ void fault_list_single(FaultRunner *x)
     x->visited = arena_alloc(x->arena, x->single.n * states + 1);
 }
 
-// The destination of marks on the inputs that an expression reads; `at` is by index in Faults.input.
+// The destination of marks on the inputs that an expression reads; `at` is by index in Faults.input.  The code of an application's machine reads
+// variables of its own, which have the elements of the inputs.
 typedef struct Marks { const Faults *f; uint8_t *at; } Marks;
 
 static void mark_inputs(Expr *e, void *context)
@@ -115,7 +142,7 @@ static void mark_inputs(Expr *e, void *context)
     Marks *m = context;
 
     for (uint32_t i = 0; e->kind == EX_VAR && i < m->f->input.n; i++)
-        m->at[i] |= m->f->input.at[i].var == e->var;
+        m->at[i] |= m->f->input.at[i].var == e->var || (e->var->element && m->f->input.at[i].var->element == e->var->element);
 }
 
 // Marks the inputs that a list of statements reads, in branches too.

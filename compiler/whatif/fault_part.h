@@ -19,7 +19,7 @@ typedef struct Healthy {
     VEC(Change) change;       // sorted by step; the first step has one for each output
     uint64_t *last;           // by State.number - 1: number of the last step that ran the state; 0: none
     uint64_t steps;           // number of steps
-    const State *end;         // the state that a further step would run
+    const State **end;        // by machine: the state that a further step would run
 } Healthy;
 
 // A visit of a state: the numbers of its first and last step.
@@ -56,9 +56,9 @@ typedef struct FaultWatch {
     Monitor *monitor;         // judges the true values
     bool judges_truth;        // a requirement reads a faulty input, so the true values can have another result than the readings
     void *situation;          // what `monitor` remembers of the steps so far (monitor.h)
-    const State *last;        // the state that the previous step ran
+    const State **last;       // by machine: the state that the previous step ran
     uint8_t *visited;         // by State.number - 1: 1 if the run was in the state since the fault began
-    FaultMoment aborted;      // the first step that ran in an @abort state; step 0: none
+    FaultMoment *aborted;     // by machine: the first step that ran in an @abort state; step 0: none
     FaultResult result;       // the result so far
 } FaultWatch;
 
@@ -71,9 +71,10 @@ struct FaultRunner {
     FaultRecord *record;      // by index in `single`: its record; only if pairs of faults are run
     FaultSeen *seen;          // by script: what a script and the requirements read
     ArenaCopy saved;          // the copy of `run` at the trigger
-    FlatMachine *flat;        // the machine that all runs share
+    FlatMachine **flat;       // the machines that all runs share
+    size_t machines;          // 1, or the number of machines of the application
     ScriptOptions o;          // the options of the current run
-    const Var **output;       // the elements that the machine writes, and last S
+    const Var **output;       // the elements that the machine writes, and last S, of each machine
     uint32_t outputs;
     Healthy *healthy;         // by script: its run without a fault
     Visit *visit;             // by State.number - 1: the longest visit in the run of the current script without a fault

@@ -46,6 +46,9 @@ void fault_find_seen(FaultRunner *x)
             requirements_mark_reads(f->options.requirements, seen);
         for (uint32_t i = 0; i < x->outputs; i++)
             seen[x->output[i]->index] = true;
+        for (size_t i = 0; f->p->joint && i < x->machines; i++)
+            if (f->p->joint->member.at[i].mode)
+                seen[f->p->joint->member.at[i].mode->index] = true;
         for (uint32_t v = 0; v < vars; v++) {
             const Var *var = f->p->var.at[v];
             const uint32_t input = find_input(f, var);
@@ -53,21 +56,24 @@ void fault_find_seen(FaultRunner *x)
                 continue;
             if (input == f->input.n || x->is_judged[input])
                 vec_push(x->arena, &to->cell, v);
-            if (input < f->input.n && var->written)
+            if (input < f->input.n && fault_is_written(f->p, var))
                 vec_push(x->arena, &to->outside, v);
         }
     }
 }
 
-// A step is recorded as slots: the next state and whether its step is the first, then the values of FaultSeen.cell, then those of .outside.
-static uint32_t count_slots(const FaultSeen *s) { return 2 + s->cell.n + s->outside.n; }
+// A step is recorded as slots: for each machine its next state, and whether that is in its first step and whether the machine ran; then the values of
+// FaultSeen.cell, then those of .outside.
+static uint32_t count_slots(const FaultRunner *x, const FaultSeen *s) { return 2 * (uint32_t)x->machines + s->cell.n + s->outside.n; }
 
 // Returns one value of a step's record; `slot` is below count_slots.
-static uint64_t read_slot(const FaultSeen *s, const EngineStep *out, uint32_t slot)
+static uint64_t read_slot(const FaultRunner *x, const FaultSeen *s, const EngineStep *out, uint32_t slot)
 {
-    if (slot < 2)
-        return slot ? out->next_is_first : out->next_state;
-    slot -= 2;
+    const EngineNext next = slot < 2 * x->machines ? engine_next(out, slot / 2) : (EngineNext){0};
+
+    if (slot < 2 * x->machines)
+        return slot % 2 ? next.is_first + 2u * next.ran : next.state;
+    slot -= 2 * (uint32_t)x->machines;
     return slot < s->cell.n ? out->cell[s->cell.at[slot]] : out->outside[s->outside.at[slot - s->cell.n]];
 }
 
@@ -84,8 +90,8 @@ static void record_step(FaultTape *k, const EngineWrite *write, uint32_t n, cons
 
     for (uint32_t i = 0; i < n; i++)
         vec_push(&x->tapes, &k->to->write, write[i]);
-    for (uint32_t i = 0; i < count_slots(seen); i++) {
-        const uint64_t value = read_slot(seen, out, i);
+    for (uint32_t i = 0; i < count_slots(x, seen); i++) {
+        const uint64_t value = read_slot(x, seen, out, i);
         if (is_first || value != k->last[i])
             vec_push(&x->tapes, &k->to->change, ((FaultSlot){i, value}));
         k->last[i] = value;
@@ -123,7 +129,7 @@ Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script)
     FaultTape *k = ARENA_NEW(&x->run, FaultTape);
 
     *k = (FaultTape){{"tape", inner->program, NULL, k, tape_init, tape_step, tape_close}, inner, x, NULL, NULL};
-    k->last = ARENA_ARRAY(&x->run, uint64_t, count_slots(&x->seen[script]));
+    k->last = ARENA_ARRAY(&x->run, uint64_t, count_slots(x, &x->seen[script]));
     x->w->tape = k;
     return &k->engine;
 }
@@ -157,8 +163,8 @@ bool fault_pair_repeats(FaultRunner *x, uint32_t single, const Fault *both)
         write = k->end.at[i].write;
         for (; change < k->end.at[i].change; change++)
             expected[k->change.at[change].slot] = k->change.at[change].value;
-        for (uint32_t n = 0; n < count_slots(seen); n++)
-            if (read_slot(seen, out, n) != expected[n])
+        for (uint32_t n = 0; n < count_slots(x, seen); n++)
+            if (read_slot(x, seen, out, n) != expected[n])
                 return false;
     }
     return true;

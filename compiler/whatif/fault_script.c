@@ -28,10 +28,10 @@ void fault_write_trigger(const Faults *f, const FaultResult *r, Buf *out)
     buf_printf(out, " (G = %" PRIu64 ", %s)", t->g, path_portable_name(f->script[t->script]->src->name));
 }
 
-static void write_cell(const Faults *f, const Var *v, uint64_t cell, Buf *out)
+static void write_cell(const Var *v, uint64_t cell, Buf *out)
 {
-    if (v == f->p->s && cell - 1 < f->p->state.n)
-        buf_str(out, f->p->state.at[cell - 1]->name->text);
+    if (v->state_of && cell - 1 < v->state_of->state.n)
+        buf_str(out, v->state_of->state.at[cell - 1]->name->text);
     else if (v->type == SM_BOOL)
         buf_str(out, cell ? "true" : "false");
     else
@@ -62,9 +62,9 @@ void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out)
     }
     if (r->differs) {
         buf_printf(out, "%s%s = ", comma, r->differs->report_name->text);
-        write_cell(f, r->differs, r->cell, out);
+        write_cell(r->differs, r->cell, out);
         buf_str(out, " instead of ");
-        write_cell(f, r->differs, r->healthy_cell, out);
+        write_cell(r->differs, r->healthy_cell, out);
         buf_printf(out, " at G = %" PRIu64, r->differs_at.g);
         comma = "; ";
     }
@@ -109,7 +109,7 @@ static void write_assert(const Faults *f, const FaultResult *r, Buf *out)
         buf_printf(out, "%s%s", r->healthy_cell ? "" : "not ", v->name->text);
     } else {
         buf_printf(out, "%s == ", v->name->text);
-        write_cell(f, v, r->healthy_cell, out);
+        write_cell(v, r->healthy_cell, out);
     }
     buf_str(out, " \"as without the fault\"\n");
 }
@@ -403,7 +403,7 @@ static FaultText text_of_fault(const Edits *e, const Faults *f, const FaultResul
     if (text.kind == FAULT_LATE)
         text.other = format_in(e->arena, "%s_", text.other);
     if (text.kind == FAULT_DROPPED)
-        text.to = t->g + f->options.sizes.dropped * s->delta_t;
+        text.to = t->g + f->options.sizes.dropped * (s->program->joint ? s->program->step : s->delta_t);
     return text;
 }
 
@@ -432,6 +432,8 @@ const char *fault_script_write_edited(Arena *arena, const Faults *f, const Fault
         return "no output shows it";
     if (s->by_rows)
         return "its steps are the rows of a file";
+    if (s->program->joint && s->program->step == 0)
+        return "its ticks are no whole units of G";
     for (uint32_t i = 0; i < r->faults; i++) {
         e.var[i] = f->input.at[r->fault[i].input].var;
         e.name[i] = free_name(arena, f, s, "true", e.var[i]);
@@ -460,7 +462,9 @@ static void write_input(const FaultWrite *w, Buf *out)
 
 static void write_options(const Script *s, const FaultWrites *writes, Buf *out)
 {
-    buf_printf(out, "\n[options]\ndelta_t %" PRIu64 "\ninit_state %s\n", s->delta_t, s->init_state->name->text);
+    buf_str(out, "\n[options]\n");
+    if (!s->program->joint)
+        buf_printf(out, "delta_t %" PRIu64 "\ninit_state %s\n", s->delta_t, s->init_state->name->text);
     for (uint32_t i = 0; i < writes->n; i++)
         if (writes->at[i].var->parameter) {
             buf_printf(out, "set %s ", writes->at[i].var->name->text);
@@ -535,7 +539,7 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
     arena_init(&run, arena->alloc, arena->context, arena->oom);
     diags_init(&unused, &run);
     unused.muted = true;
-    e = engine_flat_open(&run, f->p, flat_new(&run, ir_build(&run, f->p), NULL));
+    e = engine_flat_open_machines(&run, f->p, flat_new_machines(&run, f->p), NULL, 0);
     result = script_run(&run, &unused, s, &e, 1, &o);
     is_same = result.steps == (at.step ? at.step : r->steps) && result.outcome == (r->outcome == FAULT_HAS_ENDLESS ? SCRIPT_ENDLESS : SCRIPT_FAILED);
     if (r->outcome == FAULT_HAS_VIOLATED && !r->violated_in_truth)

@@ -56,7 +56,12 @@ static void compare_outputs(FaultWatch *w, const ScriptStep *step)
 static void judge_requirements(FaultWatch *w, const ScriptStep *step)
 {
     const Requirements *rq = w->x->f->options.requirements;
-    const bool in_truth = w->judges_truth && monitor_step(w->monitor, w->situation, fault_engine_outside(w->e));
+    bool in_truth = false;
+
+    for (size_t i = 0; w->judges_truth && w->monitor->ran && i < w->x->machines; i++)
+        w->monitor->ran[i] = engine_next(&w->r->answer[0], i).ran;
+    if (w->judges_truth)
+        in_truth = monitor_step(w->monitor, w->situation, fault_engine_outside(w->e));
 
     for (uint32_t i = 0; rq && !w->result.violated && i < rq->at.n; i++) {
         const bool is_read = step->results[i] == MONITOR_VIOLATED;
@@ -68,10 +73,17 @@ static void judge_requirements(FaultWatch *w, const ScriptStep *step)
     }
 }
 
+// Adds a trigger, unless another machine of the application has one at the same step.
 static void add_trigger(FaultRunner *x, FaultTrigger t)
 {
-    vec_push(x->arena, &x->f->trigger, t);
+    const FaultTrigger *last = x->f->trigger.n ? &x->f->trigger.at[x->f->trigger.n - 1] : NULL;
+
+    if (!last || last->script != t.script || last->step != t.step)
+        vec_push(x->arena, &x->f->trigger, t);
 }
+
+// Returns the state of a machine in this step.
+static const State *state_in(const ScriptStep *step, size_t machine) { return step->states ? step->states[machine] : step->state; }
 
 // Whether the current script already has a trigger at this transition.
 static bool has_transition(const FaultWatch *w, const State *from, const State *to)
@@ -99,15 +111,39 @@ static void add_timed_triggers(FaultWatch *w, const ScriptStep *step)
 }
 
 // Adds a trigger at each first transition of its kind, and at the start; extends the visit of the state.
-static void add_state_triggers(FaultWatch *w, const ScriptStep *step)
+static void add_state_triggers(FaultWatch *w, const ScriptStep *step, size_t machine)
 {
-    const bool is_first = w->r->machine[0].start_step == step->number;
-    Visit *v = &w->x->visit[step->state->number - 1];
+    const State *state = state_in(step, machine);
+    const uint64_t start = w->r->machine[machine].start_step;
+    Visit *v = &w->x->visit[state->number - 1];
 
-    if (is_first && !has_transition(w, w->last, step->state))
-        add_trigger(w->x, (FaultTrigger){script_index(w), step->number, step->g, w->last, step->state, false});
-    if (step->number - w->r->machine[0].start_step >= v->last - v->first)
-        *v = (Visit){w->r->machine[0].start_step, step->number};
+    if (start == step->number && !has_transition(w, w->last[machine], state))
+        add_trigger(w->x, (FaultTrigger){script_index(w), step->number, step->g, w->last[machine], state, false});
+    if (step->number - start >= v->last - v->first)
+        *v = (Visit){start, step->number};
+}
+
+// Records what a machine has done in a step of the run without a fault.  A machine of an application that did not step has the state of its next
+// step, which does not count.
+static void record_machine(FaultWatch *w, const ScriptStep *step, size_t machine)
+{
+    if (!engine_next(&w->r->answer[0], machine).ran)
+        return;
+    if (w->x->f->options.times == 0)
+        add_state_triggers(w, step, machine);
+    w->last[machine] = state_in(step, machine);
+    w->healthy->last[w->last[machine]->number - 1] = step->number;
+}
+
+static void watch_machine(FaultWatch *w, const ScriptStep *step, size_t machine)
+{
+    const State *state = state_in(step, machine);
+
+    if (!engine_next(&w->r->answer[0], machine).ran)
+        return;
+    w->visited[state->number - 1] = 1;
+    if (state->is_abort && w->aborted[machine].step == 0)
+        w->aborted[machine] = (FaultMoment){step->number, step->g};
 }
 
 void fault_watch_step(void *context, const ScriptStep *step)
@@ -119,18 +155,14 @@ void fault_watch_step(void *context, const ScriptStep *step)
         record_outputs(w, step);
         if (w->x->f->options.times)
             add_timed_triggers(w, step);
-        else
-            add_state_triggers(w, step);
-        w->last = step->state;
-        w->healthy->last[step->state->number - 1] = step->number;
-        w->result.end_g = step->g;
-        return;
+        for (size_t i = 0; i < w->x->machines; i++)
+            record_machine(w, step, i);
+    } else {
+        for (size_t i = 0; i < w->x->machines; i++)
+            watch_machine(w, step, i);
+        compare_outputs(w, step);
+        judge_requirements(w, step);
     }
-    w->visited[step->state->number - 1] = 1;
-    compare_outputs(w, step);
-    judge_requirements(w, step);
-    if (step->state->is_abort && w->aborted.step == 0)
-        w->aborted = (FaultMoment){step->number, step->g};
     w->result.end_g = step->g;
 }
 
@@ -143,6 +175,8 @@ void fault_begin_watching(FaultRunner *x, uint32_t script)
     w->healthy = &x->healthy[script];
     w->cell = ARENA_ARRAY(&x->run, uint64_t, x->outputs);
     w->visited = arena_alloc(&x->run, x->f->p->state.n);
+    w->last = ARENA_ARRAY(&x->run, const State *, x->machines);
+    w->aborted = ARENA_ARRAY(&x->run, FaultMoment, x->machines);
     if (!rq)
         return;
     w->monitor = monitor_new(&x->run, rq, x->f->script[script]->delta_t);

@@ -83,7 +83,7 @@ static void start_run(FaultRunner *x, uint32_t script)
     o->context = x->w;
     sizes.seed = x->f->options.has_seed ? sizes.seed : s->seed;
     o->seed = arena_copy(&x->run, &sizes.seed, sizeof sizes.seed);
-    inner = engine_flat_open(&x->run, x->f->p, x->flat);
+    inner = engine_flat_open_machines(&x->run, x->f->p, x->flat, NULL, 0);
     if (x->writes)
         inner = open_recorder(x, inner);
     x->w->e = fault_engine_open(&x->run, inner, x->f->input.at, x->f->input.n, &sizes, (uint32_t)s->random.n);
@@ -95,7 +95,7 @@ static void start_run(FaultRunner *x, uint32_t script)
     run_begin(x->w->r);
 }
 
-static const State *next_state(const ScriptRun *r) { return r->p->state.at[engine_next(&r->answer[0], 0).state - 1]; }
+static const State *next_state(const ScriptRun *r, size_t machine) { return r->p->state.at[engine_next(&r->answer[0], machine).state - 1]; }
 
 // Whether the run without a fault passes: only then do later failures show the effect of a fault.
 static bool is_healthy_run_good(const ScriptRun *r)
@@ -116,14 +116,23 @@ static int compare_triggers(const void *a, const void *b)
     return x->step < y->step ? -1 : x->step > y->step;
 }
 
-// Adds a trigger in the middle of the longest visit of each state, unless the visit is too short to have a middle.
+static bool has_trigger(const FaultRunner *x, uint32_t script, uint64_t step)
+{
+    for (uint32_t i = x->f->trigger.n; i-- > 0 && x->f->trigger.at[i].script == script; )
+        if (x->f->trigger.at[i].step == step)
+            return true;
+    return false;
+}
+
+// Adds a trigger in the middle of the longest visit of each state, unless the visit is too short to have a middle.  The states of two machines of an
+// application can have the same middle, which is one trigger.
 static void add_middles(FaultRunner *x, uint32_t script)
 {
     for (uint32_t s = 0; s < x->f->p->state.n; s++) {
         const Visit *v = &x->visit[s];
-        if (v->last - v->first >= 2)
-            vec_push(x->arena, &x->f->trigger,
-                     ((FaultTrigger){script, v->first + (v->last - v->first + 1) / 2, 0, NULL, x->f->p->state.at[s], false}));
+        const uint64_t middle = v->first + (v->last - v->first + 1) / 2;
+        if (v->last - v->first >= 2 && !has_trigger(x, script, middle))
+            vec_push(x->arena, &x->f->trigger, ((FaultTrigger){script, middle, 0, NULL, x->f->p->state.at[s], false}));
     }
 }
 
@@ -144,7 +153,9 @@ static void run_healthy(FaultRunner *x, uint32_t script)
     run_continue(r, x->o.max_steps);
     run_end(r);
     h->steps = r->result.steps;
-    h->end = next_state(r);
+    h->end = ARENA_ARRAY(x->arena, const State *, x->machines);
+    for (size_t i = 0; i < x->machines; i++)
+        h->end[i] = next_state(r, i);
     if (!is_healthy_run_good(r) && x->f->failing == x->f->scripts)
         x->f->failing = script;
     if (x->f->options.times == 0)
@@ -165,7 +176,8 @@ Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, 
     arena_init(&x->run, arena->alloc, arena->context, arena->oom);
     arena_init(&x->copy, arena->alloc, arena->context, arena->oom);
     arena_init(&x->tapes, arena->alloc, arena->context, arena->oom);
-    x->flat = flat_new(arena, ir_build(arena, p), NULL);
+    x->flat = flat_new_machines(arena, p);
+    x->machines = engine_machines(p);
     x->o = (ScriptOptions){.after_step = fault_watch_step, .is_silent = true, .is_compared = true, .requirements = o->requirements,
                            .setting = o->setting, .settings = o->settings};
     x->healthy = arena_array(arena, scripts, sizeof *x->healthy);
@@ -223,11 +235,26 @@ static void return_to_trigger(FaultRunner *x, const FaultTrigger *t)
     run_continue(x->w->r, t->step - 1);
 }
 
-// Returns the worst of what happened in a run with faults, compared with the run without a fault.
-static FaultOutcome judge_result(const FaultResult *r, const FaultWatch *w)
+// Sets the end of the run with a fault and without: of the first machine that ends in @abort because of the fault; or else of the first one that ends
+// elsewhere; or else of the first one.  Returns the index of the machine.
+static size_t set_ends(const FaultRunner *x, const Healthy *h, FaultResult *r)
+{
+    size_t shown = 0;
+
+    for (size_t i = x->machines; i-- > 0; )
+        shown = next_state(x->w->r, i) != h->end[i] ? i : shown;
+    for (size_t i = x->machines; i-- > 0; )
+        shown = next_state(x->w->r, i)->is_abort && !h->end[i]->is_abort ? i : shown;
+    r->end = next_state(x->w->r, shown);
+    r->healthy_end = h->end[shown];
+    return shown;
+}
+
+// Returns the worst of what happened in a run with faults, compared with the run without a fault.  aborted: the first step in an @abort state.
+static FaultOutcome judge_result(const FaultResult *r, const FaultWatch *w, FaultMoment aborted)
 {
     const bool failed = w->r->result.outcome == SCRIPT_FAILED || w->r->result.failures > 0;
-    const bool failed_before = failed && (w->aborted.step == 0 || (r->failed && r->failed_at.step < w->aborted.step));
+    const bool failed_before = failed && (aborted.step == 0 || (r->failed && r->failed_at.step < aborted.step));
 
     if (r->violated)
         return FAULT_HAS_VIOLATED;
@@ -248,6 +275,7 @@ static FaultResult run_faults(FaultRunner *x, uint32_t trigger, const Fault *fau
     const FaultTrigger *t = &x->f->trigger.at[trigger];
     FaultResult result;
     ScriptRun *r;
+    size_t machine;
 
     r = x->w->r;
     fault_begin_judging_truth(x->w, fault, n);
@@ -261,10 +289,9 @@ static FaultResult run_faults(FaultRunner *x, uint32_t trigger, const Fault *fau
     result.faults = n;
     result.failed = r->result.failed;
     result.failed_at = (FaultMoment){r->result.failed_step, r->result.failed_g};
-    result.end = next_state(r);
-    result.healthy_end = x->healthy[t->script].end;
+    machine = set_ends(x, &x->healthy[t->script], &result);
     result.steps = r->result.steps;
-    result.outcome = judge_result(&result, x->w);
+    result.outcome = judge_result(&result, x->w, x->w->aborted[machine]);
     return result;
 }
 
@@ -355,7 +382,7 @@ static FaultResult result_unread(const FaultRunner *x, const Fault *fault)
 {
     const Healthy *h = &x->healthy[x->f->trigger.at[x->at].script];
 
-    return (FaultResult){.trigger = x->at, .fault = {*fault}, .faults = 1, .end = h->end, .healthy_end = h->end, .steps = h->steps};
+    return (FaultResult){.trigger = x->at, .fault = {*fault}, .faults = 1, .end = h->end[0], .healthy_end = h->end[0], .steps = h->steps};
 }
 
 // Runs the next single fault from the current trigger; without a run if no visited state reads its input.

@@ -47,7 +47,8 @@ typedef struct FaultResult {
     const Var *differs;               // the first output that differs, or S for another state; NULL: none
     FaultMoment differs_at;
     uint64_t cell, healthy_cell;      // value of `differs` after that step, with the fault and without
-    const State *end, *healthy_end;   // the states that a further step would run at the end, with the fault and without
+    const State *end, *healthy_end;   // the states that a further step would run at the end, with the fault and without; in an application, of the
+                                      // first machine that ends in @abort because of the fault, or else elsewhere
     uint64_t steps;                   // number of steps of the run
     uint64_t end_g;                   // G of the last step
     bool worse_than_alone;            // for two faults: the outcome is more dangerous than that of each fault alone at the same trigger
@@ -99,6 +100,8 @@ bool faults_run_next(Faults *f);
 FaultOutcome faults_find_worst(const Faults *f, uint32_t input, FaultKind kind);
 // Whether a kind applies to an input.
 bool fault_applies(const FaultInput *in, FaultKind kind);
+// Whether a machine of p writes the variable.
+bool fault_is_written(const Program *p, const Var *v);
 // Whether an element is an input by default, when these scripts run.
 bool fault_is_input(const Var *v, const Script *const *script, uint32_t scripts);
 // Frees working memory.

@@ -18,7 +18,7 @@ struct SweepRunner {
     Sweep *s;
     Arena *arena;             // memory of the results
     Arena run;                // memory of one run of a script
-    FlatMachine *flat;        // the machine that all runs share
+    FlatMachine **flat;       // the machines that all runs share
     uint32_t next_point;      // index in Sweep.point of the next point of the map
     uint32_t axis, next;      // the next point of the lines: its axis, and its index on that line
     bool has_gaps;            // `gap` has been filled, because all points have run
@@ -119,7 +119,7 @@ static void run_script(SweepRunner *x, uint32_t script, const double *value, uin
     o.setting = setting;
     diags_init(&unused, &x->run);
     unused.muted = true;
-    e = engine_flat_open(&x->run, s->p, x->flat);
+    e = engine_flat_open_machines(&x->run, s->p, x->flat, NULL, 0);
     r = script_run(&x->run, &unused, s->script[script], &e, 1, &o);
     x->s->runs++;
     for (uint32_t c = 0; c < s->check.n; c++) {
@@ -331,7 +331,7 @@ Sweep *sweep_new(Arena *arena, const Program *p, const Script *const *script, ui
     x->s = s;
     x->arena = arena;
     arena_init(&x->run, arena->alloc, arena->context, arena->oom);
-    x->flat = flat_new(arena, ir_build(arena, p), NULL);
+    x->flat = flat_new_machines(arena, p);
     list_checks(x);
     x->violated = arena_alloc(arena, s->check.n + 1);
     for (uint32_t i = 0; i < o->axes; i++) {

@@ -86,14 +86,12 @@ smc: 'a.app' is an application, and smc cover is for one machine, with scripts o
   m: smc cover missing.sm --sv a.sv
 smc: 'a.app' is an application, and smc prove is for one machine, with scripts of that machine. Its machines:
   m: smc prove missing.sm REQUIREMENTS.rq --sv a.sv
-smc: 'a.app' is an application, and smc faults is for one machine, with scripts of that machine. Its machines:
-  m: smc faults missing.sm --sv a.sv
-smc: 'a.app' is an application, and smc sweep is for one machine, with scripts of that machine. Its machines:
-  m: smc sweep missing.sm --sv a.sv
+smc: cannot read 'a.ss': No such file or directory
+smc: cannot read 'a.ss': No such file or directory
 smc: 'a.app' is an application, and smc diff is for one machine, with scripts of that machine. Its machines:
   m: smc diff missing.sm --sv a.sv
 smc: 'a.app' is an application, and smc report is for one machine, with scripts of that machine. Its machines:
   m: smc report missing.sm --sv a.sv
 smc: cannot read 'nosuch.app': No such file or directory
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 3 2 2 2 2 2 2 3 0
+2 2 2 2 2 2 2 2 2 3 1 1 3 2 2 3 3 2 2 3 0

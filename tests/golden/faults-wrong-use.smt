@@ -88,8 +88,17 @@ my own script
 -- stderr --
 smc: faults requires a script to run, as in 'smc faults a.sm SCRIPT.ss'
 Try 'smc faults --help'.
-smc: 'a.app' is an application, and smc faults is for one machine, with scripts of that machine. Its machines:
-  a: smc faults a.sm --sv VECTOR.sv
+a.app:2:14: error: cannot read 'a.sv': No such file or directory [E1031]
+    2 | state_vector "a.sv"
+      |              ^~~~~~
+a.app:6:13: error: machine 'a' needs the time: in [options], time ELEMENT 1 ms [E1030]
+    6 |     machine a "a.sm"
+      |             ^
+a.app:6:15: error: two files would have the name 'a.c': the state vector 'a.sv' and a machine 'a.sm' [E1043]
+    6 |     machine a "a.sm"
+      |               ^~~~~~
+a.app:2:14: note: the first one is here
+3 errors
 smc: bad.ss fails without any fault: 'smc test' shows why
 broken.ss:4:7: error: unknown element 'q' [E0204]
     4 | true: q = 1
@@ -125,4 +134,4 @@ Try 'smc faults --help'.
 smc: 'kept/001-p-stuck.ss' is the name of a source, and only 'smc fix' writes to sources; name another folder with --scripts
 Try 'smc faults --help'.
 -- exit --
-2 2 1 1 2 1 1 2 2 2 0 0 2 2 2 2 0 0 2 2 0
+2 1 1 1 2 1 1 2 2 2 0 0 2 2 2 2 0 0 2 2 0

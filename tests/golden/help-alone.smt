@@ -23,9 +23,9 @@ Usage:
       compare what two machines do: states, transitions, outputs, costs and findings, and in scripts
   smc cover M.sm [SCRIPT.ss...] [--sv V.sv] -o FOLDER
       find inputs that reach what no script has tested, and write them as scripts into a folder
-  smc faults M.sm SCRIPT.ss... [R.rq...] [--sv V.sv] [--pairs] [--scripts=DIR]
+  smc faults M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--pairs] [--scripts=DIR]
       make each input faulty in each way, beginning in each state and at each transition, and list what that does to the runs of scripts
-  smc sweep M.sm SCRIPT.ss... [R.rq...] --set NAME=LO:HI:N [--set NAME=LO:HI:N] [--sv V.sv]
+  smc sweep M.sm|X.app SCRIPT.ss... [R.rq...] --set NAME=LO:HI:N [--set NAME=LO:HI:N] [--sv V.sv]
       run the scripts with one or two parameters at many values, and show where asserts and requirements begin to fail
   smc why M.sm|X.app SCRIPT.ss [R.rq...] [--at TIME] [--to STATE | --of NAME]
       explain a step of a script: its guards and their values, how the machine got there, and what would have changed it

@@ -2,7 +2,7 @@
 args sweep --help
 
 -- stdout --
-Usage: smc sweep M.sm SCRIPT.ss... [R.rq...] --set NAME=LO:HI:N [--set NAME=LO:HI:N] [--sv V.sv]
+Usage: smc sweep M.sm|X.app SCRIPT.ss... [R.rq...] --set NAME=LO:HI:N [--set NAME=LO:HI:N] [--sv V.sv]
   run the scripts with one or two parameters at many values, and show where asserts and requirements begin to fail
 
 Options:

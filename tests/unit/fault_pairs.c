@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What faults of a campaign need no run: its results are those of a campaign that runs every fault and every pair (compiler/whatif/fault_replay.c).
-// The machines differ in their limits, in what their plants and asserts read, and in whether the machine assigns an input.
+// The machines differ in their limits, in what their plants and asserts read, and in whether the machine assigns an input.  Two machines of an
+// application, of which one reads what the other stores, differ in the same way, and in how often the second one runs.
 #include <setjmp.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,10 +11,10 @@
 #include "tests/test.h"
 #include "tests/unit/host.h"
 
-enum { MACHINES = 50, PAIRS_LEAST = 20000, WORSE_LEAST = 100, REPEATED_LEAST = 2000 };
+enum { MACHINES = 50, APPLICATIONS = 25, PAIRS_LEAST = 45000, WORSE_LEAST = 400, REPEATED_LEAST = 12000, UNREAD_LEAST = 25000 };
 
 static uint64_t random_state = 1;
-static uint64_t pairs, worse, repeated;
+static uint64_t pairs, worse, repeated, unread;
 
 static unsigned draw(unsigned n)
 {
@@ -33,6 +34,24 @@ static const char script[] =
     "%s: height = height + 2\nheight > %u: height = 0\n"
     "true: a = height + noise(1)\ntrue: b = %s\nfrom %u ms to %u ms: c = true\nafter %u ms: c = false\n"
     "at 900 ms: @assert %s\nat 1 s: @stop\n";
+
+static const char vector[] =
+    "[Time]\nU64 G\n[Inputs]\nF32 a @range 0 100\nF64 b @range 0 50\nbool c\n[Machines]\nU32 S\nU32 state\nbool out\nF64 level\nbool lamp\n";
+
+static const char application[] =
+    "[options]\nstate_vector \"x.sv\"\ntime G 1 ms\n[all]\nevery 10 ms:\n    machine one \"m.sm\"\n%s    machine two \"lamp.sm\"\n";
+
+static const char second[] =
+    "[state_vector]\nU64 G\nU32 state @alias S\n%s @read_only\nbool out @read_only\nF64 level @read_only\nbool lamp\n"
+    "[Dark]\n.entry\n    lamp = false\n.step\n    out and level > %u: -> Lit\n"
+    "[Lit]\n.entry\n    lamp = true\n.step\n    %s: -> Dark\n    T > %u: -> Broken\n"
+    "[Broken] @abort\n.entry\n    lamp = false\n";
+
+static const char of_two_machines[] =
+    "[local]\nF64 height = 0\n[all_states]\n"
+    "%s: height = height + 2\nheight > %u: height = 0\n"
+    "true: a = height + noise(1)\ntrue: b = 40 - height * 0.3\nfrom %u ms to 450 ms: c = true\nafter 700 ms: c = false\n"
+    "[two.Lit]\ntwo.T > 300: @assert one.S == Run\n[all_states]\nat 1 s: @stop\n";
 
 static const char requirement[] = "R1 \"limit\" never %s and %s > %u\n";
 
@@ -68,6 +87,7 @@ static void compare_campaigns(const Faults *some, const Faults *all)
     pairs += some->pairs;
     worse += some->pairs_worse;
     repeated += some->repeated;
+    unread += all->runs - some->runs;
 }
 
 static void try_machine(void)
@@ -97,13 +117,71 @@ static void try_machine(void)
     session_free(&s);
 }
 
+static const Source *find_file(Session *s, const AppFile *file, const char *const *text)
+{
+    static const char *const name[] = {"x.sv", "m.sm", "lamp.sm"};
+
+    for (int i = 0; i < 3; i++)
+        if (strcmp(file->name.text->text, name[i]) == 0)
+            return source_of(s, name[i], text[i]);
+    return NULL;
+}
+
+// Compiles the application with the text of its files (in the order of find_file), a script and a requirement, and compares two campaigns.
+static void try_application(Session *s, const char *app_text, const char *const *text, const char *ss_text, const char *rq_text)
+{
+    CompileSource at[2] = {{.text = source_of(s, "x.app", app_text), .kind = FILE_APP}, {.text = source_of(s, "x.rq", rq_text), .kind = FILE_RQ}};
+    CompileApp app;
+    CompileInput in = {.at = at, .n = 2, .app = &app};
+    CompileOptions o = {.skip_analyses = true, .scripts_later = true};
+    Compiled made;
+    const Program *p;
+    const Script *ss;
+    bool is_good;
+
+    compile_open_app(s, at[0].text, &app);
+    for (size_t i = 0; i < app.files.n; i++)
+        app.files.at[i].src = find_file(s, &app.files.at[i], text);
+    is_good = compile_sources(s, &in, &o, &made);
+    CHECK(is_good);
+    if (!is_good)
+        return;
+    p = made.of[0].scripted;
+    ss = session_script(s, source_of(s, "x.ss", ss_text), p);
+    CHECK(ss != NULL);
+    if (ss)
+        compare_campaigns(run_campaign(s, p, ss, made.of[0].requirements, false), run_campaign(s, p, ss, made.of[0].requirements, true));
+}
+
+static void try_machines(void)
+{
+    static const char *const plant[] = {"true", "not out", "not lamp", "b < 30"}, *const input[] = {"F32 a", "bool c", "F64 b"},
+                      *const dark[] = {"a > 30", "c", "b > 25"}, *const in_rule[] = {"lamp", "two.S == Lit", "one.S == Run", "not c"},
+                      *const value[] = {"a", "level", "b"};
+    const unsigned read = draw(3);
+    const char *text[3] = {vector};
+    Session s;
+
+    session_init(&s, host_alloc, NULL, &host_oom);
+    text[1] = format_in(&s.arena, machine, "@read_only ", draw(2) ? "b" : "last", 20 + draw(40), draw(30), 100 + draw(300), 5 + draw(20), 20 + draw(40),
+                        draw(6), 150 + draw(300), "n = n");
+    text[2] = format_in(&s.arena, second, input[read], draw(30), dark[read], 100 + draw(400));
+    try_application(&s, format_in(&s.arena, application, draw(2) ? "" : "every 30 ms:\n"), text,
+                    format_in(&s.arena, of_two_machines, plant[draw(4)], 60 + draw(40), 100 + draw(200)),
+                    format_in(&s.arena, requirement, in_rule[draw(4)], value[draw(3)], 60 + draw(60)));
+    session_free(&s);
+}
+
 int main(void)
 {
     host_check(setjmp(host_oom));
     for (int i = 0; i < MACHINES; i++)
         try_machine();
-    CHECK(pairs >= PAIRS_LEAST && worse >= WORSE_LEAST && repeated >= REPEATED_LEAST);
+    for (int i = 0; i < APPLICATIONS; i++)
+        try_machines();
+    CHECK(pairs >= PAIRS_LEAST && worse >= WORSE_LEAST && repeated >= REPEATED_LEAST && unread >= UNREAD_LEAST);
     if (test_failed)
-        fprintf(stderr, "%llu pairs, %llu worse, %llu repeated\n", (unsigned long long)pairs, (unsigned long long)worse, (unsigned long long)repeated);
+        fprintf(stderr, "%llu pairs, %llu worse, %llu repeated, %llu runs less\n", (unsigned long long)pairs, (unsigned long long)worse,
+                (unsigned long long)repeated, (unsigned long long)unread);
     return test_end("fault_pairs");
 }

@@ -1,0 +1,243 @@
+# smc faults and smc sweep of an application: two machines that wait for each other, each with an abort and with a parameter of the same name.  The
+# inputs are what a machine reads and no machine writes; a fault begins at the transitions of both.  Then what is refused.
+args faults stand.app stand.ss stand.rq --kinds=dead,stuck
+args faults stand.app stand.ss stand.rq --kinds=dead,stuck --scripts=made >/dev/null; for s in made/*.ss; do "$SMC" test stand.app $s stand.rq >/dev/null 2>&1; echo "$? $s"; done; tail -n 9 made/001-*; head -n 1 made/001-*
+args faults stand.app stand.ss --kinds=dead --inputs=level --format=json --at=0
+args sweep stand.app stand.ss stand.rq --set valve.limit=1:9:5
+args sweep stand.app stand.ss --set pump.limit=20:60:3 --set valve.limit=3 --format=json
+args sweep stand.app stand.ss --set limit=1:9:3
+args sweep stand.app stand.ss --set pump.limt=1:9:3
+args faults stand.app stand.ss --set drain.limit=3
+args faults stand.app stand.ss --inputs=open
+args faults stand.app stand.ss --inputs=valveState
+args faults stand.app drain.ss
+args faults stand.app stand.ss drain.rq
+args sweep broken.app stand.ss --set pump.limit=20:60:3
+args faults stand.app
+args faults stand.app stand.ss --sv stand.sv
+
+-- stand.sv --
+# The state vector of a stand: a valve that a pump asks to open.
+
+[Time]
+U64  time               # ms since power-on
+
+[Sensors]
+F64  pressure @range 0 100      # bar
+F64  level    @range 0 10       # m
+
+[Commands]
+bool start    @command
+
+[Machines]
+U32  pumpState
+U32  valveState
+bool ask                # the pump wants the valve open
+bool open               # the valve is open
+bool motor
+-- pump.sm --
+# A pump that runs while the valve is open.
+
+[options]
+step 10 ms
+
+[state_vector]
+U64  time      @alias G
+U32  pumpState @alias S
+F64  pressure  @read_only @range 0 100
+bool start     @read_only
+bool open      @read_only
+bool ask
+bool motor
+
+[local]
+F64 limit = 60 @parameter @range 10 90
+
+[Off] @safe
+.entry
+    ask = false
+.step
+    start: -> Asking
+
+[Asking]
+.entry
+    ask = true
+.step
+    open: -> On
+    T > 500 ms: -> Abort
+
+[On]
+.entry
+    motor = true
+.step
+    pressure > limit: -> Abort
+    not open: -> Abort
+    not start: -> Off
+.exit
+    motor = false
+
+[Abort] @abort
+.entry
+    ask = false
+    motor = false
+-- valve.sm --
+# A valve that opens when it is asked and the tank has water.
+
+[options]
+step 20 ms
+
+[state_vector]
+U64  time       @alias G
+U32  valveState @alias S
+F64  level      @read_only @range 0 10
+bool ask        @read_only
+bool open
+
+[local]
+F64 limit = 2 @parameter @range 0 9
+
+[Closed] @safe
+.entry
+    open = false
+.step
+    ask and level > limit: -> Open
+
+[Open]
+.entry
+    open = true
+.step
+    level < limit: -> Abort
+    not ask: -> Closed
+
+[Abort] @abort
+.entry
+    open = false
+-- stand.app --
+[options]
+state_vector "stand.sv"
+time         time 1 ms
+
+[stand]
+every 10 ms:
+    machine pump "pump.sm"
+every 20 ms:
+    machine valve "valve.sm"
+-- stand.ss --
+[all_states]
+true {
+    pressure = 40 + noise(1)
+    level = 5
+}
+G == 100 ms: start = true
+G == 2 s: start = false
+
+[pump.On]
+pump.T == 1 s: @assert motor and valve.S == Open
+
+[pump.Off]
+G > 2.2 s: @stop
+-- stand.rq --
+R1 "no water, no pump"   never held(motor and level < 2, 100 ms)
+R2 "the motor waits for the valve"  never pump.On before valve.Open
+-- drain.ss --
+[drain.Open]
+drain.T == 0: @stop
+-- drain.rq --
+R1 "no such thing"  never drained
+-- broken.app --
+[options]
+state_vector "stand.sv"
+time         time 1 ms
+
+[stand]
+every 10 ms:
+    machine pump "broken.sm"
+    machine valve "missing.sm"
+-- broken.sm --
+[state_vector]
+U64 time @alias G
+U32 pumpState @alias S
+[Off]
+.step
+    start: -> On
+-- stdout --
+faults of stand: 3 inputs, 10 triggers in 1 script; 19 of 60 faults have an effect
+input     stuck      dead
+pressure  -          -
+level     -          aborted
+start     elsewhere  differs
+ends in another state:
+  start stuck from pump.Off -> pump.Asking on (G = 110, stand.ss): motor = true instead of false at G = 2000; ends in pump.On instead of pump.Off; and 4 more triggers
+other outputs or states on the way:
+  start stuck from the start, in pump.Off (G = 0, stand.ss): ask = false instead of true at G = 110
+  start dead from the start, in pump.Off (G = 0, stand.ss): ask = false instead of true at G = 110; and 5 more triggers
+ends in an @abort state:
+  level dead from the start, in pump.Off (G = 0, stand.ss): open = false instead of true at G = 140; ends in pump.Abort instead of pump.Off; and 6 more triggers
+1 made/001-start-stuck.ss
+1 made/002-start-stuck.ss
+1 made/003-start-dead.ss
+1 made/004-level-dead.ss
+[local]
+bool true_start = false     # the true value
+bool last_start = false     # the last reading before the fault
+
+[all_states]
+time < 110 or time == 0: last_start = true_start
+time < 110: start = true_start
+else: start = last_start
+time == 2000: @assert not motor "as without the fault"
+# Generated by smc faults from stand.app (form 1, checksum b9b095a6). A changed script is not overwritten.
+{"smc-faults":1,"application":"stand","faults":1,"runs":1,"pairs":0,"complete":true,
+"inputs":[{"name":"level","low":0,"high":10,"declared":true}],
+"triggers":[
+{"script":"stand.ss","step":1,"G":0,"state":"pump.Off"}],
+"results":[
+{"faults":[{"input":"level","kind":"dead"}],"trigger":0,"outcome":"aborted","end":"pump.Abort","differs":"open","differs_G":140,"effect":"open = false instead of true at G = 140; ends in pump.Abort instead of pump.Off"}]}
+sweep of stand: 1 script, 17 runs
+valve.limit:
+  1 to 3: passes
+  5 to 9: fails: stand.ss does not end
+  stand.ss does not end: passes up to 4.999, fails from 5
+  now 2: below, nothing fails down to 1; above, fails at 5 (3 away)
+{"smc-sweep":1,"application":"stand","runs":14,"complete":true,"parameters":[{"name":"pump.limit","now":60,"fails_below":42.72,"fails_now":false}],
+"points":[
+{"at":[20],"fails":["stand.ss does not end"]},
+{"at":[40],"fails":["stand.ss does not end"]},
+{"at":[60],"fails":[]}
+],"boundaries":[
+{"parameter":"pump.limit","check":"stand.ss does not end","passes":42.73,"fails":42.72}
+]}
+-- stderr --
+smc: a parameter of an application has the name of its machine before it: instead of 'limit', name 'pump.limit' or 'valve.limit'
+smc: the application has no parameter 'pump.limt'; did you mean 'pump.limit'?
+smc: cannot set parameter 'drain.limit' to 3: the application has no such parameter
+smc: 'open' is no input of the application, because one of its machines writes it: run smc faults on the machine that reads it, with its bindings and with scripts of that machine alone
+smc: 'stand' has no element 'valveState' that can be faulty: name an element of the state vector, but not its time or its state
+drain.ss:1:2: error: the application has no machine 'drain' [E0792]
+    1 | [drain.Open]
+      |  ^~~~~~~~~~
+drain.ss:2:1: error: the application has no machine 'drain' [E0792]
+    2 | drain.T == 0: @stop
+      | ^~~~~~~
+2 errors
+drain.rq:1:27: error: unknown element 'drained' [E0204]
+    1 | R1 "no such thing"  never drained
+      |                           ^~~~~~~
+1 error
+broken.sm:6:5: error: unknown element 'start' [E0204]
+    6 |     start: -> On
+      |     ^~~~~ an element of the state vector: list it as bool start
+stand.sv:11:6: note: 'start' is declared here
+broken.sm:6:15: error: unknown state 'On' [E0501]
+    6 |     start: -> On
+      |               ^~ add a section [On]
+broken.app:8:19: error: cannot read 'missing.sm': No such file or directory [E1031]
+    8 |     machine valve "missing.sm"
+      |                   ^~~~~~~~~~~~
+3 errors
+smc: faults requires a script to run, as in 'smc faults stand.app SCRIPT.ss'
+Try 'smc faults --help'.
+smc: 'stand.app' names its state vector itself: remove --sv
+Try 'smc faults --help'.
+-- exit --
+0 0 0 0 0 1 1 1 1 1 1 1 1 2 2
