@@ -25,6 +25,9 @@ enum {
     AROUND_PERCENT = 30,      // hard goal, and another state must store a variable: go through that state and back, again and again
     FOREIGN_PERCENT = 60,     // any goal, and another state must store a variable: walk from the entry where it is nearest to the wanted value
     COUNT_PERCENT = 50,       // hard goal, and its state must count a variable: make pulses of inputs
+    REPAIR_PERCENT = 80,      // attempts that must wait in a state, and change what would end the wait (SearchOptions.stays)
+    LEAD_PERCENT = 30,        // with SearchOptions.stays: attempts before which up to LEAD_STEPS steps pass
+    LEAD_STEPS = 4,
     PULSE_PERCENT = 4         // any other hard goal: make pulses of inputs
 };
 
@@ -157,16 +160,15 @@ static void walk_from(SearchRun *k, uint32_t node)
     search_drop(k, node);
 }
 
-// Makes one attempt to reach a goal: chooses a snapshot, solves for changes of inputs there, and runs them.
-static void attempt_goal(SearchRun *k, uint32_t goal)
+// Solves for changes of inputs that lead from a snapshot to a goal, and runs them.
+static void attempt_goal_from(SearchRun *k, uint32_t node, uint32_t goal)
 {
-    SearchGoal *g = &k->goal[goal];
-    const uint64_t before = k->r->steps;
-    const bool is_hard = !k->o->plain && g->cost > EASY_STEPS;
-    const uint32_t node = choose_node(k, g);
+    const bool is_hard = !k->o->plain && k->goal[goal].cost > EASY_STEPS;
     const uint64_t steps = search_solve_goal(k, node, goal);
 
-    if (is_hard && k->foreign != SEARCH_NONE && search_chance(k, AROUND_PERCENT))
+    if (k->o->stays && k->wait > 1 && search_chance(k, REPAIR_PERCENT))
+        search_run_staying(k, node, goal);
+    else if (is_hard && k->foreign != SEARCH_NONE && search_chance(k, AROUND_PERCENT))
         search_go_around(k, goal);
     else if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))
         walk_from(k, search_find_nearest_entry(k, k->foreign, k->foreign_value, 0));
@@ -174,7 +176,24 @@ static void attempt_goal(SearchRun *k, uint32_t goal)
         search_run_pulses(k, node, goal);
     else
         search_run_segment(k, node, k->turn.at, k->turn.n, steps, goal);
-    g->cost += k->r->steps - before + 100;
+}
+
+// Makes one attempt to reach a goal, from a snapshot.  Sometimes lets a few steps pass first, so that the changes are the second value of an input,
+// as an edge needs.
+static void attempt_goal(SearchRun *k, uint32_t goal)
+{
+    const uint64_t before = k->r->steps;
+    uint32_t node = choose_node(k, &k->goal[goal]);
+
+    if (k->o->stays && search_chance(k, LEAD_PERCENT)) {
+        node = search_run_segment(k, node, NULL, 0, 1 + search_pick(k, LEAD_STEPS), SEARCH_NONE);
+        if (k->node.at[node].copy && !k->goal[goal].done)
+            attempt_goal_from(k, node, goal);
+        search_drop(k, node);
+    } else {
+        attempt_goal_from(k, node, goal);
+    }
+    k->goal[goal].cost += k->r->steps - before + 100;
 }
 
 // Makes a few short runs with special values from a node.
@@ -223,8 +242,10 @@ static void run_search(SearchRun *k)
 
     while (specials && k->open && k->r->steps < k->effort / SPECIAL_PART && search_goes_on(k))
         attempt_specials(k, k->root);
-    search_until(k, k->effort / FIRST_PART);
-    search_shorter(k);
+    if (!k->o->drafts) {
+        search_until(k, k->effort / FIRST_PART);
+        search_shorter(k);
+    }
     search_until(k, k->effort);
 }
 
@@ -290,7 +311,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     k->o = o;
     k->random = o->seed;
     k->effort = o->effort ? o->effort : SEARCH_EFFORT;
-    k->stop_at = k->effort - k->effort / SEARCH_PART;
+    k->stop_at = o->drafts ? k->effort : k->effort - k->effort / SEARCH_PART;
     k->memory = o->memory ? o->memory : SEARCH_MEMORY;
     k->start = o->init_state ? o->init_state : c->p->state.at[0];
     k->plain = flat_new(&k->work, k->m, NULL);

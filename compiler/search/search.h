@@ -65,6 +65,8 @@ typedef struct SearchOptions {
     bool any_elements;        // proofs allow any value before the first step for elements that the machine stores; else they are 0, as in the runs
     bool loops;               // scenarios can have loops
     bool plain;               // for goals that few changes reach: no attempt repeats changes, and inputs with noise can become constant
+    bool stays;               // an attempt that must wait in a state also changes the inputs that would end the wait
+    bool drafts;              // scenarios are stored as they were found, with all their changes, and no effort is set aside for simplifying them
     SearchSpecials specials;
     const SearchWatch *watch; // NULL: no goals of the caller
     const SearchHint *hint;   // `hints` of them

@@ -336,11 +336,13 @@ void search_choose(SearchRun *k)
     all = make_candidates(&c, &n);
     while ((best = choose_best(&c, all, n, &want)) != NULL) {
         best->used = true;
-        choose_scenario(&c, best, &want);
+        if (!k->o->drafts)
+            choose_scenario(&c, best, &want);
         if (find_unreached(&c, want.at, want.n).n)     // the simplified scenarios can reach less than `best` does
             store_chosen(&c, &best->s, best->end, best->reached);
     }
-    improve_longest(&c);
+    if (!k->o->drafts)
+        improve_longest(&c);
     k->r->chosen = c.chosen.at;
     k->r->chosens = c.chosen.n;
     k->effort = full;

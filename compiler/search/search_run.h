@@ -6,6 +6,7 @@
 //     search_prove.c     goals that are impossible
 //     search_nodes.c     states that have been reached, and runs from them
 //     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
+//     search_stay.c      waits in a state that other transitions would end
 //     search_repeat.c    pulses of inputs, and ways around through several states, again and again
 //     search_special.c   short runs with infinities, ends of ranges, and changes in each step
 //     search_choose.h    few scenarios with few changes that reach what was reached, in three files
@@ -210,6 +211,7 @@ typedef struct SearchRun {
     uint32_t foreign;         // a variable that only another state can store as needed; SEARCH_NONE: there is none
     double foreign_value;     // the value that `foreign` needs to have
     uint64_t rounds;          // how many times a counter of the machine must be incremented or decremented; 0: the solution needs no counter
+    bool is_lasting;          // the wishes are for all steps of a wait, not for one step
     bool is_round;            // the current changes repeat earlier ones: they do not count in SearchNode.depth
     uint32_t site_state;      // the state of the snapshot for which changes are solved
     VEC(SearchTurn) turn;     // the changes that were solved for
@@ -248,6 +250,10 @@ static inline SearchSetting *search_settings(const SearchRun *k, char *block) { 
 // Solve for changes of inputs at a node, and store them in k->turn.  Return the length of the segment, in steps.
 uint64_t search_solve_goal(SearchRun *k, uint32_t node, uint32_t goal);
 uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x);
+
+// Runs the solution, which must last k->wait steps, towards a goal.  Changes other inputs, too, so that the machine stays in the state of the node
+// meanwhile, unless it goes to a state that no run has visited.
+void search_run_staying(SearchRun *k, uint32_t node, uint32_t goal);
 
 // Returns the entry of a state (0: of any state) whose snapshot has the variable nearest to the wanted value; SEARCH_NONE: there is no entry.
 uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, uint32_t state);

@@ -66,6 +66,14 @@ static void add_wished_setting(SearchRun *k, uint32_t input)
     add_turn(k, input, s);
 }
 
+void search_replace_turn(SearchRun *k, uint32_t input)
+{
+    for (uint32_t i = 0; i < k->turn.n; i++)
+        if (k->turn.at[i].input == input)
+            k->turn.at[i--] = k->turn.at[--k->turn.n];
+    add_wished_setting(k, input);
+}
+
 // Returns an input on which a decision of the path depends; sometimes any input.
 static uint32_t choose_input(SearchRun *k, const SearchPath *path)
 {

@@ -396,6 +396,21 @@ static void add_wishes_for_copy(SearchRun *k, uint32_t fn, IrRef a, IrRef b)
             k->wish[k->var[f->ins.at[a].var].input].copies = k->output.at[i];
 }
 
+// If a comparison compares a value with its own last one, adds the wish that it changes in each step, as a counter does.
+static bool add_wishes_for_going_on(SearchRun *k, uint32_t fn, const IrIns *i)
+{
+    const IrFn *f = k->fn[fn].fn;
+
+    for (int side = 0; side < 2; side++) {
+        const IrIns *last = &f->ins.at[side ? i->b : i->a];
+        if (last->op == IR_stat && (last->stat == SM_STAT_OLDEST || last->stat == SM_STAT_NEWEST)) {
+            add_wishes_for_movement(k, 0, find_sampled(k, last->var), 0, 1, true);
+            return true;
+        }
+    }
+    return false;
+}
+
 static void add_wishes_for_comparison(SearchRun *k, uint32_t fn, const IrIns *i, bool truth, int depth)
 {
     const Rel rel = relation_of(i->op, truth);
@@ -405,6 +420,8 @@ static void add_wishes_for_comparison(SearchRun *k, uint32_t fn, const IrIns *i,
         add_wishes_for_copy(k, fn, i->a, i->b);
         add_wishes_for_copy(k, fn, i->b, i->a);
     }
+    if (rel == REL_NE && k->is_lasting && add_wishes_for_going_on(k, fn, i))
+        return;
     if (second)
         add_wishes_for_number(k, fn, i->b, swap_sides(rel), search_value_of(k, fn, i->a), depth);
     else

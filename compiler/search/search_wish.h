@@ -30,6 +30,9 @@ void search_wish_condition(SearchRun *k, const SearchDecision *x, uint32_t condi
 // Makes the solution last at least this many steps.
 void search_wait_for(SearchRun *k, double steps);
 
+// Changes the input as its wish demands, instead of as the solution has changed it.
+void search_replace_turn(SearchRun *k, uint32_t input);
+
 bool search_is_within(const SearchWish *w, double x);
 // Chooses a number within the bounds of an input.
 double search_choose_value(SearchRun *k, uint32_t input);
