@@ -24,7 +24,9 @@ static AstExpr number(double x, Span place) { return (AstExpr){.kind = AST_NUMBE
 
 static bool set(Sema *s, Program *p, const char *name, const AstExpr *value)
 {
-    return set_parameter_of_machine(s, p, str_c(s->strings, name), value->span, value);
+    const Span place = {.src = value->span.src, .at = (uint32_t)strlen(name)};       // another one for each unknown name: of two errors at one place, one is shown
+
+    return set_parameter_of_machine(s, p, str_c(s->strings, name), place, value);
 }
 
 // Whether the session has a diagnostic with these words.
@@ -41,7 +43,7 @@ static bool is_reported(Session *c, const char *words)
 static void test_setting(Session *c, Sema *s, Program *p)
 {
     const Span place = program_parameter(p, str_c(s->strings, "n"))->span;
-    AstExpr x = number(300, place), negative = {.kind = AST_UNARY, .op = SM_OP_NEG, .span = place, .a = &x}, name = {.kind = AST_NAME, .span = place};
+    AstExpr x = number(300, place), negative = {.kind = AST_UNARY, .op = SM_OP_NEG, .span = program_parameter(p, str_c(s->strings, "limit"))->span, .a = &x}, name = {.kind = AST_NAME, .span = place};
 
     CHECK(set(s, p, "limit", &x) && program_parameter(p, str_c(s->strings, "limit"))->init == sm_bits(300));
     CHECK(!set(s, p, "limit", &negative) && !set(s, p, "limit", &name) && !set(s, p, "n", &x) && !set(s, p, "other", &x) && !set(s, p, "none", &x));
