@@ -224,9 +224,10 @@ void check_time_options(Sema *s, Program *p, const AstFile *sm)
 
 // ---- applications ----
 
-// Reports a machine whose behaviour depends on the unit of G, or that declares a step, in an application with another unit or period.
+// Reports a machine whose behaviour depends on the unit of G, or that declares a step, in an application with another unit or period.  Any other
+// machine counts the application's unit, which matters to units of measurement.
 // `unit`, `period`: in nanoseconds; 0: unknown.
-void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period)
+void check_app_machine_time(const CheckContext *c, Program *p, Span named, uint64_t unit, uint64_t period)
 {
     static const uint64_t ns[TIME_UNITS] = {[TIME_US] = 1000, [TIME_MS] = 1000000, [TIME_S] = 1000000000};
     const uint64_t own = ns[p->time_unit];
@@ -239,4 +240,6 @@ void check_app_machine_time(const CheckContext *c, const Program *p, Span named,
                                         format_in(c->arena, "%llu %s", (unsigned long long)p->step, time_unit_name(p->time_unit)),
                                         app_time_text(c->arena, period)),
                   p->step_span, DIAG_note_declared_here, "step");
+    else if (unit && !p->uses_time_unit)
+        p->time_unit = time_unit_of_period(unit);
 }
