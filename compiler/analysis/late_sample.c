@@ -54,7 +54,7 @@ static bool can_sample_assigned_value(const StatUse *u, const Stmt *assigned)
 
 typedef struct OtherStore { const Stmt *assigned; bool found; } OtherStore;
 
-// Looks for another expression that the machine stores in the same variable; initial values of .entry do not count.
+// Searches for another expression that the machine stores in the same variable; initial values of .entry do not count.
 static void find_other_store(const StmtLocation *at, void *context)
 {
     OtherStore *o = context;

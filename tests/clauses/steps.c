@@ -19,6 +19,7 @@ static void *heap(void *context, void *old, size_t size)
 }
 
 static const char machine[] =
+    "[options]\nstep 10 ms\n"
     "[state_vector]\nU64 time @alias G\nU32 mode @alias S\nF64 x\nF64 y\nF32 f\nF64 high\nF64 entries\nF64 seen\nbool inA\nU8 same\nbool never\n"
     "F64 before\nF64 speed\nbool long\nbool often\n"
     "[local]\nU32 n = 5\n"
@@ -162,7 +163,7 @@ static void expect_remembered(const Rig *r, double before, double speed, bool he
     CHECK(cell(r, "long") == held && cell(r, "often") == held);
 }
 
-// clause 6.3, clause 7.27, clause 7.30: prev, rate and held take no sample in a refused step.
+// clause 6.3: prev, rate and held take no sample in a refused step.
 static void test_refused_step_takes_no_sample(Rig *r)
 {
     CHECK(step_x(r, 0, 1) == ENGINE_OK);
@@ -175,6 +176,25 @@ static void test_refused_step_takes_no_sample(Rig *r)
     expect_remembered(r, 1, 100, true);
     CHECK(step_x(r, 20, 4) == ENGINE_OK);
     expect_remembered(r, 2, 200, true);
+}
+
+// clause 7.33: the run of held begins again where G advances by more than two steps, even by one unit more.
+static void test_gap_is_more_than_two_steps(Rig *r)
+{
+    CHECK(step_x(r, 0, 1) == ENGINE_OK);
+    CHECK(step_x(r, 20, 2) == ENGINE_OK);
+    expect_remembered(r, 1, 50, true);
+    CHECK(step_x(r, 41, 42) == ENGINE_OK);
+    expect_remembered(r, 2, 40 / 0.021, false);               // x < 40 is false
+    CHECK(step_x(r, 42, 1) == ENGINE_OK);
+    CHECK(step_x(r, 62, 1) == ENGINE_OK);
+    expect_remembered(r, 1, 0, true);
+    CHECK(step_x(r, 83, 1) == ENGINE_OK);                     // a gap of 21
+    expect_remembered(r, 1, 0, false);
+    CHECK(step_x(r, 92, 1) == ENGINE_OK);
+    CHECK(cell(r, "long") == 0 && cell(r, "often") == 1);     // true since 83
+    CHECK(step_x(r, 93, 1) == ENGINE_OK);
+    expect_remembered(r, 1, 0, true);
 }
 
 // clause 6.3, clause 6.5: a refused step before a state's first step does not affect it.
@@ -259,7 +279,7 @@ int main(void)
 {
     static void (*const parts[])(Rig *r) = {
         test_start, test_step_without_progress_is_refused, test_refused_step_takes_no_sample, test_refusal_before_a_first_step,
-        test_stored_elements_are_reported, test_stored_S_does_not_change_the_state, test_nan_reads_as_zero};
+        test_gap_is_more_than_two_steps, test_stored_elements_are_reported, test_stored_S_does_not_change_the_state, test_nan_reads_as_zero};
 
     for (size_t e = 0; e < sizeof names / sizeof *names; e++)
         for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
