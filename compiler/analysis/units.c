@@ -244,7 +244,7 @@ static Quantity quantity_of_time(const Program *p)
 {
     const Measure unit = measure_named(time_unit_name(p->time_unit));
 
-    return quantity_of_unit(&unit);
+    return p->time_unit == TIME_NONE ? quantity_of_kind(QUANTITY_UNKNOWN) : quantity_of_unit(&unit);
 }
 
 static Quantity quantity_of_variable(UnitCheck *k, const Var *v)

@@ -241,7 +241,7 @@ void check_app_tasks(AppCheck *k, const AstAppExecutor *in, AppExecutor *out)
                                                    app_time_text(k->c->arena, k->app->unit)),
                           k->app->time_span, DIAG_note_named_here);
             if (task->machine && task->machine->program)
-                check_app_machine_time(k->c, task->machine->program, written->name.span, k->app->time ? k->app->unit : 0, rate->period);
+                check_app_machine_time(k->c, (Program *)task->machine->program, written->name.span, k->app->time ? k->app->unit : 0, rate->period);
             vec_push(k->c->arena, &k->app->task, task);
             vec_push(k->c->arena, &out->rate.at[r]->task, (const AppTask *)task);
         }

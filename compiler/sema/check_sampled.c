@@ -65,7 +65,7 @@ static uint32_t check_window_size(Sema *s, const AstExpr *call, bool *in_time)
 // Reports a number without a unit. A fraction cannot be a number of steps. Only a number or a name can precede `steps`, and only a number a unit.
 static void report_held_number(Sema *s, const AstExpr *n, SmF64 limit)
 {
-    const char *const number = const_text(s->arena, limit);
+    const char *const number = n->kind == AST_NUMBER ? sema_quote_source(s, n->span) : const_text(s->arena, limit);
     Diag *d = diag_report(s->diags, DIAG_held_number, n->span);
 
     if (sm_eq(sm_trunc(limit), limit))

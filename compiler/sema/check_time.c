@@ -55,6 +55,14 @@ static const AstExpr *find_literal(const Sema *s, const AstExpr *e, const AstExp
     }
 }
 
+// Formats a number of units of G. Unlike const_text, does not shorten 1000000 to 1e+06: a second has so many microseconds.
+static const char *units_text(Sema *s, SmF64 units)
+{
+    const bool is_short = is_whole(units) && sm_lt(units, sm_from_u64(UINT64_C(1) << 53));
+
+    return is_short && sm_le(sm_from_i32(0), units) ? format_in(s->arena, "%llu", (unsigned long long)sm_to_u64(units)) : const_text(s->arena, units);
+}
+
 // Returns how a message names a literal: as the user wrote it, or by the name of its definition.
 static const char *literal_text(Sema *s, const AstExpr *literal, const AstExpr *named)
 {
@@ -89,7 +97,7 @@ static void warn_of_time_factor(Sema *s, const AstExpr *operand)
     literal = find_literal(s, operand, &named);
     if (!is_time_literal(literal) || !literal_value(literal, s->p->time_unit, &value))
         return;
-    d = diag_report(s->diags, DIAG_time_factor, named->span, literal_text(s, literal, named), const_text(s->arena, value));
+    d = diag_report(s->diags, DIAG_time_factor, named->span, literal_text(s, literal, named), units_text(s, value));
     if (s->p->time_unit != TIME_S && literal_value(literal, TIME_S, &value))
         diag_label(s->diags, d, DIAG_label_time_in_seconds, const_text(s->arena, value));
 }
@@ -163,7 +171,7 @@ bool expr_contains_time(const Expr *e)
 // Formats a number of units of G as a time, as in `40 ms`.
 static const char *format_time(Sema *s, SmF64 units)
 {
-    return format_in(s->arena, "%s %s", const_text(s->arena, units), time_unit_name(s->p->time_unit));
+    return format_in(s->arena, "%s %s", units_text(s, units), time_unit_name(s->p->time_unit));
 }
 
 // Computes how many samples a window of the last `time` units of G has.
@@ -224,9 +232,10 @@ void check_time_options(Sema *s, Program *p, const AstFile *sm)
 
 // ---- applications ----
 
-// Reports a machine whose behaviour depends on the unit of G, or that declares a step, in an application with another unit or period.
+// Reports a machine whose behaviour depends on the unit of G, or that declares a step, in an application with another unit or period.  Any other
+// machine counts the application's unit, which matters to units of measurement.
 // `unit`, `period`: in nanoseconds; 0: unknown.
-void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period)
+void check_app_machine_time(const CheckContext *c, Program *p, Span named, uint64_t unit, uint64_t period)
 {
     static const uint64_t ns[TIME_UNITS] = {[TIME_US] = 1000, [TIME_MS] = 1000000, [TIME_S] = 1000000000};
     const uint64_t own = ns[p->time_unit];
@@ -239,4 +248,6 @@ void check_app_machine_time(const CheckContext *c, const Program *p, Span named,
                                         format_in(c->arena, "%llu %s", (unsigned long long)p->step, time_unit_name(p->time_unit)),
                                         app_time_text(c->arena, period)),
                   p->step_span, DIAG_note_declared_here, "step");
+    else if (unit && !p->uses_time_unit)
+        p->time_unit = time_unit_of_period(unit);
 }

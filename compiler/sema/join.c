@@ -151,15 +151,11 @@ static uint64_t gcd(uint64_t a, uint64_t b)
 
 static void set_time(Join *k)
 {
-    static const uint64_t ns[TIME_UNITS] = {[TIME_US] = 1000, [TIME_MS] = 1000000, [TIME_S] = 1000000000};
-
     for (size_t i = 0; i < k->app->executor.n; i++)
         for (size_t r = 0; r < k->app->executor.at[i]->rate.n; r++)
             k->joint->tick = gcd(k->joint->tick, k->app->executor.at[i]->rate.at[r]->period);
     k->joint->unit = k->app->unit;
-    for (TimeUnit u = TIME_US; u <= TIME_S; u++)
-        if (ns[u] == k->app->unit)
-            k->p->time_unit = u;
+    k->p->time_unit = time_unit_of_period(k->app->unit);
     if (k->joint->tick % k->joint->unit == 0)
         k->p->step = k->joint->tick / k->joint->unit;
     k->p->step_span = k->app->time_span;

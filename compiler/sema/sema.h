@@ -229,7 +229,7 @@ void warn_of_time_as_guard(Sema *s, const AstExpr *guard);
 // Warns of the operands of * or / that are times.
 void warn_of_time_factors(Sema *s, const AstExpr *a, const AstExpr *b);
 // Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
-void check_app_machine_time(const CheckContext *c, const Program *p, Span named, uint64_t unit, uint64_t period);
+void check_app_machine_time(const CheckContext *c, Program *p, Span named, uint64_t unit, uint64_t period);
 
 // ---- check_script_when.c: guards by time of a script ----
 

@@ -22,6 +22,11 @@ const char *time_unit_name(TimeUnit unit) { return units[unit].name; }
 
 bool time_unit_counts(TimeUnit unit) { return unit == TIME_US || unit == TIME_MS || unit == TIME_S; }
 
+TimeUnit time_unit_of_period(uint64_t ns)
+{
+    return ns == 1000 ? TIME_US : ns == 1000000 ? TIME_MS : ns == 1000000000 ? TIME_S : TIME_NONE;
+}
+
 bool time_to_f64(const char *text, size_t len, TimeUnit from, TimeUnit to, SmF64 *value)
 {
     return number_to_scaled_f64(text, len, units[from].factor, units[from].exponent - units[to].exponent, value);

@@ -1,4 +1,4 @@
-spec 3.33, 6.17  The comparison reads S as it is, also if a script has written it.
+spec 3.33, 6.17  The comparison reads S: in each state it is the number of that state, also in a step that leaves it.
 
 -- app.sm --
 [state_vector]

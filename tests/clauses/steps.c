@@ -19,10 +19,13 @@ static void *heap(void *context, void *old, size_t size)
 }
 
 static const char machine[] =
+    "[options]\nstep 10 ms\n"
     "[state_vector]\nU64 time @alias G\nU32 mode @alias S\nF64 x\nF64 y\nF32 f\nF64 high\nF64 entries\nF64 seen\nbool inA\nU8 same\nbool never\n"
+    "F64 before\nF64 speed\nbool long\nbool often\n"
     "[local]\nU32 n = 5\n"
     "[A]\n.entry\n    entries = entries + 1\n"
     ".step\n    n = n + 1\n    high = roll_max(x, 3)\n    y = 1 / x + 1 / f\n    same = 7\n    seen = S\n    inA = S == A\n"
+    "    before = prev(x)\n    speed = rate(x, 2)\n    long = held(x < 40, 10 ms)\n    often = held(x < 40, 2 steps)\n"
     "    if x == 99: never = true\n    if x == 5: -> B\n"
     "[B]\n.step\n    seen = S\n    if x == 6: -> A\n";
 
@@ -153,6 +156,47 @@ static void test_step_without_progress_is_refused(Rig *r)
     expect_values(r, last - 1, 9, 2, 1);
 }
 
+static void expect_remembered(const Rig *r, double before, double speed, bool held)
+{
+    CHECK(number(r, "before") == before);
+    CHECK(number(r, "speed") == speed);
+    CHECK(cell(r, "long") == held && cell(r, "often") == held);
+}
+
+// clause 6.3: prev, rate and held take no sample in a refused step.
+static void test_refused_step_takes_no_sample(Rig *r)
+{
+    CHECK(step_x(r, 0, 1) == ENGINE_OK);
+    expect_remembered(r, 1, 0, false);
+    CHECK(step_x(r, 0, 60) == ENGINE_REFUSED);
+    CHECK(step_x(r, 10, 2) == ENGINE_OK);
+    expect_remembered(r, 1, 100, true);
+    CHECK(step_x(r, 10, 70) == ENGINE_REFUSED);
+    CHECK(step_x(r, 9, 70) == ENGINE_REFUSED);
+    expect_remembered(r, 1, 100, true);
+    CHECK(step_x(r, 20, 4) == ENGINE_OK);
+    expect_remembered(r, 2, 200, true);
+}
+
+// clause 7.33: the run of held begins again where G advances by more than two steps, even by one unit more.
+static void test_gap_is_more_than_two_steps(Rig *r)
+{
+    CHECK(step_x(r, 0, 1) == ENGINE_OK);
+    CHECK(step_x(r, 20, 2) == ENGINE_OK);
+    expect_remembered(r, 1, 50, true);
+    CHECK(step_x(r, 41, 42) == ENGINE_OK);
+    expect_remembered(r, 2, 40 / 0.021, false);               // x < 40 is false
+    CHECK(step_x(r, 42, 1) == ENGINE_OK);
+    CHECK(step_x(r, 62, 1) == ENGINE_OK);
+    expect_remembered(r, 1, 0, true);
+    CHECK(step_x(r, 83, 1) == ENGINE_OK);                     // a gap of 21
+    expect_remembered(r, 1, 0, false);
+    CHECK(step_x(r, 92, 1) == ENGINE_OK);
+    CHECK(cell(r, "long") == 0 && cell(r, "often") == 1);     // true since 83
+    CHECK(step_x(r, 93, 1) == ENGINE_OK);
+    expect_remembered(r, 1, 0, true);
+}
+
 // clause 6.3, clause 6.5: a refused step before a state's first step does not affect it.
 static void test_refusal_before_a_first_step(Rig *r)
 {
@@ -234,8 +278,8 @@ static void run(const char *name, void (*part)(Rig *r))
 int main(void)
 {
     static void (*const parts[])(Rig *r) = {
-        test_start, test_step_without_progress_is_refused, test_refusal_before_a_first_step, test_stored_elements_are_reported,
-        test_stored_S_does_not_change_the_state, test_nan_reads_as_zero};
+        test_start, test_step_without_progress_is_refused, test_refused_step_takes_no_sample, test_refusal_before_a_first_step,
+        test_gap_is_more_than_two_steps, test_stored_elements_are_reported, test_stored_S_does_not_change_the_state, test_nan_reads_as_zero};
 
     for (size_t e = 0; e < sizeof names / sizeof *names; e++)
         for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
