@@ -340,39 +340,53 @@ static bool read_data_header(Session *s, Script *script)
     return d->source && replay_check(&s->arena, &s->diags, script);
 }
 
+// Adds a note to what the check of a script has reported, from `first` on, in the files that the script includes: the same text can be right in
+// one script and wrong in another, which has another delta_t or other variables.
+static void note_includes(Session *s, const ScriptFiles *files, size_t first)
+{
+    for (size_t i = first; i < s->diags.list.n; i++)
+        for (size_t k = 0; k + 1 < files->n; k++)
+            if (s->diags.list.at[i]->span.src == files->at[k])
+                diag_note(&s->diags, s->diags.list.at[i], files->include[k], DIAG_note_script_includes);
+}
+
 // A script without syntax errors is checked item by item, which needs little memory.  For a script with syntax errors, builds the whole tree
 // first: the checker does not report names whose declarations an error may have hidden.  If an included file is missing, nothing is checked.
-Script *session_script(Session *s, const Source *ss, const Program *p)
+static Script *check_script_files(Session *s, const ScriptFiles *files, bool is_whole, const Program *p)
 {
-    size_t errors = s->diags.errors_seen;
     CheckContext c = make_check_context(s);
     Map unused = {&s->tree, NULL, NULL, 0, 0};
-    const ScriptFiles files = session_script_files(s, ss, false);
-    const bool is_whole = s->diags.errors_seen == errors;
-    const AstFile **tree = ARENA_ARRAY(&s->tree, const AstFile *, files.n);
+    const AstFile **tree = ARENA_ARRAY(&s->tree, const AstFile *, files->n);
     bool good = is_whole;
-    Script *out = NULL;
 
-    for (size_t i = 0; i < files.n && good; i++)
-        good = (tree[i] = parse_silently(s, files.at[i], &unused)) != NULL;
-    for (size_t i = 0; i < files.n && !good; i++)
-        tree[i] = parse(s, files.at[i], FILE_SS);
+    for (size_t i = 0; i < files->n && good; i++)
+        good = (tree[i] = parse_silently(s, files->at[i], &unused)) != NULL;
+    for (size_t i = 0; i < files->n && !good; i++)
+        tree[i] = parse(s, files->at[i], FILE_SS);
     if (good)
-        out = check_script_source(&c, &s->tree, &s->work, tree, files.n, p);
-    else if (is_whole)
-        out = check_script(&c, tree, files.n, p);
+        return check_script_source(&c, &s->tree, &s->work, tree, files->n, p);
+    return is_whole ? check_script(&c, tree, files->n, p) : NULL;
+}
+
+Script *session_script(Session *s, const Source *ss, const Program *p)
+{
+    const size_t errors = s->diags.errors_seen, reported = s->diags.list.n;
+    const ScriptFiles files = session_script_files(s, ss, false);
+    Script *out = check_script_files(s, &files, s->diags.errors_seen == errors, p);
+    bool good;
+
     if (out && s->warnings)
         analyse_units_of_script(&s->tree, &s->diags, out);
     if (out && s->warnings && s->diags.errors_seen == errors) {           // items with errors may lack their guards
         analyse_inputs_of_script(&s->diags, out);
         analyse_asserts_of_script(&s->tree, &s->diags, out);
     }
-    for (size_t i = 0; out && i + 1 < files.n; i++)
-        vec_push(&s->arena, &out->part, ((ScriptPart){files.at[i], files.include[i]}));
     arena_free(&s->tree);
-    if (s->diags.errors_seen > errors || !out)
-        return NULL;
-    return read_data_header(s, out) ? out : NULL;
+    good = out && s->diags.errors_seen == errors && read_data_header(s, out);
+    note_includes(s, &files, reported);
+    for (size_t i = 0; good && i + 1 < files.n; i++)          // last: what a run reports has another note
+        vec_push(&s->arena, &out->part, ((ScriptPart){files.at[i], files.include[i]}));
+    return good ? out : NULL;
 }
 
 // Adds the names of the locals and elements that a script, with the files that it includes, writes to `written`, and returns its delta_t in

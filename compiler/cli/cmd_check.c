@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc check: checks sources without running them.
-#include "compiler/cli/cli.h"
+#include "compiler/cli/runs.h"
 
 // Checks that the files of the command line can be checked together, as their number by kind shows.
 static int check_arguments(Cli *c)
@@ -49,5 +49,8 @@ int cmd_check(Cli *c)
         return code;
     o.names = in.app != NULL;             // smc build also puts names into the images of an application
     compile_sources(&c->session, &in, &o, &out);
+    for (size_t i = 0; i < in.n; i++)
+        if (out.of[i].requirements && !out.of[i].requirements->program->joint)
+            runs_report_contradiction(c, out.of[i].requirements);
     return cli_print_diagnostics(c);
 }

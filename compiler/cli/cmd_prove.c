@@ -211,18 +211,6 @@ static const Requirements *select_requirements(Cli *c, const Requirements *all)
     return out;
 }
 
-// Reports two requirements that contradict each other.
-static bool report_contradiction(Cli *c, const Requirements *all)
-{
-    const Requirement *first, *second;
-
-    if (!prove_find_contradiction(&c->session.arena, all, &first, &second))
-        return false;
-    diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
-              first->span, DIAG_note_first_here);
-    return true;
-}
-
 // The limits of a search and of a proof; 0: the defaults.
 typedef struct ProveSettings { uint64_t effort, memory; } ProveSettings;
 
@@ -290,7 +278,7 @@ int cmd_prove(Cli *c)
         return EXIT_USAGE;
     if ((code = run_scripts(c, &in, &made, what->program, &given)) != EXIT_OK)
         return code;
-    if (report_contradiction(c, all))
+    if (runs_report_contradiction(c, all))
         return cli_print_diagnostics(c);
     return prove_requirements(c, what, &given, &o, &settings, format);
 }

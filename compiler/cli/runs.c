@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compiler/cli/test.h"
+#include "compiler/prove/prove.h"
 
 enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended; the default limit of smc test
 
@@ -113,6 +114,17 @@ const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *
     while (in->at[i].kind != FILE_SM && in->at[i].kind != FILE_APP)
         i++;
     return &made->of[i];
+}
+
+bool runs_report_contradiction(Cli *c, const Requirements *r)
+{
+    Diags *d = &c->session.diags;
+    const Requirement *first, *second;
+
+    if (!prove_find_contradiction(&c->session.arena, r, &first, &second))
+        return false;
+    diag_note(d, diag_report(d, DIAG_requirements_contradict, second->span, second->id->text, first->id->text), first->span, DIAG_note_first_here);
+    return true;
 }
 
 // ---- on the VM ----

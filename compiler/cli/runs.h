@@ -15,6 +15,8 @@ int runs_refuse_app(Cli *c, const char *app);
 int runs_compile(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made);
 // Returns the machine, or the application, among the compiled sources.
 const CompiledSource *runs_find_machine(const CompileInput *in, const Compiled *made);
+// Reports two requirements of one machine that no step can meet together.  Returns whether there are any.
+bool runs_report_contradiction(Cli *c, const Requirements *r);
 // Runs the scripts of `in` into r->run, on an image with names of p: the machine of r->analysis, compiled for scripts.
 int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made);
 

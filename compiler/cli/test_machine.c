@@ -50,9 +50,10 @@ static void add_errors(MachineTest *m, const char *message, int code)
 
 // ---- one script ----
 
-// Shortens the report of a requirement that an earlier script has violated, whose report has the steps before.
-static void shorten_violation(MachineTest *m, Diag *d, const char *script)
+// Shortens the report of a requirement that an earlier script has violated, whose report has the steps before. The first note is the script.
+static void shorten_violation(MachineTest *m, Diag *d)
 {
+    const Span script = d->notes.at[0].span;
     bool is_explained = false;
 
     for (size_t i = 0; i < m->explained.n; i++)
@@ -62,16 +63,16 @@ static void shorten_violation(MachineTest *m, Diag *d, const char *script)
         return;
     }
     d->notes.n = 0;
-    diag_note(&m->t->c->session.diags, d, (Span){0}, DIAG_note_violated_in, script);
+    diag_note(&m->t->c->session.diags, d, script, DIAG_note_violated_in);
 }
 
-static void shorten_violations(MachineTest *m, const char *script)
+static void shorten_violations(MachineTest *m)
 {
     const Diags *d = &m->t->c->session.diags;
 
     for (size_t i = 0; i < d->list.n; i++)
         if (d->list.at[i]->code == DIAG_requirement_violated)
-            shorten_violation(m, d->list.at[i], script);
+            shorten_violation(m, d->list.at[i]);
 }
 
 // Returns the session's diagnostics as the message of a result.
@@ -152,7 +153,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     script_report(&r, m->p, &m->report);
     message = render_diagnostics(t);
     if (cli_prints_text(t->c))
-        shorten_violations(m, path);
+        shorten_violations(m);
     reported = cli_print_diagnostics(t->c);
     if (code == EXIT_OK)
         code = reported;

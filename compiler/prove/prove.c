@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/prove/prove.h"
 
+#include "compiler/base/bitset.h"
 #include "compiler/prove/prove_explore.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_goal.h"
@@ -562,18 +563,60 @@ static bool contradict_each_other(Arena *arena, const IrMachine *m, const Requir
         && can_be_true(arena, m, all, of_a, condition_to_meet(arena, a)) && can_be_true(arena, m, all, of_a, condition_to_meet(arena, b));
 }
 
+// The variables that a requirement reads, as a set of their indices.  `clock`: they include S, T or G, whose values depend on each other.
+typedef struct VariablesRead { const Program *p; uint64_t *set; bool clock; } VariablesRead;
+
+// Called by expr_walk for each part of a condition.
+static void note_read(Expr *e, void *context)
+{
+    VariablesRead *v = context;
+
+    if (e->kind != EX_VAR)
+        return;
+    bitset_add(v->set, e->var->index);
+    v->clock = v->clock || e->var->kind == VAR_TIME || e->var == v->p->g || e->var == v->p->s;
+}
+
+static VariablesRead *find_variables_read(Arena *arena, const Requirements *r)
+{
+    VariablesRead *read = ARENA_ARRAY(arena, VariablesRead, r->at.n);
+
+    for (uint32_t i = 0; i < r->at.n; i++) {
+        Expr *const part[] = {(Expr *)r->at.at[i].a, (Expr *)r->at.at[i].b, (Expr *)r->at.at[i].c};
+        read[i] = (VariablesRead){r->program, ARENA_ARRAY(arena, uint64_t, bitset_words(r->program->var.n)), false};
+        for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+            if (part[k])
+                expr_walk(part[k], note_read, &read[i]);
+    }
+    return read;
+}
+
+// Whether two requirements share a variable: conditions on different variables can be met together if each can be met.
+static bool share_a_variable(const VariablesRead *a, const VariablesRead *b)
+{
+    bool shared = a->clock && b->clock;
+
+    for (size_t i = 0; i < bitset_words(a->p->var.n) && !shared; i++)
+        shared = (a->set[i] & b->set[i]) != 0;
+    return shared;
+}
+
 bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second)
 {
     const IrMachine *m = ir_build(arena, r->program);
+    const VariablesRead *read = find_variables_read(arena, r);
+    Arena pair;                       // each pair has models of its own, which nothing needs afterwards
+    bool found = false;
 
-    for (uint32_t i = 0; i < r->at.n; i++)
-        for (uint32_t k = i + 1; k < r->at.n; k++) {
+    arena_init_within(&pair, arena);
+    for (uint32_t i = 0; i < r->at.n && !found; i++)
+        for (uint32_t k = i + 1; k < r->at.n && !found; k++) {
             *first = &r->at.at[i];
             *second = &r->at.at[k];
-            if (contradict_each_other(arena, m, r, *first, *second))
-                return true;
+            found = share_a_variable(&read[i], &read[k]) && contradict_each_other(&pair, m, r, *first, *second);
+            arena_reset(&pair);
         }
-    return false;
+    return found;
 }
 
 ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o)

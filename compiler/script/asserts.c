@@ -101,11 +101,11 @@ static const char *remark_text(const ScriptRun *r, const ScriptAssert *a)
 static const char *number_text(const ScriptRun *r, uint64_t n) { return format_in(r->arena, "%" PRIu64, n); }
 
 // A message about an included file is the same for every script that includes it: adds where this script includes it.
-void run_note_include(const ScriptRun *r, Diag *d)
+void script_note_include(Diags *diags, const Script *s, Diag *d)
 {
-    for (size_t i = 0; i < r->s->part.n; i++)
-        if (r->s->part.at[i].src == d->span.src)
-            diag_note(r->diags, d, r->s->part.at[i].include, DIAG_note_included_here);
+    for (size_t i = 0; i < s->part.n; i++)
+        if (s->part.at[i].src == d->span.src)
+            diag_note(diags, d, s->part.at[i].include, DIAG_note_included_here);
 }
 
 // Reports an assert that failed, with the step, the time, the state and the remark of the script.
@@ -138,7 +138,7 @@ void assert_report_failure(ScriptRun *r)
     Diag *d = report_failed(r, r->result.failed);
 
     run_label_operands(r, d, r->failed, &r->windows);
-    run_note_include(r, d);
+    script_note_include(r->diags, r->s, d);
     history_add(r, d);
 }
 
@@ -318,7 +318,7 @@ static Diag *report_unevaluated_asserts(const ScriptRun *r, Unevaluated *u)
 {
     Diag *d = diag_report(r->diags, DIAG_assert_never_evaluated, u->first->condition->span);
 
-    run_note_include(r, d);
+    script_note_include(r->diags, r->s, d);
     if (u->n > 1)
         diag_note(r->diags, d, (Span){0}, DIAG_note_unevaluated_too, format_in(r->arena, "%lu", (unsigned long)u->n));
     *u = (Unevaluated){NULL, 0};

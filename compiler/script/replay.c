@@ -104,7 +104,7 @@ static bool report_error(const Replay *r, const Cursor *c)
     const RecordingError *e = &c->file.error;
     const Span span = e->column == RECORDING_FILE ? r->d->file_span : e->column == RECORDING_TIME ? r->d->time_span : c->span[e->column];
 
-    diag_report(r->diags, DIAG_data_wrong, span, format_place(r, e->line), e->text);
+    script_note_include(r->diags, r->s, diag_report(r->diags, DIAG_data_wrong, span, format_place(r, e->line), e->text));
     return false;
 }
 
@@ -363,6 +363,7 @@ static void report_difference(const Replay *r, const ReplayCompare *k)
                           count(r, k->result.steps));
     Buf spans;
 
+    script_note_include(r->diags, r->s, d);
     add_points(r, k, d);
     buf_init(&spans, r->arena);
     compare_write_spans(&k->result, &spans);
@@ -374,13 +375,13 @@ void replay_report(const Replay *r, bool judged)
     const Recording *file = &r->cursor[0]->file;
 
     if (file->bad_rows && !file->error.text && !r->d->skips_bad_times)
-        diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows), count(r, file->rows),
-                    format_place(r, file->first_bad_line));
+        script_note_include(r->diags, r->s, diag_report(r->diags, DIAG_data_bad_times, r->d->time_span, count(r, file->bad_rows),
+                                                        count(r, file->rows), format_place(r, file->first_bad_line)));
     for (size_t i = 0; judged && i < r->d->compare.n; i++) {
         const ReplayCompare *k = &r->compare[i];
         if (k->result.failed)
             report_difference(r, k);
         else if (k->result.steps == 0)
-            diag_report(r->diags, DIAG_compare_never, k->of->column.span);
+            script_note_include(r->diags, r->s, diag_report(r->diags, DIAG_compare_never, k->of->column.span));
     }
 }

@@ -96,6 +96,7 @@ static void report_violation(ScriptRun *r, const Requirement *what, uint64_t sin
                           run_state_text(r), what->text->text);
 
     run_label_operands(r, d, e, &r->monitor->windows);
+    diag_note(r->diags, d, run_start_of_script(r), DIAG_note_run_of);
     add_reason(r, d, what, since);
     if (what == r->violated)
         history_add(r, d);
@@ -116,8 +117,10 @@ void requirement_report_undecided(const ScriptRun *r)
     for (size_t i = 0; r->monitor && is_complete && i < r->o->requirements->at.n; i++) {
         const Requirement *what = &r->o->requirements->at.at[i];
         if (r->requirement[i].undecided)
-            diag_report(r->diags, DIAG_requirement_undecided, what->span, what->id->text, source_text(r->arena, what->a),
-                        number_text(r, r->requirement[i].since), source_text(r->arena, what->b));
+            diag_note(r->diags,
+                      diag_report(r->diags, DIAG_requirement_undecided, what->span, what->id->text, source_text(r->arena, what->a),
+                                  number_text(r, r->requirement[i].since), source_text(r->arena, what->b)),
+                      run_start_of_script(r), DIAG_note_run_of);
     }
 }
 

@@ -31,6 +31,9 @@ typedef struct ScriptStep {
     const Program *program;
 } ScriptStep;
 
+// Adds a note to d, which a run of the script has reported, if its position is in a file that the script includes.
+void script_note_include(Diags *diags, const Script *s, Diag *d);
+
 // ---- what @compare has found ----
 
 enum { COMPARE_SPANS_MAX = 8 };

@@ -123,12 +123,12 @@ static void run_sections(ScriptRun *r)
 
 // ---- the step ----
 
-static Span start_of_script(const ScriptRun *r) { return (Span){r->s->src, 0, 0}; }
+Span run_start_of_script(const ScriptRun *r) { return (Span){r->s->src, 0, 0}; }
 
 static void report_broken_engine(ScriptRun *r, const Engine *e, const char *why)
 {
     r->result.difference = why;
-    diag_report(r->diags, DIAG_engine_broken, start_of_script(r), e->name, why);
+    diag_report(r->diags, DIAG_engine_broken, run_start_of_script(r), e->name, why);
     run_finish(r, SCRIPT_BROKEN);
 }
 
@@ -143,7 +143,7 @@ static void check_answers(ScriptRun *r)
             report_broken_engine(r, e, e->error ? e->error : "no reason given");
         } else if (i > 0 && (difference = engine_compare(r->arena, r->engine[0], &r->answer[0], e, &r->answer[i])) != NULL) {
             r->result.difference = difference;
-            diag_report(r->diags, DIAG_engines_differ, start_of_script(r),
+            diag_report(r->diags, DIAG_engines_differ, run_start_of_script(r),
                         format_in(r->arena, "%" PRIu64, r->result.steps), difference);
             run_finish(r, SCRIPT_DIFFERENT);
         }
@@ -380,16 +380,19 @@ const ScriptItem *script_first_stop(const Script *s)
 static void report_endless_script(ScriptRun *r)
 {
     const ScriptItem *stop = script_first_stop(r->s);
-    Diag *d = diag_report(r->diags, DIAG_script_endless, stop ? script_stop_span(stop) : start_of_script(r),
+    Diag *d = diag_report(r->diags, DIAG_script_endless, stop ? script_stop_span(stop) : run_start_of_script(r),
                           format_in(r->arena, "%" PRIu64, r->o->max_steps));
 
-    run_note_include(r, d);
+    script_note_include(r->diags, r->s, d);
     history_add(r, d);
 }
 
 static void report_time_overflow(ScriptRun *r)
 {
-    history_add(r, diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps)));
+    Diag *d = diag_report(r->diags, DIAG_script_time_over, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->result.steps));
+
+    script_note_include(r->diags, r->s, d);
+    history_add(r, d);
 }
 
 // Opens the recorded data.  If it cannot be read, no step runs.
@@ -453,8 +456,13 @@ void run_to_the_end(ScriptRun *r)
 // Reports that the data ended before a @stop.  An error in reading the data has been reported already.
 static void report_data_ended(ScriptRun *r)
 {
-    if (r->data_ended)
-        history_add(r, diag_report(r->diags, DIAG_data_ended, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->g)));
+    Diag *d;
+
+    if (!r->data_ended)
+        return;
+    d = diag_report(r->diags, DIAG_data_ended, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->g));
+    script_note_include(r->diags, r->s, d);
+    history_add(r, d);
 }
 
 // Runs the engines in lock step on one script.

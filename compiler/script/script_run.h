@@ -86,6 +86,8 @@ typedef struct ScriptRun {
 uint64_t run_next_g(const ScriptRun *r, uint32_t machine);
 // Returns the state of the machine in this step as text for messages; for an application, the states of all machines.
 const char *run_state_text(const ScriptRun *r);
+// Returns the position of the script, for messages about its run as a whole.
+Span run_start_of_script(const ScriptRun *r);
 // Ends the run.
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
 // Returns the first item with a @stop; NULL only in a script with errors.
@@ -122,8 +124,6 @@ void assert_check_step(ScriptRun *r);
 const char *assert_finish_printing(ScriptRun *r);
 // Reports the assert that failed, with the values of its operands and the history of the run.
 void assert_report_failure(ScriptRun *r);
-// Adds a note to d, which a run has reported, if its position is in a file that the script includes.
-void run_note_include(const ScriptRun *r, Diag *d);
 // Warns about asserts that no step evaluated, and about a script without asserts.
 void assert_report_unevaluated(const ScriptRun *r);
 // Appends the value of e in the format of diagnostics. w: the windows that e belongs to.

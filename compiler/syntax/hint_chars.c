@@ -226,6 +226,36 @@ static void read_unclosed_text(Lexer *l, Token *t, uint32_t end)
     lexer_finish_token(l, t, TOK_TEXT, end);
 }
 
+// Reports a text in quotes other than ", and reads it as that text.
+static void read_text_in_other_quotes(Lexer *l, Token *t, uint32_t quote_len, uint32_t end, uint32_t closing)
+{
+    const uint32_t from = l->at + quote_len;
+    Diag *d = diag_report(l->diags, DIAG_text_quotes, lexer_span(l, l->at, end + closing - l->at));
+
+    t->text = str_intern(l->strings, l->src->text + from, end - from);
+    diag_label(l->diags, d, DIAG_label_write, format_in(l->diags->arena, "\"%s\"", lexer_text(l, from, end)));
+    diag_edit(l->diags, d, lexer_span(l, l->at, quote_len), "\"");
+    diag_edit(l->diags, d, lexer_span(l, end, closing), "\"");
+    lexer_check_comment(l, from, end);
+    lexer_finish_token(l, t, TOK_TEXT, end + closing);
+}
+
+bool hint_read_escaped_quote(Lexer *l, uint32_t from, uint32_t at)
+{
+    uint32_t closing;
+    Diag *d;
+
+    if (at == from || l->src->text[at - 1] != '\\')
+        return false;
+    find_closing_quote(l, at + 1, true, &closing);
+    if (!closing)
+        return false;
+    d = diag_report(l->diags, DIAG_text_escape, lexer_span(l, at - 1, 2));
+    diag_label(l->diags, d, DIAG_label_write, "'");
+    diag_edit(l->diags, d, lexer_span(l, at - 1, 2), "'");
+    return true;
+}
+
 // Whether the quote at l->at is assigned to a state, as in state = "Hold". Then the assignment is the mistake, and the checker reports it.
 static bool is_assigned_to_state(const Lexer *l)
 {
@@ -242,14 +272,19 @@ static bool is_assigned_to_state(const Lexer *l)
 // Reports quoted text where the grammar allows none. The token ends at the closing quote or at the end of the line.
 static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
-    uint32_t closing = 0, p = find_closing_quote(l, l->at + quote_len, false, &closing);
+    const bool is_plain = l->src->text[l->at] == '"';
+    uint32_t closing = 0, p = find_closing_quote(l, l->at + quote_len, is_plain && lexer_may_be_remark(l), &closing);
 
     if (l->allow != LEX_NO_ALLOW || l->config) {
         read_misquoted_text(l, t, quote_len);
         return;
     }
-    if (!closing && l->src->text[l->at] == '"' && lexer_may_be_remark(l)) {
+    if (!closing && is_plain && lexer_may_be_remark(l)) {
         read_unclosed_text(l, t, p);
+        return;
+    }
+    if (closing && !is_plain && (l->data || lexer_may_be_remark(l))) {
+        read_text_in_other_quotes(l, t, quote_len, p, closing);
         return;
     }
     if (closing && lex_is_identifier(l->src->text + l->at + quote_len, p - l->at - quote_len) && is_assigned_to_state(l)) {

@@ -25,6 +25,8 @@ HintResult hint_read_foreign_text(Lexer *l, Token *t);
 uint32_t hint_report_malformed_token(Lexer *l, const Token *t, TokenKind kind, uint32_t end);
 // Handles text that cannot begin a token. Never returns HINT_NONE.
 HintResult hint_read_stray_text(Lexer *l, Token *t);
+// Whether the quote at `at` is meant as a character of the text that begins at `from`, as \" is in other languages.  Reports it.
+bool hint_read_escaped_quote(Lexer *l, uint32_t from, uint32_t at);
 
 // ---- for the parser ----
 

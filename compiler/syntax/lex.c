@@ -296,7 +296,7 @@ static bool lex_text(Lexer *l, Token *t)
 
     if (s[l->at] != '"' || (l->allow == LEX_NO_ALLOW && !l->config && !l->data && !lexer_may_be_remark(l)))
         return false;
-    while (end < l->src->len && s[end] != '"' && s[end] != '\n')
+    while (end < l->src->len && s[end] != '\n' && (s[end] != '"' || (lexer_may_be_remark(l) && hint_read_escaped_quote(l, from, end))))
         end++;
     if (lexer_byte(l, end) != '"')
         return false;

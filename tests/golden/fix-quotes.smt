@@ -45,7 +45,7 @@ app.ss:5:
   - G == 0: @assert p > 5, "too low"
   - G == 10: @assert p > 5 “too low”
   + G == 0: @assert p > 5 "too low"
-  + G == 10: @assert p > 5  # too low
+  + G == 10: @assert p > 5 "too low"
 app.ss: 4 fixed
 -- stderr --
 app.sm:4:7: error: quoted text is not allowed here [E0106]

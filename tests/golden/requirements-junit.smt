@@ -48,6 +48,7 @@ R5 "main goes off"  always main leads to not main within 10 s
       <failure message="a.rq:1:27: error: requirement R1 violated in step 12 (G = 110, state Drogue): low pressure [E1310]" type="E1310">a.rq:1:27: error: requirement R1 violated in step 12 (G = 110, state Drogue): low pressure [E1310]
     1 | R1 &#34;low pressure&#34;   never S == Drogue and roll_max(p, 3 steps) &#62; 10
       |                           ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ S = Drogue, number 2, roll_max(p, 3 steps) = 200
+a.ss:1:1: note: this script ran
 note: the last steps, and the values after each:
       step    G  state                  S  roll_max(p, 3 steps)
          8   70  Pad        Pad, number 1                     0
@@ -59,10 +60,12 @@ a.sm:11:14: note: transition in step 11 (G = 100): Pad -&#62; Drogue
 a.rq:2:27: error: requirement R2 violated in step 12 (G = 110, state Drogue): main first [E1310]
     2 | R2 &#34;main first&#34;     never Drogue before Main
       |                           ^~~~~~
+a.ss:1:1: note: this script ran
 a.rq:2:41: note: no earlier step had 'Main'
 a.rq:4:27: error: requirement R4 violated in step 12 (G = 110, state Drogue): through main [E1310]
     4 | R4 &#34;through main&#34;   never Drogue after Pad without Main
       |                           ^~~~~~
+a.ss:1:1: note: this script ran
 a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main' since
 3 errors
 </failure>

@@ -53,6 +53,7 @@ a.ss:5:5: warning: no requirement has the id 'R2' [W1302 unknown-requirement]
 a.rq:1:45: error: requirement R3 violated in step 15 (G = 140, state Drogue): main in time [E1310]
     1 | R3 "main in time"   always p > 100 leads to main within 40 ms
       |                                             ^~~~ main = false
+a.ss:1:1: note: this script ran
 a.rq:1:28: note: 'p > 100' was true at G = 100, and 'main' was not true up to G = 140
 note: the last steps, and the values after each:
       step    G  state    main

@@ -57,4 +57,5 @@ a.ss:5:5: warning: no requirement has the id 'R2' [W1302 unknown-requirement]
 a.rq:1:1: warning: requirement R5 was undecided when the script stopped: 'main' was true at G = 180, and 'not main' has not been since [W1301 undecided-requirement]
     1 | R5 "main goes off"  always main leads to not main within 10 s
       | ^~
+a.ss:1:1: note: this script ran
 2 warnings

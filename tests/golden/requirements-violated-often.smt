@@ -52,6 +52,7 @@ requirements:
 a.rq:1:61: error: requirement R1 violated in step 4 (G = 30, state Idle): a high pressure opens the valve [E1310]
     1 | R1 "a high pressure opens the valve"  always p > 50 implies valve
       |                                                             ^~~~~ valve = false
+a.ss:1:1: note: this script ran
 note: the last steps, and the values after each:
       step   G  state  valve
          1   0  Idle   false
@@ -64,7 +65,7 @@ a.sm:10:5: note: step 4 (G = 30): `valve = false` was executed
 a.rq:1:61: error: requirement R1 violated in step 6 (G = 50, state Idle): a high pressure opens the valve [E1310]
     1 | R1 "a high pressure opens the valve"  always p > 50 implies valve
       |                                                             ^~~~~ valve = false
-note: in the script 'b.ss'; its steps are printed if it runs alone
+b.ss:1:1: note: this script ran; its steps are printed if it runs alone
 1 error
 a.sm:11:5: error: too few guards are covered: 1 of 2, and 100 % are required [E1400]
    11 |     p > 50: -> Vent
@@ -74,6 +75,7 @@ a.sm:11:5: note: `p > 50` was never true
 a.rq:1:61: error: requirement R1 violated in step 4 (G = 30, state Idle): a high pressure opens the valve [E1310]
     1 | R1 "a high pressure opens the valve"  always p > 50 implies valve
       |                                                             ^~~~~ valve = false
+a.ss:1:1: note: this script ran
 note: the last steps, and the values after each:
       step   G  state  valve
          1   0  Idle   false
@@ -86,7 +88,7 @@ a.sm:10:5: note: step 4 (G = 30): `valve = false` was executed
 a.rq:1:61: error: requirement R1 violated in step 6 (G = 50, state Idle): a high pressure opens the valve [E1310]
     1 | R1 "a high pressure opens the valve"  always p > 50 implies valve
       |                                                             ^~~~~ valve = false
-note: in the script 'b.ss'; its steps are printed if it runs alone
+b.ss:1:1: note: this script ran; its steps are printed if it runs alone
 1 error
 -- exit --
 1 1 0

@@ -56,6 +56,7 @@ requirements:
 a.rq:1:27: error: requirement R1 violated in step 12 (G = 110, state Drogue): low pressure [E1310]
     1 | R1 "low pressure"   never S == Drogue and roll_max(p, 3 steps) > 10
       |                           ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ S = Drogue, number 2, roll_max(p, 3 steps) = 200
+a.ss:1:1: note: this script ran
 note: the last steps, and the values after each:
       step    G  state                  S  roll_max(p, 3 steps)
          8   70  Pad        Pad, number 1                     0
@@ -67,10 +68,12 @@ a.sm:11:14: note: transition in step 11 (G = 100): Pad -> Drogue
 a.rq:2:27: error: requirement R2 violated in step 12 (G = 110, state Drogue): main first [E1310]
     2 | R2 "main first"     never Drogue before Main
       |                           ^~~~~~
+a.ss:1:1: note: this script ran
 a.rq:2:41: note: no earlier step had 'Main'
 a.rq:4:27: error: requirement R4 violated in step 12 (G = 110, state Drogue): through main [E1310]
     4 | R4 "through main"   never Drogue after Pad without Main
       |                           ^~~~~~
+a.ss:1:1: note: this script ran
 a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main' since
 3 errors
 -- exit --
