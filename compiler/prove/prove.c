@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/prove/prove.h"
 
-#include "compiler/base/bitset.h"
+#include "compiler/prove/prove_equal.h"
 #include "compiler/prove/prove_explore.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/prove/prove_goal.h"
@@ -18,16 +18,19 @@ enum {
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
 
-// The limits of an exploration: in the first round, in the second one, and with all variables as keys.
-typedef enum ProveSize { PROVE_BRIEF, PROVE_COARSE, PROVE_FINE } ProveSize;
+// The limits of an exploration: in the first round, in the second one, and later with few or with all variables as keys.
+typedef enum ProveSize { PROVE_BRIEF, PROVE_COARSE, PROVE_LONG, PROVE_FINE } ProveSize;
 
-static const ProveLimits limits_of[] = {{.nodes = 1500, .visits = 50000}, {.nodes = 1500, .visits = 300000}, {.nodes = 4000, .visits = 1500000}};
+static const ProveLimits limits_of[] = {{.nodes = 1500, .visits = 50000}, {.nodes = 1500, .visits = 300000}, {.nodes = 4000, .visits = 1500000}, {.nodes = 4000, .visits = 1500000}};
 
 // The attempts at a proof, from cheap to expensive.
-static const struct { ProveLoosening loose; bool is_fine; } attempt[] = {{PROVE_LOOSE_ALL, false}, {PROVE_LOOSE_LONG, false}, {PROVE_EXACT, false}, {PROVE_COMPARED, false}, {PROVE_RELATED, false},
-                                                                          {PROVE_LOOSE_ALL, true}, {PROVE_EXACT, true}, {PROVE_COMPARED, true}};
+static const struct { ProveLoosening loose; ProveSize size; } attempt[] = {
+    {PROVE_LOOSE_ALL, PROVE_COARSE}, {PROVE_LOOSE_LONG, PROVE_COARSE}, {PROVE_LOOSE_UNLIKE, PROVE_COARSE}, {PROVE_EXACT, PROVE_COARSE},
+    {PROVE_COMPARED, PROVE_COARSE}, {PROVE_RELATED, PROVE_COARSE},
+    {PROVE_LOOSE_ALL, PROVE_LONG}, {PROVE_LOOSE_UNLIKE, PROVE_LONG},
+    {PROVE_LOOSE_ALL, PROVE_FINE}, {PROVE_LOOSE_UNLIKE, PROVE_FINE}, {PROVE_EXACT, PROVE_FINE}, {PROVE_COMPARED, PROVE_FINE}};
 
-enum { ATTEMPTS_FIRST = 5, ATTEMPTS = sizeof attempt / sizeof *attempt, SETS = 2 };
+enum { ATTEMPTS_FIRST = 6, ATTEMPTS = sizeof attempt / sizeof *attempt, SETS = 2 };
 
 // What is kept of a requirement from round to round.
 typedef struct ProveKept {
@@ -49,14 +52,15 @@ typedef struct ProveRun {
     const ProveGiven **given_of;      // by index into `given`: the script run that it comes from
     const GivenResult **judged;       // by index into `given`, then by requirement: what the run shows
     uint32_t givens;
+    const uint32_t *equal;    // by window of the requirements: as in ProveModel
     ProveKept *kept;          // by requirement
     bool stopped;             // go_on has returned false
 } ProveRun;
 
 static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effort : EFFORT; }
 
-// Returns how many paths an exploration with all variables as keys can visit: fewer with less effort, but not fewer than one with few keys.
-static uint64_t visits_of_fine(const ProveRun *v)
+// Returns how many paths a long exploration can visit: fewer with less effort, but not fewer than a short one.
+static uint64_t visits_of_long(const ProveRun *v)
 {
     const uint64_t most = limits_of[PROVE_FINE].visits, least = limits_of[PROVE_COARSE].visits, share = effort_of(v) / STEPS_PER_VISIT;
 
@@ -79,8 +83,8 @@ static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, ProveSiz
 {
     ProveLimits limits = limits_of[size];
 
-    if (size == PROVE_FINE)
-        limits.visits = visits_of_fine(v);
+    if (size == PROVE_LONG || size == PROVE_FINE)
+        limits.visits = visits_of_long(v);
     if (v->o->visits && (size != PROVE_BRIEF || v->o->visits < limits.visits))
         limits.visits = v->o->visits;
     limits.memory = v->o->memory ? v->o->memory : SEARCH_MEMORY;
@@ -164,7 +168,7 @@ static void begin_proof(ProveRun *v, ProveProof *p, const ProveOf *of)
 
     *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
-        p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose);
+        p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose, v->equal);
 }
 
 // Returns the variable or window of the program that a variable of the model stands for, to name it in the verdict.
@@ -226,7 +230,16 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
         return p->model[loose]->compared == 0;
     if (loose == PROVE_RELATED)
         return p->model[loose]->pairs == 0;
-    return loose != PROVE_EXACT && (n == 0 || (loose == PROVE_LOOSE_LONG && n == p->model[PROVE_LOOSE_ALL]->loosened));
+    return loose != PROVE_EXACT && (n == 0 || (loose != PROVE_LOOSE_ALL && n == p->model[PROVE_LOOSE_ALL]->loosened));
+}
+
+// Whether an attempt with these keys was complete, but no proof.
+static bool has_failed(const bool *failed, uint32_t n)
+{
+    for (uint32_t before = 0; before < n; before++)
+        if (failed[before] && attempt[before].loose == attempt[n].loose && attempt[n].size == PROVE_LONG)
+            return true;
+    return failed[n];
 }
 
 // Makes the attempts from number `from` to `to` - 1 that have not failed.  Returns whether one is a proof.  If they are brief, more is assumed only
@@ -238,8 +251,8 @@ static bool try_proofs(ProveRun *v, const ProveProof *p, ProveOf *of, uint32_t f
 
     for (uint32_t set = 0; set < p->sets && !(is_open && are_brief); set++)
         for (uint32_t n = from; n < to; n++) {
-            const ProveSize size = attempt[n].is_fine ? PROVE_FINE : are_brief ? PROVE_BRIEF : PROVE_COARSE;
-            if (kept->failed[set][n] || is_repeated(p, attempt[n].loose))
+            const ProveSize size = are_brief ? PROVE_BRIEF : attempt[n].size;
+            if (has_failed(kept->failed[set], n) || is_repeated(p, attempt[n].loose))
                 continue;
             if (!goes_on(v))
                 return false;
@@ -519,106 +532,6 @@ static void run_round(ProveRun *v, ProveRound round, uint32_t *decided)
     }
 }
 
-// ---- contradictions ----
-
-static Expr *new_expr(Arena *arena, ExprKind kind, SmOperator op, Expr *a, Expr *b)
-{
-    Expr *e = arena_alloc(arena, sizeof *e + 2 * sizeof *e->arg);
-
-    e->kind = kind;
-    e->op = op;
-    e->span = a->span;
-    e->arg[e->n++] = a;
-    if (b)
-        e->arg[e->n++] = b;
-    return e;
-}
-
-// Returns what a requirement that is judged step by step requires of a step with its premise.
-static Expr *condition_to_meet(Arena *arena, const Requirement *r)
-{
-    return r->kind == REQUIREMENT_NEVER ? new_expr(arena, EX_UNARY, SM_OP_NOT, r->a, NULL) : r->b;
-}
-
-static const Expr *premise_of(const Requirement *r) { return r->kind == REQUIREMENT_ALWAYS ? r->a : NULL; }
-
-// Whether the condition can be true in a step with the premise, which can be NULL.
-static bool can_be_true(Arena *arena, const IrMachine *m, const Requirements *all, const Expr *premise, Expr *condition)
-{
-    const Requirement never = {.kind = REQUIREMENT_NEVER, .a = premise ? new_expr(arena, EX_BINARY, SM_OP_AND, (Expr *)premise, condition) : condition};
-
-    return prove_can_violate(arena, prove_model_new(arena, m, all, &never, 1, PROVE_EXACT));
-}
-
-static bool is_judged_alone(const Requirement *r) { return r->kind == REQUIREMENT_NEVER || r->kind == REQUIREMENT_ALWAYS; }
-
-// Whether two requirements can each be met where their premise is true, but never both.
-static bool contradict_each_other(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *a, const Requirement *b)
-{
-    const Expr *of_a = premise_of(a), *of_b = premise_of(b);
-
-    if (!is_judged_alone(a) || !is_judged_alone(b) || (of_a != of_b && (!of_a || !of_b || !expr_equal(of_a, of_b, NULL))))
-        return false;
-    return !can_be_true(arena, m, all, of_a, new_expr(arena, EX_BINARY, SM_OP_AND, condition_to_meet(arena, a), condition_to_meet(arena, b)))
-        && can_be_true(arena, m, all, of_a, condition_to_meet(arena, a)) && can_be_true(arena, m, all, of_a, condition_to_meet(arena, b));
-}
-
-// The variables that a requirement reads, as a set of their indices.  `clock`: they include S, T or G, whose values depend on each other.
-typedef struct VariablesRead { const Program *p; uint64_t *set; bool clock; } VariablesRead;
-
-// Called by expr_walk for each part of a condition.
-static void note_read(Expr *e, void *context)
-{
-    VariablesRead *v = context;
-
-    if (e->kind != EX_VAR)
-        return;
-    bitset_add(v->set, e->var->index);
-    v->clock = v->clock || e->var->kind == VAR_TIME || e->var == v->p->g || e->var == v->p->s;
-}
-
-static VariablesRead *find_variables_read(Arena *arena, const Requirements *r)
-{
-    VariablesRead *read = ARENA_ARRAY(arena, VariablesRead, r->at.n);
-
-    for (uint32_t i = 0; i < r->at.n; i++) {
-        Expr *const part[] = {(Expr *)r->at.at[i].a, (Expr *)r->at.at[i].b, (Expr *)r->at.at[i].c};
-        read[i] = (VariablesRead){r->program, ARENA_ARRAY(arena, uint64_t, bitset_words(r->program->var.n)), false};
-        for (size_t k = 0; k < sizeof part / sizeof *part; k++)
-            if (part[k])
-                expr_walk(part[k], note_read, &read[i]);
-    }
-    return read;
-}
-
-// Whether two requirements share a variable: conditions on different variables can be met together if each can be met.
-static bool share_a_variable(const VariablesRead *a, const VariablesRead *b)
-{
-    bool shared = a->clock && b->clock;
-
-    for (size_t i = 0; i < bitset_words(a->p->var.n) && !shared; i++)
-        shared = (a->set[i] & b->set[i]) != 0;
-    return shared;
-}
-
-bool prove_find_contradiction(Arena *arena, const Requirements *r, const Requirement **first, const Requirement **second)
-{
-    const IrMachine *m = ir_build(arena, r->program);
-    const VariablesRead *read = find_variables_read(arena, r);
-    Arena pair;                       // each pair has models of its own, which nothing needs afterwards
-    bool found = false;
-
-    arena_init_within(&pair, arena);
-    for (uint32_t i = 0; i < r->at.n && !found; i++)
-        for (uint32_t k = i + 1; k < r->at.n && !found; k++) {
-            *first = &r->at.at[i];
-            *second = &r->at.at[k];
-            found = share_a_variable(&read[i], &read[k]) && contradict_each_other(&pair, m, r, *first, *second);
-            arena_reset(&pair);
-        }
-    return found;
-}
-
 ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *o)
 {
     ProveResult *result = ARENA_NEW(arena, ProveResult);
@@ -629,6 +542,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     arena_init_within(&v.models, arena);
     v.m = ir_build(arena, v.p);
     v.cover = cover_new(arena, v.p);
+    v.equal = prove_find_equal_windows(arena, v.m, r);
     result->delta_t = v.p->step ? v.p->step : o->delta_t ? o->delta_t : o->givens ? o->given[0].run.delta_t : DELTA_T;
     result->init_state = o->init_state ? o->init_state : v.p->state.at[0];
     result->n = r->at.n;

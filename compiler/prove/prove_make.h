@@ -37,6 +37,7 @@ typedef struct ProveMaker {
     Arena *arena;
     const IrMachine *m;               // the machine; after prove_slice, the part of it that can influence the requirement
     IrMachine judge;                  // the windows of the requirements, and the function that samples them
+    const uint32_t *equal;            // by window of the requirements: as from prove_find_equal_windows; or NULL
     uint32_t *window_of;              // by window of the requirements: index into `window`
     uint32_t *same;                   // by index into `window`: itself, or the window of the machine that has the same samples
     MadeWindow *window;               // `windows` of them: `of_machine` of the machine, then those of the requirement, then those of comparisons

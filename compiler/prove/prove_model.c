@@ -199,7 +199,8 @@ static void add_own_vars(ProveMaker *k)
     p->var[k->sampled].few = p->var[k->seen].few = p->var[k->open].few = true;
 }
 
-ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose)
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose,
+                            const uint32_t *equal)
 {
     ProveModel *p = ARENA_NEW(arena, ProveModel);
     ProveMaker *k = ARENA_NEW(arena, ProveMaker);
@@ -209,6 +210,7 @@ ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements
     k->model = p;
     k->arena = arena;
     k->m = m;
+    k->equal = equal;
     p->ir->g = m->g;
     p->ir->s = m->s;
     p->ir->t = m->t;

@@ -60,6 +60,7 @@ typedef enum ProveLoosening {
     PROVE_EXACT,              // nothing is loosened
     PROVE_COMPARED,           // exact, with more variables: whether each sample is above a constant of the requirement (prove_threshold.c)
     PROVE_LOOSE_LONG,         // windows of more than two samples, and runs; the model still follows the windows of prev, rising and falling
+    PROVE_LOOSE_UNLIKE,       // all but those that are like a window of the requirement: as long, and with one of its variables
     PROVE_LOOSE_ALL,
     PROVE_RELATED,            // as LOOSE_ALL, and the model has bounds of the differences of variables (prove_relate.h)
     PROVE_LOOSENINGS
@@ -87,7 +88,9 @@ typedef struct ProveModel {
     struct ProveMaker *maker; // what prove_model_step needs to build `step`
 } ProveModel;
 
-ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose);
+// equal: as from prove_find_equal_windows; NULL: unknown.
+ProveModel *prove_model_new(Arena *arena, const IrMachine *m, const Requirements *all, const Requirement *what, uint64_t delta_t, ProveLoosening loose,
+                            const uint32_t *equal);
 // Returns the function of a step, which is built at the first call.  state: State.number - 1.  If it is the number of states: the function judges the
 // requirement without a step of the machine.
 const ProveStep *prove_model_step(ProveModel *p, size_t state, bool first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/prove/prove_make.h"
 
+#include "compiler/base/bitset.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/eval.h"
 
@@ -142,27 +143,47 @@ static void find_longest(ProveMaker *k, const IrFn *f, uint32_t first)
     }
 }
 
-static void check_never_stored(Expr *e, void *context)
+// Finds for each window the longest time with which a run is compared.
+static void find_longest_runs(ProveMaker *k)
 {
-    bool *all = context;
-
-    *all = *all && (e->kind != EX_VAR || !e->var->written) && e->kind != EX_ROLL;
+    for (uint32_t n = 0; n < k->windows; n++)
+        k->window[n].longest = 0;
+    for (size_t s = 0; s < k->m->state.n; s++)
+        for (int block = 0; block < BLOCK_COUNT; block++)
+            find_longest(k, k->m->state.at[s].block[block], 0);
+    find_longest(k, k->m->sample, 0);
+    find_longest(k, k->judge.sample, k->of_machine);
+    for (int c = 0; c < 3; c++)
+        find_longest(k, k->condition[c], 0);
 }
 
-// Returns a window of the machine that always has the same samples as w, because both sample an expression that no step changes; IR_NONE: none.
-static uint32_t same_window(const ProveMaker *k, const Window *w)
+// Whether an expression of the machine and one of the requirements always have the same value: they apply the same operations to variables that no
+// step changes, and to windows that have the same samples.
+static bool is_same_sample(const ProveMaker *k, const Expr *of_machine, const Expr *e)
 {
-    bool constant = true;
+    if (of_machine->kind == EX_ROLL && e->kind == EX_ROLL)
+        return of_machine->stat == e->stat && k->window_of[e->window] == k->m->window_of[of_machine->window];
+    if (!expr_is_same_operation(of_machine, e) || (e->kind == EX_VAR && e->var->written))
+        return false;
+    for (uint32_t i = 0; i < e->n; i++)
+        if (!is_same_sample(k, of_machine->arg[i], e->arg[i]))
+            return false;
+    return true;
+}
 
-    expr_walk(w->sample, check_never_stored, &constant);
-    for (uint32_t n = 0; constant && n < k->m->window.n; n++) {
+// Returns a window of the machine that always has the same samples as window number `number` of the requirements; IR_NONE: none.
+static uint32_t same_window(const ProveMaker *k, const Requirements *all, uint32_t number)
+{
+    const Window *w = &all->window.at[number];
+
+    for (uint32_t n = 0; n < k->m->window.n; n++) {
         const Window *of = k->m->window.at[n].first;
         const uint32_t stat = 1u << w->stat, stats = k->m->window.at[n].stats;
         if (of && of->size == w->size && of->gap == w->gap && is_run(stat) == is_run(stats) && ir_stores_times(&k->m->window.at[n]) == ((stat & SM_STATS_OF_TIMES) != 0)
-            && expr_equal(of->sample, w->sample, NULL))
+            && is_same_sample(k, of->sample, w->sample))
             return n;
     }
-    return IR_NONE;
+    return k->equal ? k->equal[number] : IR_NONE;
 }
 
 void prove_merge_windows(ProveMaker *k, const Requirements *all)
@@ -184,7 +205,7 @@ void prove_merge_windows(ProveMaker *k, const Requirements *all)
         k->same[n] = n;
     k->window_of = ARENA_ARRAY(k->arena, uint32_t, all->window.n + 1u);
     for (uint32_t n = 0; n < all->window.n; n++) {
-        const uint32_t same = same_window(k, &all->window.at[n]);
+        const uint32_t same = same_window(k, all, n);
         k->window_of[n] = same == IR_NONE ? k->of_machine + b.window[n] : same;
         k->same[k->of_machine + b.window[n]] = k->window_of[n];
         k->window[k->window_of[n]].stats |= 1u << all->window.at[n].stat;
@@ -200,10 +221,93 @@ static void find_read_windows(const ProveMaker *k, bool *read)
                 read[k->condition[c]->ins.at[r].var] = true;
 }
 
-// Whether a model lets a window that the requirement does not read have any value.
-static bool is_loosened(const MadeWindow *w, ProveLoosening loose)
+// What a value is computed from.
+typedef struct Sources {
+    uint64_t *vars;           // set of variables that are loaded
+    bool *windows;            // by window: a statistic of it is read
+} Sources;
+
+// Adds the variables and windows that value r of function f is computed from, also those of the samples of its windows.
+static void add_sources(const ProveMaker *k, const IrFn *f, IrRef r, uint32_t first, bool *visited, Sources *to)
 {
-    return prove_follows_samples(w) && (loose == PROVE_LOOSE_ALL || loose == PROVE_RELATED || (loose == PROVE_LOOSE_LONG && (w->size > 2 || is_run(w->stats))));
+    const IrIns *i = r == IR_NONE ? NULL : &f->ins.at[r];
+
+    if (!i || visited[r])
+        return;
+    visited[r] = true;
+    add_sources(k, f, i->a, first, visited, to);
+    add_sources(k, f, i->b, first, visited, to);
+    if (i->op == IR_load)
+        bitset_add(to->vars, i->var);
+    if (i->op == IR_stat && !to->windows[k->same[first + i->var]]) {
+        const MadeWindow *w = &k->window[k->same[first + i->var]];
+        to->windows[k->same[first + i->var]] = true;
+        if (w->operand != IR_NONE)
+            add_sources(k, w->sample, w->operand, w->first, ARENA_ARRAY(k->arena, bool, w->sample->ins.n + 1), to);
+    }
+}
+
+static Sources find_sources(const ProveMaker *k, const IrFn *f, IrRef r, uint32_t first)
+{
+    Sources s = {ARENA_ARRAY(k->arena, uint64_t, bitset_words(k->m->var.n)), ARENA_ARRAY(k->arena, bool, k->windows + 1u)};
+
+    if (r != IR_NONE)
+        add_sources(k, f, r, first, ARENA_ARRAY(k->arena, bool, f->ins.n + 1), &s);
+    return s;
+}
+
+static bool share_variable(const ProveMaker *k, const Sources *a, const Sources *b)
+{
+    for (size_t n = 0; n < bitset_words(k->m->var.n); n++)
+        if (a->vars[n] & b->vars[n])
+            return true;
+    return false;
+}
+
+// Finds the windows of the machine that have as many samples as one of the requirement, or whose runs are compared with the same time, and that read a variable that it reads, with the windows
+// that their samples are computed from.
+static bool *find_like_windows(ProveMaker *k)
+{
+    bool *like = ARENA_ARRAY(k->arena, bool, k->windows + 1u);
+    Sources of_requirement[3];
+
+    find_longest_runs(k);
+    for (int c = 0; c < 3; c++)
+        of_requirement[c] = find_sources(k, k->condition[c], k->condition[c] ? k->condition[c]->blk.at[0].jump.cond : IR_NONE, 0);
+    for (uint32_t r = k->of_machine; r < k->windows; r++) {
+        const MadeWindow *w = &k->window[r];
+        Sources of_window;
+        if (w->operand == IR_NONE || !(of_requirement[0].windows[r] || of_requirement[1].windows[r] || of_requirement[2].windows[r]))
+            continue;
+        of_window = find_sources(k, w->sample, w->operand, w->first);
+        for (uint32_t n = 0; n < k->of_machine; n++) {
+            const MadeWindow *of = &k->window[n];
+            Sources s;
+            if (of->operand == IR_NONE || of->size != w->size || of->longest != w->longest || is_run(of->stats) != is_run(w->stats))
+                continue;
+            s = find_sources(k, of->sample, of->operand, of->first);
+            if (!share_variable(k, &s, &of_window))
+                continue;
+            like[n] = true;
+            for (uint32_t inner = 0; inner < k->of_machine; inner++)
+                like[inner] |= s.windows[inner];
+        }
+    }
+    return like;
+}
+
+// Whether a model lets window n of the machine, which the requirement does not read, have any value.
+static bool is_loosened(const MadeWindow *w, ProveLoosening loose, bool is_like)
+{
+    if (!prove_follows_samples(w))
+        return false;
+    switch (loose) {
+    case PROVE_LOOSE_ALL: case PROVE_RELATED: return true;
+    case PROVE_LOOSE_LONG: return w->size > 2 || is_run(w->stats);
+    case PROVE_LOOSE_UNLIKE: return !is_like;
+    case PROVE_EXACT: case PROVE_COMPARED: case PROVE_LOOSENINGS: break;
+    }
+    return false;
 }
 
 // Computes what is known about the samples of all windows.
@@ -222,16 +326,16 @@ static void find_facts(ProveMaker *k)
 
 void prove_find_samples(ProveMaker *k, ProveLoosening loose)
 {
-    bool *read = ARENA_ARRAY(k->arena, bool, k->windows + 1u);
+    bool *read = ARENA_ARRAY(k->arena, bool, k->windows + 1u), *like;
 
     find_facts(k);
-
     find_samples(k, k->m, 0);
     find_samples(k, &k->judge, k->of_machine);
     find_read_windows(k, read);
+    like = find_like_windows(k);
     for (uint32_t n = 0; n < k->of_machine; n++) {
         MadeWindow *w = &k->window[n];
-        if (read[n] || !is_loosened(w, loose))
+        if (read[n] || !is_loosened(w, loose, like[n]))
             continue;
         w->is_boolean = false;
         w->operand = IR_NONE;
@@ -248,13 +352,7 @@ bool prove_follows_samples(const MadeWindow *w)
 
 void prove_add_windows(ProveMaker *k)
 {
-    for (size_t s = 0; s < k->m->state.n; s++)
-        for (int block = 0; block < BLOCK_COUNT; block++)
-            find_longest(k, k->m->state.at[s].block[block], 0);
-    find_longest(k, k->m->sample, 0);
-    find_longest(k, k->judge.sample, k->of_machine);
-    for (int c = 0; c < 3; c++)
-        find_longest(k, k->condition[c], 0);
+    find_longest_runs(k);
     for (uint32_t n = 0; n < k->windows; n++) {
         if (!k->window[n].used)
             continue;

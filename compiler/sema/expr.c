@@ -21,7 +21,7 @@ void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context)
     f(e, context);
 }
 
-static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of)
+bool expr_is_same_operation(const Expr *a, const Expr *b)
 {
     if (a->kind != b->kind || a->n != b->n)
         return false;
@@ -34,7 +34,7 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
     case EX_CALL: return a->fn == b->fn;
     case EX_EVERY: case EX_AT: return sm_eq(a->number, b->number);
     case EX_RANDOM: return a->window == b->window;
-    case EX_ROLL: return a->stat == b->stat && (window_of ? window_of[a->window] == window_of[b->window] : a->window == b->window);
+    case EX_ROLL: return a->stat == b->stat;
     }
     return false;
 }
@@ -42,9 +42,11 @@ static bool is_same_node(const Expr *a, const Expr *b, const uint32_t *window_of
 // Whether two expressions apply the same operators to the same numbers, variables and statistics.
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of)
 {
-    if (!is_same_node(a, b, window_of))
+    if (!expr_is_same_operation(a, b))
         return false;
-    for (uint32_t i = 0; a->kind != EX_ROLL && i < a->n; i++)
+    if (a->kind == EX_ROLL)
+        return window_of ? window_of[a->window] == window_of[b->window] : a->window == b->window;
+    for (uint32_t i = 0; i < a->n; i++)
         if (!expr_equal(a->arg[i], b->arg[i], window_of))
             return false;
     return true;

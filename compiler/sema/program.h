@@ -434,6 +434,9 @@ SmRefusal parameter_judge(const Var *parameter, SmF64 x, uint64_t *cell);
 // same value if no assignment is executed between their evaluations. window_of maps a Window number to an id that is equal for
 // windows with equal contents (IrMachine.window_of); NULL: every window differs from the others.
 bool expr_equal(const Expr *a, const Expr *b, const uint32_t *window_of);
+// Whether two expressions apply the same operator or function to their operands, or are the same number or variable.  Of windows, only the
+// statistic counts.
+bool expr_is_same_operation(const Expr *a, const Expr *b);
 
 // Calls f(x, context) for e and all its subexpressions, operands before the expression that owns them.
 void expr_walk(Expr *e, void (*f)(Expr *e, void *context), void *context);
