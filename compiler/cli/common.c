@@ -223,6 +223,7 @@ int cli_print_diagnostics(Cli *c)
     diags_apply_allows(d);
     diags_select(d, &c->warn);
     diags_sort(d);
+    diags_fold(d);
     buf_init(&out, &c->session.arena);
     append_diagnostics(d, console_format(c), &style, &out);
     record_diagnostics(c);

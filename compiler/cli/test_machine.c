@@ -84,6 +84,8 @@ static const char *render_diagnostics(const TestRun *t)
     buf_init(&b, t->arena);
     diags_apply_allows(&t->c->session.diags);
     diags_select(&t->c->session.diags, &t->c->warn);
+    diags_sort(&t->c->session.diags);
+    diags_fold(&t->c->session.diags);
     diags_render_text(&t->c->session.diags, &plain, &b);
     return buf_text(&b);
 }

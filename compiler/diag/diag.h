@@ -87,6 +87,7 @@ typedef struct Diag {
     VEC(const char *) states;             // the states for which it was reported, where its statement belongs to several (Source.copy_of)
     VEC(const char *) machines;           // the machines for which it was reported while Diags.machine was set
     VEC(DiagAbout) about;                 // declarations where an @allow can cover this finding
+    bool follows;                         // an error that an earlier one explains: diags_fold removes it
     bool allow_checked;                   // an earlier call of diags_apply_allows has examined it
     const char *allowed;                  // the reason given in the @allow that covers the finding; else NULL
 } Diag;
@@ -98,6 +99,7 @@ typedef struct Diags {
     size_t errors_seen;                   // errors, including repeated and muted ones: if it grew during a check, the check failed
     VEC(DiagAllow) allow;
     VEC(Diag *) allowed;                  // removed from the list by diags_apply_allows
+    VEC(Diag *) folded;                   // removed from the list by diags_fold; their edits are still proposed
     unsigned known;                       // what this run has checked besides the machine: a set of 1u << DiagJudged
     unsigned analysed;                    // the groups whose warnings have all been reported, because analyses have run: a set of 1u << DiagGroup
     bool muted;                           // while set, reports are dropped
@@ -159,6 +161,11 @@ bool diag_selection_enables(const DiagSelection *w, DiagCode code);       // whe
 const char *diag_selection_error(Arena *arena, const DiagSelection *w);
 
 void diags_sort(Diags *d);                // by file in the order of Diags.files, then by position; stable
+
+// Removes errors that another error in the list explains: the others on a line that is not understood, and the repetitions of a habit such
+// as a semicolon after each statement, which a note then counts. Call it after diags_sort, and after the edits were applied. A second call
+// changes nothing.
+void diags_fold(Diags *d);
 
 typedef struct DiagStyle {
     bool color;

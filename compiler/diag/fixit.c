@@ -28,8 +28,8 @@ static EditChanges collect_changes(const Diags *d, const Source *src)
 {
     EditChanges all = {0};
 
-    for (size_t i = 0; i < d->list.n; i++) {
-        const Diag *x = d->list.at[i];
+    for (size_t i = 0; i < d->list.n + d->folded.n; i++) {
+        const Diag *x = i < d->list.n ? d->list.at[i] : d->folded.at[i - d->list.n];
         bool elsewhere = false;
         for (size_t k = 0; k < x->edits.n; k++)
             elsewhere = elsewhere || x->edits.at[k].span.src != src;
@@ -70,7 +70,8 @@ static void refuse_overlaps(const EditChanges *all, bool *refused)
 size_t diags_apply_edits(const Diags *d, const Source *src, Buf *out)
 {
     EditChanges all = collect_changes(d, src);
-    bool *refused = ARENA_ARRAY(d->arena, bool, d->list.n + 1), *counted = ARENA_ARRAY(d->arena, bool, d->list.n + 1);
+    const size_t n = d->list.n + d->folded.n;
+    bool *refused = ARENA_ARRAY(d->arena, bool, n + 1), *counted = ARENA_ARRAY(d->arena, bool, n + 1);
     uint32_t at = 0;
     size_t made = 0;
 

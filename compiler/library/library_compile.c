@@ -87,8 +87,11 @@ static void add_shown_diags(SmcSession *s, const Diags *from, Diags *shown)
     for (uint32_t i = 0; i < one.list.n; i++)
         one.list.at[i] = arena_copy(arena, from->list.at[i], sizeof *from->list.at[i]);
     diags_select(&one, &s->of.selection);
+    diags_fold(&one);
     for (uint32_t i = 0; i < one.list.n; i++)
         vec_push(arena, &shown->list, one.list.at[i]);
+    for (uint32_t i = 0; i < one.folded.n; i++)
+        vec_push(arena, &shown->folded, one.folded.at[i]);
     for (uint32_t i = 0; i < one.allowed.n; i++)
         vec_push(arena, &shown->allowed, one.allowed.at[i]);
     shown->errors += one.errors;

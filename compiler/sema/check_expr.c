@@ -600,6 +600,7 @@ static Expr *check_call(Sema *s, const AstExpr *e)
 {
     const SmBuiltinInfo *fn = scope_find_function(s, e->name);
     bool readable = true;                         // false: an argument has a syntax error, so the number of arguments is uncertain
+    size_t before;
     Expr *out;
 
     if (s->random && is_random_function(e->name))
@@ -623,9 +624,12 @@ static Expr *check_call(Sema *s, const AstExpr *e)
         scope_report_unknown_function(s, e->name, ast_op_span(e));
     else if (readable && (e->args->n < fn->arguments || !report_decimal_comma(s, e, false)))
         report_argument_count(s, e, fn);
+    before = s->diags->list.n;
     if (s->at == EXPR_IN_STEP)                    // checks the arguments only to report their errors
         for (size_t i = 0; i < e->args->n; i++)
             check_expr(s, e->args->at[i]);
+    for (size_t i = before; i < s->diags->list.n; i++)
+        s->diags->list.at[i]->follows |= !fn;     // digitalWrite(LED, HIGH) is one mistake
     return NULL;
 }
 

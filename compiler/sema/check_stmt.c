@@ -115,9 +115,16 @@ Var *check_target(Sema *s, Str name, Span span)
     return v;
 }
 
+// Whether other languages store the state in a variable with this name, as in `state = HOLD`.
+static bool is_name_for_states(const char *name)
+{
+    return strcmp(name, "state") == 0 || strcmp(name, "State") == 0 || strcmp(name, "STATE") == 0;
+}
+
 bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
 {
     Var *v = scope_find_variable(s, in->name);
+    size_t before;
     bool good;
 
     if (report_state_assignment(s, v, in))
@@ -128,7 +135,10 @@ bool check_assignment(Sema *s, const AstStmt *in, Stmt *out)
     out->var = v;
     if (!good && v == s->p->s && state_named_by(s, in->value))         // `S = Vent` is reported; the value would be reported as well
         return false;
+    before = s->diags->list.n;
     check_value(s, in, out);
+    for (size_t i = before; i < s->diags->list.n && !v && is_name_for_states(in->name->text); i++)
+        s->diags->list.at[i]->follows = true;                          // state = HOLD
     // A script that assigns 0/0 is meant to simulate a broken sensor but stores 0 (language.md 2.14).  In machines an analysis reports it.
     if (good && s->in_script && out->value && expr_is_constant(out->value) && sm_is_nan(expr_constant_value(out->value)))
         diag_label(s->diags, diag_report(s->diags, DIAG_stores_nan, out->value->span, v->name->text), DIAG_label_write_zero);

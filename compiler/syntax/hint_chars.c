@@ -68,6 +68,20 @@ static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t
     return may_be && at > 0 && lex_is_digit(l->src->text[at - 1]) && lex_is_digit(lexer_byte(l, at + len)) && l->last == TOK_NUMBER;
 }
 
+// What to write instead of a character that has no operator in its place.
+static const struct { uint32_t code; const char *write; } instead[] = {
+    {0xb2, "x * x, or pow(x, 2)"}, {0xb3, "pow(x, 3)"}, {0x221a, "sqrt(x)"}, {0x3c0, "3.14159265"}, {0x2248, "abs(a - b) < 0.001"},
+    {0x221e, "a number beyond every real value, such as 1e9"}, {0xb1, "a - 0.1 < x < a + 0.1"}, {0x2208, "x == A or x == B"}};
+
+// Returns the text of `instead` for a character; NULL: none.
+static const char *find_instead(uint32_t code)
+{
+    for (size_t i = 0; i < sizeof instead / sizeof *instead; i++)
+        if (instead[i].code == code)
+            return instead[i].write;
+    return NULL;
+}
+
 static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code)
 {
     const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
@@ -85,7 +99,9 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
     if (like < NO_LOOKALIKE && lookalikes[like].kind == TOK_ARROW && !l->stores && hint_follows_value(l, l->first))
         ascii = ": ->";                         // the user wrote `x > 5 → Vent`
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
-    if (!ascii && l->last == TOK_NUMBER && !l->first)
+    if (!ascii && find_instead(code))
+        diag_label(l->diags, d, DIAG_label_write, find_instead(code));
+    else if (!ascii && l->last == TOK_NUMBER && !l->first)
         diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
     else if (skip_foreign_letter(l, at))
         diag_label(l->diags, d, DIAG_label_name_ascii);
@@ -177,10 +193,12 @@ static uint32_t find_remark_start(const Lexer *l, uint32_t end)
 // Whether the quote at l->at is the first argument of a function or statement that prints, as in print("on") and echo "on".
 static bool is_printed(const Lexer *l)
 {
-    static const char *const functions[] = {"print", "printf", "println", "log", "disp", "puts", "echo"};
+    static const char *const functions[] = {"print", "printf", "println", "log", "disp", "puts", "echo", "fprintf", "error", "warning"};
     const char *s = l->src->text;
     uint32_t end = l->at, from;
 
+    if (end > 0 && (s[end - 1] == 'f' || s[end - 1] == 'r') && !(end > 1 && lexer_is_word(s[end - 2])))
+        end--;                                                // print(f"{x}")
     if (end > 0 && s[end - 1] == '(')
         end--;
     while (end > 0 && is_space_tab_or_return(s[end - 1]))
@@ -269,6 +287,24 @@ static bool is_assigned_to_state(const Lexer *l)
     return hint_follows_state(l, at);
 }
 
+// Reports text in three quotes, which is a comment of several lines in Python, and skips it. Returns false if no such text is here.
+static bool skip_triple_quoted(Lexer *l)
+{
+    const char *s = l->src->text;
+    const char quote[] = {s[l->at], s[l->at], s[l->at], '\0'};
+    const char *end;
+
+    if (!l->first || l->config || (quote[0] != '"' && quote[0] != '\'') || strncmp(s + l->at, quote, 3) != 0 || !(end = strstr(s + l->at + 3, quote)))
+        return false;
+    diag_label(l->diags, diag_report(l->diags, DIAG_foreign_comment, lexer_span(l, l->at, 3), quote), DIAG_label_comment_lines);
+    while (l->at < (uint32_t)(end - s) + 3)
+        if (s[l->at] == '\n')
+            lexer_end_line(l);
+        else
+            l->at++;
+    return true;
+}
+
 // Reports quoted text where the grammar allows none. The token ends at the closing quote or at the end of the line.
 static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
 {
@@ -327,6 +363,8 @@ HintResult hint_read_stray_text(Lexer *l, Token *t)
     uint32_t code = c;
     size_t len = utf8_decode(l->src->text + l->at, l->src->len - l->at, &code);
 
+    if (skip_triple_quoted(l))
+        return HINT_SKIPPED;
     if (len && is_quote(code)) {
         read_quoted_text(l, t, (uint32_t)len);
         return HINT_READ;

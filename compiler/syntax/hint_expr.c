@@ -9,13 +9,14 @@
 // ---- words ----
 
 // Reports that the current word is spelled `native` in this language, and reads it as that token.
-void hint_replace_word(Parser *p, const char *native, TokenKind kind)
+Diag *hint_replace_word(Parser *p, const char *native, TokenKind kind)
 {
     Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
     diag_label(p->diags, d, DIAG_label_write, native);
     diag_edit(p->diags, d, parser_token_span(p), native);
     p->tok.kind = kind;
+    return d;
 }
 
 // If an operator in words (`is not`) begins at the current word and a value follows it, returns the operator, and its end in *end; else
@@ -144,15 +145,35 @@ HintResult hint_report_state_word(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Labels d with what to write instead of a call such as Serial.println(x), time.sleep(1) or valve.open().
+static void label_method(Parser *p, Diag *d, const char *before, const char *after)
+{
+    static const char *const printers[] = {"Serial", "console", "System", "logging", "logger", "log", "sys"};
+    bool prints = false;
+
+    for (size_t i = 0; i < sizeof printers / sizeof *printers; i++)
+        prints = prints || strcmp(before, printers[i]) == 0;
+    if (prints)
+        diag_label(p->diags, d, DIAG_label_print_in_script);
+    else if (strcmp(after, "sleep") == 0)
+        diag_label(p->diags, d, DIAG_label_wait);
+    else
+        diag_label(p->diags, d, DIAG_label_store_truth);
+}
+
 // Labels d with a name without a dot: for `a.b`, that is a_b; b if a is no part of it, as in self.valve and math.sqrt.
 static void label_dotted_name(Parser *p, Diag *d, const char *before, const char *after)
 {
     static const char *const owners[] = {"self", "this", "math", "Math", "np", "numpy", "std", "obj"};
+    const bool is_call = p->ahead.kind == TOK_LPAREN && !p->ahead.first;
     bool is_owner = false;
 
     for (size_t i = 0; i < sizeof owners / sizeof *owners; i++)
         is_owner = is_owner || strcmp(before, owners[i]) == 0;
-    diag_label(p->diags, d, DIAG_label_write, is_owner ? after : format_in(p->arena, "%s_%s", before, after));
+    if (is_call && !is_owner)
+        label_method(p, d, before, after);
+    else
+        diag_label(p->diags, d, DIAG_label_write, is_owner ? after : format_in(p->arena, "%s_%s", before, after));
 }
 
 // Reports a name with a dot, as in tank.pressure. The current token is `.pressure`.

@@ -96,10 +96,7 @@ HintResult hint_report_default(HintCase *c)
 
     if (p->tok.text->declared)
         return HINT_NONE;
-    if (p->in_switch)
-        p->failed = true;
-    else
-        diag_label(p->diags, parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text), DIAG_label_write, "else");
+    diag_label(p->diags, parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text), DIAG_label_write, "else");
     parser_advance(p);
     return HINT_SKIPPED;
 }

@@ -63,14 +63,16 @@ HintResult hint_report_demand_word(HintCase *c)
                       *const some_times[] = {"eventually", "finally", "sometimes", "once"};
     Parser *p = c->p;
     const char *word = p->tok.kind == TOK_NAME && !parser_at_requirement(p) ? p->tok.text->text : "", *near;
+    const bool is_below = p->tok.first && (*word || p->tok.kind == TOK_IF);       // the demand is on the line after the text
     Diag *d;
 
     if (strcmp(word, "never") == 0 || strcmp(word, "always") == 0)
         return HINT_NONE;
     if (p->tok.kind == TOK_ERROR)
         p->failed = true;
-    d = parser_fail(p, DIAG_requirement_kind, parser_missing_span(p), parser_describe_found(p));
-    if (p->tok.first)
+    d = parser_fail(p, DIAG_requirement_kind, is_below ? parser_token_span(p) : parser_missing_span(p),
+                    is_below ? parser_describe(p, &p->tok) : parser_describe_found(p));
+    if (p->tok.first && !is_below)
         return HINT_SKIPPED;
     if (p->tok.kind == TOK_IF || is_one_of(&p->tok, ifs, sizeof ifs / sizeof *ifs))
         label_consequence(p, d, p->ahead.at);

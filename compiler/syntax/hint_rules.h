@@ -36,6 +36,14 @@ bool hint_line_is_guard(const Parser *p);
 
 bool hint_is_and_then(const Parser *p);                 // whether the current `and` joins two statements, as in x = 1 and then -> Idle
 
+// ---- blocks of other languages ----
+
+uint32_t hint_end_of_block(const Parser *p);            // the end of the block that the current word begins, in braces or indented; 0: unknown
+void hint_skip_to(Parser *p, uint32_t end);             // skips the tokens before `end`, without reading those that are not read yet
+void hint_skip_block(Parser *p);                        // skips that block, or the current word if its end is unknown
+// Whether the text at `at` follows the statements of a condition whose missing braces are reported, as `elif` does in Python.
+bool hint_follows_indented(const Parser *p, uint32_t at);
+
 // ---- the rest of the line ----
 
 // Returns the word or number after spaces at *at, and moves *at to its end; returns "" if neither follows.
@@ -50,7 +58,7 @@ const char *hint_format_held(const Parser *p, const AstExpr *e);
 // token. Returns false if the meaning is unknown.
 bool hint_label_prose(Parser *p, Diag *d, const AstExpr *e);
 
-void hint_replace_word(Parser *p, const char *native, TokenKind kind);  // reports a foreign word and turns it into a token of that kind
+Diag *hint_replace_word(Parser *p, const char *native, TokenKind kind);   // reports a foreign word and turns it into a token of that kind
 // Reports the = or =! at `sign` in a condition, and suggests == or !=. `left`: its left operand, or NULL.
 void hint_report_assign_in_guard(Parser *p, const AstExpr *left, Span sign);
 // Labels d with what to do about two statements on one line, of which the first ends before `at`. Returns false if no statement ends there.

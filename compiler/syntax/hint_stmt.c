@@ -100,6 +100,7 @@ HintResult hint_read_then(HintCase *c)
 
     if (p->ahead.first) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
+        hint_cover_indented(p);
     } else {
         diag_label(p->diags, d, DIAG_label_colon_instead);
         if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
@@ -248,12 +249,24 @@ HintResult hint_report_label_with_colon(HintCase *c)
     return HINT_READ;
 }
 
+// Returns the start of the text on the line of `at`.
+static uint32_t start_of_line(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+
+    while (at > 0 && text[at - 1] != '\n')
+        at--;
+    return at + (uint32_t)strspn(text + at, " \t");
+}
+
 // Reports a line that ends after the colon of a guard, or of `else` (c->e is NULL).
 HintResult hint_report_line_end_after_colon(HintCase *c)
 {
     Parser *p = c->p;
     const Span colon = parser_span(p, &p->last);
     Diag *d = parser_report(p, DIAG_colon_line_break, colon, c->e ? "the condition" : "'else'", parser_describe_found(p));
+
+    d->follows = !c->e && hint_follows_indented(p, start_of_line(p, colon.at));
 
     if (p->tok.first && p->tok.kind != TOK_ELSE && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
@@ -402,6 +415,7 @@ typedef enum HintEffect {
     HINT_DROP,                            // the word is skipped
     HINT_CLOSE,                           // the word is read as the } that an open brace lacks
     HINT_SKIP,                            // the statement is skipped up to the next one
+    HINT_BLOCK,                           // the statement is skipped with its block, in braces or indented
     HINT_WAIT                             // the statement is skipped, and the advice contains the time to wait
 } HintEffect;
 
@@ -414,8 +428,10 @@ static const struct { const char *word; HintEffect effect; const char *text; } f
 static bool is_used_as_foreign(const Parser *p, HintEffect effect)
 {
     const Token *next = &p->ahead;
-    const bool gives_up = effect == HINT_SKIP || effect == HINT_WAIT || effect == HINT_CLOSE;
+    const bool gives_up = effect == HINT_SKIP || effect == HINT_BLOCK || effect == HINT_WAIT || effect == HINT_CLOSE;
 
+    if ((next->kind == TOK_COLON || next->kind == TOK_LBRACE) && effect == HINT_BLOCK)
+        return !p->tok.text->declared;                            // try: or do {
     if (next->first)
         return gives_up && next->kind != TOK_LBRACE;              // `stop` followed by a { on the next line is a guard
     if (effect == HINT_ELSE)
@@ -451,6 +467,12 @@ static bool is_untyped(const Parser *p)
     return is_word_of_declaration(p) && name->kind == TOK_NAME && !name->text->declared && *find_decl_value(p, name->at + name->len);
 }
 
+// Skips the rest of the line, also a [3] on it, which would be a header.
+static void skip_rest_of_line(Parser *p)
+{
+    hint_skip_to(p, p->tok.at + (uint32_t)strcspn(p->lex.src->text + p->tok.at, "#}\n"));
+}
+
 // Reports the declaration of a variable among statements: U8 x, int x = 3, const U8 x = 3, let x = 3. As a statement it would
 // assign its value every time it is executed; the initial value of a local is assigned only once.
 HintResult hint_report_decl_in_state(HintCase *c)
@@ -466,6 +488,11 @@ HintResult hint_report_decl_in_state(HintCase *c)
         type = hint_find_synonym(HINT_TYPES, type);
     if (!lex_is_identifier(name, strlen(name)))
         return HINT_SKIPPED;
+    if (p->lex.src->text[at] == '[') {
+        diag_label(p->diags, d, DIAG_label_decl_array, type, name, type, name);
+        skip_rest_of_line(p);
+        return HINT_SKIPPED;
+    }
     if (*value && strpbrk(value, "\"'")) {
         diag_label(p->diags, d, DIAG_label_no_texts);
         return HINT_SKIPPED;
@@ -497,6 +524,22 @@ HintResult hint_report_foreign_decl(HintCase *c)
     return is_decl ? hint_report_decl_in_state(c) : HINT_NONE;
 }
 
+// Reports a declaration with a star, as in char *s.
+HintResult hint_report_pointer(HintCase *c)
+{
+    Parser *p = c->p;
+    const bool is_text = hint_is_word(&p->tok, "char"), in_state = c->context == HINT_AT_STATEMENT;
+    Diag *d;
+
+    if (!hint_find_synonym(HINT_TYPES, p->tok.text->text) || p->tok.text->declared)
+        return HINT_NONE;
+    d = in_state ? parser_report(p, DIAG_decl_in_state, parser_token_span(p))
+                 : parser_report(p, DIAG_type_unknown, parser_token_span(p), parser_text(p, parser_token_span(p)));
+    diag_label(p->diags, d, is_text ? DIAG_label_no_texts : DIAG_label_no_pointers);
+    skip_rest_of_line(p);
+    return HINT_SKIPPED;
+}
+
 // Returns the advice for wait(200), delay(200) or sleep(2), which contains the time to wait. In other languages delay takes milliseconds
 // and sleep takes seconds.
 static const char *format_wait(const Parser *p)
@@ -523,30 +566,6 @@ static const char *format_switch(const Parser *p)
 
     return lex_is_identifier(name, strlen(name)) ? format_in(p->arena, "write it as if %s == 1 ... else if %s == 2 ... else", name, name)
                                                  : "write it as if ... else if ... else";
-}
-
-// Skips `i in 1..3` of a loop without parentheses, because the loop is already reported.
-static void skip_counter_of_loop(Parser *p)
-{
-    if (!p->ahead.first && p->ahead.kind == TOK_NAME)
-        p->lex.at += (uint32_t)strcspn(p->lex.src->text + p->lex.at, "(:{#}\r\n");
-}
-
-// Skips the parentheses of for (...; ...; ...), because the loop is already reported.
-static void skip_header_of_loop(Parser *p)
-{
-    const char *text = p->lex.src->text;
-    uint32_t at = p->ahead.at, depth = 0;
-
-    if (p->ahead.kind != TOK_LPAREN || p->ahead.first)
-        return;
-    for (; text[at] && text[at] != '\n'; at++) {
-        depth += text[at] == '(' ? 1u : 0;
-        if (text[at] == ')' && --depth == 0) {
-            p->lex.at = at;
-            return;
-        }
-    }
 }
 
 // Reads `goto` and `transition to` as an arrow. In a script, the transition itself is the mistake, and the parser reports it.
@@ -597,6 +616,8 @@ static HintResult read_as_brace(Parser *p, const char *text)
     if (is_brace_missing(p)) {
         p->tok.kind = TOK_RBRACE;
     } else {
+        d->follows = p->open_blocks > 0;
+        p->open_blocks -= p->open_blocks > 0;
         p->failed = true;
         parser_advance(p);
     }
@@ -608,11 +629,11 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     Diag *d;
 
     switch (effect) {
-    case HINT_IF:
-        hint_replace_word(p, text, TOK_IF);
-        return HINT_READ;
-    case HINT_ELSE:
-        hint_replace_word(p, text, TOK_ELSE);
+    case HINT_IF: case HINT_ELSE:
+        d = hint_replace_word(p, text, effect == HINT_IF ? TOK_IF : TOK_ELSE);
+        d->follows = hint_follows_indented(p, p->tok.at);              // elif
+        if (effect == HINT_IF)
+            return HINT_READ;
         p->lost_body = true;
         return HINT_READ;
     case HINT_ARROW:
@@ -626,21 +647,15 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
         diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
         parser_advance(p);
         return HINT_READ;
-    case HINT_SKIP: case HINT_WAIT:
+    case HINT_SKIP: case HINT_BLOCK: case HINT_WAIT:
         break;
-    }
-    if (hint_is_word(&p->tok, "case") && p->in_switch) {        // the report about `switch` covers its cases
-        p->failed = true;
-        parser_advance(p);
-        return HINT_SKIPPED;
     }
     d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
     diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : hint_is_word(&p->tok, "switch") ? format_switch(p) : text);
-    p->in_switch = p->in_switch || hint_is_word(&p->tok, "switch");
-    if (hint_is_word(&p->tok, "for"))
-        skip_counter_of_loop(p);
-    skip_header_of_loop(p);
-    parser_advance(p);
+    if (effect == HINT_BLOCK)
+        hint_skip_block(p);
+    else
+        parser_advance(p);
     return HINT_SKIPPED;
 }
 
@@ -650,7 +665,8 @@ HintResult hint_read_foreign_word(HintCase *c)
     Parser *p = c->p;
     const Token *next = &p->ahead;
 
-    if (!next->first && !hint_begins_value(next) && next->kind != TOK_IF && next->kind != TOK_ARROW)
+    if (!next->first && !hint_begins_value(next) && next->kind != TOK_IF && next->kind != TOK_ARROW && next->kind != TOK_COLON &&
+        next->kind != TOK_LBRACE)
         return HINT_NONE;                     // the word is the name of a variable, mostly with = after it
     for (size_t i = 0; i < sizeof foreign_words / sizeof *foreign_words; i++)
         if (hint_is_word(&p->tok, foreign_words[i].word) && is_used_as_foreign(p, foreign_words[i].effect))

@@ -24,18 +24,6 @@ static const char *find_type(const char *word)
     return type ? type : "F64";
 }
 
-// Skips the tokens before `end`, without reading those that are not read yet.
-static void skip_to(Parser *p, uint32_t end)
-{
-    while (p->lex.at < end)
-        if (p->lex.src->text[p->lex.at] == '\n')
-            lexer_end_line(&p->lex);
-        else
-            p->lex.at++;
-    while (p->tok.at < end && p->tok.kind != TOK_END)
-        parser_advance(p);
-}
-
 // Returns the end of the braces that open after the current token, with a name and a ';' that follow them; 0 if no braces open there.
 static uint32_t end_of_braces(const Parser *p)
 {
@@ -53,7 +41,7 @@ static uint32_t end_of_braces(const Parser *p)
 static void skip_braces(Parser *p, uint32_t end)
 {
     if (end) {
-        skip_to(p, end);
+        hint_skip_to(p, end);
         return;
     }
     p->failed = true;
@@ -134,7 +122,7 @@ HintResult hint_report_iec_decl(HintCase *c)
         value = hint_read_word(p, &at);
     d = parser_report(p, DIAG_decl_without_type, span, name);
     diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, *value ? "%s %s = %s" : "%s %s", type, name, value));
-    skip_to(p, at + (uint32_t)strcspn(text + at, "\n"));
+    hint_skip_to(p, at + (uint32_t)strcspn(text + at, "\n"));
     return HINT_SKIPPED;
 }
 

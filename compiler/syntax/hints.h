@@ -84,6 +84,9 @@ bool hint_report_guard_in_braces(struct Parser *p);
 
 // Whether the token is a word that another language has in place of an operator, with a value after it, as in `state is Burn`.
 bool hint_is_phrase(const struct Parser *p, const Token *word);
+// Called when a condition is reported that ends its line without a brace: the lines below that are indented more need no report about their
+// semicolons, and the word that closes them in another language, such as `end`, none either.
+void hint_cover_indented(struct Parser *p);
 bool hint_is_time_unit(const char *word);         // whether users write the word for a unit of time
 
 // Returns the word of this language for a word of another one, such as I32 for int; NULL if none is known.

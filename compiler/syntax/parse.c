@@ -269,6 +269,8 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         parser_skip_line(p);
     if (p->diags->errors == errors && !reported && lex_is_header_name(s->name->text, s->name->len))        // an invalid header is reported instead
         d = parser_report(p, DIAG_code_before_label, here, s->name->text);
+    if (d)
+        d->follows = p->is_foreign_header;
     parse_block(p, &ignored);
     if (d && colon)
         diag_label(p->diags, d, DIAG_label_leave_out);
@@ -278,6 +280,16 @@ static void parse_unlabelled(Parser *p, AstSection *s)
         diag_label(p->diags, d, DIAG_label_constants);
 }
 
+// Whether the name of a section is in brackets. That of `state Hold {`, which is reported, is not.
+static bool is_in_brackets(Span name)
+{
+    uint32_t at = name.at;
+
+    while (at > 0 && (name.src->text[at - 1] == ' ' || name.src->text[at - 1] == '\t'))
+        at--;
+    return at > 0 && name.src->text[at - 1] == '[';
+}
+
 // Parses the annotations and blocks of a state, or of [all_states]. Annotations after the header can continue on further lines.
 static void parse_state(Parser *p, AstSection *s)
 {
@@ -285,6 +297,7 @@ static void parse_state(Parser *p, AstSection *s)
     if (p->failed)
         parser_skip_line(p);
     p->failed = false;
+    p->is_foreign_header = !is_in_brackets(s->name_span);
     if (!parser_at_end_of_block(p) || p->tok.kind == TOK_RBRACE)
         parse_unlabelled(p, s);
     while (p->tok.kind == TOK_LABEL)

@@ -81,7 +81,8 @@ void parse_block(Parser *p, AstStmts *into)
     for (;;) {
         p->failed = false;
         if (p->tok.kind == TOK_RBRACE && p->braces == 0) {
-            parser_report(p, DIAG_stray_brace, parser_token_span(p));
+            Diag *d = parser_report(p, DIAG_stray_brace, parser_token_span(p));
+            d->follows = p->is_foreign_header;
             parser_advance(p);
             continue;
         }
@@ -152,7 +153,7 @@ static void report_unguarded_braces(Parser *p)
 // Reports an item of a script that is outside every conditional.
 static void report_if_unguarded(Parser *p, const AstStmt *s)
 {
-    if (!in_script(p) || p->nesting > 0 || p->reported_unguarded || s->span.at < p->lex.hinted)
+    if (!in_script(p) || p->nesting > 0 || p->reported_unguarded || s->span.at < p->lex.hinted || s->span.at < p->indented)
         return;
     p->reported_unguarded = true;
     if (!p->tok.first && parser_at_when(p)) {
@@ -429,7 +430,8 @@ static void report_lone_value(Parser *p, AstExpr *e)
     if (is_before_choice(p))
         p->failed = true;                     // the lexer has reported `c ? a : b`
     else if (p->has_if)
-        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces);
+        diag_label(p->diags, parser_fail(p, DIAG_guard_without_body, parser_gap_span(p), parser_describe_found(p)), DIAG_label_insert_braces),
+        hint_cover_indented(p);
     else if (lexer_is_line_reported(&p->lex, e->span.at))
         e->kind = AST_ERROR;                  // print("on"), whose quoted text the lexer has reported
     else if (p->kind == FILE_SM && (e->kind == AST_NAME || e->kind == AST_CALL))

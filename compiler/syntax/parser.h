@@ -38,7 +38,8 @@ typedef struct Parser {
     HintIndex hints;
     bool is_guard;                // the current expression is a condition, in which the user means == by =
     Span assign_operator;         // the operator of the last assignment
-    bool in_switch;               // a `switch` is reported: its cases need no further report
+    bool is_foreign_header;       // the header of the current state is reported: `state Hold {`
+    unsigned open_blocks;         // reported blocks of other languages, as `if x then`, whose closing word needs no further report
     AstAnnotationTarget pin_target;   // the kind of the current pin: from its section and direction
     uint32_t indented;            // end of the lines that belong to a condition whose missing braces are reported
 } Parser;

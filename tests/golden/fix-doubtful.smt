@@ -189,36 +189,18 @@ numbers.sm: 3 fixed
 app.sm:15:16: error: a comment begins with '#', not with '//' [E0110]
    15 |     n = count  // size
       |                ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:16:16: error: a comment begins with '#', not with '//' [E0110]
-   16 |     n = count  // size and fault
-      |                ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:17:16: error: a comment begins with '#', not with '//' [E0110]
-   17 |     n = count  // length
-      |                ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:18:16: error: a comment begins with '#', not with '//' [E0110]
-   18 |     n = count  // -size
-      |                ^~ to divide and round down, write floor(a / b); a comment begins with #
-app.sm:19:12: error: a comment begins with '#', not with '//' [E0110]
-   19 |     n = G  // T
-      |            ^~ to divide and round down, write floor(a / b); a comment begins with #
+note: the same mistake is in lines 16, 17, 18, 19
 app.sm:21:11: error: unknown operator '%' [E0108]
    21 |     p > n % size: valve = true
       |           ^ for a remainder, use x - n * floor(x / n); a comment begins with #
 app.sm:22:20: error: '&' is written 'and' here [E0107]
    22 |     p > 5 and mode & mask: valve = true
       |                    ^ write and for conditions; there are no operators for the bits of a number
-app.sm:23:11: error: '&' is written 'and' here [E0107]
-   23 |     p > 5 & mode & mask: valve = true
-      |           ^ write and for conditions; there are no operators for the bits of a number
-app.sm:23:18: error: '&' is written 'and' here [E0107]
-   23 |     p > 5 & mode & mask: valve = true
-      |                  ^ write and for conditions; there are no operators for the bits of a number
+note: the same mistake is in line 23
 app.sm:24:11: error: '|' is written 'or' here [E0107]
    24 |     p > 5 | q > 5 and fault: valve = true
       |           ^ write or for conditions; there are no operators for the bits of a number
-app.sm:25:21: error: '|' is written 'or' here [E0107]
-   25 |     p > 5 and q > 5 | fault: valve = true
-      |                     ^ write or for conditions; there are no operators for the bits of a number
+note: the same mistake is in line 25
 app.sm:27:5: error: unknown operator '|p - |q||' [E0108]
    27 |     |p - |q|| > 5: valve = true
       |     ^~~~~~~~~ write abs(x)
@@ -254,8 +236,13 @@ app.sm:37:12: error: '=' assigns a value; use '==' to compare [E0324]
 app.sm:38:12: error: '=' assigns a value; use '==' to compare [E0324]
    38 |     if ((n = p) > 3): valve = true
       |            ^ write ==
-and 4 more errors
-24 errors, 2 warnings
+app.sm:39:17: error: '=' assigns a value; use '==' to compare [E0324]
+   39 |     if max(p, b = 5) > 3: valve = true
+      |                 ^ write ==
+app.sm:40:9: error: expected a value after '=', found '>' [E0312]
+   40 |     p = > 5: valve = true
+      |         ^
+15 errors, 2 warnings
 label.sm:11:5: error: this value has no effect [E0327]
    11 |     entry
       |     ^~~~~ a statement is x = value, -> State, or condition: statement
@@ -263,72 +250,32 @@ label.sm:11:5: error: this value has no effect [E0327]
 lines.sm:10:19: error: a statement ends at the end of its line, without ';' [E0109]
    10 |     p > 5: -> Idle; pump = true
       |                   ^ put everything that depends on the condition in braces, each statement on a line of its own
-lines.sm:11:20: error: a statement ends at the end of its line, without ';' [E0109]
-   11 |     fault: -> Abort; -> Idle
-      |                    ^ put everything that depends on the condition in braces, each statement on a line of its own
+note: the same mistake is in lines 11, 19
 lines.sm:12:15: error: expected ':' or '{' after the condition, found 'valve' [E0315]
    12 |     if (p > 5) valve = true; pump = true
       |               ^ insert ':'
-lines.sm:12:28: error: a statement ends at the end of its line, without ';' [E0109]
-   12 |     if (p > 5) valve = true; pump = true
-      |                            ^ put each statement on a line of its own, inside braces if it depends on a condition
 lines.sm:13:11: error: 'then' is not part of this language [E0329]
    13 |     p > 6 then valve = true; pump = true
       |           ^~~~ write ':' instead
-lines.sm:13:28: error: a statement ends at the end of its line, without ';' [E0109]
-   13 |     p > 6 then valve = true; pump = true
-      |                            ^ put each statement on a line of its own, inside braces if it depends on a condition
 lines.sm:14:15: error: expected ':' or '{' after the condition, found 'valve' [E0315]
    14 |     if (p > 7) valve = true else pump = true; valve = false
       |               ^ insert ':'
-lines.sm:14:33: error: expected ':', '{' or 'if' after 'else', found 'pump' [E0319]
-   14 |     if (p > 7) valve = true else pump = true; valve = false
-      |                                 ^ insert ':'
-lines.sm:14:45: error: a statement ends at the end of its line, without ';' [E0109]
-   14 |     if (p > 7) valve = true else pump = true; valve = false
-      |                                             ^ put each statement on a line of its own, inside braces if it depends on a condition
 lines.sm:16:12: error: a statement ends at the end of its line, without ';' [E0109]
    16 |     -> Idle; pump = true
       |            ^ put each statement on a line of its own
 lines.sm:17:14: error: 'then' is not part of this language [E0329]
    17 |     if p > 9 then valve = true
       |              ^~~~ write ':' instead
-lines.sm:19:25: error: a statement ends at the end of its line, without ';' [E0109]
-   19 |     p > 10: valve = true; pump = true
-      |                         ^ put everything that depends on the condition in braces, each statement on a line of its own
 lines.sm:23:9: error: expected ':', '{' or 'if' after 'else', found 'pump' [E0319]
    23 |     else pump = true
       |         ^ insert ':'
-13 errors
+7 errors
 braces.sm:9:13: error: expected a statement after the condition, found the end of the line [E0316]
     9 |     if p > 5:
       |             ^ write '{' instead, and '}' after the statements that depend on the condition
 note: statements on lines of their own need braces: p > 5 { ... }
-braces.sm:12:13: error: expected a statement after the condition, found the end of the line [E0316]
-   12 |     if p > 6:
-      |             ^ write '{' instead, and '}' after the statements that depend on the condition
-note: statements on lines of their own need braces: p > 6 { ... }
-braces.sm:13:17: error: expected a statement after the condition, found the end of the line [E0316]
-   13 |         if q > 6:
-      |                 ^ write '{' instead, and '}' after the statements that depend on the condition
-note: statements on lines of their own need braces: q > 6 { ... }
-braces.sm:16:13: error: expected a statement after the condition, found the end of the line [E0316]
-   16 |     if p > 7:
-      |             ^ write '{' instead, and '}' after the statements that depend on the condition
-note: statements on lines of their own need braces: p > 7 { ... }
-braces.sm:19:17: error: expected a statement after the condition, found the end of the line [E0316]
-   19 |     q > 7: p > 7:
-      |                 ^ write '{' instead, and '}' after the statements that depend on the condition
-note: statements on lines of their own need braces: p > 7 { ... }
-braces.sm:22:13: error: expected a statement after the condition, found the end of the line [E0316]
-   22 |     if p > 8:
-      |             ^ write '{' instead, and '}' after the statements that depend on the condition
-note: statements on lines of their own need braces: p > 8 { ... }
-braces.sm:26:17: error: expected a statement after the condition, found the end of the line [E0316]
-   26 |         if q > 9:
-      |                 ^ write '{' instead, and '}' after the statements that depend on the condition
-note: statements on lines of their own need braces: q > 9 { ... }
-7 errors
+note: the same mistake is in lines 12, 13, 16, 19, 22, 26
+1 error
 numbers.sm:4:16: error: the character '–' is allowed only in comments [E0102]
     4 | F64 a @range 0 – 5
       |                ^ separate two numbers by a space, and write a sign as -
@@ -347,15 +294,9 @@ numbers.sm:9:15: error: expected a number, the highest value of '@range', found 
 numbers.sm:10:15: error: expected a number, the highest value of '@range', found ',' [E0377]
    10 | F64 g @range 0,5; 1,5
       |               ^ write two numbers, as in @range 0 40
-numbers.sm:10:17: error: a statement ends at the end of its line, without ';' [E0109]
-   10 | F64 g @range 0,5; 1,5
-      |                 ^ put each statement on a line of its own
-numbers.sm:10:19: error: expected a type and a name in [state_vector], found the number 1 [E0350]
-   10 | F64 g @range 0,5; 1,5
-      |                   ^
 numbers.sm:11:15: error: expected a number, the highest value of '@range', found ',' [E0377]
    11 | F64 h @range 0,1,2
       |               ^ write two numbers, as in @range 0 40
-9 errors
+7 errors
 -- exit --
 1 1 1 1 1

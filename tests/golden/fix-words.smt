@@ -136,22 +136,18 @@ note: perhaps meant: not (p > 5)
 app.sm:34:14: error: ':=' is written '=' here [E0107]
    34 |     if valve := p > 5: pump = false
       |              ^~ write =
-app.sm:34:14: error: '=' assigns a value; use '==' to compare [E0324]
-   34 |     if valve := p > 5: pump = false
-      |              ^~ write ==
 app.sm:35:11: error: '=' assigns a value; use '==' to compare [E0324]
    35 |     valve = true: pump = false
       |           ^ write ==
-app.sm:36:5: error: this value has no effect [E0327]
-   36 |     p => q
-      |     ^~~~~~ a statement is x = value, -> State, or condition: statement
 app.sm:36:7: error: '=>' is written '>=' here [E0107]
    36 |     p => q
       |       ^~ write >=
-app.sm:38:5: error: this value has no effect [E0327]
+app.sm:38:12: error: a comment begins with '#', not with '%' [E0110]
    38 |     p > 50 % of q: valve = false
-      |     ^~~~~~ a statement is x = value, -> State, or condition: statement
-and 3 more errors
-23 errors, 7 warnings
+      |            ^ write a percentage as a factor, as in 0.5 * x; a comment begins with #
+app.sm:39:11: error: a comment begins with '#', not with '--' [E0110]
+   39 |     p > 5 -- too high: valve = false
+      |           ^~ begin the comment with #
+19 errors, 7 warnings
 -- exit --
 1
