@@ -12,6 +12,7 @@ enum {
     FIRST_PART = 4,           // searching all goals, before shorter runs are searched
     GIVEN_PART = 2,           // running the caller's scenarios (SearchOptions.given); the last one that begins in time is run to its end
     MANY_CHANGES = 4,         // goals reached after more changes than this are searched again, for runs with fewer
+    WAYS_PART = 8,            // simplifying a run to each state, at most
     SHORTER_PART = 8,         // searching runs with fewer changes, at most
     SHORTER_TIMES = 4,        // the search for shorter scenarios runs at most this multiple of the steps before it
     WALK_PERCENT = 20,        // random walks, without a goal
@@ -226,7 +227,10 @@ static void search_until(SearchRun *k, uint64_t end)
 static void search_shorter(SearchRun *k)
 {
     static const uint32_t most[] = {MANY_CHANGES, 1};
+    const uint64_t ways = k->effort / WAYS_PART, before = k->r->steps * SHORTER_TIMES;
 
+    if (!k->o->plain)
+        search_shorten_ways(k, k->r->steps + (ways < before ? ways : before));
     for (int i = 0; i < 2 && !k->o->plain; i++) {
         const uint64_t part = k->effort / SHORTER_PART, again = k->r->steps * SHORTER_TIMES, end = k->r->steps + (part < again ? part : again);
         while (k->r->steps < end && search_goes_on(k) && search_reopen(k, most[i]))
@@ -271,30 +275,37 @@ static void begin_result(SearchRun *k)
     }
 }
 
+void search_run_given(SearchRun *k, const Scenario *looped)
+{
+    const Scenario s = scenario_unroll(&k->work, looped);
+    uint64_t at = 0;
+    uint32_t node = k->root;
+
+    k->node.at[node].users++;
+    for (size_t c = 0; at < s.steps && search_goes_on(k) && k->node.at[node].copy; ) {
+        const ScenarioLoop *l = scenario_loop_at(looped, at + 1);
+        uint64_t end;
+        uint32_t next;
+        k->turn.n = 0;
+        for (; c < s.changes && s.change[c].step <= at + 1; c++)
+            search_add_change(k, &s.change[c]);
+        end = c < s.changes && s.change[c].step <= s.steps ? s.change[c].step - 1 : s.steps;
+        k->is_round = l && at + 1 >= l->from + l->period;
+        next = search_run_exactly(k, node, k->turn.at, k->turn.n, end - at);
+        search_drop(k, node);
+        node = next;
+        at = end;
+    }
+    k->is_round = false;
+    search_drop(k, node);
+}
+
 // Runs scenarios of the caller, so that the snapshots along them are known.
 static void run_given(SearchRun *k)
 {
-    for (uint32_t i = 0; i < k->o->givens && search_goes_on(k) && k->r->steps < k->stop_at / GIVEN_PART; i++) {
-        const Scenario *s = &k->o->given[i];
-        uint64_t at = 0;
-        uint32_t node = k->root;
-        if (s->init_state != k->start || s->delta_t != k->delta_t)
-            continue;
-        k->node.at[node].users++;
-        for (size_t c = 0; at < s->steps && search_goes_on(k) && k->node.at[node].copy; ) {
-            uint64_t end;
-            uint32_t next;
-            k->turn.n = 0;
-            for (; c < s->changes && s->change[c].step <= at + 1; c++)
-                search_add_change(k, &s->change[c]);
-            end = c < s->changes && s->change[c].step <= s->steps ? s->change[c].step - 1 : s->steps;
-            next = search_run_exactly(k, node, k->turn.at, k->turn.n, end - at);
-            search_drop(k, node);
-            node = next;
-            at = end;
-        }
-        search_drop(k, node);
-    }
+    for (uint32_t i = 0; i < k->o->givens && search_goes_on(k) && k->r->steps < k->stop_at / GIVEN_PART; i++)
+        if (k->o->given[i].init_state == k->start && k->o->given[i].delta_t == k->delta_t)
+            search_run_given(k, &k->o->given[i]);
 }
 
 SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
@@ -322,6 +333,7 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     search_begin_nodes(k);
     search_begin_solving(k);
     search_build_flat(k);
+    search_begin_choosing(k);
     run_given(k);
     run_search(k);
     search_choose(k);

@@ -9,9 +9,13 @@
 enum {
     MANY_CHANGES = 2,         // a scenario with more changes is split, if it is for several goals
     LONG_CHANGES = 12,        // a scenario with more changes is simplified for one of its goals first, which can show shorter runs to the other goals
+    SIMPLE_CHANGES = 1,       // of the scenarios with no more changes, the fewest are chosen that together reach what all of them do
     FEW_CHANGES = 2,          // a scenario with more changes is simplified again, at most IMPROVED_ROUNDS times
     IMPROVED_ROUNDS = 3,
     IMPROVED_PART = 2,        // this part of the remaining effort (1 / n) is for the scenario with most changes
+    WAYS_PART = 4,            // at most this part of the effort of choosing (1 / n) is for runs to each state
+    WAY_SHARE = 4,            // one of them can use this part of what is left for them (1 / n)
+    SIMPLIFY_PART = 4,        // (n - 1) / n of the effort that is left then is for simplifying each run alone
     LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)
 };
 
@@ -20,7 +24,9 @@ typedef struct Candidate {
     Scenario s;
     uint32_t end;             // State.number of the state after its last step
     uint8_t *reached;         // set of the goals that its replay has reached, one bit for each
-    bool used;                // it has been chosen
+    uint32_t node;            // the node of the search where its run ends
+    bool simple;              // it was simplified for the goals that were found at this node
+    bool used;                // it has been chosen, or others reach its goals with fewer changes
 } Candidate;
 
 static bool is_in_set(const uint8_t *set, uint32_t i) { return set[i / 8] >> i % 8 & 1; }
@@ -251,6 +257,62 @@ static void improve_longest(Chooser *c)
     }
 }
 
+// ---- paths to states ----
+
+// Returns the goals of entering a state that were reached, those after the fewest changes first.
+static GoalSet list_state_goals(const SearchRun *k)
+{
+    GoalSet out = {NULL, 0, 0};
+
+    for (uint32_t g = 0; g < k->goals; g++) {
+        const SearchGoal *x = &k->goal[g];
+        uint32_t at = out.n;
+        if (x->found == SEARCH_NONE || x->place >= k->r->places || k->c->place.at[x->place].kind != COVER_STATE)
+            continue;
+        vec_push(&((SearchRun *)k)->work, &out, g);
+        for (; at > 0 && k->node.at[k->goal[out.at[at - 1]].found].depth > k->node.at[x->found].depth; at--)
+            out.at[at] = out.at[at - 1];
+        out.at[at] = g;
+    }
+    return out;
+}
+
+// Simplifies a run to each state: the runs to all other goals can begin with one of them.
+static void simplify_ways(Chooser *c, uint64_t end)
+{
+    SearchRun *k = c->k;
+    const GoalSet states = list_state_goals(k), all = {NULL, 0, 0};
+
+    for (uint32_t i = 0; i < states.n && k->r->steps < end && !k->r->stopped; i++) {
+        const SearchGoal *g = &k->goal[states.at[i]];
+        const Scenario *known = &c->way[k->c->place.at[g->place].from->number - 1];
+        GoalSet want = {NULL, 0, 0};
+        Scenario s;
+        if (k->node.at[g->found].depth <= FEW_CHANGES || (known->init_state && known->changes <= k->node.at[g->found].depth))
+            continue;
+        s = chooser_scenario_of(k, &k->work, g->found);
+        vec_push(&k->work, &want, states.at[i]);
+        c->limit = k->r->steps + (end - k->r->steps) / WAY_SHARE;
+        build_wanted(c, &want);
+        if (chooser_simplify(c, &s, &want) && chooser_replay(c, k->judge, &s, &all, NULL))
+            chooser_keep_ways(c, &s);
+    }
+}
+
+void search_shorten_ways(SearchRun *k, uint64_t end)
+{
+    Chooser *c = k->chooser;
+
+    simplify_ways(c, end);
+    search_reopen(k, 0);
+    k->is_way = true;
+    for (uint32_t i = 0; i < k->p->state.n && search_goes_on(k); i++)
+        if (c->way[i].init_state)
+            search_run_given(k, &c->way[i]);
+    k->is_way = false;
+    search_close_again(k);
+}
+
 // ---- choosing ----
 
 // Replays the run to each goal that was found.
@@ -267,6 +329,7 @@ static Candidate *make_candidates(Chooser *c, uint32_t *n)
         if (node == SEARCH_NONE || known[node])
             continue;
         known[node] = true;
+        x->node = node;
         x->s = chooser_scenario_of(k, &k->work, node);
         chooser_replay(c, k->judge, &x->s, &nothing, NULL);
         x->reached = reached_set(c);
@@ -276,15 +339,78 @@ static Candidate *make_candidates(Chooser *c, uint32_t *n)
     return all;
 }
 
-// Chooses the candidate that reaches most goals that are left for its number of changes.
-static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, GoalSet *want)
+static int compare_changes(const void *a, const void *b)
+{
+    const Candidate *x = *(Candidate *const *)a, *y = *(Candidate *const *)b;
+
+    if (x->s.changes != y->s.changes)
+        return x->s.changes < y->s.changes ? -1 : 1;
+    return x->s.steps != y->s.steps ? (x->s.steps < y->s.steps ? -1 : 1) : x->node < y->node ? -1 : x->node > y->node;
+}
+
+// Returns the candidates, those with the fewest changes first.
+static Candidate **order_candidates(Chooser *c, Candidate *all, uint32_t n)
+{
+    Candidate **order = arena_array(&c->k->work, n + 1, sizeof *order);
+
+    for (uint32_t i = 0; i < n; i++)
+        order[i] = &all[i];
+    qsort(order, n, sizeof *order, compare_changes);
+    return order;
+}
+
+// Returns the goals that were found at the candidate's node and that no simplified candidate reaches.
+static GoalSet find_own_goals(Chooser *c, const Candidate *x, const uint8_t *shown)
+{
+    GoalSet out = {NULL, 0, 0};
+
+    for (uint32_t g = 0; g < c->k->goals; g++)
+        if (c->k->goal[g].found == x->node && !is_in_set(shown, g))
+            vec_push(&c->k->work, &out, g);
+    return out;
+}
+
+// Simplifies each candidate for the goals that only its run has been found for, those with the fewest changes first: the others can then begin as
+// they do.
+static void simplify_candidates(Chooser *c, Candidate *all, uint32_t n)
+{
+    SearchRun *k = c->k;
+    const GoalSet nothing = {NULL, 0, 0};
+    const uint64_t end = k->r->steps + (k->effort - k->r->steps) / SIMPLIFY_PART * (SIMPLIFY_PART - 1);
+    Candidate **order = order_candidates(c, all, n);
+    uint8_t *shown = arena_alloc(&k->work, k->goals / 8 + 1);
+
+    for (uint32_t i = 0; i < n && k->r->steps < end && !k->r->stopped; i++) {
+        Candidate *x = order[i];
+        const GoalSet want = find_own_goals(c, x, shown);
+        x->used = want.n == 0;
+        c->limit = k->r->steps + (end - k->r->steps) / (n - i);
+        if (x->used)
+            continue;
+        build_wanted(c, &want);
+        if (!chooser_simplify(c, &x->s, &want))
+            continue;
+        x->end = c->end;
+        x->reached = set_of(c, &want);
+        if (chooser_replay(c, k->judge, &x->s, &nothing, NULL)) {
+            x->reached = reached_set(c);
+            chooser_keep_ways(c, &x->s);
+        }
+        x->simple = true;
+        for (uint32_t b = 0; b < k->goals / 8 + 1; b++)
+            shown[b] |= x->reached[b];
+    }
+}
+
+// Chooses the candidate that reaches most goals that are left for its number of changes.  is_simple: only among simplified ones with few changes.
+static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, bool is_simple, GoalSet *want)
 {
     Candidate *best = NULL;
     size_t most = 0;
 
     for (uint32_t i = 0; i < n; i++) {
         size_t new = 0;
-        if (all[i].used)
+        if (all[i].used || (is_simple && (!all[i].simple || all[i].s.changes > SIMPLE_CHANGES)))
             continue;
         for (uint32_t g = 0; g < c->k->goals; g++)
             new += is_in_set(all[i].reached, g) && !c->covered[g];
@@ -300,11 +426,29 @@ static Candidate *choose_best(const Chooser *c, Candidate *all, uint32_t n, Goal
     return best;
 }
 
-// Sets up the chooser of scenarios: its arenas, and nothing covered or chosen yet.
-static void begin_chooser(Chooser *c)
+// Stores the simplified candidates that reach new goals: first few of those with few changes, which together reach what all of them do.  Then those
+// with the fewest changes, so that a goal is reached by one of the simplest runs to it.
+static void choose_simple(Chooser *c, Candidate *all, uint32_t n)
 {
-    SearchRun *k = c->k;
+    GoalSet want = {NULL, 0, 0};
+    Candidate *x, **order = order_candidates(c, all, n);
 
+    while ((x = choose_best(c, all, n, true, &want)) != NULL) {
+        x->used = true;
+        store_chosen(c, &x->s, x->end, x->reached);
+    }
+    for (uint32_t i = 0; i < n; i++)
+        if (order[i]->simple && !order[i]->used) {
+            order[i]->used = true;
+            store_chosen(c, &order[i]->s, order[i]->end, order[i]->reached);
+        }
+}
+
+void search_begin_choosing(SearchRun *k)
+{
+    Chooser *c = k->chooser = ARENA_NEW(&k->work, Chooser);
+
+    c->k = k;
     arena_init_within(&c->flats, &k->work);
     arena_init_within(&c->tries, &k->work);
     arena_init_within(&c->unrolled, &k->work);
@@ -322,7 +466,7 @@ static void begin_chooser(Chooser *c)
 
 void search_choose(SearchRun *k)
 {
-    Chooser c = {.k = k};
+    Chooser *c = k->chooser;
     Candidate *all, *best;
     uint32_t n = 0;
     GoalSet want = {NULL, 0, 0};
@@ -332,18 +476,22 @@ void search_choose(SearchRun *k)
     if (k->effort - k->r->steps > k->reserve + k->open)
         k->effort -= k->open;
     k->stop_at = k->effort;
-    begin_chooser(&c);
-    all = make_candidates(&c, &n);
-    while ((best = choose_best(&c, all, n, &want)) != NULL) {
+    all = make_candidates(c, &n);
+    if (!k->o->drafts) {
+        simplify_ways(c, k->r->steps + (k->effort - k->r->steps) / WAYS_PART);
+        simplify_candidates(c, all, n);
+        choose_simple(c, all, n);
+    }
+    while ((best = choose_best(c, all, n, false, &want)) != NULL) {
         best->used = true;
         if (!k->o->drafts)
-            choose_scenario(&c, best, &want);
-        if (find_unreached(&c, want.at, want.n).n)     // the simplified scenarios can reach less than `best` does
-            store_chosen(&c, &best->s, best->end, best->reached);
+            choose_scenario(c, best, &want);
+        if (find_unreached(c, want.at, want.n).n)     // the simplified scenarios can reach less than `best` does
+            store_chosen(c, &best->s, best->end, best->reached);
     }
     if (!k->o->drafts)
-        improve_longest(&c);
-    k->r->chosen = c.chosen.at;
-    k->r->chosens = c.chosen.n;
+        improve_longest(c);
+    k->r->chosen = c->chosen.at;
+    k->r->chosens = c->chosen.n;
     k->effort = full;
 }

@@ -3,6 +3,8 @@
 //
 //     search_choose.c    which scenarios together reach what was reached
 //     search_simplify.c  fewer changes
+//     search_ways.c      shorter beginnings, no detours
+//     search_follow.c    inputs that follow outputs or alternate, in place of several changes
 //     search_round.c     shorter times, rounder values
 //     search_rounds.c    loops in place of changes that are made again and again
 //     search_replay.c    runs a scenario
@@ -99,11 +101,39 @@ void chooser_store_attempt(Chooser *c, Scenario *s, const Attempt *t);
 // Replaces *s by the attempt if that still reaches everything.
 bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, const SearchAnchor *anchor);
 
+// The scenario that is simplified, and the transitions of its last replay.
+typedef struct Reducer {
+    Chooser *c;
+    Scenario *s;
+    const GoalSet *want;
+    SearchEnter *enter;       // the transitions of a replay of *s
+    uint32_t enters;
+    size_t known;             // the scenario's first changes, which are those of a known way
+} Reducer;
+
+// Adds to an attempt when its changes are due after the entries of `enter`, which a replay of the same changes has recorded.
+void chooser_add_anchors(Chooser *c, Attempt *t, const SearchEnter *enter, uint32_t enters);
+void chooser_store_enters(Reducer *r);        // stores the transitions of the last replay, which was one of *s
+// Edits an attempt so that it has fewer changes; i, n: numbers with a meaning of the edit's own.  Returns false if the edit does not apply to this
+// scenario.
+typedef bool SearchEdit(Attempt *t, size_t i, size_t n);
+// Tries an edit with anchored changes, and with changes at their times if that is another run.  A loop has its own times, so with one no change
+// is anchored.
+bool chooser_try_edit(Reducer *r, SearchEdit *edit, size_t i, size_t n);
+
+// Replaces the beginning of a scenario, up to where it enters a state, by the simplest known way to that state.
+bool chooser_simplify_beginning(Reducer *r);
+// Leaves out what the scenario does between two entries of the same state, if that still reaches the goals.
+bool chooser_leave_out_detours(Reducer *r);
+// Replaces changes of an input by one: it follows an output, or alternates.
+bool chooser_follow_outputs(Reducer *r);
+
 // Replaces equal rounds of changes by loops; every step has the same inputs as before.  Returns whether there is a new loop.
 bool chooser_join_equal(Chooser *c, Scenario *s);
 // Replaces changes that a scenario makes again and again by loops: tries shorter ones.  Returns whether there is a new one.
 bool chooser_add_loops(Chooser *c, Scenario *s, const GoalSet *want);
 // Begins loops sooner, in place of changes before them.  Returns whether that saves any.
+// Or lets them make more rounds, in place of changes after them.
 bool chooser_extend_loops(Chooser *c, Scenario *s, const GoalSet *want);
 // Changes the periods of loops to round times, such as 100 ms, where the scenario still reaches all of `want`.
 void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);

@@ -283,7 +283,7 @@ static uint32_t find_place_of_entry(SearchRun *k, uint32_t state, uint64_t key, 
         i++;
     if (i < n)
         return is_simpler(k, depth, at, pool[i].node) || search_chance(k, 2) ? i : SEARCH_NONE;
-    return i < SEARCH_ENTRIES ? i : search_chance(k, 25) ? search_pick(k, SEARCH_ENTRIES) : SEARCH_NONE;
+    return i < SEARCH_ENTRIES ? i : k->is_way || search_chance(k, 25) ? search_pick(k, SEARCH_ENTRIES) : SEARCH_NONE;
 }
 
 // Adds a node to the entries of its state, in place of one with the same key if that took longer.

@@ -13,6 +13,7 @@ enum {
     MOST_BODY = 12,           // the most changes that a loop repeats
     LEAST_SAVED = 2,          // a loop has to replace at least so many changes
     SOME = 3,                 // how many entries of a state are tried as RoundTry.first, as `next`, and as `last`
+    MOST_MORE = 2,            // the most rounds that a loop makes in place of changes after it
     MOST_TRIES = 48,          // loops that are tried
     MOST_UNROLLED = 1 << 16   // changes of a loop, in all its rounds together
 };
@@ -287,12 +288,55 @@ static bool extend_loop(Chooser *c, Scenario *s, size_t n, const GoalSet *want)
     return false;
 }
 
+// ---- loops that end later ----
+
+// Returns the scenario whose loop n makes `more` rounds more in place of the `less` changes after it.
+static Attempt end_loop_later(Chooser *c, const Scenario *s, size_t n, size_t after, size_t less, uint64_t more)
+{
+    const ScenarioLoop *l = &s->loop[n];
+    const uint64_t whole = (l->to - l->from + l->period - 1) / l->period * l->period, to = l->from + whole + more * l->period;
+    const uint64_t was = after + less < s->changes ? s->change[after + less].step : s->steps;
+    Attempt t = chooser_begin_attempt(c, s, 0);
+
+    memmove(t.change + after, t.change + after + less, (t.s.changes - after - less) * sizeof *t.change);
+    t.s.changes -= less;
+    for (size_t i = after; i < t.s.changes; i++)
+        t.change[i].step = t.change[i].step - was + to;
+    for (size_t i = n + 1; i < t.s.loops; i++) {
+        t.loop[i].from = t.loop[i].from - was + to;
+        t.loop[i].to = t.loop[i].to - was + to;
+    }
+    t.loop[n].to = to;
+    t.s.steps = t.s.steps > was ? t.s.steps - was + to : to;
+    return t;
+}
+
+// Tries to repeat a loop in place of changes after it, up to its next one: they can be a round that differs a little.
+static bool prolong_loop(Chooser *c, Scenario *s, size_t n, const GoalSet *want)
+{
+    size_t after = 0, end;
+
+    while (after < s->changes && s->change[after].step < s->loop[n].to)
+        after++;
+    for (end = after; end < s->changes && (n + 1 == s->loops || s->change[end].step < s->loop[n + 1].from); end++) { }
+    for (size_t less = end - after; less > 0; less--)
+        for (uint64_t more = 1; more <= MOST_MORE && chooser_has_effort(c); more++) {
+            Attempt t = end_loop_later(c, s, n, after, less, more);
+            if (chooser_accept(c, s, &t, want, NULL))
+                return true;
+        }
+    return false;
+}
+
 bool chooser_extend_loops(Chooser *c, Scenario *s, const GoalSet *want)
 {
     bool shorter = false;
 
     for (size_t n = 0; n < s->loops && chooser_has_effort(c); n++)
         while (n < s->loops && extend_loop(c, s, n, want))
+            shorter = true;
+    for (size_t n = 0; n < s->loops && chooser_has_effort(c); n++)
+        while (n < s->loops && prolong_loop(c, s, n, want))
             shorter = true;
     return shorter;
 }

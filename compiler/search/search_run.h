@@ -212,9 +212,11 @@ typedef struct SearchRun {
     double foreign_value;     // the value that `foreign` needs to have
     uint64_t rounds;          // how many times a counter of the machine must be incremented or decremented; 0: the solution needs no counter
     bool is_lasting;          // the wishes are for all steps of a wait, not for one step
+    bool is_way;              // the current run is a simplified one: its entries are always stored
     bool is_round;            // the current changes repeat earlier ones: they do not count in SearchNode.depth
     uint32_t site_state;      // the state of the snapshot for which changes are solved
     VEC(SearchTurn) turn;     // the changes that were solved for
+    struct Chooser *chooser;  // what search_choose works with
 } SearchRun;
 
 uint64_t search_random(SearchRun *k);
@@ -270,6 +272,11 @@ void search_add_change(SearchRun *k, const ScenarioChange *c);
 
 void search_begin_solving(SearchRun *k);
 
+void search_begin_choosing(SearchRun *k);
+// Simplifies a run to each state, and runs what results: attempts can then begin at states after few changes.  Stops after `end` steps.
+void search_shorten_ways(SearchRun *k, uint64_t end);
+// Runs a scenario, and stores the snapshots along it.
+void search_run_given(SearchRun *k, const Scenario *s);
 void search_choose(SearchRun *k);             // chooses and simplifies the scenarios of the result
 void search_describe_missing(SearchRun *k);   // sets nearest, blocked_by and so on of the goals that were not found
 

@@ -11,12 +11,10 @@
 #include "stdlib/convert.h"
 
 enum {
+    BLEND_PARTS = 4,
     MOST_ROUNDS = 3,          // how often all edits are tried, as long as they leave more than one change
     MOST_CONSTANTS = 4,       // values of an input that are tried for its whole time
-    MANY_CHANGES = 12,        // a scenario with more changes is first simplified by the edits that take few replays
-    MOST_DETOURS = 32,        // the most detours (ways back to a state) that are tried to be left out
-    MOST_DETOUR_ENDS = 256,   // the most pairs of entries of one state that are compared for them
-    MOST_JOINS = 64           // how many of a run's last transitions are tried as the end of a beginning that is replaced by a shorter one
+    MANY_CHANGES = 12         // a scenario with more changes is first simplified by the edits that take few replays
 };
 
 // ---- attempts ----
@@ -36,8 +34,6 @@ Attempt chooser_begin_attempt(Chooser *c, const Scenario *s, size_t more)
     t.s.loop = t.loop;
     return t;
 }
-
-static Attempt begin_attempt(Chooser *c, const Scenario *s) { return chooser_begin_attempt(c, s, c->k->inputs); }
 
 static void remove_changes(Attempt *t, size_t i, size_t n)
 {
@@ -166,12 +162,11 @@ bool chooser_accept(Chooser *c, Scenario *s, Attempt *t, const GoalSet *want, co
 
 // ---- fewer changes ----
 
-// Adds to an attempt when its changes are due after the entries of `enter`, which a replay of the same changes has recorded.
-static void add_anchors(Chooser *c, Attempt *t, const SearchEnter *enter, uint32_t enters)
+void chooser_add_anchors(Chooser *c, Attempt *t, const SearchEnter *enter, uint32_t enters)
 {
     uint32_t e = 0;
 
-    t->anchor = arena_array(&c->tries, t->s.changes + 1, sizeof *t->anchor);
+    t->anchor = arena_array(&c->tries, t->s.changes + 2, sizeof *t->anchor);
     for (size_t i = 0; i < t->s.changes; i++) {
         while (e + 1 < enters && enter[e + 1].step < t->change[i].step)
             e++;
@@ -179,16 +174,7 @@ static void add_anchors(Chooser *c, Attempt *t, const SearchEnter *enter, uint32
     }
 }
 
-typedef struct Reducer {
-    Chooser *c;
-    Scenario *s;
-    const GoalSet *want;
-    SearchEnter *enter;       // the transitions of a replay of *s
-    uint32_t enters;
-} Reducer;
-
-// Stores the transitions of the last replay, which was one of *s.
-static void store_enters(Reducer *r)
+void chooser_store_enters(Reducer *r)
 {
     r->enter = arena_copy(&r->c->k->work, r->c->enters.at, r->c->enters.n * sizeof *r->enter);
     r->enters = r->c->enters.n;
@@ -200,12 +186,9 @@ static bool record_enters(Reducer *r)
 
     if (chooser_replay(r->c, r->c->wanted, &s, r->want, NULL) == 0)
         return false;
-    store_enters(r);
+    chooser_store_enters(r);
     return true;
 }
-
-// Edits an attempt so that it has fewer changes.  Returns false if the edit does not apply to this scenario.
-typedef bool Edit(Attempt *t, size_t i, size_t n);
 
 static bool drop_from_attempt(Attempt *t, size_t i, size_t n)
 {
@@ -264,18 +247,16 @@ static bool is_on_time(const Attempt *t, const SearchEnter *enter)
     return true;
 }
 
-// Tries an edit with anchored changes, and with changes at their times if that is another run.  A loop has its own times, so with one no change
-// is anchored.
-static bool try_edit(Reducer *r, Edit *edit, size_t i, size_t n)
+bool chooser_try_edit(Reducer *r, SearchEdit *edit, size_t i, size_t n)
 {
     for (int is_anchored = r->s->loops == 0; is_anchored >= 0 && chooser_has_effort(r->c); is_anchored--) {
-        Attempt t = begin_attempt(r->c, r->s);
-        add_anchors(r->c, &t, r->enter, r->enters);
+        Attempt t = chooser_begin_attempt(r->c, r->s, r->c->k->inputs);
+        chooser_add_anchors(r->c, &t, r->enter, r->enters);
         if (!edit(&t, i, n))
             return false;
         t.s.steps += is_anchored ? t.s.steps / 2 + 16 : 0;
         if (chooser_accept(r->c, r->s, &t, r->want, is_anchored ? t.anchor : NULL)) {
-            store_enters(r);
+            chooser_store_enters(r);
             return true;
         }
         if (is_anchored && is_on_time(&t, r->enter))
@@ -284,14 +265,45 @@ static bool try_edit(Reducer *r, Edit *edit, size_t i, size_t n)
     return false;
 }
 
-static bool drop_changes(Reducer *r)
+// Drops changes from index `from` on: the first half of them or the last, then quarters, and so on.
+static bool drop_changes(Reducer *r, size_t from)
 {
     bool shorter = false;
 
-    for (size_t n = r->s->changes / 2; n > 0; n /= 2)
-        for (size_t i = r->s->changes; i-- > 0 && chooser_has_effort(r->c); )
-            if (i + n <= r->s->changes && try_edit(r, drop_from_attempt, i, n))
+    for (size_t n = from < r->s->changes ? (r->s->changes - from + 1) / 2 : 0; n > 0; n /= 2)
+        for (size_t end = r->s->changes; end > from && chooser_has_effort(r->c); end -= n < end ? n : end) {
+            const size_t first = end > from + n ? end - n : from;
+            if (end <= r->s->changes && chooser_try_edit(r, drop_from_attempt, first, end - first))
                 shorter = true;
+        }
+    return shorter;
+}
+
+// Gives change i a value between its own and that of the next change of its variable, and removes that change.  n: where it is between them, in parts
+// of BLEND_PARTS.  Both of two conditions can be true there.
+static bool edit_blend(Attempt *t, size_t i, size_t n)
+{
+    ScenarioChange *x = &t->change[i];
+    size_t next = i + 1;
+
+    while (next < t->s.changes && t->change[next].var != x->var)
+        next++;
+    if (next >= t->s.changes || x->kind != SCENARIO_HOLD || t->change[next].kind != SCENARIO_HOLD)
+        return false;
+    x->a += (t->change[next].a - x->a) * (double)n / BLEND_PARTS;
+    remove_changes(t, next, 1);
+    return true;
+}
+
+static bool blend_changes(Reducer *r)
+{
+    bool shorter = false;
+
+    for (size_t i = 0; i < r->s->changes; i++)
+        for (size_t n = 1; n < BLEND_PARTS && i < r->s->changes && chooser_has_effort(r->c); n++) {
+            const SearchInput *in = &r->c->k->input[r->c->input_of[r->s->change[i].var]];
+            shorter |= in->type != SM_BOOL && chooser_try_edit(r, edit_blend, i, n);
+        }
     return shorter;
 }
 
@@ -300,7 +312,7 @@ static bool merge_changes(Reducer *r)
     bool shorter = false;
 
     for (size_t i = 0; i < r->s->changes && chooser_has_effort(r->c); i++)
-        while (try_edit(r, edit_merge, i, 1))
+        while (chooser_try_edit(r, edit_merge, i, 1))
             shorter = true;
     return shorter;
 }
@@ -324,232 +336,9 @@ static bool prefer_constants(Reducer *r)
             if (i >= r->s->changes || r->s->change[i].var != r->c->k->input[v].var || is_repeated(r->s, i))
                 continue;
             tried++;
-            if (try_edit(r, edit_constant, i, 0)) {
+            if (chooser_try_edit(r, edit_constant, i, 0)) {
                 shorter = true;
                 break;
-            }
-        }
-    }
-    return shorter;
-}
-
-// ---- shorter beginnings ----
-
-// Returns the entry of a state with the fewest changes; SEARCH_NONE: none is left.
-static uint32_t find_simplest(const SearchRun *k, uint32_t state)
-{
-    uint32_t best = SEARCH_NONE;
-
-    for (uint32_t i = 0; i < k->entries[state - 1]; i++) {
-        const uint32_t n = k->entry[(state - 1) * SEARCH_ENTRIES + i].node;
-        if (best == SEARCH_NONE || k->node.at[n].depth < k->node.at[best].depth || (k->node.at[n].depth == k->node.at[best].depth && k->node.at[n].at < k->node.at[best].at))
-            best = n;
-    }
-    return best;
-}
-
-// Finds the simplest known way to a state: that of a chosen scenario, or that of an entry.  Returns false if it has `most` changes or more.
-static bool find_scenario_to(Chooser *c, uint32_t state, size_t most, Scenario *way)
-{
-    const uint32_t node = find_simplest(c->k, state);
-    const Scenario *chosen = &c->way[state - 1];
-
-    if (chosen->init_state && chosen->changes < most) {
-        *way = *chosen;
-        return true;
-    }
-    if (node == SEARCH_NONE || c->k->node.at[node].depth >= most)
-        return false;
-    *way = chooser_scenario_of(c->k, &c->k->work, node);
-    return true;
-}
-
-// Returns the first `step` steps of a scenario, which make its first `changes` changes.
-static Scenario cut_scenario(Chooser *c, const Scenario *s, uint64_t step, size_t changes)
-{
-    Scenario out = {.init_state = s->init_state, .delta_t = s->delta_t, .steps = step, .change = s->change, .changes = changes};
-    ScenarioLoop *loop = arena_array(&c->k->work, s->loops + 1, sizeof *loop);
-
-    for (size_t i = 0; i < s->loops; i++)
-        if (s->loop[i].from + s->loop[i].period <= step) {
-            loop[out.loops] = s->loop[i];
-            loop[out.loops].to = s->loop[i].to > step ? step + 1 : s->loop[i].to;
-            out.loops++;
-        }
-    out.loop = loop;
-    return out;
-}
-
-void chooser_keep_ways(Chooser *c, const Scenario *s)
-{
-    size_t before = 0;
-
-    for (uint32_t i = 1; i < c->enters.n; i++) {
-        const SearchEnter *e = &c->enters.at[i];
-        Scenario *way = &c->way[e->state - 1];
-        while (before < s->changes && s->change[before].step <= e->step)
-            before++;
-        if (!way->init_state || before < way->changes)
-            *way = cut_scenario(c, s, e->step, before);
-    }
-}
-
-// Returns the last change of a variable at or before a step; NULL: none.
-static const ScenarioChange *change_at(const Scenario *s, uint32_t var, uint64_t step)
-{
-    const ScenarioChange *out = NULL;
-
-    for (size_t i = 0; i < s->changes && s->change[i].step <= step; i++)
-        out = s->change[i].var == var ? &s->change[i] : out;
-    return out;
-}
-
-// Joins a way and what `s` does after step `after`, where it enters the same state.
-static Attempt join_at(Chooser *c, const Scenario *way, const Scenario *s, uint64_t after)
-{
-    SearchRun *k = c->k;
-    const uint64_t begin = way->steps + 1;
-    size_t n = way->changes;
-    Attempt t = {.anchor = NULL};
-    Scenario unrolled;
-
-    arena_reset(&c->tries);
-    unrolled = scenario_unroll(&c->tries, way);
-    t.change = arena_array(&c->tries, n + s->changes + k->inputs + 1, sizeof *t.change);
-    if (n)
-        memcpy(t.change, way->change, n * sizeof *t.change);
-    for (uint32_t i = 0; i < k->inputs; i++) {
-        const ScenarioChange *now = change_at(s, k->input[i].var, after + 1), *was = change_at(&unrolled, k->input[i].var, begin);
-        ScenarioChange x = now ? *now : (ScenarioChange){.var = k->input[i].var};
-        if ((!now && !was) || (now && was && now->kind == SCENARIO_HOLD && was->kind == SCENARIO_HOLD && now->a == was->a))
-            continue;
-        x.step = begin;
-        t.change[n++] = x;
-    }
-    for (size_t i = 0; i < s->changes; i++)
-        if (s->change[i].step > after + 1) {
-            t.change[n] = s->change[i];
-            t.change[n++].step += begin - (after + 1);
-        }
-    t.loop = arena_array(&c->tries, way->loops + 1, sizeof *t.loop);
-    if (way->loops)
-        memcpy(t.loop, way->loop, way->loops * sizeof *t.loop);
-    t.s = (Scenario){s->init_state, s->delta_t, begin + s->steps - (after + 1), t.change, n, t.loop, way->loops};
-    return t;
-}
-
-// Replaces the beginning of a scenario, up to where it enters a state, by the simplest known way to that state.
-static bool simplify_beginning(Reducer *r)
-{
-    Chooser *c = r->c;
-    const Scenario from = *r->s;
-    uint32_t tries = 0;
-
-    if (from.loops)
-        return false;
-    for (uint32_t i = r->enters; i-- > 1 && tries < MOST_JOINS && chooser_has_effort(c); ) {
-        size_t before = 0;
-        Scenario way;
-        Attempt t;
-        while (before < from.changes && from.change[before].step <= r->enter[i].step)
-            before++;
-        if (r->enter[i].step + 1 > from.steps || !find_scenario_to(c, r->enter[i].state, before, &way))
-            continue;
-        tries++;
-        t = join_at(c, &way, &from, r->enter[i].step);
-        if (chooser_accept(c, r->s, &t, r->want, NULL)) {
-            store_enters(r);
-            return true;
-        }
-    }
-    return false;
-}
-
-// ---- detours ----
-
-// Two entries of the same state, and how many changes are made between them.
-typedef struct Detour { uint32_t first, next; size_t changes; } Detour;
-
-static int compare_detours(const void *a, const void *b)
-{
-    const Detour *x = a, *y = b;
-
-    if (x->changes != y->changes)
-        return x->changes > y->changes ? -1 : 1;
-    if (x->first != y->first)
-        return x->first < y->first ? -1 : 1;
-    return x->next < y->next ? -1 : x->next > y->next;
-}
-
-// Lists the detours of the scenario, those with most changes first.
-static Detour *list_detours(const Reducer *r, uint32_t *n)
-{
-    Arena *arena = &r->c->k->work;
-    size_t *before = arena_array(arena, r->enters + 1, sizeof *before);
-    VEC(Detour) out = {NULL, 0, 0};
-
-    for (uint32_t i = 0; i < r->enters && i < MOST_DETOUR_ENDS; i++) {
-        before[i] = i ? before[i - 1] : 0;
-        while (before[i] < r->s->changes && r->s->change[before[i]].step <= r->enter[i].step)
-            before[i]++;
-        for (uint32_t a = 0; a < i; a++)
-            if (r->enter[a].state == r->enter[i].state && before[i] > before[a]) {
-                const Detour d = {a, i, before[i] - before[a]};
-                vec_push(arena, &out, d);
-            }
-    }
-    if (out.n)
-        qsort(out.at, out.n, sizeof *out.at, compare_detours);
-    *n = out.n;
-    return out.at;
-}
-
-// Leaves a detour out: what follows its end begins at its first entry, with the same inputs.
-static Attempt leave_out(Reducer *r, const Detour *d)
-{
-    const Scenario *s = r->s;
-    const uint64_t first = r->enter[d->first].step, next = r->enter[d->next].step;
-    Attempt t = begin_attempt(r->c, s);
-    size_t n = 0;
-
-    add_anchors(r->c, &t, r->enter, r->enters);
-    for (size_t i = 0; i < s->changes; i++) {
-        bool is_last = true;                              // no later change of the detour is one of the same input
-        for (size_t j = i + 1; j < s->changes && s->change[j].step <= next; j++)
-            is_last &= s->change[j].var != s->change[i].var;
-        if (s->change[i].step > first && s->change[i].step <= next && !is_last)
-            continue;
-        t.change[n] = s->change[i];
-        t.anchor[n] = t.anchor[i];
-        if (s->change[i].step > next) {
-            t.change[n].step -= next - first;
-            t.anchor[n].enter -= d->next - d->first;
-        } else if (s->change[i].step > first) {
-            t.change[n].step = first + 1;
-            t.anchor[n] = (SearchAnchor){d->first, 1};
-        }
-        n++;
-    }
-    t.s.changes = n;
-    t.s.steps += 16 - (next - first);
-    return t;
-}
-
-// Leaves out what the scenario does between two entries of the same state, if that still reaches the goals.
-static bool leave_out_detours(Reducer *r)
-{
-    bool shorter = false, again = r->s->loops == 0;
-
-    while (again) {
-        uint32_t n = 0;
-        const Detour *d = list_detours(r, &n);
-        again = false;
-        for (uint32_t i = 0; i < n && i < MOST_DETOURS && !again && chooser_has_effort(r->c); i++) {
-            const size_t was = r->s->changes;
-            Attempt t = leave_out(r, &d[i]);
-            if (t.s.changes < was && chooser_accept(r->c, r->s, &t, r->want, t.anchor)) {
-                store_enters(r);
-                again = shorter = true;
             }
         }
     }
@@ -562,48 +351,53 @@ static bool leave_out_detours(Reducer *r)
 static void shorten_long(Reducer *r)
 {
     prefer_constants(r);
-    simplify_beginning(r);
+    chooser_simplify_beginning(r);
     if (chooser_add_loops(r->c, r->s, r->want))
         record_enters(r);
 }
 
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
 {
-    Reducer r = {c, s, want, NULL, 0};
+    Reducer r = {.c = c, .s = s, .want = want};
     const uint64_t end = chooser_replay(c, c->wanted, s, want, NULL);
     Attempt start;
 
     if (end == 0)
         return false;
     end_at(c, s, end);
-    start = begin_attempt(c, s);
+    start = chooser_begin_attempt(c, s, c->k->inputs);
     remove_idle(c, &start.s, start.change);
     chooser_store_attempt(c, s, &start);
     chooser_keep_marks(c, s);
-    store_enters(&r);
+    chooser_store_enters(&r);
+    if (chooser_simplify_beginning(&r))
+        drop_changes(&r, r.known);
     if (s->changes > MANY_CHANGES)
         shorten_long(&r);
     for (int round = 0; round < MOST_ROUNDS && s->changes > 1; round++) {
-        bool shorter = s->changes > 2 && simplify_beginning(&r);
-        shorter |= s->changes > 2 && leave_out_detours(&r);
-        shorter |= drop_changes(&r);
+        bool shorter = s->changes > 2 && chooser_simplify_beginning(&r);
+        shorter |= s->changes > 2 && chooser_leave_out_detours(&r);
+        shorter |= drop_changes(&r, 0);
         shorter |= prefer_constants(&r);
         shorter |= merge_changes(&r);
+        shorter |= blend_changes(&r);
+        shorter |= chooser_follow_outputs(&r);
         if (!shorter)
             break;
     }
     if (chooser_add_loops(c, s, want) && record_enters(&r)) {
         prefer_constants(&r);
         merge_changes(&r);
+        chooser_follow_outputs(&r);
     }
     if (chooser_extend_loops(c, s, want))
         record_enters(&r);
-    drop_changes(&r);
+    drop_changes(&r, 0);
     chooser_shorten_waits(c, s, want);
     chooser_round_periods(c, s, want);
     chooser_prefer_holds(c, s, want);
     chooser_round_values(c, s, want);
     if (record_enters(&r))
-        drop_changes(&r);
+        drop_changes(&r, 0);
     return true;
 }
