@@ -235,7 +235,7 @@ sqrt-campaign: $(B)/unit/stdlib_sqrt
 .PHONY: sqrt-campaign
 
 # tests/prove: verdicts on random requirements of random machines, against random runs.  `make prove-campaign N=10000 SEED=1 STEPS=100000`.
-$(B)/prove/random: $(B)/obj/tests/prove/random.o $(B)/obj/tests/prove/related_text.o $(GEN_OBJ) $(B)/libsmc.a
+$(B)/prove/random: $(B)/obj/tests/prove/random.o $(B)/obj/tests/prove/related_text.o $(B)/obj/tests/prove/held_text.o $(GEN_OBJ) $(B)/libsmc.a
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks verdicts of smc prove on random machines and random requirements.  It shares no code with the prover: machines run on a flat machine,
-// and the monitor judges them.
+// Checks verdicts of smc prove on random machines and random requirements.  No run shares code with the prover's exploration: the monitor judges
+// runs of the reference interpreter, and longer ones of a flat machine, which is built from the same IR as the prover's models.
 //
 //   proved     no random run violates the requirement, all within the assumptions of the verdict, and each step has the invariants
 //   vacuous    and no step comes to the premise
 //   exhaustive on machines with few inputs, all sequences of some values of the inputs, step by step, as long as they are few
 //
-// Every third program is one whose variables are maxima, minima and sums of each other (related_text.h).
+// Every third program is one whose variables are maxima, minima and sums of each other (related_text.h), and every third one has windows of
+// conditions in several forms (held_text.h).  Parameters have any values in their ranges if the proof does not assume those of the source, inputs
+// have values in @range if it assumes that, and runs begin in the state that the prover was given.
 //
 //     random SEED COUNT [STEPS]
 #include <inttypes.h>
@@ -20,9 +22,12 @@
 #include "compiler/search/search.h"
 #include "stdlib/convert.h"
 #include "tests/diff/subject.h"
+#include "tests/prove/held_text.h"
 #include "tests/prove/related_text.h"
 
-enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 500, LAYERS = 24, CHOICES_MOST = 27, RELATED = 3 };
+enum { REQUIREMENTS = 6, DEPTH = 2, RECORDED = 200, POOL = 256, LAYER_MOST = 500, LAYERS = 24, CHOICES_MOST = 27, INTERPRETED_MOST = 256, KINDS = 3, WRITES = 64 };
+
+typedef enum Kind { KIND_RELATED, KIND_HELD, KIND_ANY } Kind;      // of a program: its seed modulo KINDS
 
 typedef struct Test {
     Arena *arena;
@@ -31,6 +36,7 @@ typedef struct Test {
     const IrMachine *m;
     FlatMachine *flat;
     uint64_t delta_t;
+    uint32_t init_state;      // State.number
     double pool[POOL];        // values that matter: constants of the program with their neighbours, and extreme ones
     uint32_t pooled;
     const Requirements *q;
@@ -38,7 +44,7 @@ typedef struct Test {
     uint64_t *cell;           // by Program.var
 } Test;
 
-static struct { uint64_t programs, verdict[PROVE_VERDICTS], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted, related; } met;
+static struct { uint64_t programs, verdict[PROVE_VERDICTS], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted, related, with_ranges, with_parameters, interpreted; } met;
 
 // ---- values ----
 
@@ -76,6 +82,14 @@ static void find_values(Test *t)
     for (size_t i = 0; i < sizeof always / sizeof *always; i++)
         add_value(t, always[i]);
     add_value(t, 1 / always[0]);
+    for (uint32_t v = 0; v < t->p->var.n; v++) {
+        const Parameter *p = t->p->var.at[v]->parameter;
+        for (int k = -1; p && k <= 1; k++) {
+            add_value(t, p->lo + k);
+            add_value(t, p->hi + k);
+            add_value(t, ref_read(t->p->var.at[v]->type, p->standard) + k);
+        }
+    }
     for (uint32_t s = 0; s < t->p->state.n; s++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             add_stmts(t, &t->p->state.at[s]->block[b]);
@@ -86,6 +100,28 @@ static uint64_t any_cell(Test *t, SmType type)
     if (rng_percent(&t->rng, 2) && (type == SM_F64 || type == SM_F32))
         return type == SM_F64 ? UINT64_C(0x7ff8000000000000) : 0x7fc00000;       // NaN, which reads as 0
     return sm_cell_from_f64(type, t->pool[rng_below(&t->rng, rng_percent(&t->rng, 30) ? 6 : t->pooled)]);
+}
+
+// Returns a value that the assumptions allow an input.
+static uint64_t cell_of_input(Test *t, const ProveOf *of, const Var *v)
+{
+    const uint64_t cell = any_cell(t, v->type);
+    const double x = ref_read(v->type, cell);
+
+    if (!(of->assumed >> PROVE_RANGES & 1) || !v->range || (x >= v->range->lo && x <= v->range->hi))
+        return cell;
+    return sm_cell_from_f64(v->type, rng_percent(&t->rng, 50) ? v->range->lo : v->range->hi);
+}
+
+// Returns a value to which a parameter can be set.
+static uint64_t cell_of_parameter(Test *t, const Var *v)
+{
+    const Parameter *p = v->parameter;
+    const double x = ref_read(v->type, any_cell(t, v->type));
+
+    if (x > p->lo && x < p->hi)
+        return sm_cell_from_f64(v->type, x);
+    return rng_percent(&t->rng, 30) ? v->init : sm_cell_from_f64(v->type, rng_percent(&t->rng, 50) ? p->lo : p->hi);
 }
 
 // ---- requirements as text ----
@@ -316,44 +352,109 @@ static const char *judge(Test *t, const ProveOf *of, void *situation, uint32_t s
     return NULL;
 }
 
-// Starts a run as the assumptions allow, and returns the first G.
-static uint64_t start_run(Test *t, const ProveOf *of, void *run, void *situation)
+// A run on a flat machine, or on the reference interpreter.
+typedef struct Run {
+    void *flat;               // NULL: on the interpreter
+    Engine *engine;
+    EngineStep step;          // the result of its last step
+    EngineWrite write[WRITES];        // before the next step: `writes` of them
+    uint32_t writes;
+} Run;
+
+static void begin_run(Test *t, Run *r, bool is_flat)
 {
-    flat_start(t->flat, run, 1);
-    monitor_start(t->monitor, situation);
-    if (assumes(of, PROVE_ZERO_START))
-        return 0;
-    for (uint32_t v = 0; v < t->p->var.n; v++)
-        if (is_input(t, t->p->var.at[v]) && rng_percent(&t->rng, 50))
-            flat_cells(t->flat, run)[t->m->var_of[v]] = any_cell(t, t->p->var.at[v]->type);
-    return rng_percent(&t->rng, 50) ? 0 : rng_below(&t->rng, 100000);
+    memset(r, 0, sizeof *r);
+    if (is_flat) {
+        r->flat = arena_alloc(t->arena, t->flat->size);
+        flat_start(t->flat, r->flat, t->init_state);
+        return;
+    }
+    met.interpreted++;
+    r->engine = engine_ref_open(t->arena, t->p);
+    engine_step_init(&r->step, t->arena, t->p);
+    r->engine->init(r->engine, t->init_state, &r->step);
+}
+
+static void end_run(Run *r)
+{
+    if (r->engine)
+        r->engine->close(r->engine);
+}
+
+static uint32_t state_of_run(const Run *r) { return r->flat ? ((FlatState *)r->flat)->state : r->step.next_state; }
+
+static void set_cell(Test *t, Run *r, const Var *v, uint64_t cell)
+{
+    if (r->flat)
+        flat_cells(t->flat, r->flat)[t->m->var_of[v->index]] = cell;
+    else if (r->writes < WRITES)
+        r->write[r->writes++] = (EngineWrite){v->index, cell};
+}
+
+// Runs a step, and loads the values after it.  Returns false if the engine refuses it.
+static bool run_step(Test *t, Run *r)
+{
+    const uint32_t writes = r->writes;
+
+    met.steps++;
+    r->writes = 0;
+    if (!r->flat) {
+        if (r->engine->step(r->engine, r->write, writes, &r->step) != ENGINE_OK)
+            return false;
+        memcpy(t->cell, r->step.cell, t->p->var.n * sizeof *t->cell);
+        return true;
+    }
+    if (!flat_step(t->flat, r->flat))
+        return false;
+    load_cells(t, r->flat);
+    return true;
+}
+
+// Sets the parameters to any values, if the assumptions allow it.
+static void set_parameters(Test *t, const ProveOf *of, Run *r)
+{
+    for (uint32_t v = 0; v < t->p->var.n && !assumes(of, PROVE_PARAMETERS); v++)
+        if (t->p->var.at[v]->parameter && t->m->var_of[v] != IR_NONE)
+            set_cell(t, r, t->p->var.at[v], cell_of_parameter(t, t->p->var.at[v]));
+}
+
+// Returns the first G of a run: any if the assumptions allow it.
+static uint64_t first_time(Test *t, const ProveOf *of)
+{
+    return assumes(of, PROVE_ZERO_START) || rng_percent(&t->rng, 50) ? 0 : rng_below(&t->rng, 100000);
 }
 
 static const char *run_randomly(Test *t, const ProveOf *of, uint64_t steps)
 {
-    void *run = arena_alloc(t->arena, t->flat->size), *situation = arena_alloc(t->arena, t->monitor->size);
+    void *situation = arena_alloc(t->arena, t->monitor->size);
     const uint32_t change = 1 + rng_below(&t->rng, 60);
-    uint64_t g = start_run(t, of, run, situation);
+    const bool is_flat = steps > INTERPRETED_MOST;
+    uint64_t g = first_time(t, of);
+    const char *wrong = NULL;
     bool seen = false;
+    Run run;
 
-    for (uint64_t k = 0; k < steps; k++, g += t->delta_t) {
-        uint32_t state = ((FlatState *)run)->state;
-        const char *wrong;
+    monitor_start(t->monitor, situation);
+    begin_run(t, &run, is_flat);
+    set_parameters(t, of, &run);
+    for (uint64_t k = 0; k < steps && !wrong; k++, g += t->delta_t) {
+        const uint32_t state = state_of_run(&run);
         for (uint32_t v = 0; v < t->p->var.n; v++) {
             const Var *var = t->p->var.at[v];
             const bool is_kept = var->written && assumes(of, k == 0 ? PROVE_ZERO_START : PROVE_OWN_OUTPUTS);
-            if (is_input(t, var) && !is_kept && (k == 0 || rng_percent(&t->rng, change)))
-                flat_cells(t->flat, run)[t->m->var_of[v]] = any_cell(t, var->type);
+            if (is_input(t, var) && !is_kept && t->m->var_of[v] != IR_NONE && (k == 0 || rng_percent(&t->rng, change)))
+                set_cell(t, &run, var, cell_of_input(t, of, var));
         }
-        flat_cells(t->flat, run)[t->m->g] = g;
-        if (!flat_step(t->flat, run))
-            return "refuses a step";
-        met.steps++;
-        load_cells(t, run);
-        if ((wrong = judge(t, of, situation, state, &seen)) != NULL)
-            return format_in(t->arena, "%s in step %" PRIu64, wrong, k + 1);
+        set_cell(t, &run, t->p->g, g);
+        if (!run_step(t, &run))
+            wrong = "refuses a step";
+        else
+            wrong = judge(t, of, situation, state, &seen);
+        if (wrong)
+            wrong = format_in(t->arena, "%s in step %" PRIu64 " of a run %s", wrong, k + 1, is_flat ? "of the flat machine" : "of the interpreter");
     }
-    return NULL;
+    end_run(&run);
+    return wrong;
 }
 
 // ---- all runs ----
@@ -404,11 +505,14 @@ static const char *run_all(Test *t, const ProveOf *of)
             return NULL;
         input[inputs] = t->m->var_of[v];
         for (int k = 0; k < 3; k++)
-            value[inputs][k] = any_cell(t, var->type);
+            value[inputs][k] = cell_of_input(t, of, var);
         inputs++;
         choices *= 3;
     }
-    flat_start(t->flat, work, 1);
+    flat_start(t->flat, work, t->init_state);
+    for (uint32_t v = 0; v < t->p->var.n && !assumes(of, PROVE_PARAMETERS); v++)
+        if (t->p->var.at[v]->parameter && t->m->var_of[v] != IR_NONE)
+            flat_cells(t->flat, work)[t->m->var_of[v]] = cell_of_parameter(t, t->p->var.at[v]);
     monitor_start(t->monitor, work + t->flat->size);
     add_to_layer(t, now, work, false);
     for (uint32_t k = 0; k < LAYERS; k++) {
@@ -468,6 +572,14 @@ static bool is_violated(Test *t, const ProveOf *of)
 
 // ---- one program ----
 
+static bool has_parameter(const Test *t)
+{
+    for (uint32_t v = 0; v < t->p->var.n; v++)
+        if (t->p->var.at[v]->parameter)
+            return true;
+    return false;
+}
+
 static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
 {
     const char *wrong = NULL;
@@ -482,6 +594,8 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     met.loose += of->is_loose;
     met.compared += of->is_compared;
     met.related += of->is_related;
+    met.with_ranges += assumes(of, PROVE_RANGES);
+    met.with_parameters += has_parameter(t) && !assumes(of, PROVE_PARAMETERS);
     for (uint64_t done = 0, length = 64; !wrong && done < steps; done += length, length = length < steps / 4 ? length * 2 : length)
         wrong = run_randomly(t, of, length);
     if (!wrong)
@@ -489,24 +603,63 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     return wrong ? format_in(t->arena, "%s is %s, but a run %s", of->what->id->text, of->verdict == PROVE_PROVED ? "proved" : "vacuous", wrong) : NULL;
 }
 
-static const char *compile_program(Test *t, uint64_t seed, bool is_related, Related *of, Subject *s)
+// What the text of a program says about its requirements.
+typedef struct Text { Kind kind; Related related; Held held; } Text;
+
+static const char *compile_program(Test *t, uint64_t seed, Text *of, Subject *s)
 {
     Buf sm;
 
-    if (!is_related)
+    if (of->kind == KIND_ANY)
         return subject_compile(s, gen_program(t->arena, seed, 10), t->arena);
     buf_init(&sm, t->arena);
-    *of = related_print_machine(&t->rng, &sm);
+    if (of->kind == KIND_RELATED)
+        of->related = related_print_machine(&t->rng, &sm);
+    else
+        of->held = held_print_machine(&t->rng, &sm);
     return subject_compile_text(s, buf_text(&sm), t->arena);
+}
+
+static void print_requirements(Test *t, const Text *of, Buf *out)
+{
+    for (int i = 0; i < REQUIREMENTS; i++) {
+        buf_printf(out, "R%d \"random\" ", i + 1);
+        if (of->kind == KIND_RELATED)
+            related_print_requirement(&t->rng, &of->related, out);
+        else if (of->kind == KIND_HELD)
+            held_print_requirement(&t->rng, &of->held, out);
+        else
+            print_requirement(t, out);
+    }
+}
+
+static void begin_test(Test *t, Subject *s)
+{
+    t->p = s->program;
+    t->m = ir_build(t->arena, t->p);
+    t->flat = flat_new(t->arena, t->m, NULL);
+    t->delta_t = t->p->step ? t->p->step : 10;
+    t->init_state = rng_percent(&t->rng, 80) ? 1 : 1 + rng_below(&t->rng, t->p->state.n);
+    t->cell = ARENA_ARRAY(t->arena, uint64_t, t->p->var.n);
+    find_values(t);
+}
+
+static const char *text_of_diags(Test *t, Subject *s)
+{
+    const DiagStyle style = {false, 3};
+    Buf why;
+
+    buf_init(&why, t->arena);
+    diags_render_text(&s->session.diags, &style, &why);
+    return buf_text(&why);
 }
 
 static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_t steps, const char **text)
 {
-    const ProveOptions o = {.effort = 5000, .visits = 15000};
+    ProveOptions o = {.effort = 5000, .visits = 15000};
     Test t = {.arena = arena, .rng = {rng_mix(seed, 4711)}};
-    Related of = {NULL, NULL, NULL, 0};
-    const bool is_related = seed % RELATED == 0;
-    const char *wrong = compile_program(&t, seed, is_related, &of, s);
+    Text of = {.kind = (Kind)(seed % KINDS)};
+    const char *wrong = compile_program(&t, seed, &of, s);
     const Source *src;
     const ProveResult *r;
     Buf rq;
@@ -514,30 +667,16 @@ static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_
     *text = "";
     if (wrong)
         return wrong;
-    t.p = s->program;
-    t.m = ir_build(arena, t.p);
-    t.flat = flat_new(arena, t.m, NULL);
-    t.delta_t = t.p->step ? t.p->step : 10;
-    t.cell = ARENA_ARRAY(arena, uint64_t, t.p->var.n);
-    find_values(&t);
+    begin_test(&t, s);
+    o.init_state = t.p->state.at[t.init_state - 1];
+    o.assume_ranges = rng_percent(&t.rng, of.kind == KIND_HELD ? 60 : 30);
     buf_init(&rq, arena);
-    for (int i = 0; i < REQUIREMENTS; i++) {
-        buf_printf(&rq, "R%d \"random\" ", i + 1);
-        if (is_related)
-            related_print_requirement(&t.rng, &of, &rq);
-        else
-            print_requirement(&t, &rq);
-    }
+    print_requirements(&t, &of, &rq);
     *text = buf_text(&rq);
     src = source_new(&s->session.arena, "random.rq", buf_text(&rq), rq.n);
     t.q = session_requirements(&s->session, &src, 1, t.p);
-    if (!t.q) {
-        Buf why;
-        const DiagStyle style = {false, 3};
-        buf_init(&why, arena);
-        diags_render_text(&s->session.diags, &style, &why);
-        return buf_text(&why);
-    }
+    if (!t.q)
+        return text_of_diags(&t, s);
     met.programs++;
     t.monitor = monitor_new(arena, t.q, t.delta_t);
     r = prove_run(arena, t.q, &o);
@@ -570,9 +709,10 @@ int main(int argc, char **argv)
         arena_free(&arena);
     }
     printf("%" PRIu64 " programs: %" PRIu64 " proved, %" PRIu64 " vacuous, %" PRIu64 " violated, %" PRIu64 " undecided; %" PRIu64 " steps, %" PRIu64 " layers, %" PRIu64
-           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples, %" PRIu64 " with differences\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
-           met.sliced, met.loose, met.windows, met.compared, met.related);
-    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 40 < count || met.related * 50 < count || met.violations < count)
+           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples, %" PRIu64 " with differences, %" PRIu64 " with ranges, %" PRIu64 " of any parameters; %" PRIu64 " runs interpreted\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
+           met.sliced, met.loose, met.windows, met.compared, met.related, met.with_ranges, met.with_parameters, met.interpreted);
+    if (met.sliced * 2 < count || met.loose * 20 < count || met.programs * 10 < count * 9 || met.verdict[PROVE_PROVED] * 2 < count || met.compared * 40 < count || met.related * 50 < count || met.violations < count
+        || met.with_ranges * 50 < count || met.with_parameters * 10 < count || met.interpreted < count)
         failed++;
     printf("verdicts on random requirements: %" PRIu64 " passed, %" PRIu64 " failed\n", met.programs, failed);
     return failed > 0;
