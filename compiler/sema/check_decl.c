@@ -356,8 +356,8 @@ void check_declarations(Sema *s, Program *p, const AstFile *sm, StateVec *sv, co
     for (size_t i = 0; i < sm->sections.n; i++)
         if (sm->sections.at[i]->kind == AST_DEFINE)
             declare_definitions(s, sm->sections.at[i], &p->define);
-    compute_initial_values(&k);
     find_g_and_s(&k);
+    compute_initial_values(&k);
     if (instance)
         check_bindings(s, p, instance);
 }

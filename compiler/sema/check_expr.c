@@ -451,8 +451,12 @@ static bool report_unknown_state(Sema *s, const AstExpr *e)
 static Expr *check_binary(Sema *s, const AstExpr *e)
 {
     AstExpr *operands[2] = {e->a, e->b};
-    Expr *out = check_state_comparison(s, e);
+    const AstExpr *state = operator_class(e) == SM_CLASS_EQUALITY ? state_element_in(s, e) : NULL;
+    Expr *out;
 
+    if (state && s->at == EXPR_IN_INITIAL)                    // S is an error there; the names of states are not known yet
+        return check_expr(s, state);
+    out = check_state_comparison(s, e);
     if (out || report_unknown_state(s, e) || report_state_choice(s, e))
         return out;
     report_state_as_condition(s, e);
