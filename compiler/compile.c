@@ -291,7 +291,7 @@ static void compile_app(Compilation *c)
         check_app_limits(c, a);
     if (c->o->emit == EMIT_C && c->s->diags.errors == 0)
         artefacts_emit_app(c, a);
-    if (c->in->n > 1)
+    if (c->in->n > 1 || c->o->scripts_later)
         compile_scripts_of_app(c, a);
 }
 

@@ -78,6 +78,87 @@ void review_run_script(Session *s, const Report *r, const Program *p, const Sour
     s->diags = of_machine;
 }
 
+// ---- applications ----
+
+// Returns the machine of the application as it flies.
+static const Program *flown_program(const App *app, const Member *m)
+{
+    for (size_t i = 0; i < app->machine.n; i++)
+        if (app->machine.at[i]->name == m->name)
+            return app->machine.at[i]->program;
+    return m->program;
+}
+
+// Returns the findings at positions in one source.
+static Diags *findings_of(Session *s, const Source *src)
+{
+    Diags *out = arena_copy(&s->arena, &s->diags, sizeof s->diags);
+
+    out->list.at = NULL;
+    out->list.n = out->list.cap = 0;
+    for (size_t i = 0; i < s->diags.list.n; i++)
+        if (s->diags.list.at[i]->span.src == src)
+            vec_push(&s->arena, &out->list, s->diags.list.at[i]);
+    return out;
+}
+
+void review_begin_app(Session *s, const App *app, const Program *joint, Report *r)
+{
+    const Joint *j = joint->joint;
+
+    *r = (Report){.arena = &s->arena, .maker = "smc " SMC_VERSION, .analysis = {.p = joint, .diags = &s->diags}, .net = app->net};
+    r->members = j->member.n;
+    r->member = ARENA_ARRAY(&s->arena, Report, r->members);
+    for (size_t i = 0; i < r->members; i++) {
+        const uint64_t period = j->member.at[i].every * j->tick;
+        review_begin(s, flown_program(app, &j->member.at[i]), &r->member[i]);
+        r->member[i].analysis.diags = findings_of(s, r->member[i].analysis.p->src);
+        r->member[i].analysis.step = period % j->unit == 0 ? period / j->unit : 0;
+        r->member[i].of = &j->member.at[i];
+    }
+}
+
+// Sets the run of one machine: what is the same for all machines, and the values of its own variables at the end.
+static void set_run_of_machine(Session *s, const Member *m, const ReportRun *all, ReportRun *run)
+{
+    uint64_t *cell = ARENA_ARRAY(&s->arena, uint64_t, m->program->var.n);
+
+    run->name = all->name;
+    run->script = all->script;
+    if (!all->script)
+        return;
+    run->result = all->result;
+    for (size_t v = 0; v < m->program->var.n; v++)
+        cell[v] = all->result.cell[m->var[v]->index];
+    run->result.cell = cell;
+}
+
+void review_run_app_script(Session *s, Report *r, const Source *src, Engine *vm, Engine *const *engine, const ScriptOptions *o, size_t number)
+{
+    const Diags of_application = s->diags;
+    Engine **traced = ARENA_ARRAY(&s->arena, Engine *, r->members), *all[2] = {vm, NULL};
+    ReportRun *run = &r->run[number];
+
+    for (size_t i = 0; i < r->members; i++) {
+        Report *m = &r->member[i];
+        trace_init(&m->run[number].trace, &s->arena, m->of->program, &m->analysis.transition);
+        traced[i] = trace_wrap_engine(&m->run[number].trace, engine[i]);
+    }
+    all[1] = engine_app_open(&s->arena, r->analysis.p, traced);
+    run->name = path_portable_name(src->name);
+    diags_clear(&s->diags);
+    if ((run->script = session_script(s, src, r->analysis.p)) != NULL) {
+        if (o->requirements)
+            session_check_requirements_of_script(s, o->requirements, run->script);
+        run->result = script_run(&s->arena, &s->diags, run->script, all, 2, o);
+    }
+    diags_apply_allows(&s->diags);
+    run->diags = s->diags;
+    s->diags = of_application;
+    for (size_t i = 0; i < r->members; i++)
+        set_run_of_machine(s, r->member[i].of, run, &r->member[i].run[number]);
+}
+
 // Measures what the runs of r cover: runs their scripts again, as far as they ran.
 void review_measure_coverage(Session *s, const Program *p, Report *r)
 {

@@ -17,7 +17,7 @@ static int check_arguments(Cli *c)
 
     for (size_t i = 0; i < c->files; i++) {
         if (has_suffix(c->file[i], ".app"))
-            return runs_refuse_app(c, c->file[i]);
+            return runs_refuse_app(c, c->file[i], c->command->name);
         const bool is_requirements = has_suffix(c->file[i], ".rq"), is_machine = has_suffix(c->file[i], ".sm");
         if (!is_requirements && !is_machine && !has_suffix(c->file[i], ".ss"))
             return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i],

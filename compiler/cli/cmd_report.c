@@ -58,6 +58,42 @@ static int check_options(Cli *c, CompileOptions *o, OsOutput *file, size_t *form
     return EXIT_OK;
 }
 
+// Returns the application among the files of the command; NULL: none.
+static const char *find_app(const Cli *c)
+{
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".app"))
+            return c->file[i];
+    return NULL;
+}
+
+// Refuses options that an application replaces, and proofs, which are of one machine.  With --all, a note says that there are none.
+static int check_app_options(Cli *c, const char *app)
+{
+    if (c->given[OPT_IO] || c->given[OPT_NET])
+        return cli_usage_error(c, TEXT_app_names_files, app, c->given[OPT_IO] ? "--io" : "--net");
+    if (!c->given[OPT_PROVE])
+        return EXIT_OK;
+    c->given[OPT_PROVE] = false;
+    if (!c->given[OPT_ALL])
+        return runs_refuse_app(c, app, "prove");
+    cli_print_note(c, TEXT_report_app_proofs, app);
+    return EXIT_OK;
+}
+
+// Compiles an application, and begins the report about it and its machines.
+static int compile_app_for_report(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made, Report *r)
+{
+    o->scripts_later = true;
+    o->warnings = NULL;                   // a report contains every finding
+    if (!compile_sources(&c->session, in, o, made) || !made->of[0].scripted) {
+        cli_print_diagnostics(c);
+        return EXIT_PROBLEM;
+    }
+    review_begin_app(&c->session, made->app, made->of[0].scripted, r);
+    return EXIT_OK;
+}
+
 // Compiles the machine and the scripts, and begins the report with the costs of the image.  Returns EXIT_OK, or EXIT_PROBLEM after messages.
 static int compile_for_report(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made, Report *r)
 {
@@ -94,15 +130,17 @@ int cmd_report(Cli *c)
     if ((code = runs_check_arguments(c)) != EXIT_OK)
         return code;
     report_parts_choose(c);
+    if (find_app(c) && (code = check_app_options(c, find_app(c))) != EXIT_OK)
+        return code;
     if ((code = check_options(c, &o, &file[0], &format)) != EXIT_OK)
         return code;
     if (c->given[OPT_TIME] && (!cli_read_count(c->value[OPT_TIME], &seconds) || seconds > MOST_SECONDS))
         return cli_usage_error(c, TEXT_number_from_1, "--time", c->value[OPT_TIME]);
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
-    if ((code = compile_for_report(c, &in, &o, &made, &r)) != EXIT_OK)
+    if ((code = (in.app ? compile_app_for_report : compile_for_report)(c, &in, &o, &made, &r)) != EXIT_OK)
         return code;
-    if ((code = runs_execute(c, &r, &in, &made)) != EXIT_OK) {
+    if ((code = (in.app ? runs_execute_app : runs_execute)(c, &r, &in, &made)) != EXIT_OK) {
         cli_print_diagnostics(c);
         return code;
     }
@@ -113,7 +151,7 @@ int cmd_report(Cli *c)
     if (code == EXIT_OK) {
         print_unfinished(c, &r);
         buf_init(&out, &c->session.arena);
-        writer[format](report_build(&r), &out);
+        writer[format]((in.app ? report_build_app : report_build)(&r), &out);
         file[0].bytes = buf_text(&out);
         file[0].n = out.n;
         if (deps_wanted(c))

@@ -119,19 +119,13 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClo
 
 // ---- changes of the machine ----
 
-static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *clock)
+// Changes one machine, and stores the result in its report.
+static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, const Script **script, const PartsClock *clock)
 {
-    const Script **script = list_scripts(c, r, &r->not_mutated);
+    Mutation *u = mutation_new(&c->session.arena, p, member, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
     ProgressLine k = {c, 0, false};
     bool goes_on;
-    Mutation *u;
 
-    if (r->not_mutated) {
-        r->not_mutated = r->runs ? r->not_mutated : "there is no script that could notice it";
-        cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
-        return;
-    }
-    u = mutation_new(&c->session.arena, p, 0, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
     while ((goes_on = may_go_on(clock)) && mutation_run_next(u))
         mutate_show_progress(u, &k);
     while (goes_on && (goes_on = may_go_on(clock)) && mutation_search_next(u, MUTATE_SEARCH_STEPS))
@@ -141,10 +135,24 @@ static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *c
     progress_end(&k);
     if (!goes_on) {
         const MutationScore s = mutation_score(u);
-        add_unfinished(r, format_in(r->arena, "changes that no script notices (%lu of %lu tried)", s.all - s.of[MUTANT_WAITING], s.all));
+        add_unfinished(r, format_in(r->arena, "changes%s%s that no script notices (%lu of %lu tried)", r->members ? " of " : "",
+                                    r->members ? engine_machine_name(p, member) : "", s.all - s.of[MUTANT_WAITING], s.all));
     }
     mutation_end(u);
-    r->mutation = u;
+    (r->members ? &r->member[member] : r)->mutation = u;
+}
+
+static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *clock)
+{
+    const Script **script = list_scripts(c, r, &r->not_mutated);
+
+    if (r->not_mutated) {
+        r->not_mutated = r->runs ? r->not_mutated : "there is no script that could notice it";
+        cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
+        return;
+    }
+    for (size_t i = 0; i < engine_machines(p); i++)
+        mutate_machine(c, r, i, p, script, clock);
 }
 
 // ---- faults ----

@@ -30,22 +30,33 @@ static void write_bindings(const AstBindings *b, Buf *out)
             buf_printf(out, "%s%s", values++ ? ", " : ", without its values of ", b->at[i].name.text->text);
 }
 
+// What a command needs besides the machine: before its file, and after it.
+typedef struct OtherArguments { const char *command, *before, *after; } OtherArguments;
+
+static OtherArguments other_arguments(const char *command)
+{
+    static const OtherArguments known[] = {{"prove", "", " REQUIREMENTS.rq"}, {"diff", "OLD.sm ", ""}, {"cover", "", " SCRIPT.ss -o FOLDER"}};
+
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(known[i].command, command) == 0)
+            return known[i];
+    return (OtherArguments){command, "", ""};
+}
+
 // Writes the command for one machine of the application.
-static void write_command(Cli *c, const AppFiles *files, const AppInstance *m, Buf *out)
+static void write_command(Cli *c, const AppFiles *files, const AppInstance *m, OtherArguments other, Buf *out)
 {
     const AppFile *file = &files->at[m->file];
 
-    buf_printf(out, "\n  %s: smc %s %s", m->task->name.text->text, c->command->name,
-               file->src ? cli_printable_name(&c->session.arena, file->src->name) : file->name.text->text);
-    if (c->command->run == cmd_prove)
-        buf_str(out, " REQUIREMENTS.rq");
-    buf_printf(out, " --sv %s", find_app_vector(c, files));
+    buf_printf(out, "\n  %s: smc %s %s%s%s --sv %s", m->task->name.text->text, other.command, other.before,
+               file->src ? cli_printable_name(&c->session.arena, file->src->name) : file->name.text->text, other.after, find_app_vector(c, files));
     write_bindings(&m->task->bindings, out);
 }
 
 // Reports that the command is for one machine, and the command for each machine of the application.
-int runs_refuse_app(Cli *c, const char *app)
+int runs_refuse_app(Cli *c, const char *app, const char *name)
 {
+    const OtherArguments other = other_arguments(name);
     CompileSource source = {.text = cli_read_source(c, app), .kind = FILE_APP};
     CompileInput in = {.at = &source, .n = 1};
     Buf commands, all;
@@ -56,12 +67,11 @@ int runs_refuse_app(Cli *c, const char *app)
     diags_clear(&c->session.diags);
     buf_init(&commands, &c->session.arena);
     for (size_t i = 0; i < in.app->files.instances; i++)
-        write_command(c, &in.app->files, &in.app->files.instance[i], &commands);
+        write_command(c, &in.app->files, &in.app->files.instance[i], other, &commands);
     if (commands.n == 0)
-        return cli_usage_error(c, TEXT_not_an_app, app, c->command->name, c->command->name,
-                               c->command->run == cmd_prove ? " REQUIREMENTS.rq" : "", find_app_vector(c, &in.app->files));
+        return cli_usage_error(c, TEXT_not_an_app, app, name, name, other.before, other.after, find_app_vector(c, &in.app->files));
     buf_init(&all, &c->session.arena);
-    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), c->command->name, buf_text(&commands));
+    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), name, buf_text(&commands));
     cli_print(c, 2, &all);
     return EXIT_USAGE;
 }
@@ -69,7 +79,8 @@ int runs_refuse_app(Cli *c, const char *app)
 // Whether the command accepts an application: scripts that it writes are for one machine, except those of faults.
 static bool accepts_app(const Cli *c)
 {
-    return (c->command->run == cmd_mutate && !c->given[OPT_SCRIPTS]) || c->command->run == cmd_faults || c->command->run == cmd_sweep;
+    return (c->command->run == cmd_mutate && !c->given[OPT_SCRIPTS]) || c->command->run == cmd_faults || c->command->run == cmd_sweep ||
+           c->command->run == cmd_report;
 }
 
 // Checks that the arguments are one machine, or application, and scripts.  Returns EXIT_OK, or the exit code after a message.
@@ -82,7 +93,7 @@ int runs_check_arguments(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         const bool app = has_suffix(c->file[i], ".app");
         if (app && !accepts_app(c))
-            return runs_refuse_app(c, c->file[i]);
+            return runs_refuse_app(c, c->file[i], c->command->name);
         if (app && c->given[OPT_SV])
             return cli_usage_error(c, TEXT_app_names_vector, c->file[i]);
         const bool script = has_suffix(c->file[i], ".ss") || (judges && has_suffix(c->file[i], ".rq"));
@@ -128,6 +139,51 @@ bool runs_report_contradiction(Cli *c, const Requirements *r)
 }
 
 // ---- on the VM ----
+
+// Returns the scripts of `in` that run, `*n` of them.
+static const Source **list_scripts(Cli *c, const CompileInput *in, const Compiled *made, size_t *n)
+{
+    const Source **script = ARENA_ARRAY(&c->session.arena, const Source *, in->n);
+
+    *n = 0;
+    for (size_t i = 0; i < in->n; i++)
+        if (in->at[i].kind == FILE_SS && !made->of[i].is_included)
+            script[(*n)++] = in->at[i].text;
+    return script;
+}
+
+int runs_execute_app(Cli *c, Report *r, const CompileInput *in, const Compiled *made)
+{
+    Arena *arena = &c->session.arena;
+    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .requirements = runs_find_machine(in, made)->requirements};
+    const Source **script = list_scripts(c, in, made, &r->runs);
+    EngineSet engines = {{NULL}, 0, NULL};
+    Engine **counting = ARENA_ARRAY(arena, Engine *, r->members);
+    Cover **cover = ARENA_ARRAY(arena, Cover *, r->members);
+
+    r->requirements = o.requirements;
+    if (r->runs == 0)
+        return EXIT_OK;
+    if (!engines_open(&engines, &c->session, r->analysis.p, 1u << ENGINE_VM, options_opt_level(c))) {
+        cli_print_error(c, TEXT_sentence, engines.error);
+        return EXIT_PROBLEM;
+    }
+    r->run = ARENA_ARRAY(arena, ReportRun, r->runs);
+    for (size_t i = 0; i < r->members; i++) {
+        cover[i] = cover_new(arena, r->member[i].of->program);
+        counting[i] = cover_open_engine(cover[i]);
+        r->member[i].run = ARENA_ARRAY(arena, ReportRun, r->runs);
+        r->member[i].runs = r->runs;
+    }
+    for (size_t i = 0; i < r->runs; i++)
+        review_run_app_script(&c->session, r, script[i], engines.at[0], counting, &o, i);
+    engines_close(&engines);
+    for (size_t i = 0; i < r->members; i++) {
+        cover_settle(cover[i]);
+        r->member[i].cover = cover[i];
+    }
+    return EXIT_OK;
+}
 
 // Runs the scripts of `in` into r->run and measures their coverage, on an image with names of the machine compiled for scripts.
 int runs_execute(Cli *c, Report *r, const CompileInput *in, const Compiled *made)

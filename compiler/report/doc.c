@@ -4,12 +4,15 @@
 
 void doc_begin_chapter(Doc *d, const char *title) { d->chapter = title; }
 
+const char *doc_scoped_id(Arena *arena, const char *scope, const char *id) { return scope ? format_in(arena, "%s-%s", scope, id) : id; }
+
 void doc_add_section(Doc *d, const char *id, const char *title)
 {
     DocSection *s = ARENA_NEW(d->arena, DocSection);
 
-    s->id = id;
-    s->title = title;
+    s->id = doc_scoped_id(d->arena, d->scope, id);
+    s->title = d->scope ? format_in(d->arena, "%s: %s", d->scope, title) : title;
+    s->scope = d->scope;
     s->chapter = d->chapter;
     d->chapter = NULL;
     vec_push(d->arena, &d->section, s);

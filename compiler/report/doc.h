@@ -104,6 +104,7 @@ typedef struct DocPart {
 
 typedef struct DocSection {
     const char *id, *title;
+    const char *scope;        // the machine that the section is about, in a document about several; NULL: none
     const char *chapter;      // the title of the chapter that begins with this section; NULL: no chapter begins
     VEC(DocPart) part;
 } DocSection;
@@ -113,7 +114,9 @@ typedef struct Doc {
     const char *title;
     const char *subtitle;
     const char *maker;        // program and version: "smc 0.1"
+    bool of_application;      // the document is about an application, not about one machine
     const char *chapter;      // the chapter that begins with the next section; NULL: none
+    const char *scope;        // DocSection.scope of the next sections
     VEC(DocSection *) section;
 } Doc;
 
@@ -121,7 +124,10 @@ typedef struct Doc {
 
 // Begins a chapter with the next section.  A chapter without a section is left out.
 void doc_begin_chapter(Doc *d, const char *title);
+// With a scope, its name precedes id and title.  Parts of such a section link to sections of the same scope only.
 void doc_add_section(Doc *d, const char *id, const char *title);
+// Returns the id of a section in a scope; `id` if that is NULL.
+const char *doc_scoped_id(Arena *arena, const char *scope, const char *id);
 DocPart *doc_add_heading(Doc *d, const char *id, const char *text);        // the pointer is valid until the next part is added
 void doc_add_paragraph(Doc *d, const char *text);
 void doc_add_plain(Doc *d, const char *text);             // a paragraph without markup

@@ -375,10 +375,42 @@ static void write_part(Buf *out, const DocPart *p)
     }
 }
 
+// Appends the HTML of a section of one machine among several: each id and each link within the page gets the name of the machine before it.  Text
+// contains no quotes (xml.h), so that only attributes match.
+static void write_in_scope(Buf *out, const char *html, const char *scope)
+{
+    static const char *const before[] = {" id=\"", " href=\"#"};
+    const char *at = html;
+
+    while (*at) {
+        size_t n = 0;
+        for (int i = 0; i < 2; i++)
+            n = strncmp(at, before[i], strlen(before[i])) == 0 ? strlen(before[i]) : n;
+        buf_put(out, at, n ? n : 1);
+        if (n)
+            buf_printf(out, "%s-", scope);
+        at += n ? n : 1;
+    }
+}
+
 // Keeps a heading and everything up to the next heading together on paper.
-static void write_section(Buf *out, const DocSection *s)
+static void write_parts(Buf *out, const DocSection *s)
 {
     bool open = false;
+
+    for (size_t i = 0; i < s->part.n; i++) {
+        if (s->part.at[i].kind == DOC_HEADING) {
+            buf_str(out, open ? "</article>\n<article>\n" : "<article>\n");
+            open = true;
+        }
+        write_part(out, &s->part.at[i]);
+    }
+    buf_str(out, open ? "</article>\n</section>\n" : "</section>\n");
+}
+
+static void write_section(Buf *out, const DocSection *s)
+{
+    Buf parts;
 
     if (s->chapter) {
         buf_str(out, "<p class=\"chapter\">");
@@ -388,14 +420,13 @@ static void write_section(Buf *out, const DocSection *s)
     buf_printf(out, "<section id=\"%s\">\n<h2>", s->id);
     xml_write_str(out, s->title);
     buf_str(out, "</h2>\n");
-    for (size_t i = 0; i < s->part.n; i++) {
-        if (s->part.at[i].kind == DOC_HEADING) {
-            buf_str(out, open ? "</article>\n<article>\n" : "<article>\n");
-            open = true;
-        }
-        write_part(out, &s->part.at[i]);
+    if (!s->scope) {
+        write_parts(out, s);
+        return;
     }
-    buf_str(out, open ? "</article>\n</section>\n" : "</section>\n");
+    buf_init(&parts, out->arena);
+    write_parts(&parts, s);
+    write_in_scope(out, buf_text(&parts), s->scope);
 }
 
 // Writes the list of sections, by chapter.

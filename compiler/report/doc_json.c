@@ -121,7 +121,7 @@ static bool has_data(const DocSection *s)
 
 void doc_write_json(const Doc *d, Buf *out)
 {
-    buf_str(out, "{\"smc-report\": 1, \"machine\": ");
+    buf_printf(out, "{\"smc-report\": 1, \"%s\": ", d->of_application ? "application" : "machine");
     json_put_string(out, d->title);
     for (size_t i = 0; i < d->section.n; i++) {
         const DocSection *s = d->section.at[i];

@@ -26,7 +26,9 @@ const char *report_format_cell(Arena *arena, SmType type, uint64_t cell)
     return buf_text(&b);
 }
 
-static void report_add_source(Report *r, Doc *d)
+const char *report_section_of(const Report *r, const char *id) { return doc_scoped_id(r->arena, r->of ? r->of->name->text : NULL, id); }
+
+void report_add_source(Report *r, Doc *d)
 {
     const StateVec *sv = r->analysis.p->sv;
 

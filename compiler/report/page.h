@@ -25,9 +25,14 @@ typedef struct ReportRun {
     Diags diags;                  // diagnostics of the script
 } ReportRun;
 
-typedef struct Report {
+typedef struct Report Report;
+struct Report {
     Arena *arena;
-    Analysis analysis;            // analysis.diags contains all findings, including those that an @allow covers
+    Analysis analysis;            // analysis.diags contains all findings, including those that an @allow covers.  Of an application, only p, diags and
+                                  // step are set
+    Report *member;               // by Member, the machines of the application, `members` of them; NULL: the report is about one machine
+    size_t members;
+    const Member *of;             // the machine of an application that the report is about; NULL: a machine alone, or an application
     bool step_given;              // analysis.step is the user's --step; otherwise it is the step that the machine declares, or else the delta_t of
                                   // the scripts
     Cost cost;                    // cost of steps, in VM instructions
@@ -46,15 +51,18 @@ typedef struct Report {
     const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
     VEC(const char *) unfinished; // phrases that name what was stopped before it was complete
-} Report;
+};
 
 Doc *report_build(Report *r);
+// Builds the page of an application: its machines one after the other, what they share, and the runs of all of them.
+Doc *report_build_app(Report *r);
 
 // ---- the sections, one file each ----
 
 void report_add_overview(Report *r, Doc *d);
 void report_add_verdicts(Report *r, Doc *d);           // part of the overview
 void report_add_diagram_section(Report *r, Doc *d);
+void report_add_source(Report *r, Doc *d);
 void report_add_outputs(Report *r, Doc *d);            // nothing if the machine writes no element
 void report_add_all_states(Report *r, Doc *d);
 void report_add_states(Report *r, Doc *d);
@@ -71,6 +79,9 @@ void report_add_mutation(Report *r, Doc *d);
 void report_add_scripts(Report *r, Doc *d);
 void report_add_faults(Report *r, Doc *d);             // nothing if r->faults is NULL
 void report_add_sweep(Report *r, Doc *d);              // nothing if r->sweep is NULL
+
+// Returns the id of a section of a report about one machine of an application.
+const char *report_section_of(const Report *r, const char *id);
 
 // Number of findings that no @allow covers, and of those that one covers.
 typedef struct FindingCount { size_t open, allowed; } FindingCount;

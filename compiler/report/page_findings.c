@@ -81,6 +81,8 @@ static const char *step_text(const Report *r)
 {
     const unsigned long step = (unsigned long)r->analysis.step;
 
+    if (r->members)
+        return TEXT_STEP_OF_APP;
     if (r->analysis.step == 0)
         return r->runs > 1 ? TEXT_STEP_DIFFERS : TEXT_STEP_UNKNOWN;
     if (!r->step_given && r->analysis.p->step)

@@ -50,13 +50,13 @@ static void add_runs(const Report *r, Doc *d)
     for (size_t i = 0; i < r->runs; i++) {
         const ReportRun *run = &r->run[i];
         size_t visited = 0;
-        for (size_t s = 0; run->script && s < r->analysis.p->state.n; s++)
+        for (size_t s = 0; run->script && !r->members && s < r->analysis.p->state.n; s++)
             visited += run->trace.entered[s] > 0;
         doc_add_plain_cell(t, run->name);
         doc_add_plain_cell(t, outcome_text(run));
         doc_add_number_cell(t, run->result.steps);
         doc_add_number_cell(t, run->result.asserts_passed);
-        doc_add_plain_cell(t, format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
+        doc_add_plain_cell(t, r->members ? "" : format_in(r->arena, "%lu of %lu", (unsigned long)visited, (unsigned long)r->analysis.p->state.n));
     }
 }
 
@@ -463,11 +463,19 @@ static void add_history(const Report *r, Doc *d, const Diag *failure)
     doc_add_lines(d, buf_text(&lines));
 }
 
-static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
+static DocPart *add_run_heading(const Report *r, Doc *d, const ReportRun *run, size_t number)
 {
     DocPart *heading = doc_add_heading(d, format_in(r->arena, "script-%lu", (unsigned long)number), run->name);
 
     heading->plain = true;
+    return heading;
+}
+
+// Adds what is the same for all machines of an application: the result, what failed, and what the script asserts and prints.
+static void add_result_of_run(const Report *r, Doc *d, const ReportRun *run, size_t number)
+{
+    DocPart *heading = add_run_heading(r, d, run, number);
+
     heading->badge = has_passed(run) ? "passed" : "failed";
     heading->tone = has_passed(run) ? "good" : "bad";
     if (run->script)
@@ -478,7 +486,7 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
         doc_add_excerpt(d, diag->span, diag->label);
         add_history(r, d, diag);
     }
-    if (!run->script || run->trace.steps == 0)
+    if (!run->script || run->result.steps == 0)
         return;
     if (run->result.is_random)
         doc_add_paragraph(d, format_in(r->arena, TEXT_SEED, (unsigned long long)run->result.seed));
@@ -487,24 +495,46 @@ static void add_run(const Report *r, Doc *d, const ReportRun *run, size_t number
     add_compares(r, d, run);
     if (*run->result.printed)
         doc_add_lines(d, run->result.printed);
+}
+
+// Adds what the machine did in a run.
+static void add_trace_of_run(const Report *r, Doc *d, const ReportRun *run)
+{
+    if (!run->script || run->trace.steps == 0)
+        return;
     add_plot(r, d, run);
     add_visits(r, d, run);
 }
 
-void report_add_scripts(Report *r, Doc *d)
+// Adds what the scripts have covered of the machine.
+static void add_covered(Report *r, Doc *d)
 {
-    doc_add_section(d, "scripts", "Scripts");
-    if (r->runs == 0) {
-        doc_add_paragraph(d, TEXT_SCRIPTS_NONE);
-        return;
-    }
-    add_runs(r, d);
     add_states_covered(r, d);
     add_transitions_covered(r, d);
     add_not_covered(r, d);
     if (r->cover)
         add_cover(r, d);
-    doc_add_figure(d, plot_patterns(r->arena), NULL);
-    for (size_t i = 0; i < r->runs; i++)
-        add_run(r, d, &r->run[i], i + 1);
+}
+
+void report_add_scripts(Report *r, Doc *d)
+{
+    doc_add_section(d, "scripts", r->of ? "In scripts" : "Scripts");
+    if (r->runs == 0) {
+        doc_add_paragraph(d, TEXT_SCRIPTS_NONE);
+        return;
+    }
+    if (!r->of)
+        add_runs(r, d);
+    if (!r->members)
+        add_covered(r, d);
+    if (!r->of)
+        doc_add_figure(d, plot_patterns(r->arena), NULL);
+    for (size_t i = 0; i < r->runs; i++) {
+        if (r->of)
+            add_run_heading(r, d, &r->run[i], i + 1);
+        else
+            add_result_of_run(r, d, &r->run[i], i + 1);
+        if (!r->members)
+            add_trace_of_run(r, d, &r->run[i]);
+    }
 }

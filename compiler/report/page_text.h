@@ -12,6 +12,14 @@
 #define TEXT_WHAT_BREAKS_IT       "What breaks it"
 #define TEXT_WHAT_IT_COSTS        "What it costs"
 #define TEXT_APPENDIX             "Appendix"
+#define TEXT_THE_APPLICATION      "The application"
+
+#define TEXT_SHARED_VARIABLES \
+    "Every machine that reads or writes an element of the state vector. An element that a machine reads and none writes comes from outside: from a " \
+    "pin, a message, or a task in C. In a tick, machines run in the order of the columns, and each sees what those before it have stored."
+#define TEXT_APP_ALONE \
+    "Costs of steps, proofs and transitions by requirement are those of one machine: `smc report` and `smc prove` with the file of the machine, " \
+    "its state vector (`--sv`) and its bindings (`--bind`)."
 
 // ---- outputs ----
 
@@ -126,6 +134,7 @@
     "The time per step is unknown, because the scripts do not all have the same `delta_t`. With `--step` the analyses find more."
 #define TEXT_STEP_GIVEN "Time advances by %lu per step, the value of `--step`."               // time per step
 #define TEXT_STEP_DECLARED "Time advances by %s per step, as the machine declares."          // "20 ms"
+#define TEXT_STEP_OF_APP "Time advances in each step of a machine by the period with which the application runs it."
 #define TEXT_STEP_OF_SCRIPTS "Time advances by %lu per step, the `delta_t` of the scripts."   // time per step
 #define TEXT_FINDING_FIXABLE "`smc fix` can make the edit."
 

@@ -87,6 +87,12 @@ static void add_scripts(const Report *r, DocTable *t)
                 r->runs ? format_in(r->arena, "%lu of %lu passed", passed, (unsigned long)r->runs) : "none were run");
 }
 
+// Returns the title of a verdict, which names the machine of an application.
+static const char *title_of(const Report *r, const char *title)
+{
+    return r->of ? format_in(r->arena, "%s: %s", r->of->name->text, title) : title;
+}
+
 static void add_coverage(const Report *r, DocTable *t)
 {
     unsigned long covered = 0, possible = 0;
@@ -103,7 +109,7 @@ static void add_coverage(const Report *r, DocTable *t)
     buf_printf(&details, "%lu of %lu places (", covered, possible);
     buf_percent(&details, covered, possible, 0);
     buf_str(&details, " %)");
-    add_verdict(t, "scripts", "Coverage", covered < possible ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&details));
+    add_verdict(t, report_section_of(r, "scripts"), title_of(r, "Coverage"), covered < possible ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&details));
 }
 
 static void add_mutation(const Report *r, DocTable *t)
@@ -123,7 +129,7 @@ static void add_mutation(const Report *r, DocTable *t)
     }
     if (s.of[MUTANT_WAITING])
         buf_printf(&details, "%sonly %lu of %lu were tried", details.n ? "; " : "", s.all - s.of[MUTANT_WAITING], s.all);
-    add_verdict(t, "mutation", "Changes that scripts notice", s.of[MUTANT_NOTICED] < s.noticeable || s.of[MUTANT_WAITING] ? VERDICT_OPEN : VERDICT_GOOD,
+    add_verdict(t, report_section_of(r, "mutation"), title_of(r, "Changes that scripts notice"), s.of[MUTANT_NOTICED] < s.noticeable || s.of[MUTANT_WAITING] ? VERDICT_OPEN : VERDICT_GOOD,
                 buf_text(&details));
 }
 
@@ -189,8 +195,8 @@ static void add_parts_left_out(const Report *r, Doc *d)
     Buf out;
 
     buf_init(&out, r->arena);
-    buf_str(&out, r->requirements && !r->proofs ? ", proofs of the requirements (`--prove`)" : "");
-    buf_str(&out, !r->mutation && !r->not_mutated ? ", changes that no script notices (`--mutate`)" : "");
+    buf_str(&out, r->requirements && !r->proofs && !r->members ? ", proofs of the requirements (`--prove`)" : "");
+    buf_str(&out, !(r->members ? r->member : r)->mutation && !r->not_mutated ? ", changes that no script notices (`--mutate`)" : "");
     buf_str(&out, !r->faults ? ", faults of sensors (`--faults`)" : "");
     buf_str(&out, !r->sweep ? ", margins of parameters (`--sweep`)" : "");
     if (out.n)
@@ -271,12 +277,18 @@ void report_add_verdicts(Report *r, Doc *d)
     add_proofs(r, t);
     add_findings(r, t);
     add_scripts(r, t);
+    for (size_t i = 0; i < r->members; i++)
+        add_coverage(&r->member[i], t);
     add_coverage(r, t);
+    for (size_t i = 0; i < r->members; i++)
+        add_mutation(&r->member[i], t);
     add_mutation(r, t);
     add_faults(r, t);
     add_sweep(r, t);
-    add_verdict(t, "cost", "Longest step", VERDICT_FACT,
-                format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst, r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+    if (!r->members)
+        add_verdict(t, "cost", "Longest step", VERDICT_FACT,
+                    format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst,
+                              r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
     add_parts_left_out(r, d);
     add_blockers(r, d);
 }

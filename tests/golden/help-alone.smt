@@ -11,8 +11,8 @@ Usage:
       report everything that can be found without running
   smc test M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--engine=ENGINE]
       run state scripts and judge requirements; run .smt cases and folders of them
-  smc report M.sm [SCRIPT.ss...] [R.rq...] [--sv V.sv] [--net X.net] [-o FILE.html]
-      write one page about a machine for a design review
+  smc report M.sm|X.app [SCRIPT.ss...] [R.rq...] [--sv V.sv] [--net X.net] [-o FILE.html]
+      write one page about a machine, or an application with its machines, for a design review
   smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
   smc prove M.sm R.rq... [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]

@@ -52,6 +52,13 @@ page chilldown 0 "$examples/chilldown/chilldown.sm" "$examples"/chilldown/chilld
 page ignition 0 "$examples/ignition/ignition.sm" "$examples"/ignition/ignition*.ss
 page parachutes 0 "$examples/parachutes/parachutes.sm" "$examples"/parachutes/parachutes*.ss
 page mission 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission*.ss
+# Of an application: each machine has a chapter, and each link leads to its own sections.
+page application 0 "$examples/dualdeploy/dualdeploy.app" "$examples"/dualdeploy/dualdeploy*.ss "$examples/dualdeploy/dualdeploy.rq" --mutate --faults --sweep
+grep -o ' id="[^"]*"' "$out/application.html" | sed 's/ id="//; s/"$//' | sort >"$out/ids"
+grep -o ' href="#[^"]*"' "$out/application.html" | sed 's/ href="#//; s/"$//' | sort -u >"$out/links"
+expect "ids of an application exist once" sh -c "test -z \"\$(uniq -d '$out/ids')\""
+expect "links of an application lead somewhere" sh -c "test -z \"\$(sort -u '$out/ids' | comm -13 - '$out/links')\""
+expect "an application has at least 90 links" sh -c "test \$(wc -l <'$out/links') -ge 90"
 # Four scripts: the pages of the print are counted below.
 page four-scripts 0 "$examples/mission/mission.sm" "--sv=$examples/mission/rocket.sv" "$examples"/mission/mission.ss \
     "$examples"/mission/mission-accelerometer-broken.ss "$examples"/mission/mission-plugged-in.ss "$examples"/mission/mission-weak-motor.ss
