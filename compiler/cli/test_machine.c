@@ -22,6 +22,7 @@ typedef struct MachineTest {
     TestTrace *trace;         // the trace that --trace requests; or NULL
     TestCoverage *coverage;   // the coverage that options ask for; or NULL
     Traceability *matrix;     // results of --traceability; or NULL
+    bool has_early_end;       // some script did not run, or has not reached a @stop
     VEC(Span) explained;      // conditions of requirements whose violation is printed in full
 } MachineTest;
 
@@ -147,6 +148,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
         test_trace_script(m->trace, path);
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
+    m->has_early_end |= !script_has_stopped(&r);
     test_requirements_add(m->table, path, s, &r);
     if (m->matrix)
         traceability_add_run(m->matrix, path, s, &r);
@@ -177,6 +179,7 @@ static void test_script(MachineTest *m, size_t argument)
     m->begin = os_seconds();
     if (!src) {
         test_trace_left_out(m->trace, path);
+        m->has_early_end = true;
         add_result(m, path, TEST_BROKEN, m->problem[argument], EXIT_ENVIRONMENT);
         return;
     }
@@ -187,6 +190,7 @@ static void test_script(MachineTest *m, size_t argument)
         run_script(m, path, s);
         return;
     }
+    m->has_early_end = true;
     test_report_diagnostics(m->t, &message);
     test_trace_left_out(m->trace, path);
     add_result(m, path, TEST_BROKEN, message, EXIT_PROBLEM);
@@ -304,11 +308,8 @@ static int print_report(MachineTest *m, const char *path)
 static int end_requirements(MachineTest *m, int code)
 {
     const char *unused;
-    bool complete = code == EXIT_OK;
 
-    for (size_t i = 0; i < m->t->result.n; i++)
-        complete &= m->t->result.at[i].status == TEST_PASSED;
-    test_requirements_end(m->table, complete);
+    test_requirements_end(m->table, code == EXIT_OK && !m->has_early_end);
     return test_report_diagnostics(m->t, &unused);
 }
 

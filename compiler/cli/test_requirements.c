@@ -92,7 +92,7 @@ static const char *list_marks(Arena *arena, const Program *p, Str id)
     return buf_text(&out);
 }
 
-// Reports what no script has judged, and stores the rows in t->requirement. complete: all scripts have passed.
+// Reports what no script has judged, and stores the rows in t->requirement. complete: all scripts have reached a @stop.
 void test_requirements_end(RequirementTable *table, bool complete)
 {
     TestRun *t = table->t;

@@ -164,12 +164,12 @@ static void record_run(MutantRuns *u, Record *r)
     r->run.engine = arena_copy(u->arena, &u->engine, sizeof u->engine);
 }
 
-// Returns the first requirement that the last step of a run has violated.
+// Returns the requirement that has ended a run.
 static const Requirement *find_violated(const MutantRuns *u, const ScriptResult *result)
 {
     size_t i = 0;
 
-    while (!result->requirement[i].violated)
+    while (result->requirement[i].violations == 0)
         i++;
     return &u->requirements->at.at[i];
 }
@@ -192,7 +192,8 @@ static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
     bool passes;
 
     arena_init_within(&work, u->arena);
-    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true, .requirements = u->requirements};
+    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true, .ends_at_violation = true,
+                                 .requirements = u->requirements};
     engine_flat_set(u->engine, u->cover->flat, engine_flat_run(u->engine));
     passes = run_whole(u, r, &work, &r->steps);
     if (!passes && u->failing == u->records)

@@ -250,11 +250,11 @@ int32_t smc_run_requirement(const SmcSession *s, uint32_t script, uint32_t requi
 {
     const RequirementRun *r = find_requirement_run(s, script, requirement);
 
-    return !r               ? SMC_REQUIREMENT_UNJUDGED
-           : r->violated    ? SMC_REQUIREMENT_VIOLATED
-           : r->undecided   ? SMC_REQUIREMENT_UNDECIDED
-           : r->judged > 0  ? SMC_REQUIREMENT_MET
-                            : SMC_REQUIREMENT_UNJUDGED;
+    return !r                  ? SMC_REQUIREMENT_UNJUDGED
+           : r->violations > 0 ? SMC_REQUIREMENT_VIOLATED
+           : r->undecided      ? SMC_REQUIREMENT_UNDECIDED
+           : r->judged > 0     ? SMC_REQUIREMENT_MET
+                               : SMC_REQUIREMENT_UNJUDGED;
 }
 
 uint64_t smc_run_judged(const SmcSession *s, uint32_t script, uint32_t requirement)

@@ -235,7 +235,7 @@ static void add_blocker(Blockers *b, const char *what, const char *how)
 static const char *find_violation(const Report *r, uint32_t requirement)
 {
     for (size_t i = 0; i < r->runs; i++)
-        if (r->run[i].script && r->run[i].result.requirement && r->run[i].result.requirement[requirement].violated)
+        if (r->run[i].script && r->run[i].result.requirement && r->run[i].result.requirement[requirement].violations)
             return format_in(r->arena, "%s violates it", r->run[i].name);
     if (r->proofs && r->proofs->of[requirement].verdict == PROVE_VIOLATED)
         return "a run that violates it was found (Proofs)";

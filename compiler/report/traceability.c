@@ -196,10 +196,10 @@ Traceability *traceability_new(Arena *arena, const Program *p, const Requirement
 
 static const char *result_of_assert(const ScriptAssert *a, const ScriptResult *r, uint32_t number)
 {
-    if (r->failed == a || (r->undecided && r->undecided[number] && r->outcome == SCRIPT_FAILED))
+    if (r->failed == a || (r->undecided && r->undecided[number] && r->failed))
         return "failed";
     if (a->kind == SCRIPT_FAIL)
-        return r->evaluated[number] ? "failed" : r->outcome == SCRIPT_PASSED ? "passed" : "never evaluated";
+        return r->evaluated[number] ? "failed" : script_has_stopped(r) ? "passed" : "never evaluated";
     return r->evaluated[number] == 0 ? "never evaluated" : r->undecided && r->undecided[number] ? "undecided" : "passed";
 }
 
@@ -227,7 +227,7 @@ static void add_judged_requirements(Traceability *t, const ScriptResult *r)
         const TracedRun run = {t->script.n - 1, r->requirement[i].judged};
         q->total.judged += run.judged;
         q->total.scripts += run.judged > 0;
-        q->total.violated += r->requirement[i].violated;
+        q->total.violated += r->requirement[i].violations > 0;
         q->total.undecided += r->requirement[i].undecided;
         if (run.judged == 0)
             continue;

@@ -362,10 +362,10 @@ static bool has_assert(const Script *s)
     return false;
 }
 
-// After a failed run nothing is reported, because it ended before it could evaluate the other asserts.
+// After a run that an assert has ended nothing is reported, because it ended before it could evaluate the other asserts.
 void assert_report_unevaluated(const ScriptRun *r)
 {
-    if (r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS)
+    if (run_is_complete(r))
         report_all_unevaluated(r);
     if (r->result.outcome == SCRIPT_PASSED && !r->o->is_compared && !r->o->requirements && !has_assert(r->s))
         diag_report(r->diags, DIAG_script_without_assert, script_stop_span(script_first_stop(r->s)));

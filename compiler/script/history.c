@@ -77,7 +77,7 @@ static void record_after_step(void *context, const ScriptStep *step)
         for (size_t i = 0; i < h->columns; i++) {
             Buf text;
             buf_init(&text, r->arena);
-            run_append_value(r, h->column[i], h->failed->violated ? &r->monitor->windows : &r->windows, &text);
+            run_append_value(r, h->column[i], h->failed->reports_violation ? &r->monitor->windows : &r->windows, &text);
             s->value[i] = buf_text(&text);
         }
     }
@@ -108,7 +108,7 @@ static bool replay_run(History *h)
 {
     const ScriptRun *failed = h->failed;
     const ScriptOptions o = {.max_steps = failed->result.steps, .seed = &failed->result.seed, .after_step = record_after_step, .context = h,
-                             .is_compared = true, .setting = failed->o->setting, .settings = failed->o->settings,
+                             .is_compared = true, .is_silent = true, .setting = failed->o->setting, .settings = failed->o->settings,
                              .requirements = failed->o->requirements};
     Engine *ref = engine_ref_open(failed->arena, failed->p);
     Diags silent;

@@ -13,6 +13,7 @@ struct RunPoint {
     EngineNext next;
     PendingExpect *pending;
     uint32_t pendings;
+    const Requirement *violated;
     char *memory;             // copies of all pieces of memory, one after another, in the order of the list
 };
 
@@ -58,8 +59,10 @@ static Pieces list_pieces(ScriptRun *r)
     add_piece(r->arena, &list, r->ran_at, r->p->state.n * sizeof *r->ran_at);
     for (size_t i = 0; i < r->windows.n; i++)
         add_window(r->arena, &list, &r->windows.at[i]);
-    if (r->monitor)
+    if (r->monitor) {
         add_piece(r->arena, &list, r->situation, r->monitor->size);
+        add_piece(r->arena, &list, r->requirement, r->o->requirements->at.n * sizeof *r->requirement);
+    }
     return list;
 }
 
@@ -93,6 +96,7 @@ RunPoint *run_save_point(ScriptRun *r, Arena *arena)
     p->printed = r->printed.n;
     p->machine = r->machine[0];
     p->next = engine_next(&r->answer[0], 0);
+    p->violated = r->violated;
     p->pendings = r->pending.n;
     p->pending = r->pending.n ? arena_copy(arena, r->pending.at, r->pending.n * sizeof *p->pending) : NULL;
     return p;
@@ -119,7 +123,7 @@ void run_restore_point(ScriptRun *r, const RunPoint *p)
         vec_push(r->arena, &r->pending, p->pending[i]);
     r->failed = NULL;
     r->failed_item = NULL;
-    r->violated = NULL;
+    r->violated = p->violated;
     r->ended = false;
     schedule_rewind(r->schedule);
 }

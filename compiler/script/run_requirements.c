@@ -14,22 +14,39 @@ void requirement_begin_run(ScriptRun *r)
     r->situation = arena_alloc(r->arena, r->monitor->size);
     monitor_start(r->monitor, r->situation);
     r->requirement = ARENA_ARRAY(r->arena, RequirementRun, r->o->requirements->at.n);
+    r->violation = ARENA_ARRAY(r->arena, Diag *, r->o->requirements->at.n);
     r->result.requirement = r->requirement;
     r->result.ran = r->ran;
 }
 
+// Counts a step that violates requirement `i`.  Returns whether it is the first one.
+static bool count_violation(ScriptRun *r, size_t i)
+{
+    RequirementRun *run = &r->requirement[i];
+
+    run->last_step = r->result.steps;
+    run->last_g = r->g;
+    if (run->violations++ > 0)
+        return false;
+    run->first_step = r->result.steps;
+    run->first_g = r->g;
+    r->violated = r->violated ? r->violated : &r->o->requirements->at.at[i];
+    return true;
+}
+
 bool requirement_check_step(ScriptRun *r)
 {
-    bool violated;
+    bool is_new = false;
 
     for (size_t i = 0; r->p->joint && i < r->machines; i++)
         r->monitor->ran[i] = r->answer[0].machine[i].ran;
-    violated = monitor_step(r->monitor, r->situation, r->cell);
+    monitor_step(r->monitor, r->situation, r->cell);
     for (size_t i = 0; i < r->o->requirements->at.n; i++) {
         r->requirement[i].judged += r->monitor->result[i] != MONITOR_IDLE;
-        r->requirement[i].violated = r->monitor->result[i] == MONITOR_VIOLATED;
+        if (r->monitor->result[i] == MONITOR_VIOLATED)
+            is_new |= count_violation(r, i);
     }
-    return violated;
+    return is_new;
 }
 
 // Returns the condition whose value violates a requirement.
@@ -38,19 +55,12 @@ static const Expr *deciding_condition(const Requirement *r)
     return r->kind == REQUIREMENT_ALWAYS || r->kind == REQUIREMENT_LEADS_TO ? r->b : r->a;
 }
 
-void requirement_fail(ScriptRun *r)
-{
-    for (size_t i = 0; i < r->o->requirements->at.n && !r->violated; i++)
-        if (r->requirement[i].violated)
-            r->violated = &r->o->requirements->at.at[i];
-    r->failed = deciding_condition(r->violated);
-    run_finish(r, SCRIPT_FAILED);
-}
-
 void requirement_end_run(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->o->requirements->at.n; i++)
-        r->requirement[i].undecided = monitor_is_open(r->monitor, r->situation, i, &r->requirement[i].since);
+    for (size_t i = 0; i < r->o->requirements->at.n; i++) {
+        RequirementRun *run = &r->requirement[i];
+        run->undecided = monitor_is_open(r->monitor, r->situation, i, &run->since) && run->violations == 0;
+    }
 }
 
 // ---- reports ----
@@ -89,32 +99,53 @@ static void add_reason(ScriptRun *r, Diag *d, const Requirement *what, uint64_t 
     }
 }
 
-static void report_violation(ScriptRun *r, const Requirement *what, uint64_t since)
+// Reports that this step violates requirement `i`.  `with_history`: adds the steps and transitions before.
+static void report_violation(ScriptRun *r, size_t i, bool with_history)
 {
+    const Requirement *what = &r->o->requirements->at.at[i];
     const Expr *e = deciding_condition(what);
     Diag *d = diag_report(r->diags, DIAG_requirement_violated, e->span, what->id->text, number_text(r, r->result.steps), number_text(r, r->g),
                           run_state_text(r), what->text->text);
+    uint64_t since = 0;
 
+    r->violation[i] = d;
+    monitor_is_open(r->monitor, r->situation, i, &since);
     run_label_operands(r, d, e, &r->monitor->windows);
     diag_note(r->diags, d, run_start_of_script(r), DIAG_note_run_of);
     add_reason(r, d, what, since);
-    if (what == r->violated)
-        history_add(r, d);
+    if (!with_history)
+        return;
+    r->failed = e;
+    r->reports_violation = true;
+    history_add(r, d);
+    r->failed = NULL;
+    r->reports_violation = false;
 }
 
-void requirement_report_violations(ScriptRun *r)
+// The first report of a step has the history.
+void requirement_report_new_violations(ScriptRun *r)
 {
-    for (size_t i = 0; i < r->o->requirements->at.n; i++)
-        if (r->requirement[i].violated)
-            report_violation(r, &r->o->requirements->at.at[i], r->requirement[i].since);
+    size_t reports = 0;
+
+    for (size_t i = 0; i < r->o->requirements->at.n && !r->o->is_silent; i++)
+        if (r->requirement[i].violations == 1 && r->requirement[i].first_step == r->result.steps)
+            report_violation(r, i, reports++ == 0);
 }
 
-// After a failed run nothing is reported, because it ended before it could decide the other requirements.
+void requirement_report_repetitions(ScriptRun *r)
+{
+    for (size_t i = 0; r->monitor && i < r->o->requirements->at.n; i++) {
+        const RequirementRun *run = &r->requirement[i];
+        if (run->violations > 1)
+            diag_note(r->diags, r->violation[i], (Span){0}, DIAG_note_violated_again, number_text(r, run->violations - 1),
+                      run->violations == 2 ? "" : "s", number_text(r, run->last_step), number_text(r, run->last_g));
+    }
+}
+
+// After a run that an assert has ended nothing is reported, because it ended before it could decide the other requirements.
 void requirement_report_undecided(const ScriptRun *r)
 {
-    const bool is_complete = r->result.outcome == SCRIPT_PASSED || r->result.outcome == SCRIPT_ENDLESS;
-
-    for (size_t i = 0; r->monitor && is_complete && i < r->o->requirements->at.n; i++) {
+    for (size_t i = 0; r->monitor && run_is_complete(r) && i < r->o->requirements->at.n; i++) {
         const Requirement *what = &r->o->requirements->at.at[i];
         if (r->requirement[i].undecided)
             diag_note(r->diags,
@@ -132,7 +163,7 @@ void requirement_add_run(RequirementTotal *total, const Requirements *what, cons
         const RequirementRun *run = &r->requirement[i];
         total[i].judged += run->judged;
         total[i].scripts += run->judged > 0;
-        total[i].violated += run->violated;
+        total[i].violated += run->violations > 0;
         total[i].undecided += run->undecided;
     }
 }

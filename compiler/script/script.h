@@ -66,15 +66,17 @@ typedef struct ScriptOptions {
     size_t settings;
     const Requirements *requirements;         // judged after each step; NULL: none
     bool is_silent;           // no diagnostics are reported: the caller reads only the result
-    bool continues;           // neither a failed assert nor a violated requirement ends the run
+    bool continues;           // a failed assert does not end the run, and neither it nor a violated requirement makes the run SCRIPT_FAILED
+    bool ends_at_violation;   // a violated requirement ends the run, and the asserts of its step are not evaluated
     bool is_compared;         // the caller compares or displays the report or trace, so a script without asserts is not reported
 } ScriptOptions;
 
 // What a run has decided about a requirement.
 typedef struct RequirementRun {
     uint64_t judged;          // number of steps that could have violated the requirement
-    bool violated;            // the last step violated it
-    bool undecided;           // it was undecided when the run ended
+    uint64_t violations;      // number of steps that violated it
+    uint64_t first_step, first_g, last_step, last_g;  // if violations > 0: numbers and G of the first of these steps and of the last one
+    bool undecided;           // no step violated it, and it was undecided when the run ended
     uint64_t since;           // if undecided: G from which its time counts
 } RequirementRun;
 
@@ -92,7 +94,7 @@ typedef struct ScriptResult {
     uint64_t failures;        // how many times an assert was not met; at most 1 unless ScriptOptions.continues
     const uint8_t *failed_asserts;    // by number of the assert: 1 if it was not met at least once
     uint64_t failed_step, failed_g;   // number and G of the step after which `failed` was not met
-    bool is_violated;         // SCRIPT_FAILED: a requirement was violated
+    bool is_violated;         // a requirement was violated; a run that reaches its @stop is then SCRIPT_FAILED
     const RequirementRun *requirement;        // by requirement; NULL: the run had no requirements
     const uint64_t *ran;      // by State.number - 1: number of the last step that ran the state; 0: none
     const CompareResult *compare;     // by @compare of [data]; NULL: the script has no data, or it could not be read
@@ -102,6 +104,9 @@ typedef struct ScriptResult {
                                                       // between two steps, which no step used
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
+
+// Whether the run reached a @stop, even if a requirement was violated or recorded values differ.
+bool script_has_stopped(const ScriptResult *r);
 
 // What all runs of a call have decided about a requirement.
 typedef struct RequirementTotal {

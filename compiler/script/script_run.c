@@ -15,6 +15,10 @@ void run_finish(ScriptRun *r, ScriptOutcome outcome)
     r->ended = true;
 }
 
+bool script_has_stopped(const ScriptResult *r) { return r->outcome == SCRIPT_PASSED || (r->outcome == SCRIPT_FAILED && !r->failed); }
+
+bool run_is_complete(const ScriptRun *r) { return script_has_stopped(&r->result) || r->result.outcome == SCRIPT_ENDLESS; }
+
 // ---- before the step ----
 
 // Sets a variable for this step: for the guards of the script, and for every engine.  No engine knows the script's own variables.
@@ -267,7 +271,7 @@ static void advance_time(ScriptRun *r)
 // Runs one step of the script: inputs, the machine, asserts, requirements.
 static void run_step(ScriptRun *r)
 {
-    bool violated;
+    bool is_new;
 
     // With faulty sensors, r->cell still has the readings, which the asserts of the last step judged.  Guards and inputs of the script see the
     // true values.
@@ -287,13 +291,15 @@ static void run_step(ScriptRun *r)
     step_engines(r);
     if (r->ended)
         return;
-    violated = r->monitor && requirement_check_step(r);
+    is_new = r->monitor && requirement_check_step(r);
     compare_with_data(r);
     if (r->ended)
         return;
     call_after_step(r);
-    if (violated && !r->o->continues)
-        requirement_fail(r);
+    if (is_new)
+        requirement_report_new_violations(r);
+    if (is_new && r->o->ends_at_violation)
+        run_finish(r, SCRIPT_FAILED);
     else
         assert_check_step(r);
     if (!r->ended && r->o->is_cancelled && r->o->is_cancelled(r->o->context))
@@ -442,6 +448,8 @@ void run_end(ScriptRun *r)
     close_data(r);
     r->result.printed = assert_finish_printing(r);
     r->result.is_violated = r->violated != NULL;
+    if (r->result.outcome == SCRIPT_PASSED && r->violated && !r->o->continues)
+        r->result.outcome = SCRIPT_FAILED;
     if (r->monitor)
         requirement_end_run(r);
 }
@@ -473,11 +481,10 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     run_to_the_end(&r);
     if (o->is_silent)
         return r.result;
+    requirement_report_repetitions(&r);
     switch (r.result.outcome) {
     case SCRIPT_FAILED:
-        if (r.violated)
-            requirement_report_violations(&r);
-        else if (r.result.failed)
+        if (r.result.failed)
             assert_report_failure(&r);
         break;
     case SCRIPT_NO_DATA: report_data_ended(&r); break;

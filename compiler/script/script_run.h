@@ -75,7 +75,9 @@ typedef struct ScriptRun {
     Monitor *monitor;         // judges the requirements; NULL: the run has none
     void *situation;          // what the monitor remembers of the steps so far (monitor.h)
     RequirementRun *requirement;      // by requirement: the results so far
-    const Requirement *violated;      // the first requirement that the last step has violated; or NULL
+    const Requirement *violated;      // the first requirement that a step has violated; NULL: none
+    Diag **violation;         // by requirement: the report of its first violation; NULL: none
+    bool reports_violation;   // `failed` is the condition of a violated requirement, and reads the monitor's windows
     const void *pieces;       // the list of memory pieces that run_point.c saves; NULL: no point was saved yet
     ScriptResult result;
     bool ended;               // the run has ended, with result.outcome as the reason
@@ -90,6 +92,8 @@ const char *run_state_text(const ScriptRun *r);
 Span run_start_of_script(const ScriptRun *r);
 // Ends the run.
 void run_finish(ScriptRun *r, ScriptOutcome outcome);
+// Whether the run ended at a @stop or after the most steps, so that what it did not evaluate or decide is worth a warning.
+bool run_is_complete(const ScriptRun *r);
 // Returns the first item with a @stop; NULL only in a script with errors.
 const ScriptItem *script_first_stop(const Script *s);
 // Returns the number of the last step in which a section ran; 0: none.  For [all_states], which runs in each step, returns 1.
@@ -137,13 +141,14 @@ bool run_can_show(const Expr *const *shown, size_t n, const Expr *e, size_t most
 // ---- run_requirements.c ----
 
 void requirement_begin_run(ScriptRun *r);
-// Judges the requirements after a step. Returns whether one is violated.
+// Judges the requirements after a step. Returns whether the step violates one that no earlier step has violated.
 bool requirement_check_step(ScriptRun *r);
-// Ends a run in which a requirement was violated.
-void requirement_fail(ScriptRun *r);
+// Reports the requirements that this step is the first to violate, with its values, unless the run is silent.  The run goes on.
+void requirement_report_new_violations(ScriptRun *r);
 // Sets the results of a run that has ended.
 void requirement_end_run(ScriptRun *r);
-void requirement_report_violations(ScriptRun *r);
+// Adds to the report of each violated requirement how many later steps violated it.
+void requirement_report_repetitions(ScriptRun *r);
 void requirement_report_undecided(const ScriptRun *r);
 
 // ---- history.c ----

@@ -65,7 +65,8 @@ void why_run(WhyRun *r, Arena *arena, const Script *s, const ScriptOptions *o, c
     r->q = *q;
     r->o = (ScriptOptions){.max_steps = o->max_steps, .seed = o->seed, .after_step = note_step, .context = r, .is_cancelled = is_question_reached,
                            .setting = o->setting,
-                           .settings = o->settings, .requirements = o->requirements, .is_compared = true};
+                           .settings = o->settings, .requirements = o->requirements, .is_silent = true, .is_compared = true,
+                           .ends_at_violation = !q->at_step && !q->has_g && !q->to};
     diags_init(&r->silent, arena);
     r->silent.muted = true;
     r->run = (ScriptRun){.arena = arena, .diags = &r->silent, .s = s, .p = s->program, .engine = &r->engine, .engines = 1, .o = &r->o};
@@ -508,6 +509,19 @@ static void add_nearest_step(Answer *a, const State *to)
 
 // ---- the answers ----
 
+// Returns which requirement the run violated first, and in which step if it went on.
+static const char *violation_text(const Answer *a)
+{
+    const ScriptRun *run = &a->r.run;
+    const RequirementRun *of = &run->requirement[run->violated - run->o->requirements->at.at];
+    const char *const id = run->violated->id->text;
+
+    if (of->first_step == run->result.steps)
+        return format_in(a->r.arena, "the script failed after this step: requirement %s was violated", id);
+    return format_in(a->r.arena, "the script stopped after this step; %s violated requirement %s",
+                     why_step(a->r.arena, of->first_step, of->first_g), id);
+}
+
 // Returns how the run ended, if it ended in the step in question; else NULL.
 static const char *ending_text(const Answer *a)
 {
@@ -517,7 +531,7 @@ static const char *ending_text(const Answer *a)
     case SCRIPT_PASSED: return "the script stopped after this step";
     case SCRIPT_FAILED:
         if (run->violated)
-            return format_in(a->r.arena, "the script failed after this step: requirement %s was violated", run->violated->id->text);
+            return violation_text(a);
         return run->failed ? format_in(a->r.arena, "the script failed after this step, at %s", why_place(a->r.arena, run->failed->span)) : NULL;
     case SCRIPT_ENDLESS: return "the script did not stop";
     default: return NULL;

@@ -532,7 +532,7 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
     ScriptResult result;
     FaultMoment at = failing_moment(r);
     const ScriptOptions o = {.max_steps = r->steps, .seed = f->options.has_seed ? &f->options.sizes.seed : NULL, .is_silent = true,
-                             .is_compared = true,
+                             .is_compared = true, .ends_at_violation = true,
                              .requirements = f->options.requirements, .setting = f->options.setting, .settings = f->options.settings};
     bool is_same;
 
@@ -543,7 +543,7 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
     result = script_run(&run, &unused, s, &e, 1, &o);
     is_same = result.steps == (at.step ? at.step : r->steps) && result.outcome == (r->outcome == FAULT_HAS_ENDLESS ? SCRIPT_ENDLESS : SCRIPT_FAILED);
     if (r->outcome == FAULT_HAS_VIOLATED && !r->violated_in_truth)
-        is_same = is_same && result.is_violated && result.requirement[r->violated - 1].violated;
+        is_same = is_same && result.is_violated && result.requirement[r->violated - 1].violations > 0;
     arena_free(&run);
     return is_same;
 }

@@ -12,7 +12,7 @@ every 10 ms:
 every 20 ms:
     machine b "b.sm"
 -- flight.rq --
-R1 "shut after ready"  always valve leads to not valve within 20 ms
+R1 "shut after ready"  always valve leads to not valve within 20 ms      #! E1310 in step 7
 R2 "never open"        never valve                      #! E1310 in step 5
 R3 "judged each tick"  always a.S == Go or not ready
 -- flight.ss --

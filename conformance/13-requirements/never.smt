@@ -41,5 +41,5 @@ R1 "p is small"
 G == 0: p = 0
 G == 10: p = 5
 G == 20: p = 11
-G == 20: @assert false
+G == 20: @assert false      #! E0750 step 3
 G == 20: @stop

@@ -37,12 +37,13 @@ R4 "through main"   never Drogue after Pad without Main
 R5 "main goes off"  always main leads to not main within 10 s
 -- stdout --
 <?xml version="1.0" encoding="UTF-8"?>
-<testsuites name="smc test" tests="6" failures="4" errors="0" time="0">
+<testsuites name="smc test" tests="6" failures="5" errors="0" time="0">
   <testsuite name="a.sm" tests="1" failures="1" errors="0" skipped="0" time="0" file="a.sm">
     <testcase name="a.ss" classname="a" time="0">
       <properties>
-        <property name="requirement" value="R1"/>
         <property name="requirement" value="R2"/>
+        <property name="requirement" value="R1"/>
+        <property name="requirement" value="R3"/>
         <property name="requirement" value="R4"/>
       </properties>
       <failure message="a.rq:1:27: error: requirement R1 violated in step 12 (G = 110, state Drogue): low pressure [E1310]" type="E1310">a.rq:1:27: error: requirement R1 violated in step 12 (G = 110, state Drogue): low pressure [E1310]
@@ -57,25 +58,46 @@ note: the last steps, and the values after each:
         11  100  Pad        Pad, number 1                   200
         12  110  Drogue  Drogue, number 2                   200
 a.sm:11:14: note: transition in step 11 (G = 100): Pad -&#62; Drogue
+note: 6 later steps violated it, too, the last of them step 18 (G = 170)
 a.rq:2:27: error: requirement R2 violated in step 12 (G = 110, state Drogue): main first [E1310]
     2 | R2 &#34;main first&#34;     never Drogue before Main
       |                           ^~~~~~
 a.ss:1:1: note: this script ran
 a.rq:2:41: note: no earlier step had 'Main'
+note: 6 later steps violated it, too, the last of them step 18 (G = 170)
+a.rq:3:45: error: requirement R3 violated in step 15 (G = 140, state Drogue): main in time [E1310]
+    3 | R3 &#34;main in time&#34;   always p &#62; 100 leads to main within 40 ms
+      |                                             ^~~~ main = false
+a.ss:1:1: note: this script ran
+a.rq:3:28: note: 'p &#62; 100' was true at G = 100, and 'main' was not true up to G = 140
+note: the last steps, and the values after each:
+      step    G  state    main
+        11  100  Pad     false
+        12  110  Drogue  false
+        13  120  Drogue  false
+        14  130  Drogue  false
+        15  140  Drogue  false
+a.sm:11:14: note: transition in step 11 (G = 100): Pad -&#62; Drogue
+note: no step has stored main
 a.rq:4:27: error: requirement R4 violated in step 12 (G = 110, state Drogue): through main [E1310]
     4 | R4 &#34;through main&#34;   never Drogue after Pad without Main
       |                           ^~~~~~
 a.ss:1:1: note: this script ran
 a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main' since
-3 errors
+note: 6 later steps violated it, too, the last of them step 18 (G = 170)
+a.rq:5:1: warning: requirement R5 was undecided when the script stopped: 'main' was true at G = 180, and 'not main' has not been since [W1301 undecided-requirement]
+    5 | R5 &#34;main goes off&#34;  always main leads to not main within 10 s
+      | ^~
+a.ss:1:1: note: this script ran
+4 errors, 1 warning
 </failure>
     </testcase>
   </testsuite>
-  <testsuite name="a.rq" tests="5" failures="3" errors="0" skipped="2" time="0" file="a.rq">
+  <testsuite name="a.rq" tests="5" failures="4" errors="0" skipped="1" time="0" file="a.rq">
     <testcase name="R1 low pressure" classname="a" time="0">
       <properties>
         <property name="requirement" value="R1"/>
-        <property name="judged" value="a.ss: 12"/>
+        <property name="judged" value="a.ss: 31"/>
         <property name="implemented" value="a.sm:9"/>
       </properties>
       <failure message="violated"/>
@@ -83,23 +105,23 @@ a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main
     <testcase name="R2 main first" classname="a" time="0">
       <properties>
         <property name="requirement" value="R2"/>
-        <property name="judged" value="a.ss: 1"/>
-        <property name="not visited" value="Main"/>
+        <property name="judged" value="a.ss: 7"/>
+        <property name="tested by" value="a.ss:5"/>
       </properties>
       <failure message="violated"/>
     </testcase>
     <testcase name="R3 main in time" classname="a" time="0">
       <properties>
         <property name="requirement" value="R3"/>
+        <property name="judged" value="a.ss: 14"/>
         <property name="implemented" value="a.sm:11, a.sm:16"/>
       </properties>
-      <skipped message="undecided"/>
+      <failure message="violated"/>
     </testcase>
     <testcase name="R4 through main" classname="a" time="0">
       <properties>
         <property name="requirement" value="R4"/>
-        <property name="judged" value="a.ss: 1"/>
-        <property name="not visited" value="Main"/>
+        <property name="judged" value="a.ss: 7"/>
         <property name="implemented" value="a.sm:14"/>
       </properties>
       <failure message="violated"/>
@@ -108,7 +130,7 @@ a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main
       <properties>
         <property name="requirement" value="R5"/>
       </properties>
-      <skipped message="never judged"/>
+      <skipped message="undecided"/>
     </testcase>
   </testsuite>
 </testsuites>

@@ -35,7 +35,7 @@ R5 "never there"    always p < 0 implies main
 -- stdout --
 requirements:
   R3  violated      main in time
-      judged in a.ss: 1
+      judged in a.ss: 14
       implemented in a.sm:11, a.sm:16
   R5  never judged  never there
       implemented nowhere
@@ -65,5 +65,9 @@ note: the last steps, and the values after each:
 a.sm:11:14: note: transition in step 11 (G = 100): Pad -> Drogue
 note: no step has stored main
 1 error, 1 warning
+a.rq:2:1: warning: requirement R5 was never judged: never there [W1300 unjudged-requirement]
+    2 | R5 "never there"    always p < 0 implies main
+      | ^~
+1 warning
 -- exit --
 1

@@ -1,5 +1,5 @@
 # A trace has a last column with the requirements that the step has violated.
-args test --trace=o.csv a.sm a.ss a.rq >/dev/null 2>&1; head -1 o.csv; tail -2 o.csv
+args test --trace=o.csv a.sm a.ss a.rq >/dev/null 2>&1; head -1 o.csv; grep -n R o.csv
 
 -- a.sm --
 [options]
@@ -37,5 +37,10 @@ R4 "through main"   never Drogue after Pad without Main
 R5 "main goes off"  always main leads to not main within 10 s
 -- stdout --
 script,step,G,state,T,drogue,main,p,violated
-a.ss,11,100,Pad,100,0,0,200,
-a.ss,12,110,Drogue,0,1,0,200,R1 R2 R4
+13:a.ss,12,110,Drogue,0,1,0,200,R1 R2 R4
+14:a.ss,13,120,Drogue,10,1,0,200,R1 R2 R4
+15:a.ss,14,130,Drogue,20,1,0,200,R1 R2 R4
+16:a.ss,15,140,Drogue,30,1,0,200,R1 R2 R3 R4
+17:a.ss,16,150,Drogue,40,1,0,200,R1 R2 R4
+18:a.ss,17,160,Drogue,50,1,0,200,R1 R2 R4
+19:a.ss,18,170,Drogue,60,1,0,200,R1 R2 R4

@@ -45,7 +45,7 @@ failed: b.ss: a.rq:1:61: error: requirement R1 violated in step 6 (G = 50, state
 1 passed, 2 failed; coverage reaches --min-coverage
 requirements:
   R1  violated  a high pressure opens the valve
-      judged in a.ss: 1, b.ss: 1
+      judged in a.ss: 8, b.ss: 6
 2 passed, 0 failed; coverage is below --min-coverage
 2
 -- stderr --

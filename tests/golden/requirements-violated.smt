@@ -1,4 +1,4 @@
-# A violation ends the script; all requirements that the step violates are reported, with the reason.
+# A violation does not end the script: each requirement is reported for the first step that violates it, with the reason.
 args test a.sm a.ss a.rq
 
 -- a.sm --
@@ -37,20 +37,20 @@ R4 "through main"   never Drogue after Pad without Main
 R5 "main goes off"  always main leads to not main within 10 s
 -- stdout --
 requirements:
-  R1  violated      low pressure
-      judged in a.ss: 12
+  R1  violated   low pressure
+      judged in a.ss: 31
       implemented in a.sm:9
-  R2  violated      main first
-      judged in a.ss: 1
-      no script came to Main
+  R2  violated   main first
+      judged in a.ss: 7
+      tested by a.ss:5
       implemented nowhere
-  R3  undecided     main in time
+  R3  violated   main in time
+      judged in a.ss: 14
       implemented in a.sm:11, a.sm:16
-  R4  violated      through main
-      judged in a.ss: 1
-      no script came to Main
+  R4  violated   through main
+      judged in a.ss: 7
       implemented in a.sm:14
-  R5  never judged  main goes off
+  R5  undecided  main goes off
       implemented nowhere
 -- stderr --
 a.rq:1:27: error: requirement R1 violated in step 12 (G = 110, state Drogue): low pressure [E1310]
@@ -65,16 +65,37 @@ note: the last steps, and the values after each:
         11  100  Pad        Pad, number 1                   200
         12  110  Drogue  Drogue, number 2                   200
 a.sm:11:14: note: transition in step 11 (G = 100): Pad -> Drogue
+note: 6 later steps violated it, too, the last of them step 18 (G = 170)
 a.rq:2:27: error: requirement R2 violated in step 12 (G = 110, state Drogue): main first [E1310]
     2 | R2 "main first"     never Drogue before Main
       |                           ^~~~~~
 a.ss:1:1: note: this script ran
 a.rq:2:41: note: no earlier step had 'Main'
+note: 6 later steps violated it, too, the last of them step 18 (G = 170)
+a.rq:3:45: error: requirement R3 violated in step 15 (G = 140, state Drogue): main in time [E1310]
+    3 | R3 "main in time"   always p > 100 leads to main within 40 ms
+      |                                             ^~~~ main = false
+a.ss:1:1: note: this script ran
+a.rq:3:28: note: 'p > 100' was true at G = 100, and 'main' was not true up to G = 140
+note: the last steps, and the values after each:
+      step    G  state    main
+        11  100  Pad     false
+        12  110  Drogue  false
+        13  120  Drogue  false
+        14  130  Drogue  false
+        15  140  Drogue  false
+a.sm:11:14: note: transition in step 11 (G = 100): Pad -> Drogue
+note: no step has stored main
 a.rq:4:27: error: requirement R4 violated in step 12 (G = 110, state Drogue): through main [E1310]
     4 | R4 "through main"   never Drogue after Pad without Main
       |                           ^~~~~~
 a.ss:1:1: note: this script ran
 a.rq:4:52: note: the last step with 'Pad' was at G = 100, and none has had 'Main' since
-3 errors
+note: 6 later steps violated it, too, the last of them step 18 (G = 170)
+a.rq:5:1: warning: requirement R5 was undecided when the script stopped: 'main' was true at G = 180, and 'not main' has not been since [W1301 undecided-requirement]
+    5 | R5 "main goes off"  always main leads to not main within 10 s
+      | ^~
+a.ss:1:1: note: this script ran
+4 errors, 1 warning
 -- exit --
 1

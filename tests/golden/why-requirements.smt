@@ -1,4 +1,4 @@
-# A requirement ends the run: the step that violated it is explained, and the state that it demands was never reached.
+# Without a question about a state, the first step that violates a requirement is explained; the state that it demands was never reached.
 args why a.sm a.ss a.rq
 args why a.sm a.ss a.rq --to=Abort
 args why a.sm a.ss a.rq --of=open
@@ -36,8 +36,8 @@ the script failed after this step: requirement R1 was violated
   a.sm:12: `held(p > 825, 30 ms)` was false since step 1 (G = 0); its condition was false when the step began
 where the values come from:
   a.ss:6: the script wrote p in step 5, by `p = 820`
-step 6 (G = 50): Fill, entered in step 1 (G = 0); took no transition
-the script failed after this step: requirement R1 was violated
+step 21 (G = 200): Fill, entered in step 1 (G = 0); took no transition
+the script stopped after this step; step 6 (G = 50) violated requirement R1
   a.sm:12: `held(p > 825, 30 ms)` was false since step 1 (G = 0); its condition was false when the step began
 a.sm:12: Fill -> Abort was never taken; step 4 (G = 30) was nearest to taking it:
   a.sm:12: `held(p > 825, 30 ms)` was false since step 1 (G = 0); its condition was true since G = 20, for 10 of 30
