@@ -85,6 +85,10 @@
     "From requirements to the machine: each mark `@req`. From the machine to requirements: a part has those of its own marks, of the " \
     "conditionals around it, and of its state; a state without a mark has those of the marks inside it. A part without any is code that no " \
     "requirement asks for, or a mark is missing."
+#define TEXT_NO_MARKS \
+    "No state, transition or statement has a mark `@req`, so this page cannot say which requirement a part of the machine is for. " \
+    "`@req R1` after a statement or the header of a state says it."
+#define TEXT_NO_ASSERTS_WITH_REQUIREMENTS "No assert names a requirement."
 
 // ---- mutation ----
 

@@ -22,6 +22,15 @@ static void add_marks(const Traceability *t, Doc *d)
         }
 }
 
+static bool has_marks(const Traceability *t)
+{
+    bool found = false;
+
+    for (size_t i = 0; i < t->requirement.n; i++)
+        found = found || t->requirement.at[i].mark.n;
+    return found;
+}
+
 // From the machine to requirements: each state, transition and output with the requirements that apply to it.
 static void add_parts(const Traceability *t, Doc *d)
 {
@@ -30,6 +39,10 @@ static void add_parts(const Traceability *t, Doc *d)
     static const char *const kind[TRACED_KINDS] = {"state", "all states", "transition", "output"};
     DocTable *table;
 
+    if (!has_marks(t)) {
+        doc_add_paragraph(d, TEXT_NO_MARKS);
+        return;
+    }
     doc_add_heading(d, NULL, "From the machine to requirements");
     table = DOC_ADD_TABLE(d, "parts", columns);
     for (size_t i = 0; i < t->part.n; i++) {
@@ -47,14 +60,26 @@ static void add_parts(const Traceability *t, Doc *d)
     }
 }
 
+static bool has_asserts_with_requirements(const Traceability *t)
+{
+    bool found = false;
+
+    for (size_t i = 0; i < t->assert.n; i++)
+        found = found || t->assert.at[i].requirement;
+    return found;
+}
+
 static void add_asserts(const Traceability *t, Doc *d)
 {
     static const DocColumn columns[] = {{"place", "Place"}, {"text", "Text"}, {"evaluated", "Times"}, {"result", "Result"},
                                         {"requirement", "Requirement"}};
     DocTable *table;
 
-    if (t->assert.n == 0)
+    if (!has_asserts_with_requirements(t)) {
+        if (t->assert.n)
+            doc_add_paragraph(d, TEXT_NO_ASSERTS_WITH_REQUIREMENTS);
         return;
+    }
     doc_add_heading(d, NULL, "From asserts to requirements");
     table = DOC_ADD_TABLE(d, "asserts", columns);
     for (size_t i = 0; i < t->assert.n; i++) {
