@@ -65,18 +65,21 @@ static const char *describe_failed_search(const CoverRun *r, uint32_t place)
             buf_printf(&out, "%s'%s' was %s %s%s", out.n ? "; " : "", source_text(r->arena, blocked->span), f->is_never ? "never" : "not",
                        blocked->value ? "true" : "false", f->is_never ? "" : " together with the rest");
         if (f->missed_by < SEARCH_UNKNOWN)
-            buf_printf(&out, "%sthe nearest run missed by %.4g", out.n ? "; " : "", f->missed_by);
+            buf_printf(&out, f->missed_by < 1e4 || f->missed_by > 1e12 ? "%sthe nearest run missed by %.4g" : "%sthe nearest run missed by %.0f",
+                       out.n ? "; " : "", f->missed_by);
     }
     return out.n ? buf_text(&out) : "no run came to what decides it";
 }
 
 // ---- text ----
 
-// Lists the goals that no script reaches: with `impossible`, those proved unreachable, else the others.
-static void write_gaps(const CoverRun *r, bool impossible, Buf *out)
+// Lists the goals that no script reaches: with `impossible`, those proved unreachable, else the others.  Goals whose cause is listed are only
+// counted.  `n`: how many goals there are.
+static void write_gaps(const CoverRun *r, bool impossible, unsigned long n, Buf *out)
 {
     const CoverGaps gaps = cover_list_gaps(r->all, r->kinds);
     bool is_first = true;
+    unsigned long listed = 0;
 
     for (uint32_t i = 0; i < gaps.n; i++) {
         const CoverGap *g = &gaps.at[i];
@@ -86,8 +89,11 @@ static void write_gaps(const CoverRun *r, bool impossible, Buf *out)
         if (is_first)
             buf_str(out, impossible ? "impossible:\n" : "not found:\n");
         is_first = false;
+        listed++;
         buf_printf(out, "  line %lu: %s%s%s\n", (unsigned long)source_position(g->span.src, g->span.at).line, g->text, *reason ? ": " : "", reason);
     }
+    if (listed && n > listed)
+        buf_printf(out, "  %lu more goal%s, with the same cause as one of these\n", n - listed, n - listed == 1 ? "" : "s");
 }
 
 static void write_old_scripts(const CoverRun *r, Buf *out)
@@ -128,8 +134,8 @@ void cover_write_report(const CoverRun *r, Buf *out)
     for (uint32_t i = 0; i < r->new_one.n; i++)
         buf_printf(out, "wrote %s: %s\n", r->new_one.at[i].path, r->new_one.at[i].goal);
     write_old_scripts(r, out);
-    write_gaps(r, false, out);
-    write_gaps(r, true, out);
+    write_gaps(r, false, t.not_found, out);
+    write_gaps(r, true, t.impossible, out);
     write_pairs(r, out);
 }
 

@@ -41,3 +41,4 @@ impossible:
   line 25: `roll_max(level, 3) < 50 and level > 60` was never true: the conditions before it and beside it exclude it
   line 29: `rest >= 20` was never false: `rest` is from 21 to 4294967295, if only inputs change, and delta_t is 10
   line 31: state Never was never entered: no run enters its state
+  8 more goals, with the same cause as one of these
