@@ -301,6 +301,7 @@ static Expr *check_state_comparison(Sema *s, const AstExpr *e)
     out->op = e->op;
     number = expr_new(s, EX_NUMBER, name->span, 0);
     number->number = sm_from_u32(((const State *)map_find(&m->state_by_name, name->name))->number);
+    number->window = 1;
     out->arg[first] = number;
     out->arg[!first] = check_expr(s, first ? e->a : e->b);
     return out->arg[!first] ? out : NULL;

@@ -69,7 +69,8 @@ static void report_held_number(Sema *s, const AstExpr *n, SmF64 limit)
     Diag *d = diag_report(s->diags, DIAG_held_number, n->span);
 
     if (sm_eq(sm_trunc(limit), limit))
-        diag_label(s->diags, d, DIAG_label_held, n->kind == AST_NAME ? n->name->text : number, number);
+        diag_label(s->diags, d, DIAG_label_held, n->kind == AST_NAME ? n->name->text : number, number,
+                   s->p->time_unit == TIME_NONE ? "ms" : time_unit_name(s->p->time_unit));
     else
         diag_label(s->diags, d, DIAG_label_held_unit, number);
 }

@@ -229,6 +229,16 @@ static void append_window_name(const Namer *n, const char *function, const Windo
     buf_printf(n->out, ", %lu)", (unsigned long)w->size);
 }
 
+// Returns the state that operand i of `S == Run` names; NULL for any other operand.
+static const State *named_state(const Expr *e, uint32_t i)
+{
+    const Expr *number = e->arg[i], *s = e->kind == EX_BINARY ? e->arg[!i] : NULL;
+
+    return s && number->kind == EX_NUMBER && number->window == 1 && s->kind == EX_VAR && s->var->state_of
+               ? s->var->state_of->state.at[sm_to_u32(number->number) - 1]
+               : NULL;
+}
+
 static void append_operation_name(const Namer *n, const Expr *e)
 {
     for (uint32_t i = 0; i < e->n; i++) {
@@ -236,7 +246,10 @@ static void append_operation_name(const Namer *n, const Expr *e)
             buf_printf(n->out, "%s%s", operator_spelling[e->op], e->op == SM_OP_NOT ? " " : "");
         else if (i > 0)
             buf_printf(n->out, " %s ", operator_spelling[e->kind == EX_CHAIN ? expr_ops(e)[i - 1] : e->op]);
-        append_operand_name(n, e->arg[i]);
+        if (named_state(e, i))
+            buf_printf(n->out, "[%s]", named_state(e, i)->name->text);
+        else
+            append_operand_name(n, e->arg[i]);
     }
 }
 

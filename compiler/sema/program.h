@@ -169,7 +169,7 @@ struct Expr {                 // "CALL:" marks a field that only EX_CALL has.  B
     SmF64 number;
     Var *var;
     uint32_t window;          // ROLL: index into the owner's window list; AT: the length of the name of G at the start of `span`, 0: it is not
-                              // written
+                              // written; NUMBER: 1 if it is the number of a state, written as the state's name
     uint32_t define;          // if this is the use of a definition with a unit: 1 + the number of that definition; else 0
     Expr *arg[];              // n operands; in a CHAIN, n - 1 operators follow them (expr_ops)
 };

@@ -14,6 +14,6 @@ F64 x
 .step
     x = v * 2 s                      #! W0423 2 s is the number 2000000 in a product
     x = roll_avg(v, 1500 ms)         #! E0412 1000000 us or 2000000 us would be
-    x = held(v > 1, 5000000)         #! E0414 write '5000000 steps'
+    x = held(v > 1, 5000000)         #! E0414 write '5000000 steps', or a time such as '5000000 us'
     T > 1.0000005 s: x = 1           #! W0422 1.0000005 s is 1000000.5 us
     x = roll_avg(v, 2 s) + held(v > 2, 1000000 us)

@@ -314,6 +314,22 @@ static unsigned sample_fate(const char *old_text, const char *new_text, const ch
     return fate;
 }
 
+// The old machine of a swap in which states get other numbers: B has number 2.
+#define TWO_STATES(text) ELEMENTS "[A]\n.step\nout = " text "\np > 2: -> B\n[B]\n"
+// The new machine: C has number 2, and B number 3.
+#define THREE_STATES(text) ELEMENTS "[A]\n.step\nout = " text "\np > 2: -> C\n[C]\n.step\np > 3: -> B\n[B]\n"
+
+// clause 12.11: a state is named, because its number may differ.
+static void test_sample_names_of_states(void)
+{
+    CHECK(sample_fate(TWO_STATES("roll_avg(S == B, 4)"), THREE_STATES("roll_avg(S == B, 4)"), "roll(S == [B], 4)") == SMVM_SWAP_KEPT);
+    CHECK(sample_fate(TWO_STATES("roll_avg(S == B, 4)"), THREE_STATES("roll_avg(S == C, 4)"), "roll(S == [C], 4)") == SMVM_SWAP_ADDED);
+    CHECK(sample_fate(TWO_STATES("roll_avg(B != S, 4)"), THREE_STATES("roll_avg(B != S, 4)"), "roll([B] != S, 4)") == SMVM_SWAP_KEPT);
+    CHECK(sample_fate(TWO_STATES("roll_avg(S == 2, 4)"), THREE_STATES("roll_avg(S == 2, 4)"), "roll(S == 2, 4)") == SMVM_SWAP_KEPT);
+    CHECK(sample_fate(TWO_STATES("held(p > 2 and S == B, 40 ms)"), THREE_STATES("held(p > 2 and S == B, 40 ms)"),
+                      "run(not (not ((p > 2) and (S == [B]))), 1)") == SMVM_SWAP_KEPT);
+}
+
 static void test_sample_names(void)
 {
 #define ONE(locals, text) ELEMENTS "[local]\nU8 unused = 0\n" locals "[A]\n.step\nout = " text "\n"
@@ -498,6 +514,7 @@ int main(void)
     test_first_step();
     test_locals();
     test_sample_names();
+    test_sample_names_of_states();
     test_samples();
     test_functions_that_remember();
     test_removed_window();
