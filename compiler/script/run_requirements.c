@@ -20,8 +20,10 @@ void requirement_begin_run(ScriptRun *r)
 
 bool requirement_check_step(ScriptRun *r)
 {
+    const uint64_t next = run_next_g(r, 0);
     bool violated;
 
+    r->monitor->step = next == UINT64_MAX ? 1 : next - r->g;
     for (size_t i = 0; r->p->joint && i < r->machines; i++)
         r->monitor->ran[i] = r->answer[0].machine[i].ran;
     violated = monitor_step(r->monitor, r->situation, r->cell);
