@@ -237,7 +237,7 @@ static const char *read_tag(XmlOpen *open, const char *at, const char *end)
     const XmlElementRule *rule = NULL;
     size_t n = 0;
 
-    while (name + n < end && is_name_char(name[n]))
+    while (name + n < end && (is_name_char(name[n]) || name[n] == '-'))
         n++;
     at = name + n;
     if (closes) {

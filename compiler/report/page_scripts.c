@@ -30,7 +30,7 @@ static const char *outcome_text(const ReportRun *run)
     switch (run->result.outcome) {
     case SCRIPT_PASSED: return "passed";
     case SCRIPT_FAILED: return failure_text(&run->result);
-    case SCRIPT_NO_DATA: return "failed: the recorded data cannot be used";
+    case SCRIPT_NO_DATA: return run->result.data_ended ? "failed: the recorded data ended" : "failed: the recorded data cannot be used";
     case SCRIPT_ENDLESS: return "failed: did not stop";
     case SCRIPT_TIME_OVERFLOW: return "failed: G would overflow";
     case SCRIPT_CANCELLED: return "cancelled";

@@ -37,7 +37,7 @@ Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t)
     Monitor *m = ARENA_NEW(arena, Monitor);
 
     m->what = what;
-    m->step = delta_t ? delta_t : 1;
+    m->step = delta_t > 0 || what->program->joint ? delta_t : 1;
     m->result = arena_alloc(arena, what->at.n);
     m->ran = what->program->joint ? ARENA_ARRAY(arena, bool, what->program->joint->member.n) : NULL;
     m->samples_at = ARENA_ARRAY(arena, size_t, what->window.n);
@@ -138,7 +138,7 @@ static MonitorResult judge_leads_to(const Monitor *m, Memory *mem, bool a, bool 
     if (!mem->open)
         return MONITOR_IDLE;
     passed = g - mem->since;
-    if (passed < within && !b && within - passed >= m->step)
+    if (passed <= within && !b && within - passed >= m->step)
         return MONITOR_IDLE;
     mem->open = false;
     return result_of(b && passed <= within);

@@ -25,7 +25,7 @@ typedef enum MonitorResult {
 typedef struct Monitor {
     const Requirements *what; // the requirements that are judged
     size_t first, end;        // the requirements with the indices from `first` to end - 1 are judged
-    uint64_t step;            // the least amount, in units of G, by which G advances from one step to the next; at least 1
+    uint64_t step;            // by how much G advances, at least, to the next step; a caller that knows it exactly sets it before each step
     size_t size;              // size of a situation in bytes
     size_t *samples_at;       // by window: offset of its samples in a situation
     RefWindows windows;       // the windows that the conditions sample, with the values of the situation of the last step
@@ -33,7 +33,8 @@ typedef struct Monitor {
     bool *ran;                // for an application, by machine: it stepped in this tick; set by the caller.  NULL: one machine
 } Monitor;
 
-// delta_t: by how much G advances in a step; 0: unknown.  With it, a `leads to` is decided at the last step that could have met it.
+// delta_t: by how much G advances in a step; 0: unknown, and in an application the next tick can have the same G.  With it, a `leads to` is decided
+// at the last step that could have met it.
 Monitor *monitor_new(Arena *arena, const Requirements *what, uint64_t delta_t);
 // Makes the monitor judge one requirement only.  Its situations are then smaller; those from before the call become invalid.
 void monitor_judge_only(Monitor *m, size_t requirement);

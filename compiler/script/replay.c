@@ -221,7 +221,8 @@ bool replay_advance(Replay *r, uint64_t g, void (*write)(void *context, const Va
     for (size_t i = 0; i < r->d->column.n; i++) {
         const Var *v = r->d->column.at[i].var;
         const double x = r->d->is_linear && v->type != SM_BOOL ? interpolate(c, i, t) : c->now.value[i];
-        if (x == x || r->d->missing_is_nan)
+        const bool has_value = c->now.value[i] == c->now.value[i];    // x can be NaN although it has: between two infinities
+        if (has_value || r->d->missing_is_nan)
             write(context, v, x);
     }
     return true;

@@ -36,8 +36,10 @@ static bool count_violation(ScriptRun *r, size_t i)
 
 bool requirement_check_step(ScriptRun *r)
 {
+    const uint64_t next = run_next_g(r, 0);
     bool is_new = false;
 
+    r->monitor->step = next == UINT64_MAX ? 1 : next - r->g;
     for (size_t i = 0; r->p->joint && i < r->machines; i++)
         r->monitor->ran[i] = r->answer[0].machine[i].ran;
     monitor_step(r->monitor, r->situation, r->cell);

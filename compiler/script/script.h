@@ -102,6 +102,7 @@ typedef struct ScriptResult {
     uint64_t data_first_bad_line;     // number of the line with the first row that was skipped
     uint64_t data_rows, data_bad_rows, data_between;  // number of data rows that were read; of skipped rows; of rows
                                                       // between two steps, which no step used
+    bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     const char *difference;   // SCRIPT_DIFFERENT, SCRIPT_BROKEN: description and location
 } ScriptResult;
 

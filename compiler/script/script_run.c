@@ -259,9 +259,9 @@ static void advance_time(ScriptRun *r)
 
     advance_waits(r, next);
 
-    r->data_ended = next == UINT64_MAX && r->s->by_rows;
+    r->result.data_ended = next == UINT64_MAX && r->s->by_rows;
     if (next == UINT64_MAX)
-        run_finish(r, r->data_ended ? SCRIPT_NO_DATA : SCRIPT_TIME_OVERFLOW);
+        run_finish(r, r->result.data_ended ? SCRIPT_NO_DATA : SCRIPT_TIME_OVERFLOW);
     else if (r->p->joint && !r->s->by_rows)
         add_ticks(r->p->joint, 1, &r->g, &r->rest);
     else
@@ -466,7 +466,7 @@ static void report_data_ended(ScriptRun *r)
 {
     Diag *d;
 
-    if (!r->data_ended)
+    if (!r->result.data_ended)
         return;
     d = diag_report(r->diags, DIAG_data_ended, r->s->delta_t_span, format_in(r->arena, "%" PRIu64, r->g));
     script_note_include(r->diags, r->s, d);

@@ -48,7 +48,6 @@ typedef struct ScriptRun {
     RefRandom random;         // the random numbers of the script
     RefWindows windows;       // the windows of calls in the script, not in the machine
     Replay *replay;           // the recorded data; NULL: the script has none, or it cannot be read
-    bool data_ended;          // with `delta_t file`: the last row has been reached without a @stop
     uint64_t g;               // G of this step
     uint64_t rest;            // for an application: nanoseconds by which the time of this tick exceeds g, less than one unit of G
     ScriptMachine *machine;   // by machine: the only one, or those of the application

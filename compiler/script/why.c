@@ -522,6 +522,22 @@ static const char *violation_text(const Answer *a)
                      why_step(a->r.arena, of->first_step, of->first_g), id);
 }
 
+// Returns why the run failed although no assert and no requirement did: the first @compare that was not met.
+static const char *difference_text(const Answer *a)
+{
+    const ScriptData *d = a->r.s->data;
+
+    for (size_t i = 0; d && i < d->compare.n; i++) {
+        const CompareResult *c = &a->r.run.result.compare[i];
+        const ScriptColumn *column = &d->compare.at[i].column;
+        if (c->failed)
+            return format_in(a->r.arena,
+                             "the script failed: '%s' differed from column '%s' in %" PRIu64 " of %" PRIu64 " steps, first at G = %" PRIu64 ", at %s",
+                             column->var->name->text, column->name->text, c->failed, c->steps, c->first.g, why_place(a->r.arena, column->span));
+    }
+    return NULL;
+}
+
 // Returns how the run ended, if it ended in the step in question; else NULL.
 static const char *ending_text(const Answer *a)
 {
@@ -532,7 +548,11 @@ static const char *ending_text(const Answer *a)
     case SCRIPT_FAILED:
         if (run->violated)
             return violation_text(a);
-        return run->failed ? format_in(a->r.arena, "the script failed after this step, at %s", why_place(a->r.arena, run->failed->span)) : NULL;
+        return run->failed ? format_in(a->r.arena, "the script failed after this step, at %s", why_place(a->r.arena, run->failed->span))
+                           : difference_text(a);
+    case SCRIPT_NO_DATA:
+        return run->result.data_ended ? "the recorded data ended before the script stopped" : "the recorded data cannot be read further";
+    case SCRIPT_TIME_OVERFLOW: return "the script did not stop before the end of G";
     case SCRIPT_ENDLESS: return "the script did not stop";
     default: return NULL;
     }

@@ -1,0 +1,62 @@
+spec 13.12, 13.22  Of the ticks that have the same G, a later one can meet a requirement in time.
+
+
+-- rocket.app --
+[options]
+state_vector "rocket.sv"
+time time 1 ms
+
+[fast]
+every 1 ms:
+    machine one "one.sm"
+
+[slow]                 #! W0790
+every 1500 us:
+    machine two "two.sm"
+-- flight.rq --
+R1 "in the second tick of 13 ms" always fire leads to go within 2 ms
+R3 "met at once"                 always fire leads to p == 10 within 0
+-- flight.ss --
+[all_states]
+G == 10: p = 10
+G == 20: @stop
+-- rocket.sv --
+[options]
+lock
+[A]
+U64  time
+U32  oneState
+U32  twoState
+F64  p
+bool fire
+bool go
+-- one.sm --
+[state_vector]
+U64  time     @alias G
+U32  oneState @alias S
+F64  p        @read_only
+bool fire
+
+[Idle] @safe
+.step
+    fire = false
+    p > 5: -> Fire
+
+[Fire] @safe
+.entry
+    fire = true
+-- two.sm --
+[state_vector]
+U64  time     @alias G
+U32  twoState @alias S
+bool fire     @read_only
+bool go
+
+[Wait] @safe
+.step
+    go = false
+    fire: -> Go
+
+[Go] @safe
+.entry
+    go = true
