@@ -6,11 +6,11 @@
 // The search ends after STEPS_MAX steps, of a machine with many statements after fewer: about STATEMENTS_MAX divided by the number of its statements.
 enum { STEPS_MAX = 400000, STEPS_MIN = 20000, STATEMENTS_MAX = 120000000, MEMORY_MAX = 64 << 20 };
 
-AnalysisRuns state_runs_find(Arena *arena, const Program *p, uint64_t delta_t)
+AnalysisRuns state_runs_find(Arena *arena, const Program *p, uint64_t delta_t, const uint64_t *parameter, uint32_t share)
 {
     const uint64_t steps = STATEMENTS_MAX / (p->stmts + 1u);
-    const SearchOptions o = {.seed = 1, .delta_t = delta_t, .kinds = 1u << COVER_STATE, .memory = MEMORY_MAX, .stays = true, .drafts = true,
-                             .effort = steps > STEPS_MAX ? STEPS_MAX : steps < STEPS_MIN ? STEPS_MIN : steps};
+    const SearchOptions o = {.seed = 1, .delta_t = delta_t, .kinds = 1u << COVER_STATE, .memory = MEMORY_MAX, .stays = true, .drafts = true, .initial = parameter,
+                             .effort = (steps > STEPS_MAX ? STEPS_MAX : steps < STEPS_MIN ? STEPS_MIN : steps) / share};
     Cover *c = cover_new(arena, p);
     const SearchResult *found;
     Scenario *run;

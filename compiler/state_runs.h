@@ -5,6 +5,6 @@
 
 #include "compiler/analysis/analysis.h"
 
-AnalysisRuns state_runs_find(Arena *arena, const Program *p, uint64_t delta_t);
+AnalysisRuns state_runs_find(Arena *arena, const Program *p, uint64_t delta_t, const uint64_t *parameter, uint32_t share);
 
 #endif

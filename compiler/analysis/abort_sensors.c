@@ -107,6 +107,8 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
         TrialEnd f = TRIAL_STAYS;
         k->noise = n % 4 == 3 ? healthy_noise : 0;
         trial_begin_at_entry(t, e, k->at, k->in);
+        t->pattern = n % 4 < 2 ? t->pattern : NULL;         // a feedback that no longer follows its output can cause an abort
+        t->broken = k->failed ? k->failed->input : IR_NONE;
         if (k->failed) {
             k->in[k->failed->input] = k->failed->reading;
             trial_fill_windows(t, k->at, k->in);
@@ -123,6 +125,7 @@ static bool find_aborting_trial(AbortTrials *k, const TrialEntry *e)
             if (f == TRIAL_STAYS)
                 f = hold_inputs_in_state(k, state);
         }
+        t->broken = IR_NONE;
         if (f == TRIAL_ABORTS)
             return true;
     }

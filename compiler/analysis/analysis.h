@@ -31,8 +31,9 @@ typedef struct StmtFact {
 
 // Runs from the machine's start, as a search finds them.
 typedef struct AnalysisRuns { const Scenario *at; uint32_t n; } AnalysisRuns;
-// Finds runs that reach states of the machine, in which G grows by delta_t in a step.  The result is the arena's.
-typedef AnalysisRuns AnalysisSearch(Arena *arena, const Program *p, uint64_t delta_t);
+// Finds runs that reach states of the machine, in which G grows by delta_t in a step.  parameter: by Var.index, the cells of the parameters.  Uses
+// 1 / share of the effort.  The result is the arena's.
+typedef AnalysisRuns AnalysisSearch(Arena *arena, const Program *p, uint64_t delta_t, const uint64_t *parameter, uint32_t share);
 
 typedef struct Analysis {
     unsigned groups;              // the groups whose warnings are enabled: a set of 1u << DiagGroup
@@ -48,7 +49,7 @@ typedef struct Analysis {
     bool large_sums;              // some sum has an operand whose magnitude is always 2^53 or more
     Transitions transition;       // all transitions of the machine, in file order
     AnalysisSearch *search;       // asked for states that trial runs do not reach; NULL: there is no search
-    AnalysisRuns *runs;           // what it has found; NULL: it was not asked
+    AnalysisRuns *runs[3];        // by TrialSetting: what it has found; NULL: it was not asked
 } Analysis;
 
 // Fills in *a for a machine: builds its IR, computes its facts and lists its transitions.  Reports no findings.  `arena` owns the result.

@@ -261,6 +261,7 @@ static bool try_reading(FailureSearch *k, FailureCase *c, uint32_t n, uint64_t u
     Trials *t = z->t;
 
     choose_failure_inputs(z, c, n);
+    t->pattern = c->entry->pattern;
     z->clock = 0;
     trial_copy_situation(t, z->healthy, c->entry->situation);
     if (!failure_run_to_steady_state(z, c))

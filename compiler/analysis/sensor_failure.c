@@ -181,7 +181,9 @@ static StepEffect step_both(FailureTrial *z, const FailureCase *c, FailureEffect
         return HEALTHY_LEFT;
     memcpy(z->broken, z->now, t->inputs * sizeof *z->broken);
     z->broken[c->sensor] = e->failed;
+    t->broken = c->sensor;
     trial_step(t, z->failed, z->broken, t->dt, &t->trace);
+    t->broken = IR_NONE;
     if (t->trace.transition && e->transition == 0)
         e->transition = t->trace.transition;
     if (z->reported[e->transition] || has_left_safe_state(z, e))
@@ -220,7 +222,9 @@ static uint32_t leap_to_limit(FailureTrial *z)
     if (skip == 0 || skip == TRIAL_MANY)
         return 0;
     trial_leap(t, z->earlier, z->before, z->healthy, skip);
+    t->broken = z->sensor;
     trial_leap(t, z->earlier_failed, z->before_failed, z->failed, skip);
+    t->broken = IR_NONE;
     z->leapt = true;
     return skip;
 }
@@ -245,7 +249,9 @@ static uint32_t skip_to_event(FailureTrial *z)
     const uint32_t skip = failed < healthy ? failed : healthy;
 
     trial_skip_steps(t, z->before, z->healthy, skip);
+    t->broken = z->sensor;
     trial_skip_steps(t, z->before_failed, z->failed, skip);
+    t->broken = IR_NONE;
     return skip;
 }
 
@@ -312,7 +318,10 @@ StepEffect failure_run(FailureTrial *z, const FailureCase *c, FailureEffect *e)
     z->leapt = z->cut = false;
     trial_copy_situation(t, z->healthy, z->begin);
     trial_copy_situation(t, z->failed, z->begin);
+    z->sensor = c->sensor;
     e->before = motion[c->motion].noise > 0 ? c->reading : z->reading;      // without the noise of the last step
+    if (t->pattern && t->pattern[c->sensor].kind != SCENARIO_HOLD)
+        e->before = trial_vars(t, z->begin)[t->input[c->sensor].var];
     e->failed = reading_of_failure(&t->input[c->sensor], c->failure, e->before);
     effect = run_both(z, c, e);
     e->steps = (uint32_t)((((IrSituation *)z->failed)->last_g - ((IrSituation *)z->begin)->last_g) / t->dt + 0.5);

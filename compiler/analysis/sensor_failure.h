@@ -43,6 +43,7 @@ typedef struct FailureTrial {
     double *now, *broken;         // inputs of this step: of the healthy machine, of the failed one
     double *before, *before_failed;       // variables before a step, of the two machines
     double *earlier, *earlier_failed;     // variables before the previous step, of the two machines
+    uint32_t sensor;              // the failing sensor: index in Trials.input
     double reading;               // the sensor's reading in the step before it fails
     uint32_t clock;               // number of steps in this trial, from which the motion is computed
     double *level;                // by IR variable: the variable's largest magnitude in the healthy machine before the sensor fails

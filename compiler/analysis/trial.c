@@ -15,6 +15,8 @@
 
 enum {
     ENTRIES_MAX = 32,             // situations stored for each state
+    PATTERNS_MAX = 4,             // further ones with a pattern (TrialPattern)
+    ENTRIES_LASTING = 4,          // situations from which a state is tried for whether it lasts
     ROUNDS = 8,
     ROUNDS_MORE = 16,             // further rounds, only from states with transitions that no trial has taken
     TRIES = 40,                   // tries from each state in each round
@@ -59,27 +61,33 @@ typedef struct TrialSearch {
     double noise;                 // largest noise on sensors, in units of TrialInput.scale
     uint32_t steps;               // as in TrialEntry, for the current situation
     bool unhealthy, commanded;
+    const TrialPattern *pattern;  // as in TrialEntry, for the current situation
     uint32_t most;                // how many entries may be stored for each state
     void *after;                  // a copy of the situation, for the step after a transition
 } TrialSearch;
 
-// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.
+// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.  One with a pattern comes first, because the checks
+// try only the first entries of a state.
 static void add_entry(TrialSearch *k, const Transition *via)
 {
     Trials *t = k->t;
     TrialState *s = &t->state[trial_state(k->at) - 1];
-    TrialEntry e = {NULL, NULL, via, k->steps, k->unhealthy, k->commanded, entry_key(t, k->at)};
+    TrialEntry e = {NULL, NULL, via, k->steps, k->unhealthy, k->commanded, k->pattern, entry_key(t, k->at)};
 
-    if (s->entry.n >= k->most)
+    if (s->entry.n >= k->most + (k->pattern ? PATTERNS_MAX : 0))
         return;
     for (size_t i = 0; i < s->entry.n; i++) {
         const TrialEntry *old = &s->entry.at[i];
-        if (old->via == e.via && old->key == e.key && old->unhealthy == e.unhealthy)
+        if (old->via == e.via && old->key == e.key && old->unhealthy == e.unhealthy && !old->pattern == !e.pattern)
             return;
     }
     e.situation = trial_copy_situation(t, NULL, k->at);
     e.in = arena_copy(t->a->arena, k->in, (t->inputs + 1) * sizeof *k->in);
     vec_push(t->a->arena, &s->entry, e);
+    for (size_t i = s->entry.n - 1; i > 0 && e.pattern && !s->entry.at[i - 1].pattern; i--) {
+        s->entry.at[i] = s->entry.at[i - 1];
+        s->entry.at[i - 1] = e;
+    }
 }
 
 // Runs the step after a transition in a copy of the situation, and counts in t->next whether and where that step makes a transition.
@@ -113,7 +121,7 @@ static void add_elapsed_steps(TrialSearch *k, double before)
     }
     k->steps += n > 1 ? (uint32_t)n : 1;
     if (n > 1)
-        ir_run_fill_windows(t->run, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window, t->dt, NULL, NULL);
+        trial_fill_skipped(t, k->at, n - 1 < t->window ? (uint32_t)n - 1 : t->window);
 }
 
 // Runs one step, or, with `to_event`, up to the next transition, timer or counter limit (trial_advance_to_event).  After a transition, stores
@@ -164,8 +172,8 @@ static void hold_inputs(TrialSearch *k)
     }
 }
 
-// Records whether the inputs, which were k->was, show a command or a sensor that has failed.
-static void record_change(TrialSearch *k)
+// Records whether the inputs, which were k->was, show a command or a sensor that has failed.  groups: sensors of a group that differ have failed, too.
+static void record_change(TrialSearch *k, bool groups)
 {
     const Trials *t = k->t;
 
@@ -173,7 +181,7 @@ static void record_change(TrialSearch *k)
         if (t->input[i].command)
             k->commanded |= k->steps > 0 && k->in[i] != k->was[i];
         else
-            k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || k->in[i] != k->in[t->input[i].group];
+            k->unhealthy |= !trial_is_healthy(&t->input[i], k->in[i]) || (groups && k->in[i] != k->in[t->input[i].group]);
 }
 
 // Chooses random values for all inputs on which state s depends, or changes one input.
@@ -192,7 +200,7 @@ static void change_inputs(TrialSearch *k, const TrialState *s)
         else if (t->inputs > 0)
             trial_set_group(t, k->in, i, trial_pick_reading(t, &t->input[i], unhealthy));
     }
-    record_change(k);
+    record_change(k, true);
 }
 
 // Runs one trial of a state: from a random entry, with a few changes of its inputs one after another.
@@ -204,6 +212,7 @@ static void run_one_try(TrialSearch *k, uint32_t state)
 
     trial_copy_situation(t, k->at, e->situation);
     memcpy(k->in, e->in, (t->inputs + 1) * sizeof *k->in);
+    t->pattern = k->pattern = e->pattern && trial_random_below(t, 2) ? e->pattern : NULL;
     k->steps = e->steps;
     k->unhealthy = e->unhealthy;
     k->commanded = e->commanded;
@@ -236,6 +245,25 @@ static double reading_of_change(const Trials *t, const ScenarioChange *change, u
     return sm_cell_to_f64(p->var.at[change->var]->type, scenario_cell(p, change, step, cell));
 }
 
+// Returns how the inputs go on after these changes, by input; NULL: all keep their values.
+static const TrialPattern *pattern_of_changes(const Trials *t, const ScenarioChange *const *current)
+{
+    TrialPattern *p = ARENA_ARRAY(t->a->arena, TrialPattern, t->inputs + 1u);
+    bool any = false;
+
+    for (uint32_t i = 0; i < t->inputs; i++) {
+        const ScenarioChange *c = current[t->input[i].v->index];
+        const bool is_limited = c && c->kind == SCENARIO_RAMP && t->input[i].v->range;         // it would leave its @range
+        if (!c || c->kind == SCENARIO_HOLD || is_limited || (c->kind == SCENARIO_COPY && t->a->m->var_of[c->source] == IR_NONE))
+            continue;
+        p[i].kind = c->kind;
+        p[i].source = c->kind == SCENARIO_COPY ? t->a->m->var_of[c->source] : 0;
+        p[i].by = c->kind == SCENARIO_ALTERNATE ? c->b - c->a : c->b;
+        any = true;
+    }
+    return any ? p : NULL;
+}
+
 // Follows a run from the machine's start, and stores the situations at the entries of states.
 static void follow_run(TrialSearch *k, const Scenario *s)
 {
@@ -243,6 +271,7 @@ static void follow_run(TrialSearch *k, const Scenario *s)
     const Program *p = t->a->p;
     const ScenarioChange **current = ARENA_ARRAY(t->a->arena, const ScenarioChange *, p->var.n + 1u);
     uint64_t *cell = ARENA_ARRAY(t->a->arena, uint64_t, p->var.n + 1u);
+    const TrialPattern *pattern = NULL;
     size_t next = 0;
 
     ir_run_start(t->run, k->at, s->init_state->number);
@@ -252,34 +281,85 @@ static void follow_run(TrialSearch *k, const Scenario *s)
     k->unhealthy = k->commanded = false;
     for (uint64_t step = 1; step <= s->steps; step++) {
         memcpy(k->was, k->in, t->inputs * sizeof *k->was);
-        for (; next < s->changes && s->change[next].step <= step; next++)
-            current[s->change[next].var] = &s->change[next];
+        if (next < s->changes && s->change[next].step <= step) {
+            for (; next < s->changes && s->change[next].step <= step; next++)
+                current[s->change[next].var] = &s->change[next];
+            pattern = pattern_of_changes(t, current);
+        }
         for (uint32_t i = 0; i < t->inputs; i++)
             if (current[t->input[i].v->index])
                 k->in[i] = reading_of_change(t, current[t->input[i].v->index], step, trial_vars(t, k->at), cell);
-        record_change(k);
+        record_change(k, false);
+        k->pattern = pattern;
         search_step(k, false);
     }
+    k->pattern = NULL;
 }
 
-// If a state has not been reached although the facts allow it, follows the runs that Analysis.search finds, for which random inputs are too few.
-// Returns whether it did.
+// Whether the machine stays in a state, from one of its entries, until all windows have only samples of constant inputs.
+static bool has_lasting_entry(TrialSearch *k, const TrialState *s)
+{
+    Trials *t = k->t;
+    bool lasts = false;
+
+    for (size_t e = 0; e < s->entry.n && e < ENTRIES_LASTING && !lasts; e++) {
+        const uint32_t state = trial_state(s->entry.at[e].situation);
+        trial_begin_at_entry(t, &s->entry.at[e], k->at, k->in);
+        lasts = true;
+        for (uint32_t n = t->window + 1; n > 0 && lasts; n--) {
+            trial_step(t, k->at, k->in, t->dt, &t->trace);
+            lasts = trial_state(k->at) == state;
+        }
+    }
+    t->pattern = NULL;
+    return lasts;
+}
+
+// Whether each state has an entry in which the machine stays with constant inputs, or that a pattern of the inputs goes on with.
+static bool has_reached_all(TrialSearch *k)
+{
+    const Trials *t = k->t;
+    bool all = true;
+
+    for (uint32_t s = 0; s < t->a->p->state.n && all; s++)
+        all = !facts_may_reach(t->a->facts, s, BLOCK_ENTRY) || (t->state[s].entry.n > 0 && (t->a->p->state.at[s]->is_abort || has_lasting_entry(k, &t->state[s])));
+    return all;
+}
+
+// Returns the cells of the parameters in a setting, by Var.index.
+static const uint64_t *cells_of_parameters(const Analysis *a, TrialSetting setting)
+{
+    uint64_t *cell = ARENA_ARRAY(a->kept, uint64_t, a->p->var.n + 1u);
+
+    for (size_t v = 0; v < a->p->var.n; v++) {
+        const Var *var = a->p->var.at[v];
+        if (var->parameter)
+            cell[v] = sm_cell_from_f64(var->type, trial_value_of_parameter(setting, var));
+    }
+    return cell;
+}
+
+// If a state has not been reached although the facts allow it, or constant inputs end it, follows the runs that Analysis.search finds: those of the
+// defaults of parameters first, then those of the present setting.  Returns whether it did.
 static bool follow_found_runs(TrialSearch *k)
 {
     Analysis *a = k->t->a;
-    bool all = true;
+    const TrialSetting own = k->t->setting;
+    bool any = false;
 
-    for (uint32_t s = 0; s < a->p->state.n; s++)
-        all &= k->t->state[s].entry.n > 0 || !facts_may_reach(a->facts, s, BLOCK_ENTRY);
-    if (all || !a->search)
-        return false;
-    if (!a->runs) {
-        a->runs = ARENA_NEW(a->kept, AnalysisRuns);
-        *a->runs = a->search(a->kept, a->p, (uint64_t)k->t->dt);
+    for (int n = 0; n < 2 && a->search && !has_reached_all(k); n++) {
+        const TrialSetting setting = n == 0 ? TRIAL_DEFAULTS : own;
+        if (n > 0 && own == TRIAL_DEFAULTS)
+            break;
+        if (!a->runs[setting]) {
+            a->runs[setting] = ARENA_NEW(a->kept, AnalysisRuns);
+            *a->runs[setting] = a->search(a->kept, a->p, (uint64_t)k->t->dt, cells_of_parameters(a, setting), k->t->share);
+        }
+        for (uint32_t i = 0; i < a->runs[setting]->n; i++)
+            follow_run(k, &a->runs[setting]->at[i]);
+        any |= a->runs[setting]->n > 0;
     }
-    for (uint32_t i = 0; i < a->runs->n; i++)
-        follow_run(k, &a->runs->at[i]);
-    return a->runs->n > 0;
+    return any;
 }
 
 // Adds an entry for each state that the search could not reach, as if the machine were started in it.
@@ -430,6 +510,7 @@ Trials *trials_at(Analysis *a, TrialSetting setting, uint32_t share, TrialGaps *
     t->trace.at = ARENA_ARRAY(a->arena, uint32_t, a->p->stmts + 2u);
     t->random = TRIAL_SEED;
     t->until = UINT64_MAX;
+    t->broken = IR_NONE;
     t->var = ARENA_ARRAY(a->arena, const Var *, a->m->var.n);
     for (size_t v = 0; v < a->p->var.n; v++)
         if (a->m->var_of[v] != IR_NONE)

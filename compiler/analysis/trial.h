@@ -32,6 +32,14 @@ typedef struct TrialInput {
     double scale;                     // width of the range of the group's readings: the unit of noise and slopes
 } TrialInput;
 
+// How an input goes on by itself in trials that begin along a run of the search: a feedback follows an output, a counter counts, a reading moves.
+// Without that, a machine that checks its feedbacks and counters leaves every state.
+typedef struct TrialPattern {
+    ScenarioKind kind;                // SCENARIO_HOLD: the input has the value that the trial chooses
+    uint32_t source;                  // COPY: IR variable that the input follows
+    double by;                        // RAMP: added in each step; ALTERNATE: added in every second step
+} TrialPattern;
+
 // A situation just before the first step in a state.
 typedef struct TrialEntry {
     void *situation;
@@ -40,6 +48,7 @@ typedef struct TrialEntry {
     uint32_t steps;                   // number of steps since the machine's start; TRIAL_MANY: many, or an unknown number
     bool unhealthy;                   // earlier in this trial a reading was outside its healthy range, or differed from others of its group
     bool commanded;                   // earlier in this trial a person changed a command
+    const TrialPattern *pattern;      // by input: how it went on in the run that led to this situation; NULL: no input did
     uint64_t key;                     // a hash of the variables, by which similar situations are recognised (entry_key)
 } TrialEntry;
 #define TRIAL_MANY UINT32_MAX
@@ -95,6 +104,8 @@ typedef struct Trials {
     uint32_t count;                   // number of limits of all counters (`limit`)
     uint64_t random;              // state of the pseudo-random generator
     double *before;                   // variables before a step, for trial_advance_to_event
+    const TrialPattern *pattern;      // by input: how it goes on in the present trial; NULL: no input does
+    uint32_t broken;                  // index of an input that has no pattern now, because it has failed; IR_NONE: no input has failed
     void *scratch;                    // memory for a situation that trial_fill_windows needs
     IrTrace trace;                // what the last step has executed
 } Trials;
@@ -150,6 +161,8 @@ const Var *trial_find_difference(const Trials *t, const Condition *when, const v
 // Copies the situation of an entry, and sets `in` to the inputs that led to it, or to other readings if the machine would leave the
 // state with those inputs.  All commands are 0, unless the machine stays in the state only with the commands that led to the entry.
 void trial_begin_at_entry(Trials *t, const TrialEntry *e, void *situation, double *in);
+// Fills every window with samples of the inputs of the last step, and of how they go on, for steps that were skipped.
+void trial_fill_skipped(const Trials *t, void *situation, uint32_t samples);
 // Fills every window with samples of these inputs.  Windows over variables that the machine writes keep their samples.
 void trial_fill_windows(Trials *t, void *situation, const double *in);
 

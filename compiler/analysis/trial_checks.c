@@ -41,7 +41,7 @@ static void run_checks(Trials *t)
 
 #define TRIAL_CHECK(name, flag, sentence) \
     begin = t->run->work; \
-    t->random = TRIAL_SEED, t->until = begin + left / 2 + 1, check_##name(t); \
+    t->pattern = NULL, t->random = TRIAL_SEED, t->until = begin + left / 2 + 1, check_##name(t); \
     left -= t->run->work - begin < left ? t->run->work - begin : left; \
     if (!trial_may_continue(t) && t->run->work > begin) \
         trial_add_gap(t->gaps, (TrialGap){GAP_CHECK, NULL, NULL, flag});

@@ -23,11 +23,42 @@ void *trial_copy_situation(const Trials *t, void *to, const void *from)
     return memcpy(to, from, t->run->size);
 }
 
+// Returns the value of an input in the next step, if the trial has chosen x.  It follows from the variables alone, so that situations can be copied.
+static double continue_pattern(const Trials *t, const double *vars, uint32_t input, double x)
+{
+    const TrialPattern *p = &t->pattern[input];
+    const double last = vars[t->input[input].var];
+
+    switch (p->kind) {
+    case SCENARIO_HOLD: break;
+    case SCENARIO_COPY: return vars[p->source];
+    case SCENARIO_RAMP: return last + p->by;
+    case SCENARIO_ALTERNATE: return trial_clamp_reading(&t->input[input], last == ir_convert(t->input[input].v->type, x) ? x + p->by : x);
+    }
+    return x;
+}
+
 // Stores the inputs in the variables of a situation, converted to the types of the variables.
 void trial_store_inputs(const Trials *t, double *vars, const double *in)
 {
     for (uint32_t i = 0; i < t->inputs; i++)
-        vars[t->input[i].var] = ir_convert(t->input[i].v->type, in[i]);
+        vars[t->input[i].var] = ir_convert(t->input[i].v->type, t->pattern && i != t->broken ? continue_pattern(t, vars, i, in[i]) : in[i]);
+}
+
+// As the inputs of ir_run_fill_windows: continues patterns.  Other inputs keep their values.
+static void continue_patterns(void *context, double *vars, uint32_t sample)
+{
+    const Trials *t = context;
+
+    (void)sample;
+    for (uint32_t i = 0; i < t->inputs && t->pattern; i++)
+        if (t->pattern[i].kind != SCENARIO_HOLD && t->pattern[i].kind != SCENARIO_ALTERNATE && i != t->broken)
+            vars[t->input[i].var] = ir_convert(t->input[i].v->type, continue_pattern(t, vars, i, 0));
+}
+
+void trial_fill_skipped(const Trials *t, void *situation, uint32_t samples)
+{
+    ir_run_fill_windows(t->run, situation, samples, t->dt, continue_patterns, (void *)t);
 }
 
 // Runs one step with the inputs `in`; G is dt later than in the last step.
@@ -130,7 +161,7 @@ void trial_skip_steps(const Trials *t, const double *before, void *situation, ui
         if (t->limit[v] && m->var.at[v].writable)
             var[v] = ir_convert(m->var.at[v].type, var[v] + n * (var[v] - before[v]));
     if (t->run_time > 0)
-        ir_run_fill_windows(t->run, situation, (uint32_t)sm_min(n, t->window), t->dt, NULL, NULL);
+        trial_fill_skipped(t, situation, (uint32_t)sm_min(n, t->window));
 }
 
 // Whether two changes of a variable are equal, apart from rounding.
@@ -343,6 +374,7 @@ void trial_begin_at_entry(Trials *t, const TrialEntry *e, void *situation, doubl
 {
     bool lasts_with_commands;
 
+    t->pattern = e->pattern;
     memcpy(in, e->in, t->inputs * sizeof *in);
     lasts_with_commands = find_lasting_inputs(t, e, situation, in);
     for (uint32_t i = 0; i < t->inputs; i++)

@@ -58,6 +58,7 @@ typedef struct SearchOptions {
     uint64_t effort;          // the most steps that the search can run, those of replays and simplifying included
     size_t memory;            // bytes of snapshots, and of what is known about them; without room, the least useful ones are evicted
     uint64_t delta_t;         // used if the machine declares no step
+    const uint64_t *initial;  // by Var.index: the cells of parameters before the first step; NULL: their defaults
     const State *init_state;  // where every scenario starts; NULL: the first state
     const bool *writable;     // by Var.index: scenarios can set the variable; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS

@@ -653,6 +653,14 @@ void search_drop(SearchRun *k, uint32_t node) { drop_node(k, node); }
 
 // ---- the first node ----
 
+void search_start(const SearchRun *k, FlatMachine *f, char *block, uint32_t state)
+{
+    flat_start(f, block, state);
+    for (uint32_t v = 0; v < k->p->var.n && k->o->initial; v++)
+        if (k->p->var.at[v]->parameter && k->m->var_of[v] != IR_NONE)
+            flat_cells(f, block)[k->m->var_of[v]] = k->o->initial[v];
+}
+
 void search_begin_nodes(SearchRun *k)
 {
     const size_t machine = round_up(k->plain->size), situation = k->o->watch ? round_up(k->o->watch->size) : 0;
@@ -670,7 +678,7 @@ void search_begin_nodes(SearchRun *k)
     k->visited = arena_alloc(&k->work, k->p->state.n);
     k->cell = ARENA_ARRAY(&k->work, uint64_t, k->p->var.n);
     k->distance = ARENA_ARRAY(&k->work, double, k->o->watch ? k->o->watch->goals : 1);
-    flat_start(k->plain, k->now, k->start->number);
+    search_start(k, k->plain, k->now, k->start->number);
     if (k->o->watch)
         k->o->watch->start(k->o->watch->self, k->now + machine);
     k->root = add_node(k, &seg);

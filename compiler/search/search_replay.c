@@ -80,7 +80,7 @@ static void begin_replay(Chooser *c, const Scenario *s)
     c->enters.n = 0;
     vec_push(&k->work, &c->enters, start);
     flat_clear_counts(c->f);
-    flat_start(c->f, c->block, s->init_state->number);
+    search_start(c->k, c->f, c->block, s->init_state->number);
     memset(c->current, 0, (k->inputs + 1) * sizeof *c->current);
     if (k->o->watch) {
         memset(c->seen, 0, k->o->watch->goals);

@@ -246,6 +246,7 @@ bool search_goes_on(SearchRun *k);            // whether effort is left and the 
 void search_load(SearchRun *k, uint32_t node, char *to);      // copies the node's snapshot
 // Makes changes in the state `block` of a run that has run `at` steps.
 void search_apply(SearchRun *k, char *block, uint64_t at, const SearchTurn *turn, uint32_t turns);
+void search_start(const SearchRun *k, FlatMachine *f, char *block, uint32_t state);    // makes `block` the start of a run in a state
 void search_set_inputs(SearchRun *k, char *block, uint64_t step);     // sets all inputs and the time before step `step`
 static inline SearchSetting *search_settings(const SearchRun *k, char *block) { return (SearchSetting *)(void *)(block + k->settings); }
 
