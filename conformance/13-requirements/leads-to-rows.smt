@@ -14,7 +14,7 @@ bool on
     on = p > q
 -- app.rq --
 R1 "q follows p" always p == 1 leads to q == 1 within 20      #! E1310 in step 3
-R2 "in time"     always p == 1 leads to q == 1 within 60
+R2 "in time"     always p == 1 leads to q == 1 within 60      #! W1301
 -- flight.csv --
 t,p,q
 0,0,0
