@@ -7,6 +7,7 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/fault_lines.h"
 #include "compiler/cli/mutate_scripts.h"
+#include "compiler/cli/runs.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/report/describe.h"
 #include "compiler/search/mutant_reach.h"
@@ -98,14 +99,11 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClo
 {
     ProofProgress k = {{c, 0, false}, r->requirements, clock};
     ProveOptions options = {.delta_t = o->step, .progress = show_proofs, .go_on = proofs_may_go_on, .context = &k};
-    const Requirement *first, *second;
     unsigned long interrupted = 0;
 
     if (!r->requirements)
         return EXIT_OK;
-    if (prove_find_contradiction(&c->session.arena, r->requirements, &first, &second)) {
-        diag_note(&c->session.diags, diag_report(&c->session.diags, DIAG_requirements_contradict, second->span, second->id->text, first->id->text),
-                  first->span, DIAG_note_first_here);
+    if (runs_report_contradiction(c, r->requirements)) {
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
