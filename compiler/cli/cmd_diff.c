@@ -30,7 +30,7 @@ static int check_arguments(Cli *c)
 
     for (size_t i = 0; i < c->files; i++) {
         if (has_suffix(c->file[i], ".app"))
-            return runs_refuse_app(c, c->file[i], c->command->name);
+            return runs_refuse_app(c, c->file[i]);
         if (!has_suffix(c->file[i], ".ss") && !has_suffix(c->file[i], ".sm"))
             return cli_usage_error(c, TEXT_not_machine_or_script, c->file[i],
                                    has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");

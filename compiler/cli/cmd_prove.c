@@ -4,6 +4,7 @@
 
 #include "compiler/base/os_signal.h"
 #include "compiler/cli/deps.h"
+#include "compiler/cli/prove_application.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cli/whatif.h"
 #include "compiler/prove/prove_given.h"
@@ -11,14 +12,29 @@
 
 static const CliFormat formats[] = {{"text", {".txt", NULL, NULL}, NULL}, {"json", {".json", NULL, NULL}, NULL}};
 
+// Refuses what an application decides itself, and scripts: searches begin with those of one machine.
+static int check_app_arguments(Cli *c, const char *app)
+{
+    if (c->given[OPT_SV])
+        return cli_usage_error(c, TEXT_app_names_vector, app);
+    if (c->given[OPT_STEP] || c->given[OPT_INIT_STATE])
+        return cli_usage_error(c, TEXT_prove_app_decides, app, c->given[OPT_STEP] ? "--step" : "--init-state");
+    for (size_t i = 0; i < c->files; i++)
+        if (has_suffix(c->file[i], ".ss"))
+            return cli_usage_error(c, TEXT_prove_app_scripts, c->file[i]);
+    return EXIT_OK;
+}
+
 static int check_arguments(Cli *c)
 {
     size_t machines = 0, requirements = 0;
 
     for (size_t i = 0; i < c->files; i++) {
-        if (has_suffix(c->file[i], ".app"))
-            return runs_refuse_app(c, c->file[i], c->command->name);
-        const bool is_requirements = has_suffix(c->file[i], ".rq"), is_machine = has_suffix(c->file[i], ".sm");
+        const bool is_app = has_suffix(c->file[i], ".app");
+        const bool is_requirements = has_suffix(c->file[i], ".rq"), is_machine = is_app || has_suffix(c->file[i], ".sm");
+        const int code = is_app ? check_app_arguments(c, c->file[i]) : EXIT_OK;
+        if (code != EXIT_OK)
+            return code;
         if (!is_requirements && !is_machine && !has_suffix(c->file[i], ".ss"))
             return cli_usage_error(c, TEXT_not_machine_or_requirements, c->file[i],
                                    has_suffix(c->file[i], ".sv") ? "; name the state vector with --sv" : "");
@@ -40,17 +56,26 @@ static const State *find_init_state(const Cli *c, const Program *p)
 
 static int write_result(Cli *c, size_t format, const Program *p, const ProveResult *r)
 {
-    OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0}};
-    size_t files = 1;
     Buf out;
 
     buf_init(&out, &c->session.arena);
     (format == 0 ? prove_write_text : prove_write_json)(&c->session.arena, p, r, &out);
-    file[0].bytes = buf_text(&out);
-    file[0].n = out.n;
-    if (deps_wanted(c))
-        deps_add_rule(c, file, &files, deps_list_inputs(c));
-    return cli_write_outputs(c, file, files);
+    return whatif_write(c, &out);
+}
+
+static int prove_and_write_app(Cli *c, const Requirements *what, const ProveSettings *s, size_t format)
+{
+    int code, written;
+    Buf out;
+
+    buf_init(&out, &c->session.arena);
+    os_signals_begin();
+    os_signals_delay();
+    code = prove_application(c, what, s, format > 0, &out);
+    written = code == EXIT_PROBLEM ? EXIT_OK : whatif_write(c, &out);
+    os_signals_resume();                  // ends the process if a signal has asked to stop
+    os_signals_end();
+    return written == EXIT_OK ? code : written;
 }
 
 // Returns the exit code of the verdicts: the worst one decides.
@@ -128,7 +153,7 @@ static const Requirements *requirements_without_scripts(Cli *c, const CompileInp
     const Requirements *out;
     size_t n = 0;
 
-    if (machine->scripted == machine->program)
+    if (machine->scripted == machine->program || machine->scripted->joint)
         return machine->requirements;
     for (size_t i = 0; i < in->n; i++)
         if (in->at[i].kind == FILE_RQ)
@@ -211,9 +236,6 @@ static const Requirements *select_requirements(Cli *c, const Requirements *all)
     return out;
 }
 
-// The limits of a search and of a proof; 0: the defaults.
-typedef struct ProveSettings { uint64_t effort, memory; } ProveSettings;
-
 static int prove_requirements(Cli *c, const Requirements *what, const Givens *given, const CompileOptions *o, const ProveSettings *s, size_t format)
 {
     const Program *p = what->program;
@@ -270,6 +292,7 @@ int cmd_prove(Cli *c)
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     o.skip_analyses = true;
+    o.scripts_later = in.app != NULL;
     compile_sources(&c->session, &in, &o, &made);
     if ((code = cli_print_diagnostics(c)) != EXIT_OK)
         return code;
@@ -278,6 +301,8 @@ int cmd_prove(Cli *c)
         return EXIT_USAGE;
     if ((code = run_scripts(c, &in, &made, what->program, &given)) != EXIT_OK)
         return code;
+    if (in.app)
+        return prove_and_write_app(c, what, &settings, format);
     if (runs_report_contradiction(c, all))
         return cli_print_diagnostics(c);
     return prove_requirements(c, what, &given, &o, &settings, format);

@@ -67,7 +67,7 @@ static const char *find_app(const Cli *c)
     return NULL;
 }
 
-// Refuses options that an application replaces, and proofs, which are of one machine.  With --all, a note says that there are none.
+// Refuses options that an application replaces, and proofs.  With --all, a note says that there are none.
 static int check_app_options(Cli *c, const char *app)
 {
     if (c->given[OPT_IO] || c->given[OPT_NET])
@@ -76,8 +76,8 @@ static int check_app_options(Cli *c, const char *app)
         return EXIT_OK;
     c->given[OPT_PROVE] = false;
     if (!c->given[OPT_ALL])
-        return runs_refuse_app(c, app, "prove");
-    cli_print_note(c, TEXT_report_app_proofs, app);
+        return cli_usage_error(c, TEXT_report_app_proofs, "--prove", app);
+    cli_print_note(c, TEXT_report_app_proofs, "--all", app);
     return EXIT_OK;
 }
 

@@ -35,7 +35,7 @@ typedef struct OtherArguments { const char *command, *before, *after; } OtherArg
 
 static OtherArguments other_arguments(const char *command)
 {
-    static const OtherArguments known[] = {{"prove", "", " REQUIREMENTS.rq"}, {"diff", "OLD.sm ", ""}, {"cover", "", " SCRIPT.ss -o FOLDER"}};
+    static const OtherArguments known[] = {{"diff", "OLD.sm ", ""}, {"cover", "", " SCRIPT.ss -o FOLDER"}};
 
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i].command, command) == 0)
@@ -54,9 +54,9 @@ static void write_command(Cli *c, const AppFiles *files, const AppInstance *m, O
 }
 
 // Reports that the command is for one machine, and the command for each machine of the application.
-int runs_refuse_app(Cli *c, const char *app, const char *name)
+int runs_refuse_app(Cli *c, const char *app)
 {
-    const OtherArguments other = other_arguments(name);
+    const OtherArguments other = other_arguments(c->command->name);
     CompileSource source = {.text = cli_read_source(c, app), .kind = FILE_APP};
     CompileInput in = {.at = &source, .n = 1};
     Buf commands, all;
@@ -69,9 +69,9 @@ int runs_refuse_app(Cli *c, const char *app, const char *name)
     for (size_t i = 0; i < in.app->files.instances; i++)
         write_command(c, &in.app->files, &in.app->files.instance[i], other, &commands);
     if (commands.n == 0)
-        return cli_usage_error(c, TEXT_not_an_app, app, name, name, other.before, other.after, find_app_vector(c, &in.app->files));
+        return cli_usage_error(c, TEXT_not_an_app, app, other.command, other.command, other.before, other.after, find_app_vector(c, &in.app->files));
     buf_init(&all, &c->session.arena);
-    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), name, buf_text(&commands));
+    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), other.command, buf_text(&commands));
     cli_print(c, 2, &all);
     return EXIT_USAGE;
 }
@@ -93,7 +93,7 @@ int runs_check_arguments(Cli *c)
     for (size_t i = 0; i < c->files; i++) {
         const bool app = has_suffix(c->file[i], ".app");
         if (app && !accepts_app(c))
-            return runs_refuse_app(c, c->file[i], c->command->name);
+            return runs_refuse_app(c, c->file[i]);
         if (app && c->given[OPT_SV])
             return cli_usage_error(c, TEXT_app_names_vector, c->file[i]);
         const bool script = has_suffix(c->file[i], ".ss") || (judges && has_suffix(c->file[i], ".rq"));

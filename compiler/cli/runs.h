@@ -8,8 +8,8 @@
 
 // Checks that the arguments are one machine and scripts, and for some commands requirements.  Returns EXIT_OK, or the exit code after a message.
 int runs_check_arguments(Cli *c);
-// Reports that a command is for one machine, and what to name instead of an application.  name: the command, such as "prove".  Returns an exit code.
-int runs_refuse_app(Cli *c, const char *app, const char *name);
+// Reports that the command is for one machine, and what to name instead of an application.  Returns an exit code.
+int runs_refuse_app(Cli *c, const char *app);
 // Compiles `in` for a command that runs the scripts itself: no analysis runs, and each script still needs session_script.  Returns EXIT_OK, or
 // the exit code after messages.
 int runs_compile(Cli *c, const CompileInput *in, CompileOptions *o, Compiled *made);

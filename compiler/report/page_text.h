@@ -18,8 +18,8 @@
     "Every machine that reads or writes an element of the state vector. An element that a machine reads and none writes comes from outside: from a " \
     "pin, a message, or a task in C. In a tick, machines run in the order of the columns, and each sees what those before it have stored."
 #define TEXT_APP_ALONE \
-    "Costs of steps, proofs and transitions by requirement are those of one machine: `smc report` and `smc prove` with the file of the machine, " \
-    "its state vector (`--sv`) and its bindings (`--bind`)."
+    "Costs of steps and traceability are on the page of one machine: `smc report` with the file of the machine, its state vector (`--sv`) and its " \
+    "bindings (`--bind`). `smc prove` with the application decides requirements."
 
 // ---- outputs ----
 

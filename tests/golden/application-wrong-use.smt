@@ -84,8 +84,7 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
 smc: cannot read 'a.ss': No such file or directory
 smc: 'a.app' is an application, and smc cover is for one machine, with scripts of that machine. Its machines:
   m: smc cover missing.sm SCRIPT.ss -o FOLDER --sv a.sv
-smc: 'a.app' is an application, and smc prove is for one machine, with scripts of that machine. Its machines:
-  m: smc prove missing.sm REQUIREMENTS.rq --sv a.sv
+smc: cannot read 'a.rq': No such file or directory
 smc: cannot read 'a.ss': No such file or directory
 smc: cannot read 'a.ss': No such file or directory
 smc: 'a.app' is an application, and smc diff is for one machine, with scripts of that machine. Its machines:
@@ -106,4 +105,4 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
 4 errors
 smc: cannot read 'nosuch.app': No such file or directory
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 3 2 2 3 3 2 1 3 0
+2 2 2 2 2 2 2 2 2 3 1 1 3 2 3 3 3 2 1 3 0

@@ -15,7 +15,7 @@ Usage:
       write one page about a machine, or an application with its machines, for a design review
   smc graph M.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       draw the state diagram, and where scripts have been in it, as SVG, for Graphviz or for Mermaid
-  smc prove M.sm R.rq... [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
+  smc prove M.sm|X.app R.rq... [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       decide for each requirement whether any run of the machine can violate it
   smc mutate M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--min-score=PERCENT]
       change one number, operator, target or statement at a time, and list the changes that no script and no requirement notices

@@ -185,8 +185,9 @@ Overview
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 
-Costs of steps, proofs and transitions by requirement are those of one machine: `smc report` and
-`smc prove` with the file of the machine, its state vector (`--sv`) and its bindings (`--bind`).
+Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
+machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
+decides requirements.
 
 The application has 2 machines, and a tick every 10 ms.
 
@@ -321,8 +322,9 @@ valve: Source
   Faults of sensors                   open     of input and kind: 3 elsewhere, 2 differs, 4 aborted, 17 without effect
   Parameters                          passed   2 with a known margin
 
-Costs of steps, proofs and transitions by requirement are those of one machine: `smc report` and
-`smc prove` with the file of the machine, its state vector (`--sv`) and its bindings (`--bind`).
+Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
+machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
+decides requirements.
 
 The application has 2 machines, and a tick every 10 ms.
 {"smc-report": 1, "application": "stand",
@@ -350,13 +352,12 @@ of parameters (`--sweep`). `smc report --all` adds them.
   What speaks against it  How it is known
   script failing.ss       it fails (Scripts)
 
-Costs of steps, proofs and transitions by requirement are those of one machine: `smc report` and
+Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
 -- stderr --
-smc: --all: the page of an application has no proofs; run smc prove on each machine of 'stand.app', with its bindings
+smc: --all: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
 smc: failing.ss failed; the report shows why
-smc: 'stand.app' is an application, and smc prove is for one machine, with scripts of that machine. Its machines:
-  pump: smc prove pump.sm REQUIREMENTS.rq --sv stand.sv
-  valve: smc prove valve.sm REQUIREMENTS.rq --sv stand.sv
+smc: --prove: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
+Try 'smc report --help'.
 smc: 'stand.app' names its files itself: remove --io
 Try 'smc report --help'.
 smc: 'stand.app' names its files itself: remove --net
