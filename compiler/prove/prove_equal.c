@@ -113,11 +113,11 @@ bool prove_find_contradiction(Arena *arena, const Requirements *r, const Require
 static bool is_run(uint32_t stats) { return (stats & SM_STATS_OF_RUNS) != 0; }
 
 // What a condition reads.
-typedef struct Reads {
+typedef struct ConditionReads {
     const Expr *other;        // NULL, or a condition that may read the same variable
     bool is_unchanged;        // no step changes what it reads, and it reads no window
     bool is_shared;           // `other` reads one of its variables, too
-} Reads;
+} ConditionReads;
 
 static bool reads(const Expr *e, const Var *v)
 {
@@ -130,7 +130,7 @@ static bool reads(const Expr *e, const Var *v)
 
 static void find_reads(Expr *e, void *context)
 {
-    Reads *r = context;
+    ConditionReads *r = context;
 
     r->is_unchanged = r->is_unchanged && (e->kind != EX_VAR || !e->var->written) && e->kind != EX_ROLL;
     r->is_shared = r->is_shared || (e->kind == EX_VAR && r->other && reads(r->other, e->var));
@@ -139,7 +139,7 @@ static void find_reads(Expr *e, void *context)
 // Whether two conditions can have the same value in every step, to be decided by are_equal: both are values of the step alone.
 static bool may_be_equal(Expr *a, Expr *b)
 {
-    Reads of_a = {.other = b, .is_unchanged = true}, of_b = {.is_unchanged = true};
+    ConditionReads of_a = {.other = b, .is_unchanged = true}, of_b = {.is_unchanged = true};
 
     expr_walk(a, find_reads, &of_a);
     expr_walk(b, find_reads, &of_b);

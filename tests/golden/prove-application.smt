@@ -261,7 +261,7 @@ requirements of pump, from state Off, with a step every 10 ms:
       this run is of pump alone: in the application, its inputs may never have these values
 {"smc-proofs":1,"application":"stand","machines":[
 {"smc-proofs":1,"machine":"pump","state":"Off","delta_t":10,"scripts":[],"requirements":[
-{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":241,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
+{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":221,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
 ]}
 ],"undecided":[
 {"id":"R1","because":"no machine writes 'level'"}]}
@@ -307,6 +307,7 @@ unknown.rq:1:21: error: unknown element 'drained' [E0204]
 between.rq:1:34: error: requirement R1 violated in step 22 (G = 210, state pump.On, valve.Open): closed without water [E1310]
     1 | R1 "closed without water"  never open and level < 1
       |                                  ^~~~~~~~~~~~~~~~~~ open = true, level = 0
+between.ss:1:1: note: this script ran
 note: the last steps, and the values after each:
       step    G  state                open  level
         18  170  pump.On, valve.Open  true      5
@@ -317,7 +318,8 @@ note: the last steps, and the values after each:
 pump.sm:22:12: note: transition in step 1 (G = 0): pump.Off -> Asking
 valve.sm:20:28: note: transition in step 3 (G = 20): valve.Closed -> Open
 pump.sm:28:11: note: transition in step 6 (G = 50): pump.Asking -> On
-valve.sm:24:5: note: step 5 (G = 40): `open = true` was executed
+valve.sm:24:5: note: valve: step 5 (G = 40): `open = true` was executed
+note: 2 later steps violated it, too, the last of them step 24 (G = 230)
 1 error
 smc: scripts of an application do not help a proof, which is about one of its machines: remove 'between.ss'
 Try 'smc prove --help'.
