@@ -20,13 +20,11 @@ static void *host(void *context, void *old, size_t n)
     return NULL;
 }
 
-static AstExpr number(double x, Span place) { return (AstExpr){.kind = AST_NUMBER, .span = place, .number = x}; }
+static AstExpr number(const Program *p, double x) { return (AstExpr){.kind = AST_NUMBER, .number = x, .span = {p->src, 0, 1}}; }
 
 static bool set(Sema *s, Program *p, const char *name, const AstExpr *value)
 {
-    const Span place = {.src = value->span.src, .at = (uint32_t)strlen(name)};       // another one for each unknown name: of two errors at one place, one is shown
-
-    return set_parameter_of_machine(s, p, str_c(s->strings, name), place, value);
+    return set_parameter_of_machine(s, p, str_c(s->strings, name), (Span){p->src, 20 + (uint32_t)strlen(name), 1}, value);
 }
 
 // Whether the session has a diagnostic with these words.
@@ -42,14 +40,14 @@ static bool is_reported(Session *c, const char *words)
 
 static void test_setting(Session *c, Sema *s, Program *p)
 {
-    const Span place = program_parameter(p, str_c(s->strings, "n"))->span;
-    AstExpr x = number(300, place), negative = {.kind = AST_UNARY, .op = SM_OP_NEG, .span = program_parameter(p, str_c(s->strings, "limit"))->span, .a = &x}, name = {.kind = AST_NAME, .span = place};
+    AstExpr x = number(p, 300), negative = {.kind = AST_UNARY, .op = SM_OP_NEG, .a = &x, .span = {p->src, 1, 1}};
+    AstExpr name = {.kind = AST_NAME, .span = {p->src, 15, 3}};
 
     CHECK(set(s, p, "limit", &x) && program_parameter(p, str_c(s->strings, "limit"))->init == sm_bits(300));
     CHECK(!set(s, p, "limit", &negative) && !set(s, p, "limit", &name) && !set(s, p, "n", &x) && !set(s, p, "other", &x) && !set(s, p, "none", &x));
     CHECK(c->diags.errors_seen == 5 && is_reported(c, "cannot set parameter 'limit' to -300: the value is below the range"));
-    CHECK(is_reported(c, "cannot set parameter 'limit' to n: the value is not a number") && is_reported(c, "the machine has no such parameter"));
-    x = number(100, place);
+    CHECK(is_reported(c, "cannot set parameter 'limit' to U64: the value is not a number") && is_reported(c, "the machine has no such parameter"));
+    x = number(p, 100);
     CHECK(set(s, p, "limit", &negative) && program_parameter(p, str_c(s->strings, "limit"))->init == sm_bits(-100));
 }
 
