@@ -52,7 +52,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
 // ---- one script ----
 
 // Shortens the report of a requirement that an earlier script has violated, whose report has the steps before. The first note is the script.
-static void shorten_violation(MachineTest *m, Diag *d)
+static void shorten_violation(MachineTest *m, Diag *d, const ScriptResult *r)
 {
     const Span script = d->notes.at[0].span;
     bool is_explained = false;
@@ -65,15 +65,17 @@ static void shorten_violation(MachineTest *m, Diag *d)
     }
     d->notes.n = 0;
     diag_note(&m->t->c->session.diags, d, script, DIAG_note_violated_in);
+    if (r->is_random)
+        diag_note(&m->t->c->session.diags, d, (Span){0}, DIAG_note_seed, format_in(m->t->arena, "%llu", (unsigned long long)r->seed));
 }
 
-static void shorten_violations(MachineTest *m)
+static void shorten_violations(MachineTest *m, const ScriptResult *r)
 {
     const Diags *d = &m->t->c->session.diags;
 
     for (size_t i = 0; i < d->list.n; i++)
         if (d->list.at[i]->code == DIAG_requirement_violated)
-            shorten_violation(m, d->list.at[i]);
+            shorten_violation(m, d->list.at[i], r);
 }
 
 // Returns the session's diagnostics as the message of a result.
@@ -157,7 +159,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     script_report(&r, m->p, &m->report);
     message = render_diagnostics(t);
     if (cli_prints_text(t->c))
-        shorten_violations(m);
+        shorten_violations(m, &r);
     reported = cli_print_diagnostics(t->c);
     if (code == EXIT_OK)
         code = reported;

@@ -357,7 +357,7 @@ void compare_write_spans(const CompareResult *c, Buf *out)
         buf_printf(out, " and %" PRIu64 " more times", c->spans - COMPARE_SPANS_MAX);
 }
 
-static void report_difference(const Replay *r, const ReplayCompare *k)
+static void report_difference(const Replay *r, const ReplayCompare *k, const ScriptResult *result)
 {
     const ScriptColumn *column = &k->of->column;
     Diag *d = diag_report(r->diags, DIAG_compare_failed, column->span, column->var->name->text, column->name->text, count(r, k->result.failed),
@@ -369,9 +369,11 @@ static void report_difference(const Replay *r, const ReplayCompare *k)
     buf_init(&spans, r->arena);
     compare_write_spans(&k->result, &spans);
     diag_note(r->diags, d, (Span){0}, DIAG_note_compare_spans, buf_text(&spans));
+    if (result->is_random)
+        diag_note(r->diags, d, (Span){0}, DIAG_note_seed, count(r, result->seed));
 }
 
-void replay_report(const Replay *r, bool judged)
+void replay_report(const Replay *r, bool judged, const ScriptResult *result)
 {
     const Recording *file = &r->cursor[0]->file;
 
@@ -381,7 +383,7 @@ void replay_report(const Replay *r, bool judged)
     for (size_t i = 0; judged && i < r->d->compare.n; i++) {
         const ReplayCompare *k = &r->compare[i];
         if (k->result.failed)
-            report_difference(r, k);
+            report_difference(r, k, result);
         else if (k->result.steps == 0)
             script_note_include(r->diags, r->s, diag_report(r->diags, DIAG_compare_never, k->of->column.span));
     }

@@ -30,7 +30,7 @@ bool replay_find_next_time(const Replay *r, uint64_t *g);
 bool replay_differs(const Replay *r);
 // Sets the results of the @compares, and the counts of rows.
 void replay_set_result(const Replay *r, ScriptResult *result);
-// Reports rows that were skipped, and if `judged`, the @compares that were not met or never evaluated.
-void replay_report(const Replay *r, bool judged);
+// Reports rows that were skipped, and if `judged`, the @compares that were not met or never evaluated.  `result`: that of the run.
+void replay_report(const Replay *r, bool judged, const ScriptResult *result);
 
 #endif

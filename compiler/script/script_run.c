@@ -496,6 +496,7 @@ ScriptResult script_run(Arena *arena, Diags *diags, const Script *s, Engine **en
     assert_report_unevaluated(&r);
     requirement_report_undecided(&r);
     if (r.replay)
-        replay_report(r.replay, r.result.outcome != SCRIPT_BROKEN && r.result.outcome != SCRIPT_DIFFERENT && r.result.outcome != SCRIPT_NO_DATA);
+        replay_report(r.replay, r.result.outcome != SCRIPT_BROKEN && r.result.outcome != SCRIPT_DIFFERENT && r.result.outcome != SCRIPT_NO_DATA,
+                      &r.result);
     return r.result;
 }
