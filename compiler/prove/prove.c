@@ -62,7 +62,7 @@ static uint64_t effort_of(const ProveRun *v) { return v->o->effort ? v->o->effor
 // Returns how many paths a long exploration can visit: fewer with less effort, but not fewer than a short one.
 static uint64_t visits_of_long(const ProveRun *v)
 {
-    const uint64_t most = limits_of[PROVE_FINE].visits, least = limits_of[PROVE_COARSE].visits, share = effort_of(v) / STEPS_PER_VISIT;
+    const uint64_t most = limits_of[PROVE_LONG].visits, least = limits_of[PROVE_COARSE].visits, share = effort_of(v) / STEPS_PER_VISIT;
 
     return share > most ? most : share < least ? least : share;
 }
@@ -547,6 +547,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->init_state = o->init_state ? o->init_state : v.p->state.at[0];
     result->n = r->at.n;
     result->effort = effort_of(&v);
+    result->can_prove_longer = visits_of_long(&v) < limits_of[PROVE_LONG].visits;
     result->given = o->given;
     result->givens = o->givens;
     judge_givens(&v);

@@ -131,6 +131,7 @@ typedef struct ProveResult {
     const State *init_state;
     uint64_t steps;           // steps of all runs that searched for violations
     uint64_t effort;          // steps that the searches for a requirement can run: as in the options, or the default
+    bool can_prove_longer;    // with more effort, long proofs examine more paths, too
     const char *bug;          // a sentence: a found violation that the reference interpreter does not confirm; or NULL
 } ProveResult;
 

@@ -289,7 +289,7 @@ static void write_advice(const Program *p, const ProveResult *r, const ProveOf *
     else if (!of->premise_seen)
         buf_str(out, "a script that comes to the premise, named in the command; ");
     write_range_advice(of, out);
-    buf_printf(out, "--effort=%llu, which searches longer\n", (unsigned long long)effort);
+    buf_printf(out, "--effort=%llu, which searches %slonger\n", (unsigned long long)effort, r->can_prove_longer ? "and proves " : "");
 }
 
 // Writes how much was tried before the interruption, which shows how long the requirement takes, but nothing about it.

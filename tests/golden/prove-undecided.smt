@@ -63,14 +63,14 @@ requirements of a, from state Idle, with a step every 10 ms:
       2625 abstract states and 953368 paths were examined
       too many values for a proof have: T, the samples of held(p > 5, 700 ms), the samples of held(p < 2, 300 ms)
       a proof can become possible by: a shorter timer than 7000 ms in Wait; fewer samples in held(p > 5, 700 ms); fewer samples in held(p < 2, 300 ms)
-      what can help: a script that comes to these states, named in the command; @range on 'p' and 'key', with --assume-ranges; --effort=10, which searches longer
+      what can help: a script that comes to these states, named in the command; @range on 'p' and 'key', with --assume-ranges; --effort=10, which searches and proves longer
   R3  no violation found  different
       992432 steps were tried; a proof needs too many abstract states
       no run that was tried came to Locked, Deep
       3901 abstract states and 1300376 paths were examined
       too many values for a proof have: count, T, the samples of held(p > 5, 700 ms), the samples of held(p < 2, 300 ms)
       a proof can become possible by: fewer values of 'count', such as a counter that stops at a limit; a shorter timer than 7000 ms in Wait; fewer samples in held(p > 5, 700 ms); fewer samples in held(p < 2, 300 ms)
-      what can help: a script that comes to these states, named in the command; @range on 'p' and 'key', with --assume-ranges; --effort=10, which searches longer
+      what can help: a script that comes to these states, named in the command; @range on 'p' and 'key', with --assume-ranges; --effort=10, which searches and proves longer
 "obstacle":"too-large","too_many_values":["T","the samples of held(p > 5, 700 ms)","the samples of held(p < 2, 300 ms)"],"untried_states":["Locked","Deep"]}
   R2  no violation found  it counts
 -- stderr --

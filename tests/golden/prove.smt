@@ -162,6 +162,6 @@ requirements of a, from state Hold, with a step every 10 ms:
       [..] abstract states and [..] paths were examined
       too many values for a proof have: T, the samples of held(p > 100, 50 ms)
       a proof can become possible by: a shorter timer than 2000 ms in Fill; fewer samples in held(p > 100, 50 ms)
-      what can help: --assume-ranges, if there are no values beyond the @range of 'p'; --effort=10, which searches longer
+      what can help: --assume-ranges, if there are no values beyond the @range of 'p'; --effort=10, which searches and proves longer
 -- exit --
 1 0 0 1 0 5

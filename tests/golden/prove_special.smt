@@ -83,6 +83,6 @@ requirements of a, from state Warm, with a step every 100 ms:
   Q1  no violation found  at least 10 while soaking
       [..] steps were tried; what is known about the values is too little for a proof
       [..] abstract states and [..] paths were examined
-      what can help: --effort=10, which searches longer
+      what can help: --effort=10, which searches and proves longer
 -- exit --
 1 5
