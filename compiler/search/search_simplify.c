@@ -290,7 +290,7 @@ static bool edit_blend(Attempt *t, size_t i, size_t n)
         next++;
     if (next >= t->s.changes || x->kind != SCENARIO_HOLD || t->change[next].kind != SCENARIO_HOLD)
         return false;
-    x->a += (t->change[next].a - x->a) * (double)n / BLEND_PARTS;
+    x->a += (t->change[next].a - x->a) * (double)n / (double)BLEND_PARTS;
     remove_changes(t, next, 1);
     return true;
 }
