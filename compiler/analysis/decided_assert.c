@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reports conditions of asserts in scripts that are true whatever the machine does:
 //
-//   - by themselves, as `open or not open`, or by the types of the variables that they compare, as `count >= 0` of an unsigned one;
+//   - by themselves, as `open or not open`, or by the types of the variables that they compare, as `count >= 0` of an unsigned one,
+//     and by the numbers of the states, as `S != 9` of a machine with 8;
 //   - because of a guard around the assert, as `G > 0` where T > 1 s;
 //   - because of an input that the same body sets to a constant.
 //
@@ -188,15 +189,27 @@ static bool is_made_true(AssertCheck *k, const Expr *e)
 
 // ---- decided by types ----
 
+// Narrows the values of an S to the numbers of the machine's states.  The only state of a machine is no reason for a message: more will follow.
+static void bound_by_states(Fact *f, const Program *machine)
+{
+    if (machine->state.n < 2)
+        return;
+    f->lo = 1;
+    f->hi = (double)machine->state.n;
+}
+
 // Sets *f to the values that a number or a variable can have.  Returns false for other expressions.
 static bool find_operand_fact(const Expr *e, Fact *f)
 {
-    if (expr_is_constant(e))
+    if (expr_is_constant(e)) {
         *f = fact_of_number(expr_constant_value(e));
-    else if (e->kind == EX_VAR)
-        *f = fact_of_type(e->var->type);
-    else
+        return true;
+    }
+    if (e->kind != EX_VAR)
         return false;
+    *f = fact_of_type(e->var->type);
+    if (e->var->state_of)
+        bound_by_states(f, e->var->state_of);
     return true;
 }
 

@@ -48,7 +48,7 @@ R2 "it ends" always G > 10 implies S <= 2
 -- stdout --
   Section            Verdict  Details
   Requirements       passed   2 met in all scripts
-  Findings           open     1 open
+  Findings           open     2 open
   Scripts            passed   1 of 1 passed
   Coverage           open     18 of 29 places (62 %)
   Faults of sensors  failed   of input and kind: 3 violated, 2 failed, 5 without effect
@@ -188,6 +188,10 @@ Parameters at other values
 
 No parameter was changed, because there is no script.
 -- stderr --
+a.rq:3:1: warning: requirement R2 is never violated, whatever the machine does [W1304 decided-requirement]
+    3 | R2 "it ends" always G > 10 implies S <= 2
+      | ^~
+1 warning
 made/001-altitude-dead.ss:23:22: error: assert failed after step 13 (G = 120, state Drogue): as without the fault [E0750]
    23 | time == 120: @assert not drogue "as without the fault"
       |                      ^~~~~~~~~~ drogue = true
