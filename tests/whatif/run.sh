@@ -42,6 +42,7 @@ reproduce parachutes 8 examples/parachutes/parachutes.sm examples/parachutes/par
 reproduce recovery 8 examples/recovery/recovery.sm examples/recovery/recovery.ss --sv examples/recovery/recovery.sv
 reproduce ignition 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq
 reproduce pairs 15 examples/ignition/ignition.sm examples/ignition/ignition.ss examples/ignition/ignition.rq --pairs --kinds=dead,stuck
+reproduce application 20 examples/dualdeploy/dualdeploy.app examples/dualdeploy/*.ss examples/dualdeploy/dualdeploy.rq
 reproduce tank 2 examples/tank/tank.sm examples/tank/tank.ss examples/tank/tank.rq
 
 # The machine of tests/whatif, with a flight, a weak motor and a drogue that does not come out: every kind at every trigger.  A build with sanitizers has no limit of its own.
