@@ -109,7 +109,7 @@ static void read_script_writes_and_step(Compilation *c, size_t m, const Program 
 static void check_limits(Compilation *c, const CompiledSource *of)
 {
     const ImageOptions as_sent = {false, c->out->image_pins};
-    LimitSubject m = {of->program, of->ir, of->measured, 0};
+    LimitSubject m = {of->program, of->ir, of->measured, 0, c->out->image_pins};
     Buf image;
 
     buf_init(&image, &c->s->arena);

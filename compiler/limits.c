@@ -108,6 +108,15 @@ static void check_board_bytes(const LimitCheck *x, const char *what, uint32_t ne
                     count_text(x, room));
 }
 
+static uint32_t ram_of_pins(const IoMap *pins, const Board *b)
+{
+    uint32_t n = 0;
+
+    for (size_t i = 0; pins && i < pins->pin.n; i++)
+        n += pin_is_digital(&pins->pin.at[i]) ? b->digital : b->analog;
+    return n;
+}
+
 static void check_board(const LimitCheck *x, const LimitSubject *m, const Cost *cost, const Board *b)
 {
     check_builtin_calls(x, m->ir->sample, b);
@@ -115,7 +124,7 @@ static void check_board(const LimitCheck *x, const LimitSubject *m, const Cost *
         for (int k = 0; k < BLOCK_COUNT; k++)
             check_builtin_calls(x, m->ir->state.at[i].block[k], b);
     check_board_bytes(x, "for its image", m->length, b->image, b);
-    check_board_bytes(x, "of RAM", m->p->sv->size + cost->locals + cost->windows_small, b->ram, b);
+    check_board_bytes(x, "of RAM", m->p->sv->size + cost->locals + cost->windows_small + ram_of_pins(m->pins, b), b->ram, b);
 }
 
 // ---- all ----

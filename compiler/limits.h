@@ -9,6 +9,7 @@
 #include "compiler/budget/board.h"
 #include "compiler/diag/diag.h"
 #include "compiler/ir/ir.h"
+#include "compiler/sema/iomap.h"
 #include "compiler/sema/program.h"
 
 // 0: no limit.
@@ -27,6 +28,7 @@ typedef struct LimitSubject {
     IrMachine *ir;
     const uint8_t *image;     // contains only this machine, with line numbers
     uint32_t length;          // bytes of the image without its line numbers, and with the pins of --io
+    const IoMap *pins;        // the pins of --io; NULL: none
 } LimitSubject;
 
 // Reports by how much a machine exceeds the limits.

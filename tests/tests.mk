@@ -43,7 +43,8 @@ $(B)/golden: $(B)/obj/tests/golden/run.o $(B)/libsmc.a
 $(B)/diagnostics: $(B)/obj/tests/check/diagnostics.o $(B)/libsmc.a
 $(B)/editors: $(B)/obj/tests/check/editors.o $(B)/libsmc.a
 $(B)/fixes: $(B)/obj/tests/check/fixes.o $(B)/obj/tests/check/fixes_meaning.o $(B)/libsmc.a
-$(B)/golden $(B)/diagnostics $(B)/editors $(B)/fixes:
+$(B)/fragments: $(B)/obj/tests/check/fragments.o $(B)/libsmc.a
+$(B)/golden $(B)/diagnostics $(B)/editors $(B)/fixes $(B)/fragments:
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 # -O1 builds faster than -O2, and these programs are short.
 $(ONE_FILE:$(B)/%=$(B)/obj/tests/%.o) $(patsubst %.c,$(B)/obj/%.o,$(wildcard tests/check/*.c tests/golden/*.c)): override CFLAGS := $(CFLAGS:-O2=-O1)
@@ -911,6 +912,7 @@ $(call test, library-calls,        quick, , sh tests/library/calls.sh)
 $(call test, swap-clauses,         quick, $(B)/swap/clauses, $(B)/swap/clauses)
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
 $(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
+$(call test, fragments,            quick, $(B)/fragments, $(B)/fragments tests/check/fragments.txt)
 $(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
 $(call test, editors,              quick, $(B)/editors, sh tests/check/editors.sh $(B)/editors)
 $(call test, graph-docs,           quick,, $(B)/smc graph examples/ignition/ignition.sm | cmp - docs/ignition.svg && $(B)/smc graph examples/tank/tank.sm | cmp - docs/tank.svg && echo 2 passed$(,) 0 failed)

@@ -70,6 +70,7 @@ static void open_arming(void) {}
 // ---- running an image ----
 
 typedef char firmware_windows_have_room[FIRMWARE_MEMORY / 4 <= UINT32_C(1) << (SM_ROLL_WAITING - 1) ? 1 : -1];
+typedef char firmware_pins_take_what_smc_counts[SMVM_RUNNER_DIGITAL == 10 && SMVM_RUNNER_ANALOG == 26 ? 1 : -1];     // compiler/budget/boards.def
 static uint64_t memory[FIRMWARE_MEMORY / 8];
 static SmvmRunner runner = {.memory = memory, .size = sizeof memory, .physical_pin = physical_pin_of};
 static SmEvent event_ring[FIRMWARE_EVENTS];

@@ -6,7 +6,7 @@
 #include "compiler/base/buf.h"
 
 static const Board boards[] = {
-#define BOARD(mcu, name, image, ram, functions) {mcu, name, image, ram, functions},
+#define BOARD(mcu, name, image, ram, digital, analog, functions) {mcu, name, image, ram, digital, analog, functions},
 #include "compiler/budget/boards.def"
 #undef BOARD
 };

@@ -9,7 +9,7 @@
 #include "compiler/base/arena.h"
 
 // A row of boards.def.
-typedef struct Board { const char *mcu, *name; uint32_t image, ram, functions; } Board;
+typedef struct Board { const char *mcu, *name; uint32_t image, ram, digital, analog, functions; } Board;
 
 const Board *board_find(const char *mcu);         // NULL if the firmware does not support the chip
 // Returns the board with the least memory that can run a machine; NULL if none can.  `image`, `ram`: bytes; `functions`: those it calls.

@@ -3,6 +3,7 @@
 #include "compiler/syntax/hint_lines.h"
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_unit.h"
+#include "compiler/syntax/lexer.h"
 
 // ---- after a statement ----
 
@@ -72,6 +73,33 @@ HintResult hint_report_unit(HintCase *c)
     const Span number = parser_span(p, &p->last), unit = parser_token_span(p);
 
     hint_label_unit(p->diags, hint_report_general(c), parser_text(p, number), p->tok.text->text, span_join(number, unit));
+    return HINT_READ;
+}
+
+// Reports a word after a number inside parentheses, as in held(x, 5 sec).
+HintResult hint_report_unit_in_call(HintCase *c)
+{
+    Parser *p = c->p;
+    const Span number = parser_span(p, &p->last), unit = parser_token_span(p);
+
+    hint_label_unit(p->diags, parser_fail(p, DIAG_paren_unclosed, unit, parser_describe_found(p)), parser_text(p, number), p->tok.text->text,
+                    span_join(number, unit));
+    return HINT_SKIPPED;
+}
+
+// Reports the value after a type in parentheses, as in (float) x.
+HintResult hint_report_cast(HintCase *c)
+{
+    const Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    uint32_t end = p->last.at, from;
+
+    while (end > 0 && text[end - 1] == ' ')
+        end--;
+    for (from = end; from > 0 && lexer_is_word(text[from - 1]); from--) {}
+    if (from == 0 || text[from - 1] != '(' || !hint_find_synonym(HINT_TYPES, format_in(p->arena, "%.*s", (int)(end - from), text + from)))
+        return HINT_NONE;
+    diag_label(p->diags, hint_report_general(c), DIAG_label_no_conversion);
     return HINT_READ;
 }
 

@@ -91,8 +91,9 @@ static uint32_t report_malformed_number(Lexer *l, uint32_t at, uint32_t end)
     else if (lexer_is_hex_prefix(l, at) && end == at + 1)
         diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a hexadecimal digit", "0x");
     else if ((c | 0x20) == 'e' && end + 1 == stop)
-        diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
-                    lexer_text(l, end, end + 1));
+        diag_label(l->diags, diag_report(l->diags, DIAG_number_incomplete, lexer_span(l, at, stop - at), whole, "a digit",
+                                         lexer_text(l, end, end + 1)), DIAG_label_write,
+                   format_in(l->diags->arena, "%s, or a power of ten as in %se3", lexer_text(l, at, end), lexer_text(l, at, end)));
     else if (l->config && is_name_expected(l, at))
         diag_report(l->diags, DIAG_app_name_digit, lexer_span(l, at, stop - at), whole);
     else if (l->config)

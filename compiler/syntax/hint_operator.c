@@ -176,7 +176,10 @@ static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, co
     needs_space = lex_is_letter(*native);
     d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
     if (has_unclear_meaning(l, t)) {
-        diag_label(l->diags, d, DIAG_label_no_bits, native);
+        if (*spelling == '&' && l->last == TOK_ASSIGN && !t->first)
+            diag_label(l->diags, d, DIAG_label_no_pointers);
+        else
+            diag_label(l->diags, d, DIAG_label_no_bits, native);
         return;
     }
     diag_label(l->diags, d, DIAG_label_write, native);

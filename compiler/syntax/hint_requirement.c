@@ -8,7 +8,7 @@
 static Span rest_of_line(const Parser *p, uint32_t at)
 {
     const char *text = p->lex.src->text;
-    uint32_t end = at + (uint32_t)strcspn(text + at, "#\r\n");
+    uint32_t end = at + (uint32_t)strcspn(text + at, "#;\r\n");
 
     while (end > at && (text[end - 1] == ' ' || text[end - 1] == '\t'))
         end--;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files with hints for the parser: hint_search.c searches hints.def; hint_expr.c (expressions), hint_stmt.c
 // (statements), hint_end.c (text after a statement, declarations), hint_lists.c (lists and arrays), hint_when.c (times), hint_prose.c (verbs,
-// durations), hint_type.c (types of other languages), hint_definition.c and hint_requirement.c contain the rules.
+// durations), hint_type.c (types of other languages), hint_sign.c (signs such as ++), hint_definition.c and hint_requirement.c contain the rules;
+// hint_block.c skips blocks of other languages.
 #ifndef SMC_HINT_RULES_H
 #define SMC_HINT_RULES_H
 

@@ -410,6 +410,8 @@ HintResult hint_report_op_assign(HintCase *c)
     return HINT_READ;
 }
 
+// ---- words at the start of a statement ----
+
 typedef enum HintEffect {
     HINT_IF, HINT_ELSE, HINT_ARROW,       // the word is read as `if`, `else` or ->
     HINT_DROP,                            // the word is skipped
@@ -555,7 +557,7 @@ static const char *format_wait(const Parser *p)
     word = hint_read_word(p, &at);
     if (time_unit_find(word) != TIME_NONE)
         unit = format_in(p->arena, " %s", word);
-    return format_in(p->arena, "put what follows in braces: T >= %s%s { ... }", number, unit);
+    return format_in(p->arena, "put what follows in braces: %s %s%s { ... }", p->kind == FILE_SS ? "at" : "T >=", number, unit);
 }
 
 // Returns the advice for switch (mode), with the name that is compared.
@@ -650,6 +652,8 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     case HINT_SKIP: case HINT_BLOCK: case HINT_WAIT:
         break;
     }
+    if (p->kind == FILE_SS && effect == HINT_BLOCK && strstr(text, "no loops"))
+        text = "there are no loops: each condition of a script is tested in every step";
     d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
     diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : hint_is_word(&p->tok, "switch") ? format_switch(p) : text);
     if (effect == HINT_BLOCK)

@@ -85,8 +85,11 @@ HintResult hint_report_enum(HintCase *c)
     Parser *p = c->p;
     const uint32_t end = end_of_braces(p);
     const char *values = end ? format_values(p, end) : "";
-    Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
+    Diag *d;
 
+    if (p->tok.text->declared)
+        return HINT_NONE;
+    d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
     diag_label(p->diags, d, DIAG_label_enum, *values ? values : "A = 0, B = 1");
     skip_braces(p, end);
     return HINT_SKIPPED;
@@ -98,6 +101,8 @@ HintResult hint_report_struct(HintCase *c)
     Parser *p = c->p;
     const uint32_t end = end_of_braces(p);
 
+    if (p->tok.text->declared)
+        return HINT_NONE;
     diag_label(p->diags, parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text), DIAG_label_no_structures);
     skip_braces(p, end);
     return HINT_SKIPPED;

@@ -62,7 +62,8 @@ static bool parse_decl_name(Parser *p, AstDecl *d)
         p->failed = true;
     } else if (p->tok.text && !p->tok.first && p->tok.kind != TOK_LABEL && p->tok.kind != TOK_ANNOTATION && p->tok.kind != TOK_HEADER &&
                lex_find_reserved(p->tok.text, &reserved)) {
-        parser_fail(p, DIAG_name_reserved, parser_token_span(p), p->tok.text->text);
+        diag_label(p->diags, parser_fail(p, DIAG_name_reserved, parser_token_span(p), p->tok.text->text), DIAG_label_other_name,
+                   p->tok.text->text);
         parser_advance(p);
     } else {
         parser_fail(p, DIAG_decl_without_name, parser_missing_span(p),
@@ -96,7 +97,9 @@ static void parse_initial_value(Parser *p, AstDecl *d)
         const char *const type = name_of_type(p, d);
         const bool has_value = !p->tok.first && (kind == TOK_NUMBER || kind == TOK_TRUE || kind == TOK_FALSE);
         Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
-        if (has_value) {
+        if (kind == TOK_MINUS && !p->tok.first) {
+            diag_label(p->diags, x, DIAG_label_name_letters);
+        } else if (has_value) {
             diag_label(p->diags, x, DIAG_label_write,
                        format_in(p->arena, "%s %s = %s", type, d->name->text, parser_text(p, parser_token_span(p))));
             diag_edit(p->diags, x, (Span){p->lex.src, p->tok.at, 0}, "= ");
@@ -123,7 +126,7 @@ static void report_after_decl(Parser *p, const AstSection *s, const AstDecl *d)
     if (hint_explain(p, HINT_AT_DECL_END, NULL) != HINT_NONE)
         return;
     if (p->tok.kind == TOK_ASSIGN && s->kind != AST_LOCAL)
-        parser_fail(p, DIAG_element_with_value, parser_token_span(p), d->name->text);
+        diag_label(p->diags, parser_fail(p, DIAG_element_with_value, parser_token_span(p), d->name->text), DIAG_label_no_element_value);
     else if (p->tok.kind == TOK_COMMA)
         diag_label(p->diags, parser_fail(p, DIAG_decl_comma, parser_token_span(p)), DIAG_label_decl_each);
     else if (p->tok.kind == TOK_NAME && s->kind != AST_LOCAL && p->ahead.kind == TOK_NAME && !p->ahead.first)

@@ -125,7 +125,11 @@ static void report_other_line(Parser *p)
                    DIAG_label_name_letters);
         return;
     }
-    else if (p->tok.kind == TOK_NAME)
+    else if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_COLON) {
+        d = parser_fail(p, DIAG_requirement_text, parser_span(p, &p->ahead), p->tok.text->text, "':'");
+        diag_label(p->diags, d, DIAG_label_leave_out);
+        return;
+    } else if (p->tok.kind == TOK_NAME)
         d = parser_fail(p, DIAG_requirement_text, parser_span(p, &p->ahead), p->tok.text->text, parser_describe(p, &p->ahead));
     else
         d = parser_fail(p, DIAG_requirement_line, parser_token_span(p), parser_describe(p, &p->tok));

@@ -138,10 +138,13 @@ static void report_unguarded_braces(Parser *p)
 {
     AstStmts ignored = {0};
     Span span;
+    Diag *d;
 
     if (hint_report_guard_in_braces(p))
         return;
-    parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
+    d = parser_report(p, DIAG_braces_without_guard, parser_token_span(p));
+    if (p->last.kind == TOK_LABEL)
+        diag_label(p->diags, d, DIAG_label_no_block_braces);
     if (!enter_nesting(p))
         return;
     parse_braces(p, &ignored, &span);

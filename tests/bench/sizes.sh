@@ -203,10 +203,11 @@ documented()
     fi
 }
 measured() { awk -v key="$1 firmware $2" '$1 " " $2 " " $3 == key { print $4 }' "$records"; }
-limits() { sed -n "s/^BOARD(\"$1\", *\"[A-Za-z]*\", *\([0-9]*\), *\([0-9]*\),.*/\\$2/p" compiler/budget/boards.def; }
+limits() { sed -n "s/^BOARD(\"$1\", *\"[A-Za-z]*\", *\([0-9]*\), *\([0-9]*\), *\([0-9]*\), *\([0-9]*\),.*/\\$2/p" compiler/budget/boards.def; }
 
 documented "| an image | $(limits atmega2560 1) bytes, two slots | $(limits atmega328p 1) bytes, one slot |"
 documented "| RAM for state vector, machines and pins | $(limits atmega2560 2) bytes | $(limits atmega328p 2) bytes |"
+documented "A digital pin takes $(limits atmega328p 3) bytes of this RAM, an analog pin $(limits atmega328p 4)."
 if has avr-gcc && [ "$(avr-gcc -dumpversion)" = 5.4.0 ] && has python3; then
     ram=2048 for_images=1024 used=$(measured atmega328p ram) stack=$(measured atmega328p stack)
     documented "The firmware of the Uno has $(measured atmega328p flash) bytes of flash"
