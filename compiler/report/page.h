@@ -45,10 +45,12 @@ typedef struct Report {
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
+    VEC(const char *) left_out;   // sentences that name scripts and requirements that these three parts leave out, because they fail anyway
     VEC(const char *) unfinished; // phrases that name what was stopped before it was complete
 } Report;
 
 Doc *report_build(Report *r);
+void report_add_left_out(const Report *r, Doc *d);     // names what the section does not contain because it fails anyway
 
 // ---- the sections, one file each ----
 

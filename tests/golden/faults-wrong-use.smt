@@ -90,7 +90,7 @@ smc: faults requires a script to run, as in 'smc faults a.sm SCRIPT.ss'
 Try 'smc faults --help'.
 smc: 'a.app' is an application, and smc faults is for one machine, with scripts of that machine. Its machines:
   a: smc faults a.sm --sv VECTOR.sv
-smc: bad.ss fails without any fault: 'smc test' shows why
+smc: bad.ss fails at bad.ss:4 without any fault, and no other script is left: correct it or the machine ('smc test' shows why), or name a script that passes
 broken.ss:4:7: error: unknown element 'q' [E0204]
     4 | true: q = 1
       |       ^
