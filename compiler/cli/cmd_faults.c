@@ -122,9 +122,11 @@ static void write_text(const FaultsRun *r, Buf *out)
     const Faults *f = r->f;
 
     buf_printf(out, "faults of %s: %lu input%s, %lu trigger%s in %lu script%s; %lu of %" PRIu64 " faults have an effect\n", f->p->name->text,
-               (unsigned long)f->input.n, plural(f->input.n), (unsigned long)f->trigger.n, plural(f->trigger.n), (unsigned long)f->scripts,
-               plural(f->scripts),
+               (unsigned long)f->input.n, plural(f->input.n), (unsigned long)f->trigger.n, plural(f->trigger.n),
+               (unsigned long)(f->scripts - f->baseline.left_out),
+               plural(f->scripts - f->baseline.left_out),
                count_effects(f), f->faults - f->pairs);
+    baseline_write_text(&f->baseline, out);
     if (f->options.pairs)
         buf_printf(out, "two faults at once: %" PRIu64 " pair%s, %" PRIu64 " of them worse than each alone\n", f->pairs, plural(f->pairs),
                    f->pairs_worse);
@@ -214,9 +216,11 @@ static void write_json(const FaultsRun *r, Buf *out)
 {
     const Faults *f = r->f;
 
-    buf_printf(out, "{\"smc-faults\":1,\"%s\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s,\n",
+    buf_printf(out, "{\"smc-faults\":1,\"%s\":\"%s\",\"faults\":%" PRIu64 ",\"runs\":%" PRIu64 ",\"pairs\":%" PRIu64 ",\"complete\":%s",
                f->p->joint ? "application" : "machine", f->p->name->text, f->faults, f->runs, f->pairs,
                f->is_cut || r->is_interrupted ? "false" : "true");
+    baseline_write_json(&f->baseline, out);
+    buf_str(out, ",\n");
     write_json_inputs(f, out);
     buf_str(out, ",\n");
     write_json_triggers(f, out);
@@ -266,15 +270,13 @@ static int report_fail_on(const FaultsRun *r)
 static int run_and_report(FaultsRun *r, size_t format)
 {
     Buf out;
-    uint32_t failing;
-    int code;
+    int code, incomplete;
 
     r->f = faults_new(r->arena, r->w.p, r->w.script.at, r->w.script.n, &r->o);
-    failing = faults_find_failing(r->f);
-    if (failing < r->w.script.n) {
-        cli_print_error(r->c, TEXT_faults_fails, r->w.script.at[failing]->src->name);
+    incomplete = whatif_report_baseline(r->c, &r->f->baseline, "fault");
+    if (r->f->baseline.left_out == r->w.script.n) {
         faults_end(r->f);
-        return EXIT_PROBLEM;
+        return incomplete;
     }
     if (r->f->input.n == 0)
         cli_print_warning(r->c, TEXT_faults_no_input);
@@ -293,6 +295,7 @@ static int run_and_report(FaultsRun *r, size_t format)
     }
     if (code == EXIT_OK)
         code = report_fail_on(r);
+    code = code == EXIT_OK ? incomplete : code;
     faults_end(r->f);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();

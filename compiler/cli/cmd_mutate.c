@@ -6,6 +6,7 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/mutate_scripts.h"
 #include "compiler/cli/runs.h"
+#include "compiler/cli/whatif.h"
 #include "compiler/cover/mutate.h"
 #include "compiler/search/mutant_reach.h"
 
@@ -111,6 +112,7 @@ static void write_text(MutateRun *r)
     if (r->tried < s.all)
         buf_printf(out, ", and %lu of %lu were not tried", s.all - r->tried, s.all);
     buf_char(out, '\n');
+    baseline_write_text(mutation_baseline(r->u), out);
     write_requirements(r, out);
     if (r->is_searched)
         write_search_result(r, &s, out);
@@ -170,7 +172,9 @@ static void write_json(MutateRun *r)
     buf_percent(out, s.of[MUTANT_NOTICED], s.noticeable, 1);
     for (int v = MUTANT_NOTICED; v < MUTANT_VERDICT_COUNT; v++)
         buf_printf(out, ",\"%s\":%lu", mutant_verdict_name[v], s.of[v]);
-    buf_printf(out, ",\"waiting\":%lu,\"mutants\":[\n", s.of[MUTANT_WAITING]);
+    buf_printf(out, ",\"waiting\":%lu", s.of[MUTANT_WAITING]);
+    baseline_write_json(mutation_baseline(r->u), out);
+    buf_str(out, ",\"mutants\":[\n");
     for (uint32_t i = 0; i < n; i++) {
         write_json_mutant(r, &m[i], out);
         buf_str(out, i + 1 < n ? ",\n" : "\n");
@@ -219,18 +223,20 @@ static int check_min_score(MutateRun *r)
     return EXIT_PROBLEM;
 }
 
+// Whether every script fails without a change.
+static bool has_no_script(const MutateRun *r) { return mutation_baseline(r->u)->left_out == r->script.n; }
+
 // Changes one machine, and adds what is found to the result.
 static int mutate_machine(MutateRun *r, size_t member, uint64_t max_steps, size_t format)
 {
-    uint32_t failing;
     int code = EXIT_OK;
 
     r->tried = 0;
     r->machine_program = engine_program(r->p, member);
     r->u = mutation_new(r->arena, r->p, member, r->script.at, r->script.n, r->requirements, max_steps);
-    failing = mutation_find_failing(r->u);
-    if (failing < r->script.n) {
-        cli_print_error(r->c, TEXT_mutate_fails, r->script.at[failing]->src->name);
+    if (member == 0 || has_no_script(r))
+        whatif_report_baseline(r->c, mutation_baseline(r->u), "change");
+    if (has_no_script(r)) {
         mutation_end(r->u);
         return EXIT_PROBLEM;
     }
@@ -241,6 +247,7 @@ static int mutate_machine(MutateRun *r, size_t member, uint64_t max_steps, size_
         (format == 0 ? write_text : write_json)(r);
         code = check_min_score(r);
     }
+    code = code == EXIT_OK && !baseline_is_complete(mutation_baseline(r->u)) ? EXIT_PROBLEM : code;
     if (r->tried < mutation_score(r->u).all)
         cli_print_error(r->c, TEXT_mutate_interrupted, (unsigned long)r->tried, mutation_score(r->u).all);
     mutation_end(r->u);
@@ -262,7 +269,7 @@ static int mutate_machines(MutateRun *r, uint64_t max_steps, size_t format)
         int now;
         buf_str(&r->out, format > 0 && i > 0 ? "," : "");
         now = mutate_machine(r, i, max_steps, format);
-        if (mutation_find_failing(r->u) < r->script.n)
+        if (has_no_script(r))
             return now;
         code = now > code ? now : code;
     }

@@ -50,18 +50,42 @@ void report_parts_choose(Cli *c)
 // Records the name of a part of the report that was not completed.
 static void add_unfinished(Report *r, const char *part) { vec_push(r->arena, &r->unfinished, part); }
 
-// Returns the scripts of the runs.  Sets *why to a phrase if a script has failed or the report has no script; otherwise to NULL.
-static const Script **list_scripts(Cli *c, const Report *r, const char **why)
-{
-    const Script **script = ARENA_ARRAY(&c->session.arena, const Script *, r->runs + 1);
+// The scripts that pass, with which the parts compare.
+typedef struct PartScripts {
+    const Script **script;    // `n` of them
+    const uint8_t **ignored;  // by script: ScriptOptions.ignored
+    uint32_t n;
+    const char *none;         // why there is none, as a phrase; NULL: there is one
+} PartScripts;
 
-    *why = r->runs == 0 ? "there is no script" : NULL;
-    for (size_t i = 0; i < r->runs && !*why; i++) {
-        script[i] = r->run[i].script;
-        if (!script[i] || r->run[i].result.outcome != SCRIPT_PASSED)
-            *why = format_in(&c->session.arena, "%s fails without one", r->run[i].name);
-    }
-    return script;
+typedef struct PartsContext { Cli *c; Report *r; } PartsContext;
+
+static void add_left_out(void *context, const char *sentence)
+{
+    const PartsContext *k = context;
+
+    vec_push(k->r->arena, &k->r->left_out, sentence);
+    cli_print_note(k->c, TEXT_sentence, sentence);
+}
+
+// Lists the scripts that the parts use, and in r->left_out those that fail anyway.
+static PartScripts list_scripts(Cli *c, Report *r)
+{
+    Arena *arena = &c->session.arena;
+    PartScripts out = {ARENA_ARRAY(arena, const Script *, r->runs + 1), ARENA_ARRAY(arena, const uint8_t *, r->runs + 1), 0, NULL};
+    Baseline b;
+
+    baseline_init(&b, arena, r->requirements);
+    for (size_t i = 0; i < r->runs; i++)
+        if (baseline_add(&b, r->run[i].name, r->run[i].script, &r->run[i].result)) {
+            out.ignored[out.n] = b.run.at[i].ignored;
+            out.script[out.n++] = r->run[i].script;
+        }
+    if (r->left_out.n == 0)
+        baseline_list(&b, &(PartsContext){c, r}, add_left_out);
+    if (out.n == 0)
+        out.none = r->runs == 0 ? "there is no script" : format_in(arena, "every script fails anyway: the first, %s, %s", b.run.at[0].name, b.run.at[0].why);
+    return out;
 }
 
 // ---- proofs ----
@@ -120,9 +144,9 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClo
 // ---- changes of the machine ----
 
 // Changes one machine, and stores the result in its report.
-static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, const Script **script, const PartsClock *clock)
+static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, const PartScripts *s, const PartsClock *clock)
 {
-    Mutation *u = mutation_new(&c->session.arena, p, member, script, (uint32_t)r->runs, r->requirements, MUTATE_STEPS_MOST);
+    Mutation *u = mutation_new(&c->session.arena, p, member, s->script, s->n, r->requirements, MUTATE_STEPS_MOST);
     ProgressLine k = {c, 0, false};
     bool goes_on;
 
@@ -134,9 +158,9 @@ static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, c
         mutate_show_progress(u, &k);
     progress_end(&k);
     if (!goes_on) {
-        const MutationScore s = mutation_score(u);
+        const MutationScore score = mutation_score(u);
         add_unfinished(r, format_in(r->arena, "changes%s%s that no script notices (%lu of %lu tried)", r->members ? " of " : "",
-                                    r->members ? engine_machine_name(p, member) : "", s.all - s.of[MUTANT_WAITING], s.all));
+                                    r->members ? engine_machine_name(p, member) : "", score.all - score.of[MUTANT_WAITING], score.all));
     }
     mutation_end(u);
     (r->members ? &r->member[member] : r)->mutation = u;
@@ -144,15 +168,18 @@ static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, c
 
 static void run_mutants(Cli *c, Report *r, const Program *p, const PartsClock *clock)
 {
-    const Script **script = list_scripts(c, r, &r->not_mutated);
+    const PartScripts s = list_scripts(c, r);
 
+    r->not_mutated = s.none;
     if (r->not_mutated) {
         r->not_mutated = r->runs ? r->not_mutated : "there is no script that could notice it";
         cli_print_note(c, TEXT_report_not_mutated, r->not_mutated);
         return;
     }
+    for (size_t i = 0; i < r->members; i++)
+        r->member[i].left_out = r->left_out;
     for (size_t i = 0; i < engine_machines(p); i++)
-        mutate_machine(c, r, i, p, script, clock);
+        mutate_machine(c, r, i, p, &s, clock);
 }
 
 // ---- faults ----
@@ -278,7 +305,7 @@ static int run_faults(Cli *c, Report *r, const Program *p, const PartsClock *clo
 {
     FaultOptions o = {.pairs = c->given[OPT_PAIRS], .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements};
     ReportFaults *out = ARENA_NEW(&c->session.arena, ReportFaults);
-    const Script **script = list_scripts(c, r, &out->not_run);
+    const PartScripts s = list_scripts(c, r);
     FaultLines l = {.c = c, .p = p};
     ProgressLine k = {c, 0, false};
     bool goes_on;
@@ -287,12 +314,13 @@ static int run_faults(Cli *c, Report *r, const Program *p, const PartsClock *clo
     r->faults = out;
     out->outcome = list_outcomes(&c->session.arena);
     out->outcomes = FAULT_OUTCOME_COUNT;
+    out->not_run = s.none;
     if (out->not_run) {
         cli_print_note(c, TEXT_report_no_faults, out->not_run);
         return EXIT_OK;
     }
     fault_lines_set_defaults(&o);
-    l.f = faults_new(&c->session.arena, p, script, (uint32_t)r->runs, &o);
+    l.f = faults_new(&c->session.arena, p, s.script, s.n, &o);
     while ((goes_on = may_go_on(clock)) && faults_run_next(l.f))
         fault_lines_show_progress(l.f, &k);
     progress_end(&k);
@@ -397,11 +425,12 @@ static void run_sweeps(Cli *c, Report *r, const Program *p, const PartsClock *cl
 {
     Arena *arena = &c->session.arena;
     ReportSweep *out = ARENA_NEW(arena, ReportSweep);
-    const Script **script = list_scripts(c, r, &out->not_run);
+    const PartScripts good = list_scripts(c, r);
     ProgressLine k = {c, 0, false};
     bool goes_on = true;
 
     r->sweep = out;
+    out->not_run = good.none;
     if (out->not_run) {
         cli_print_note(c, TEXT_report_no_sweep, out->not_run);
         return;
@@ -415,8 +444,9 @@ static void run_sweeps(Cli *c, Report *r, const Program *p, const PartsClock *cl
             vec_push(arena, &out->not_swept, v->name->text);
             continue;
         }
-        s = sweep_new(arena, p, script, (uint32_t)r->runs, &(SweepOptions){.axis = {{.parameter = v, .lo = v->parameter->lo, .hi = v->parameter->hi, .n = SWEEP_POINTS}},
-                                                                           .axes = 1, .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements});
+        s = sweep_new(arena, p, good.script, good.n, &(SweepOptions){.axis = {{.parameter = v, .lo = v->parameter->lo, .hi = v->parameter->hi, .n = SWEEP_POINTS}},
+                                                                           .axes = 1, .max_steps = MUTATE_STEPS_MOST, .requirements = r->requirements,
+                                                                           .ignored = good.ignored});
         while ((goes_on = may_go_on(clock)) && sweep_run_next(s))
             if (progress_is_due(&k))
                 progress_show(&k, format_in(arena, "sweep of '%.40s': %lu runs", v->name->text, (unsigned long)s->runs));

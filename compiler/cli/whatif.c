@@ -63,6 +63,19 @@ int whatif_write(Cli *c, const Buf *result)
     return cli_write_outputs(c, file, files);
 }
 
+int whatif_report_baseline(Cli *c, const Baseline *b, const char *what)
+{
+    const BaselineRun *first = b->run.at;
+
+    if (baseline_is_complete(b))
+        return EXIT_OK;
+    if (b->left_out == b->run.n)
+        cli_print_error(c, TEXT_baseline_none, first->name, first->why, what);
+    else
+        cli_print_error(c, TEXT_baseline_part, what, (unsigned long)(b->left_out + b->ignoring), (unsigned long)b->run.n);
+    return EXIT_PROBLEM;
+}
+
 // Calls `add` for each word between commas. Returns false as soon as one call does.
 bool whatif_read_list(const char *list, void *context, bool (*add)(void *context, const char *word, size_t n))
 {

@@ -4,6 +4,7 @@
 #define SMC_CLI_WHATIF_H
 
 #include "compiler/cli/cli.h"
+#include "compiler/script/baseline.h"
 
 typedef struct WhatIf {
     const Program *p;
@@ -16,6 +17,9 @@ typedef struct WhatIf {
 int whatif_load(Cli *c, WhatIf *w);
 // Writes a result to the file of -o, and the make rule that -MD requests.  EXIT_OK, or the exit code after a message.
 int whatif_write(Cli *c, const Buf *result);
+// Reports that all scripts, or some of them, fail or violate requirements without a change.  `what`: "fault", "change".  Returns the exit code
+// for it.
+int whatif_report_baseline(Cli *c, const Baseline *b, const char *what);
 // Reads a list of words between commas.  Calls `add` for each; it returns false after a message, and so does this.
 bool whatif_read_list(const char *list, void *context, bool (*add)(void *context, const char *word, size_t n));
 

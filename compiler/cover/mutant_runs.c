@@ -38,6 +38,7 @@ typedef struct Record {
     VEC(uint64_t) value;      // for each step 2 + seens values: next_state and next_is_first of EngineStep, and the cells of `seen`
     ScriptRun run;            // the run of the script, to be continued from its points
     uint32_t noticed;         // number of mutants that the script has noticed
+    bool is_left_out;         // the script fails on the unchanged machine
 } Record;
 
 typedef VEC(ScenarioChange) InputChanges;
@@ -57,7 +58,7 @@ struct MutantRuns {
     Diags muted;
     const Requirements *requirements; // judged in every run; or NULL
     const Requirement *violated;      // the requirement that the last run violated; NULL: none
-    uint32_t failing;         // index of a script that fails on the unchanged machine; `records`: none
+    Baseline baseline;        // the runs on the unchanged machine
 };
 
 // ---- what a script and the requirements read ----
@@ -175,33 +176,45 @@ static const Requirement *find_violated(const MutantRuns *u, const ScriptResult 
 }
 
 // Runs the script once from its start to its end, without using records.  Returns whether it passes.
-static bool run_whole(MutantRuns *u, Record *r, Arena *work, uint64_t *steps)
+static bool run_whole(MutantRuns *u, Record *r, Arena *work)
 {
     ScriptResult result = script_run(work, &u->muted, r->script, &u->whole, 1, &r->options);
 
-    *steps = result.steps;
     u->violated = result.is_violated ? find_violated(u, &result) : NULL;
     return result.outcome == SCRIPT_PASSED;
+}
+
+// Runs one script on the original machine.  Returns whether it counts.
+static bool run_original(MutantRuns *u, Record *r)
+{
+    ScriptResult result;
+    bool counts;
+    Arena work;
+
+    arena_init_within(&work, u->arena);
+    result = script_run(&work, &u->muted, r->script, &u->whole, 1, &r->options);
+    r->steps = result.steps;
+    counts = baseline_add(&u->baseline, r->script->src->name, r->script, &result);
+    arena_free(&work);
+    return counts;
 }
 
 // Runs one script on the original machine and records the run, to be replayed on each mutant.
 static void add_record(MutantRuns *u, uint32_t script, uint64_t max_steps)
 {
     Record *r = &u->record[script];
-    Arena work;
-    bool passes;
+    bool counts;
 
-    arena_init_within(&work, u->arena);
-    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true, .ends_at_violation = true,
-                                 .requirements = u->requirements};
+    r->options = (ScriptOptions){.max_steps = max_steps, .is_silent = true, .is_compared = true, .requirements = u->requirements};
     engine_flat_set(u->engine, u->cover->flat, engine_flat_run(u->engine));
-    passes = run_whole(u, r, &work, &r->steps);
-    if (!passes && u->failing == u->records)
-        u->failing = script;
+    counts = run_original(u, r);
+    r->is_left_out = !counts;
+    r->options.ends_at_violation = true;
+    r->options.ignored = u->baseline.run.at[script].ignored;
     r->reached = collect_executed(u);
     if (u->whole == u->engine)
         list_seen(u->arena, u->p, u->requirements, u->original->m->var_of, r);
-    if (u->whole == u->engine && passes && run_has_points(r->script))
+    if (u->whole == u->engine && counts && run_has_points(r->script))
         record_run(u, r);
     r->options.max_steps = r->steps < UINT64_MAX / 8 ? 4 * r->steps + 1000 : r->steps;
 }
@@ -214,7 +227,8 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const
     u->arena = arena;
     u->p = engine_program(p, member);
     u->requirements = rq;
-    u->records = u->failing = scripts;
+    u->records = scripts;
+    baseline_init(&u->baseline, arena, rq);
     u->record = arena_array(arena, scripts, sizeof *u->record);
     u->order = ARENA_ARRAY(arena, uint32_t, scripts);
     u->original = flat_new(arena, ir_build(arena, u->p), NULL);
@@ -233,7 +247,7 @@ MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const
     return u;
 }
 
-uint32_t mutant_runs_find_failing(const MutantRuns *u) { return u->failing; }
+const Baseline *mutant_runs_baseline(const MutantRuns *u) { return &u->baseline; }
 
 FlatMachine *mutant_runs_original(const MutantRuns *u) { return u->original; }
 
@@ -400,17 +414,16 @@ static bool passes_from_point(MutantReplay *c, uint32_t point)
 // Runs the script on the mutant.  Returns whether it passes.
 static bool passes_script(MutantReplay *c, Arena *work)
 {
-    uint64_t steps;
     uint32_t point;
 
-    if (!includes_change(c, c->r->reached))
+    if (c->r->is_left_out || !includes_change(c, c->r->reached))
         return true;
     if (can_replay(c)) {
         point = find_difference(c);
         return point == c->r->point.n || passes_from_point(c, point);
     }
     engine_flat_set(c->u->engine, c->mutant, arena_alloc(work, c->mutant->size));
-    return run_whole(c->u, c->r, work, &steps);
+    return run_whole(c->u, c->r, work);
 }
 
 // Whether script x is tried before y: it notices more, or it is shorter.

@@ -10,6 +10,7 @@
 #define SMC_MUTANT_RUNS_H
 
 #include "compiler/cover/flat.h"
+#include "compiler/script/baseline.h"
 #include "compiler/script/script.h"
 #include "compiler/script/scenario.h"
 #include "compiler/sema/program.h"
@@ -17,11 +18,12 @@
 typedef struct MutantRuns MutantRuns;
 
 // Records the runs of the scripts, and which statements they execute.  A run fails if it violates one of the requirements `rq`, which
-// can be NULL.  p: a machine, or an application, of whose machines number `member` has the mutants.  Its scripts run whole on each of these.
+// can be NULL, and which the unchanged machine does not violate with this script.  p: a machine, or an application, of whose machines number
+// `member` has the mutants.  Its scripts run whole on each of these.
 MutantRuns *mutant_runs_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq,
                             uint64_t max_steps);
-// Returns the index of a script that fails on the unchanged machine; `scripts` if all pass.
-uint32_t mutant_runs_find_failing(const MutantRuns *r);
+// Returns the runs on the unchanged machine: which scripts and requirements are left out.
+const Baseline *mutant_runs_baseline(const MutantRuns *r);
 // Used instead of a Stmt.number for a change that is in no statement: in code that each step executes, or in an initial value.
 #define MUTANT_EACH_STEP UINT32_C(0)
 #define MUTANT_START UINT32_MAX

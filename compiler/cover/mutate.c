@@ -356,7 +356,7 @@ Mutation *mutation_new(Arena *arena, const Program *p, size_t member, const Scri
     return u;
 }
 
-uint32_t mutation_find_failing(const Mutation *u) { return mutant_runs_find_failing(u->runs); }
+const Baseline *mutation_baseline(const Mutation *u) { return mutant_runs_baseline(u->runs); }
 
 const Mutant *mutation_list(const Mutation *u, uint32_t *n)
 {

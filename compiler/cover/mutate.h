@@ -10,6 +10,7 @@
 #define SMC_MUTATE_H
 
 #include "compiler/cover/flat.h"
+#include "compiler/script/baseline.h"
 #include "compiler/script/scenario.h"
 #include "compiler/script/script.h"
 
@@ -54,8 +55,8 @@ typedef struct Mutation Mutation;
 // expressions and statements of p are changed; the change is undone afterwards.  p: a machine, or an application, of which machine number `member` is
 // changed.
 Mutation *mutation_new(Arena *arena, const Program *p, size_t member, const Script *const *script, uint32_t scripts, const Requirements *rq, uint64_t max_steps);
-// Returns the index of a script that fails without any change, or violates a requirement; `scripts` if all pass.
-uint32_t mutation_find_failing(const Mutation *u);
+// Returns the runs without a change: which scripts and requirements are left out.
+const Baseline *mutation_baseline(const Mutation *u);
 // Runs the next mutant.  Returns false if no mutant is left.
 bool mutation_run_next(Mutation *u);
 // Searches a scenario for the next mutant that no script notices, for at most `steps` steps (mutant_search.h).  Returns false

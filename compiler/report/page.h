@@ -50,12 +50,14 @@ struct Report {
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
+    VEC(const char *) left_out;   // sentences that name scripts and requirements that these three parts leave out, because they fail anyway
     VEC(const char *) unfinished; // phrases that name what was stopped before it was complete
 };
 
 Doc *report_build(Report *r);
 // Builds the page of an application: its machines one after the other, what they share, and the runs of all of them.
 Doc *report_build_app(Report *r);
+void report_add_left_out(const Report *r, Doc *d);     // names what the section does not contain because it fails anyway
 
 // ---- the sections, one file each ----
 

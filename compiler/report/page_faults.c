@@ -147,6 +147,7 @@ void report_add_faults(Report *r, Doc *d)
     }
     doc_add_paragraph(d, TEXT_FAULTS);
     doc_add_plain(d, f->summary);
+    report_add_left_out(r, d);
     if (f->is_cut)
         doc_add_paragraph(d, TEXT_FAULTS_CUT);
     if (!r->requirements)

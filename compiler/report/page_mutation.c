@@ -111,6 +111,12 @@ static void add_changes(const Report *r, Doc *d, MutantDanger danger, const char
     }
 }
 
+void report_add_left_out(const Report *r, Doc *d)
+{
+    for (size_t i = 0; i < r->left_out.n; i++)
+        doc_add_plain(d, r->left_out.at[i]);
+}
+
 void report_add_mutation(Report *r, Doc *d)
 {
     MutationScore s;
@@ -125,6 +131,7 @@ void report_add_mutation(Report *r, Doc *d)
     }
     s = mutation_score(r->mutation);
     doc_add_paragraph(d, TEXT_MUTATION);
+    report_add_left_out(r, d);
     buf_init(&percent, r->arena);
     buf_percent(&percent, s.of[MUTANT_NOTICED], s.noticeable, 1);
     if (s.of[MUTANT_WAITING])

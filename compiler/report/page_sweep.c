@@ -88,6 +88,7 @@ void report_add_sweep(Report *r, Doc *d)
         return;
     }
     doc_add_paragraph(d, TEXT_SWEEP);
+    report_add_left_out(r, d);
     add_margins(r, d);
     for (uint32_t i = 0; i < s->of.n; i++)
         add_parameter(r, d, &s->of.at[i]);

@@ -112,6 +112,14 @@ static void add_coverage(const Report *r, DocTable *t)
     add_verdict(t, report_section_of(r, "scripts"), title_of(r, "Coverage"), covered < possible ? VERDICT_OPEN : VERDICT_GOOD, buf_text(&details));
 }
 
+// Adds the verdict on a part that compares with scripts.  What fails anyway is not in it, so it cannot be good then.
+static void add_part_verdict(const Report *r, DocTable *t, const char *id, const char *title, Verdict v, const char *details)
+{
+    if (r->left_out.n)
+        details = format_in(r->arena, "%s; without what fails anyway", details);
+    add_verdict(t, id, title, r->left_out.n && v == VERDICT_GOOD ? VERDICT_OPEN : v, details);
+}
+
 static void add_mutation(const Report *r, DocTable *t)
 {
     MutationScore s;
@@ -129,8 +137,9 @@ static void add_mutation(const Report *r, DocTable *t)
     }
     if (s.of[MUTANT_WAITING])
         buf_printf(&details, "%sonly %lu of %lu were tried", details.n ? "; " : "", s.all - s.of[MUTANT_WAITING], s.all);
-    add_verdict(t, report_section_of(r, "mutation"), title_of(r, "Changes that scripts notice"), s.of[MUTANT_NOTICED] < s.noticeable || s.of[MUTANT_WAITING] ? VERDICT_OPEN : VERDICT_GOOD,
-                buf_text(&details));
+    add_part_verdict(r, t, report_section_of(r, "mutation"), title_of(r, "Changes that scripts notice"),
+                     s.of[MUTANT_NOTICED] < s.noticeable || s.of[MUTANT_WAITING] ? VERDICT_OPEN : VERDICT_GOOD,
+                     buf_text(&details));
 }
 
 static void add_faults(const Report *r, DocTable *t)
@@ -157,8 +166,9 @@ static void add_faults(const Report *r, DocTable *t)
     for (uint32_t i = 0; i < f->line.n; i++)
         if (f->line.at[i].is_pair && f->outcome[f->line.at[i].outcome].danger > worst)
             worst = f->outcome[f->line.at[i].outcome].danger;
-    add_verdict(t, "faults", "Faults of sensors", worst == REPORT_VIOLATION ? VERDICT_BAD : worst == REPORT_OPEN || f->is_cut || !r->requirements ? VERDICT_OPEN : VERDICT_GOOD,
-                out.n ? format_in(r->arena, "of input and kind: %s", buf_text(&out)) : "the machine has no input");
+    add_part_verdict(r, t, "faults", "Faults of sensors",
+                     worst == REPORT_VIOLATION ? VERDICT_BAD : worst == REPORT_OPEN || f->is_cut || !r->requirements ? VERDICT_OPEN : VERDICT_GOOD,
+                     f->input.n ? format_in(r->arena, "of input and kind: %s", buf_text(&out)) : "the machine has no input");
 }
 
 // Verdict on parameters: failed when a check fails at the present value, open when no check depends on some parameter.
@@ -185,7 +195,7 @@ static void add_sweep(const Report *r, DocTable *t)
     add_count(&out, r->sweep->of.n - failing - limited - unchanged, "whose value nothing notices");
     add_count(&out, unchanged, "that all scripts set themselves");
     add_count(&out, r->sweep->not_swept.n, "not known: stopped before");
-    add_verdict(t, "sweep", "Parameters", failing ? VERDICT_BAD : all == 0 ? VERDICT_FACT : limited < all ? VERDICT_OPEN : VERDICT_GOOD,
+    add_part_verdict(r, t, "sweep", "Parameters", failing ? VERDICT_BAD : all == 0 ? VERDICT_FACT : limited < all ? VERDICT_OPEN : VERDICT_GOOD,
                 out.n ? buf_text(&out) : "none can be set");
 }
 

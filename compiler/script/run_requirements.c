@@ -44,6 +44,8 @@ bool requirement_check_step(ScriptRun *r)
         r->monitor->ran[i] = r->answer[0].machine[i].ran;
     monitor_step(r->monitor, r->situation, r->cell);
     for (size_t i = 0; i < r->o->requirements->at.n; i++) {
+        if (r->o->ignored && r->o->ignored[i])
+            r->monitor->result[i] = MONITOR_IDLE;
         r->requirement[i].judged += r->monitor->result[i] != MONITOR_IDLE;
         if (r->monitor->result[i] == MONITOR_VIOLATED)
             is_new |= count_violation(r, i);
@@ -61,7 +63,7 @@ void requirement_end_run(ScriptRun *r)
 {
     for (size_t i = 0; i < r->o->requirements->at.n; i++) {
         RequirementRun *run = &r->requirement[i];
-        run->undecided = monitor_is_open(r->monitor, r->situation, i, &run->since) && run->violations == 0;
+        run->undecided = monitor_is_open(r->monitor, r->situation, i, &run->since) && run->violations == 0 && !(r->o->ignored && r->o->ignored[i]);
     }
 }
 

@@ -65,6 +65,7 @@ typedef struct ScriptOptions {
     const ScriptSetting *setting;     // parameters that have another value in this run; `settings` of them
     size_t settings;
     const Requirements *requirements;         // judged after each step; NULL: none
+    const uint8_t *ignored;   // by requirement: 1: this run does not judge it (baseline.h); NULL: it judges all
     bool is_silent;           // no diagnostics are reported: the caller reads only the result
     bool continues;           // a failed assert does not end the run, and neither it nor a violated requirement makes the run SCRIPT_FAILED
     bool ends_at_violation;   // a violated requirement ends the run, and the asserts of its step are not evaluated

@@ -533,6 +533,7 @@ bool fault_script_reproduces(Arena *arena, const Faults *f, const FaultResult *r
     FaultMoment at = failing_moment(r);
     const ScriptOptions o = {.max_steps = r->steps, .seed = f->options.has_seed ? &f->options.sizes.seed : NULL, .is_silent = true,
                              .is_compared = true, .ends_at_violation = true,
+                             .ignored = f->baseline.run.at[f->trigger.at[r->trigger].script].ignored,
                              .requirements = f->options.requirements, .setting = f->options.setting, .settings = f->options.settings};
     bool is_same;
 

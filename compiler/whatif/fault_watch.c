@@ -64,8 +64,8 @@ static void judge_requirements(FaultWatch *w, const ScriptStep *step)
         in_truth = monitor_step(w->monitor, w->situation, fault_engine_outside(w->e));
 
     for (uint32_t i = 0; rq && !w->result.violated && i < rq->at.n; i++) {
-        const bool is_read = step->results[i] == MONITOR_VIOLATED;
-        if (!is_read && !(in_truth && w->monitor->result[i] == MONITOR_VIOLATED))
+        const bool is_read = step->results[i] == MONITOR_VIOLATED, counts = !w->r->o->ignored || !w->r->o->ignored[i];
+        if (!is_read && !(in_truth && counts && w->monitor->result[i] == MONITOR_VIOLATED))
             continue;
         w->result.violated = i + 1;
         w->result.violated_in_truth = !is_read;

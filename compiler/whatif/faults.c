@@ -81,6 +81,7 @@ static void start_run(FaultRunner *x, uint32_t script)
     unused->muted = true;
     o = arena_copy(&x->run, &x->o, sizeof x->o);
     o->context = x->w;
+    o->ignored = script < x->f->baseline.run.n ? x->f->baseline.run.at[script].ignored : NULL;
     sizes.seed = x->f->options.has_seed ? sizes.seed : s->seed;
     o->seed = arena_copy(&x->run, &sizes.seed, sizeof sizes.seed);
     inner = engine_flat_open_machines(&x->run, x->f->p, x->flat, NULL, 0);
@@ -96,12 +97,6 @@ static void start_run(FaultRunner *x, uint32_t script)
 }
 
 static const State *next_state(const ScriptRun *r, size_t machine) { return r->p->state.at[engine_next(&r->answer[0], machine).state - 1]; }
-
-// Whether the run without a fault passes: only then do later failures show the effect of a fault.
-static bool is_healthy_run_good(const ScriptRun *r)
-{
-    return r->result.outcome == SCRIPT_PASSED && r->result.failures == 0;
-}
 
 static int compare_triggers(const void *a, const void *b)
 {
@@ -142,7 +137,7 @@ static void run_healthy(FaultRunner *x, uint32_t script)
     h->last = ARENA_ARRAY(x->arena, uint64_t, x->f->p->state.n);
     memset(x->visit, 0, x->f->p->state.n * sizeof *x->visit);
     x->o.max_steps = x->f->options.max_steps;
-    x->o.continues = false;                           // a failure ends the run, and no faults are run then
+    x->o.continues = false;                           // an assert that fails ends the run, and the script is left out
     start_run(x, script);
     r = x->w->r;
     x->w->is_healthy = true;
@@ -152,9 +147,9 @@ static void run_healthy(FaultRunner *x, uint32_t script)
     h->end = ARENA_ARRAY(x->arena, const State *, x->machines);
     for (size_t i = 0; i < x->machines; i++)
         h->end[i] = next_state(r, i);
-    if (!is_healthy_run_good(r) && x->f->failing == x->f->scripts)
-        x->f->failing = script;
-    if (x->f->options.times == 0)
+    if (!baseline_add(&x->f->baseline, r->s->src->name, r->s, &r->result))
+        x->f->trigger.n = first;
+    else if (x->f->options.times == 0)
         add_middles(x, script);
     if (x->f->trigger.n > first)
         qsort(x->f->trigger.at + first, x->f->trigger.n - first, sizeof *x->f->trigger.at, compare_triggers);
@@ -166,7 +161,7 @@ Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, 
     Faults *f = ARENA_NEW(arena, Faults);
     FaultRunner *x = ARENA_NEW(arena, FaultRunner);
 
-    *f = (Faults){.p = p, .script = script, .scripts = scripts, .options = *o, .failing = scripts, .runner = x};
+    *f = (Faults){.p = p, .script = script, .scripts = scripts, .options = *o, .runner = x};
     x->f = f;
     x->arena = arena;
     arena_init(&x->run, arena->alloc, arena->context, arena->oom);
@@ -178,6 +173,7 @@ Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, 
                            .setting = o->setting, .settings = o->settings};
     x->healthy = arena_array(arena, scripts, sizeof *x->healthy);
     x->visit = arena_array(arena, p->state.n, sizeof *x->visit);
+    baseline_init(&f->baseline, arena, o->requirements);
     fault_find_inputs(x);
     fault_find_seen(x);
     for (uint32_t i = 0; i < scripts; i++)
@@ -185,8 +181,6 @@ Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, 
     fault_list_single(x);
     return f;
 }
-
-uint32_t faults_find_failing(const Faults *f) { return f->failing; }
 
 void faults_end(Faults *f)
 {

@@ -3,14 +3,13 @@
 // without a fault (docs/faults.md).
 //
 //     Faults *f = faults_new(arena, p, script, scripts, &options);
-//     if (faults_find_failing(f) == scripts)
-//         while (faults_run_next(f)) ;
+//     while (faults_run_next(f)) ;
 //     ... f->result ...
 //     faults_end(f);
 #ifndef SMC_FAULTS_H
 #define SMC_FAULTS_H
 
-#include "compiler/script/script.h"
+#include "compiler/script/baseline.h"
 #include "compiler/whatif/fault_engine.h"
 
 // The effect of a fault on a run, the least dangerous first.
@@ -86,14 +85,12 @@ typedef struct Faults {
     uint64_t pairs, pairs_worse;      // number of pairs that were judged; of these, with worse_than_alone
     uint64_t repeated;                // number of pairs that were found to do the same as one of their faults, without a run
     bool is_cut;                      // not all faults were judged, because max_runs was reached
-    uint32_t failing;                 // index of a script that fails without a fault; `scripts`: none
+    Baseline baseline;                // the runs without a fault
     FaultRunner *runner;
 } Faults;
 
-// Runs every script without a fault, and lists inputs and triggers.
+// Runs every script without a fault, and lists inputs and triggers.  Scripts that fail have none.
 Faults *faults_new(Arena *arena, const Program *p, const Script *const *script, uint32_t scripts, const FaultOptions *o);
-// Returns the index of a script that fails without a fault; `scripts` if all pass.
-uint32_t faults_find_failing(const Faults *f);
 // Runs the next fault.  Returns false if no fault is left.
 bool faults_run_next(Faults *f);
 // Returns the most dangerous outcome of one fault of one input at any trigger, without pairs.

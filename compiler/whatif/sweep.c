@@ -104,7 +104,8 @@ static void run_script(SweepRunner *x, uint32_t script, const double *value, uin
     const Sweep *s = x->s;
     ScriptSetting *setting;
     ScriptOptions o = {.max_steps = s->options.max_steps, .seed = s->options.seed, .after_step = note_violations, .context = x, .is_silent = true,
-                       .is_compared = true, .continues = true, .requirements = s->options.requirements};
+                       .is_compared = true, .continues = true, .requirements = s->options.requirements,
+                       .ignored = s->options.ignored ? s->options.ignored[script] : NULL};
     ScriptResult r;
     Diags unused;
     Engine *e;

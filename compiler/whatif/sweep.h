@@ -54,6 +54,7 @@ typedef struct SweepOptions {
     uint64_t max_steps;
     const uint64_t *seed;             // seed of the random numbers; NULL: each script's own seed
     const Requirements *requirements; // judged in each run; or NULL
+    const uint8_t *const *ignored;    // by script: ScriptOptions.ignored; or NULL
     const ScriptSetting *setting;     // values of parameters that are not swept; `settings` of them
     size_t settings;
 } SweepOptions;

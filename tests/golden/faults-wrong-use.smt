@@ -99,7 +99,7 @@ a.app:6:15: error: two files would have the name 'a.c': the state vector 'a.sv' 
       |               ^~~~~~
 a.app:2:14: note: the first one is here
 3 errors
-smc: bad.ss fails without any fault: 'smc test' shows why
+smc: bad.ss fails at bad.ss:4 without any fault, and no other script is left: correct it or the machine ('smc test' shows why), or name a script that passes
 broken.ss:4:7: error: unknown element 'q' [E0204]
     4 | true: q = 1
       |       ^

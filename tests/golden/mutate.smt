@@ -165,6 +165,24 @@ not noticed; these inputs would show it:
     from Fill, at G = 0, open differs
   line 9:35: `1` changed to `2` in Fill, an output
     from Fill, at G = 0: p = -1; at G = 0, open differs
+mutations of a: 8 of 23 changes are noticed (34.8 %)
+  Left out: bad.ss, because it fails at bad.ss:4.
+not noticed:
+  line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
+  line 10:7: `>` changed to `<=` in Fill, on the way to an @abort state
+  line 10:7: `>` changed to `>=` in Fill, on the way to an @abort state
+  line 10:9: `825` changed to `743` in Fill, on the way to an @abort state
+  line 10:9: `825` changed to `907` in Fill, on the way to an @abort state
+  line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state
+  line 10:18: `<` changed to `>=` in Fill, on the way to an @abort state
+  line 10:20: `0` changed to `1` in Fill, on the way to an @abort state
+  line 9:19: `>` changed to `>=` in Fill, an output
+  line 9:21: `700` changed to `630` in Fill, an output
+  line 9:21: `700` changed to `770` in Fill, an output
+  line 9:26: `and` changed to `or` in Fill, an output
+  line 9:32: `>` changed to `>=` in Fill, an output
+  line 9:35: `1` changed to `0` in Fill, an output
+  line 9:35: `1` changed to `2` in Fill, an output
 mutations of a: 6 of 23 changes are noticed (26.1 %)
 requirements notice 6 of them: R1 1, R2 5
 noticed:
@@ -175,6 +193,33 @@ noticed:
   line 10:20: `0` changed to `1` in Fill, on the way to an @abort state [still.ss: R2]
   line 14:5: `open = true` removed in Abort, an output [still.ss: R1]
 1
+mutations of a: 0 of 23 changes are noticed (0.0 %)
+  Not judged: R3 in still.ss, where it is violated anyway.
+requirements notice 0 of them
+not noticed:
+  line 10:5: `p > 825 or G < 0` changed to `0` in Fill, on the way to an @abort state
+  line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
+  line 10:7: `>` changed to `<=` in Fill, on the way to an @abort state
+  line 10:7: `>` changed to `>=` in Fill, on the way to an @abort state
+  line 10:9: `825` changed to `743` in Fill, on the way to an @abort state
+  line 10:9: `825` changed to `907` in Fill, on the way to an @abort state
+  line 10:13: `or` changed to `and` in Fill, on the way to an @abort state
+  line 10:18: `<` changed to `<=` in Fill, on the way to an @abort state
+  line 10:18: `<` changed to `>=` in Fill, on the way to an @abort state
+  line 10:20: `0` changed to `1` in Fill, on the way to an @abort state
+  line 10:23: `-> Abort` removed in Fill, on the way to an @abort state
+  line 9:5: `open = not (p > 700) and p > -1` removed in Fill, an output
+  line 9:12: `not` left out in Fill, an output
+  line 9:19: `>` changed to `<=` in Fill, an output
+  line 9:19: `>` changed to `>=` in Fill, an output
+  line 9:21: `700` changed to `630` in Fill, an output
+  line 9:21: `700` changed to `770` in Fill, an output
+  line 9:26: `and` changed to `or` in Fill, an output
+  line 9:32: `>` changed to `<=` in Fill, an output
+  line 9:32: `>` changed to `>=` in Fill, an output
+  line 9:35: `1` changed to `0` in Fill, an output
+  line 9:35: `1` changed to `2` in Fill, an output
+  line 14:5: `open = true` removed in Abort, an output
 mutations of first: 22 of 26 changes are noticed (84.6 %), and 3 make no difference
 inputs were found for 2 of the 4 changes that no script notices
 not noticed; these inputs would show it:
@@ -231,7 +276,7 @@ mutations of first: 24 of 27 changes are noticed (88.9 %), and 2 make no differe
 -- stderr --
 smc: the scripts notice 34.8 % of the changes, and 40 % are required
 smc: the scripts notice 34.8 % of the changes, and 100 % are required
-smc: bad.ss fails without any change: 'smc test' shows why
+smc: scripts that do not pass without any change: 1 of 2; what they cannot show is left out ('smc test' shows why)
 smc: a script is required that could notice changes, as in 'smc mutate a.sm SCRIPT.ss'
 Try 'smc mutate --help'.
 smc: --min-score requires a percentage from 0 to 100, not 'all'
@@ -240,7 +285,7 @@ broken.ss:4:9: error: unknown element 'q' [E0204]
     4 | G == 0: q = 1
       |         ^
 1 error
-smc: still.ss fails without any change: 'smc test' shows why
+smc: scripts that do not pass without any change: 1 of 1; what they cannot show is left out ('smc test' shows why)
 smc: a script is required that could notice changes, as in 'smc mutate a.sm SCRIPT.ss'
 Try 'smc mutate --help'.
 -- exit --

@@ -108,13 +108,14 @@ less. The state vector is shared with the application and is not included.
 What no script notices
 ----------------------
 
-No change of the machine was tried, because bad.ss fails without one.
-
+No change of the machine was tried, because every script fails anyway: the first, bad.ss, fails at
+bad.ss:4.
 What no script notices
 ----------------------
 
 No change of the machine was tried, because there is no script that could notice it.
 -- stderr --
 smc: bad.ss failed; the report shows why
-smc: --mutate: no change of the machine was tried, because bad.ss fails without one
+smc: Left out: bad.ss, because it fails at bad.ss:4.
+smc: --mutate: no change of the machine was tried, because every script fails anyway: the first, bad.ss, fails at bad.ss:4
 smc: --mutate: no change of the machine was tried, because there is no script that could notice it

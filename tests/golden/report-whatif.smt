@@ -169,12 +169,12 @@ What breaks it
 Faults of sensors
 -----------------
 
-No fault was tried, because bad.ss fails without one.
+No fault was tried, because every script fails anyway: the first, bad.ss, fails at bad.ss:4.
 
 Parameters at other values
 --------------------------
 
-No parameter was changed, because bad.ss fails without one.
+No parameter was changed, because every script fails anyway: the first, bad.ss, fails at bad.ss:4.
 What breaks it
 ==============
 
@@ -206,7 +206,8 @@ a.sm:12:35: note: transition in step 12 (G = 110): Ascent -> Drogue
 a.sm:17:5: note: step 13 (G = 120): `drogue = not unused` stored true: unused = false
 1 error
 smc: bad.ss failed; the report shows why
-smc: --sweep: no parameter was changed, because bad.ss fails without one
-smc: --faults: no fault was tried, because bad.ss fails without one
+smc: Left out: bad.ss, because it fails at bad.ss:4.
+smc: --sweep: no parameter was changed, because every script fails anyway: the first, bad.ss, fails at bad.ss:4
+smc: --faults: no fault was tried, because every script fails anyway: the first, bad.ss, fails at bad.ss:4
 smc: --sweep: no parameter was changed, because there is no script
 smc: --faults: no fault was tried, because there is no script

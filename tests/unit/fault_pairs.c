@@ -65,7 +65,7 @@ static const Faults *run_campaign(Session *s, const Program *p, const Script *ss
                             .sizes = {0.05, 0.02, 3, 5, 0}, .max_steps = 1000, .requirements = rq};
     Faults *f = faults_new(&s->arena, p, list, 1, &o);
 
-    while (f->failing == 1 && faults_run_next(f))
+    while (f->baseline.left_out == 0 && faults_run_next(f))
         ;
     faults_end(f);
     return f;
@@ -80,7 +80,7 @@ static bool is_same_result(const FaultResult *x, const FaultResult *y)
 
 static void compare_campaigns(const Faults *some, const Faults *all)
 {
-    CHECK(some->failing == all->failing && some->pairs == all->pairs && some->pairs_worse == all->pairs_worse);
+    CHECK(some->baseline.left_out == all->baseline.left_out && some->pairs == all->pairs && some->pairs_worse == all->pairs_worse);
     CHECK(some->result.n == all->result.n && all->repeated == 0);
     for (uint32_t i = 0; i < some->result.n && i < all->result.n; i++)
         CHECK(is_same_result(&some->result.at[i], &all->result.at[i]));
