@@ -66,8 +66,8 @@ typedef struct TrialSearch {
     void *after;                  // a copy of the situation, for the step after a transition
 } TrialSearch;
 
-// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.  One with a pattern comes first, because the checks
-// try only the first entries of a state.
+// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.  One with a pattern comes first, because
+// the checks try only the first entries of a state.
 static void add_entry(TrialSearch *k, const Transition *via)
 {
     Trials *t = k->t;
@@ -172,7 +172,8 @@ static void hold_inputs(TrialSearch *k)
     }
 }
 
-// Records whether the inputs, which were k->was, show a command or a sensor that has failed.  groups: sensors of a group that differ have failed, too.
+// Records whether the inputs, which were k->was, show a command or a sensor that has failed.  groups: sensors of a group that differ have
+// failed, too.
 static void record_change(TrialSearch *k, bool groups)
 {
     const Trials *t = k->t;
@@ -322,7 +323,8 @@ static bool has_reached_all(TrialSearch *k)
     bool all = true;
 
     for (uint32_t s = 0; s < t->a->p->state.n && all; s++)
-        all = !facts_may_reach(t->a->facts, s, BLOCK_ENTRY) || (t->state[s].entry.n > 0 && (t->a->p->state.at[s]->is_abort || has_lasting_entry(k, &t->state[s])));
+        all = !facts_may_reach(t->a->facts, s, BLOCK_ENTRY) ||
+              (t->state[s].entry.n > 0 && (t->a->p->state.at[s]->is_abort || has_lasting_entry(k, &t->state[s])));
     return all;
 }
 
