@@ -9,8 +9,8 @@ enum { STEPS_MAX = 400000, STEPS_MIN = 20000, STATEMENTS_MAX = 120000000, MEMORY
 AnalysisRuns state_runs_find(Arena *arena, const Program *p, uint64_t delta_t, const uint64_t *parameter, uint32_t share)
 {
     const uint64_t steps = STATEMENTS_MAX / (p->stmts + 1u);
-    const SearchOptions o = {.seed = 1, .delta_t = delta_t, .kinds = 1u << COVER_STATE, .memory = MEMORY_MAX,
-                             .stays = true, .drafts = true, .initial = parameter,
+    const SearchOptions o = {.seed = 1, .delta_t = delta_t, .kinds = 1u << COVER_STATE, .memory = MEMORY_MAX, .stays = true,
+                             .drafts = true, .initial = parameter,
                              .effort = (steps > STEPS_MAX ? STEPS_MAX : steps < STEPS_MIN ? STEPS_MIN : steps) / share};
     Cover *c = cover_new(arena, p);
     const SearchResult *found;

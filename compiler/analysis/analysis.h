@@ -79,6 +79,8 @@ void analyse_inputs_of_script(Diags *diags, const Script *script);
 
 // Reports asserts of a script that no behaviour of the machine can make false.  Nothing in `arena` is needed afterwards.
 void analyse_asserts_of_script(Arena *arena, Diags *diags, const Script *script);
+// Reports operands of a condition of a script that change nothing (absorbed_operand.c).
+void analyse_absorbed_condition(Arena *arena, Diags *diags, const Expr *condition);
 
 // Reports requirements that no behaviour of the machine can violate, or meet.
 void analyse_requirements(Diags *diags, const Requirements *all);

@@ -251,6 +251,8 @@ static void check_asserts(AssertCheck *k)
 {
     for (size_t i = 0; i < k->item->asserts.n; i++) {
         const ScriptAssert *s = &k->item->asserts.at[i];
+        if (s->condition && s->kind != SCRIPT_PRINT)
+            analyse_absorbed_condition(k->a.arena, k->a.diags, s->condition);
         if (s->condition && s->kind != SCRIPT_PRINT && is_decided(k, s->condition, true))
             diag_label(k->a.diags, diag_report(k->a.diags, DIAG_assert_decided, s->condition->span), DIAG_label_true_for_all);
     }

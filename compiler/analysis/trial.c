@@ -66,8 +66,8 @@ typedef struct TrialSearch {
     void *after;                  // a copy of the situation, for the step after a transition
 } TrialSearch;
 
-// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.  One with a pattern comes first, because the
-// checks try only the first entries of a state.
+// Stores the situation as an entry of its state, unless a similar one (entry_key) is already stored.  One with a pattern comes first, because
+// the checks try only the first entries of a state.
 static void add_entry(TrialSearch *k, const Transition *via)
 {
     Trials *t = k->t;
@@ -172,8 +172,8 @@ static void hold_inputs(TrialSearch *k)
     }
 }
 
-// Records whether the inputs, which were k->was, show a command or a sensor that has failed.  groups: sensors of a group that differ have failed,
-// too.
+// Records whether the inputs, which were k->was, show a command or a sensor that has failed.  groups: sensors of a group that differ have
+// failed, too.
 static void record_change(TrialSearch *k, bool groups)
 {
     const Trials *t = k->t;

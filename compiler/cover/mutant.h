@@ -40,6 +40,8 @@ struct Mutation {
     const State *state;
     Stmt *stmt;               // NULL: the expression is in no statement
     MutantDanger danger;      // what its value can affect
+    bool *hazard;             // by Var.index: the variable is a hazard
+    bool *leads_to_hazard;    // by State.number - 1: the state switches a hazard on
     MutantDanger *of_local, *of_window;       // by Var.index; by index of the window: the most dangerous use of the value
 };
 
@@ -54,6 +56,13 @@ void mutation_search_from(Mutation *u, Mutant *m, const Scenario *from, uint64_t
 
 // Lists all mutants, in the order of the source.
 void mutation_list_all(Mutation *u);
+
+// ---- mutant_hazards.c ----
+
+// Whether the variable is an output that no state marked @safe or @abort switches on.  Without such marks none is.
+bool mutant_is_hazard(const Program *p, const Var *v);
+// Whether the state switches one of the hazards on; hazard: by Var.index.
+bool mutant_state_has_hazard(const Program *p, const State *s, const bool *hazard);
 
 // ---- mutant_initial.c ----
 

@@ -46,7 +46,7 @@ MutationScore mutation_score(const Mutation *u)
 
 void mutant_write_change(Arena *arena, const Mutant *m, Buf *out)
 {
-    static const char *const about[] = {"", "", ", an output", ", on the way to an @abort state"};
+    static const char *const about[] = {"", "", ", an output", ", a hazardous output", ", on the way to an @abort state"};
 
     buf_printf(out, "`%s` ", source_text(arena, m->span));
     if (m->text[0] == 'i')

@@ -6,7 +6,7 @@
 
 #include "compiler/passes/pass.h"
 
-const char *const mutant_danger_name[] = {"other", "transition", "output", "abort"};
+const char *const mutant_danger_name[] = {"other", "transition", "output", "hazard", "abort"};
 const char *const mutant_verdict_name[] = {"waiting", "noticed", "unnoticed", "equivalent", "generated"};
 
 // ---- changing the program ----

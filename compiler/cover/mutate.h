@@ -23,10 +23,11 @@ typedef enum MutantVerdict {
     MUTANT_VERDICT_COUNT
 } MutantVerdict;
 
-// What the changed code can affect, the least dangerous first: nothing of the others, a transition, an output, a transition to an @abort state.
-typedef enum MutantDanger { DANGER_OTHER, DANGER_TRANSITION, DANGER_OUTPUT, DANGER_ABORT } MutantDanger;
+// What the changed code can affect, the least dangerous first: nothing of the others, a transition, an output, a hazard (mutant_hazards.c) or a
+// transition to a state that switches one on, a transition to an @abort state.
+typedef enum MutantDanger { DANGER_OTHER, DANGER_TRANSITION, DANGER_OUTPUT, DANGER_HAZARD, DANGER_ABORT } MutantDanger;
 
-extern const char *const mutant_danger_name[];        // by MutantDanger: "other", "transition", "output", "abort"
+extern const char *const mutant_danger_name[];        // by MutantDanger: "other", "transition", "output", "hazard", "abort"
 extern const char *const mutant_verdict_name[];       // by MutantVerdict: "waiting", "noticed", "unnoticed", "equivalent", "generated"
 
 typedef struct MutantEdit MutantEdit;

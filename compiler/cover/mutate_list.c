@@ -186,9 +186,9 @@ static MutantDanger danger_of(const Mutation *u, const Stmts *list)
         const MutantDanger then = danger_of(u, &s->then), otherwise = danger_of(u, &s->otherwise);
         MutantDanger own = DANGER_OTHER;
         if (s->kind == ST_TRANSITION)
-            own = s->target->is_abort ? DANGER_ABORT : DANGER_TRANSITION;
+            own = s->target->is_abort ? DANGER_ABORT : u->leads_to_hazard[s->target->number - 1] ? DANGER_HAZARD : DANGER_TRANSITION;
         else if (s->kind == ST_ASSIGN)
-            own = s->var->kind == VAR_ELEMENT ? DANGER_OUTPUT : u->of_local[s->var->index];
+            own = u->hazard[s->var->index] ? DANGER_HAZARD : s->var->kind == VAR_ELEMENT ? DANGER_OUTPUT : u->of_local[s->var->index];
         own = then > own ? then : own;
         own = otherwise > own ? otherwise : own;
         most = own > most ? own : most;
@@ -230,6 +230,12 @@ static void find_dangers(Mutation *u)
 {
     bool any = true;
 
+    u->hazard = ARENA_ARRAY(u->arena, bool, u->p->var.n + 1);
+    u->leads_to_hazard = ARENA_ARRAY(u->arena, bool, u->p->state.n + 1);
+    for (size_t v = 0; v < u->p->var.n; v++)
+        u->hazard[v] = mutant_is_hazard(u->p, u->p->var.at[v]);
+    for (size_t s = 0; s < u->p->state.n; s++)
+        u->leads_to_hazard[s] = mutant_state_has_hazard(u->p, u->p->state.at[s], u->hazard);
     u->of_local = ARENA_ARRAY(u->arena, MutantDanger, u->p->var.n + 1);
     u->of_window = ARENA_ARRAY(u->arena, MutantDanger, u->p->window.n + 1);
     while (any) {

@@ -140,7 +140,8 @@ void report_add_mutation(Report *r, Doc *d)
                                s.of[MUTANT_NOTICED], s.noticeable, buf_text(&percent), s.of[MUTANT_EQUIVALENT]));
     add_scores(r, d);
     add_changes(r, d, DANGER_ABORT, "mutation-abort", "On the way to an abort");
-    add_changes(r, d, DANGER_OUTPUT, "mutation-output", "At an output");
+    add_changes(r, d, DANGER_HAZARD, "mutation-hazard", "At a hazardous output");
+    add_changes(r, d, DANGER_OUTPUT, "mutation-output", "At another output");
     add_changes(r, d, DANGER_TRANSITION, "mutation-transition", "At another transition");
     add_changes(r, d, DANGER_OTHER, "mutation-other", "Elsewhere");
 }

@@ -53,7 +53,7 @@ On the way to an abort
     10  p > 825: -> Abort  `825` changed to `907` in Fill    from Fill, at G = 0: p = 900; at G = 10, S differs
     10  p > 825: -> Abort  `-> Abort` removed in Fill        from Fill, at G = 0: p = 900; at G = 10, S differs
 
-At an output
+At a hazardous output
   Line  As written      Change that no script notices   Inputs that would show it
      9  open = p > 700  `>` changed to `>=` in Fill     from Fill, at G = 0: p = 700; at G = 0, open differs
      9  open = p > 700  `700` changed to `630` in Fill  from Fill, at G = 0: p = 700; at G = 0, open differs
