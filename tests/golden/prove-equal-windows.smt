@@ -55,7 +55,7 @@ A2 "not and"                 always held(not (a <= 60 and not (60 < b)), 30 ms) 
 A3 "the same of prev"        always held(heartbeat == prev(heartbeat), 1 s) and S == Fill leads to S == Abort within 10 ms
 A4 "as the machine samples"  always held(prev(valve1) != open1, 290 ms) and S == Fill leads to S == Abort within 10 ms
 B1 "another limit"           always held(a > 59 or b > 60, 30 ms) and S == Fill leads to S == Abort within 10 ms
-B2 "only one of them"        never S == Abort and code == 1 and not prev(held(a > 60, 30 ms))
+B2 "only one of them"        never S == Abort and T == 0 and code == 1 and not prev(held(a > 60, 30 ms))
 B3 "the next sample"         always held(valve1 != open1, 290 ms) and S == Fill leads to S == Abort within 10 ms
 B4 "a shorter time"          always held(a > 60 or b > 60, 20 ms) and S == Fill leads to S == Abort within 10 ms
 -- stdout --
