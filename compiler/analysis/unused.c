@@ -134,6 +134,16 @@ static void insert_read_only(Diags *diags, Diag *d, const Var *local)
     diag_edit(diags, d, span, " @read_only");
 }
 
+static void report_never_written(Diags *diags, const Var *v)
+{
+    Diag *d = diag_report(diags, DIAG_never_written, v->span, v->name->text);
+
+    if (v->listed)                                     // @read_only would make the call an error
+        diag_label(diags, d, DIAG_label_listed_constant);
+    else
+        insert_read_only(diags, d, v);
+}
+
 // Whether v is a local that is both read and written, so that it is possible that only its own assignments read it.
 static bool may_feed_itself(const Var *v)
 {
@@ -145,7 +155,7 @@ static void check_local(Analysis *a, const Var *v, bool needed)
     if (!v->read)
         diag_report(a->diags, v->written ? DIAG_unread_local : DIAG_unused_local, v->span, v->name->text);
     else if (!v->read_only && !v->written)
-        insert_read_only(a->diags, diag_report(a->diags, DIAG_never_written, v->span, v->name->text), v);
+        report_never_written(a->diags, v);
     else if (may_feed_itself(v) && !needed)
         diag_report(a->diags, DIAG_feeds_itself, v->span, v->name->text);
 }

@@ -33,6 +33,30 @@ static void report_constant(Sema *s, const AstExpr *call, const SmBuiltinInfo *f
         diag_edit(s->diags, d, ast_op_span(call), roll);
 }
 
+static void find_element(Expr *e, void *context)
+{
+    bool *found = context;
+
+    *found |= e->kind == EX_VAR && e->var->kind != VAR_LOCAL;
+}
+
+static void mark_listed(Expr *e, void *context)
+{
+    (void)context;
+    if (e->kind == EX_VAR)
+        e->var->listed = true;
+}
+
+// Marks the locals of a value of median or average that would be a constant if they were marked @read_only.
+static void mark_locals_of_value(Expr *value)
+{
+    bool varies = false;
+
+    expr_walk(value, find_element, &varies);
+    if (!varies)
+        expr_walk(value, mark_listed, NULL);
+}
+
 // Checks the arguments, all of them even after an error. Returns whether they are valid.
 static bool check_values(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn, Expr *out)
 {
@@ -47,6 +71,8 @@ static bool check_values(Sema *s, const AstExpr *call, const SmBuiltinInfo *fn, 
             report_constant(s, call, fn, i, out->arg[i]);
             reported = true;
         }
+        if (!allows_constants && out->arg[i])
+            mark_locals_of_value(out->arg[i]);
         good = good && out->arg[i];
     }
     return good && !reported;

@@ -108,6 +108,7 @@ typedef struct Var {          // "ELEMENT:" or "LOCAL:" marks a field that only 
     bool written;             // the machine contains an assignment to the variable
     bool read;                // the machine reads the variable
     bool sizes;               // LOCAL: the size of a window is computed from its value
+    bool listed;              // LOCAL: a value of median or average is computed from locals only, this one among them (language.md 3.46)
     bool of_script;           // LOCAL: a script declares it, not the machine; no engine knows it
     const struct Program *state_of;   // ELEMENT: the machine whose S it is; NULL: none
     Span span;                // position of its name in [state_vector] or [local]
