@@ -15,7 +15,7 @@ limit = 3
 -- stderr --
 a.sm:7:1: error: this must follow a label of state 'parameters' [E0310]
     7 | limit = 3
-      | ^~~~~ statements follow .entry, .step or .exit; a list of constants is [local], each with its type: F64 limit = 3
+      | ^~~~~ write .step on the line above it; a list of constants is [local], each with its type: F64 limit = 3
 1 error
 -- exit --
 1
