@@ -23,11 +23,13 @@ static void add_states(Sema *s, Program *p, const AstFile *sm)
         vec_push(s->arena, &p->state, state);
         if (state->name->len == 0)
             continue;             // the parser could not read its header
-        if (first)
-            diag_note(s->diags, diag_report(s->diags, DIAG_state_twice, section->name_span, section->name->text),
-                      first->span, DIAG_note_declared_here, first->name->text);
-        else
+        if (first) {
+            Diag *d = diag_report(s->diags, DIAG_state_twice, section->name_span, section->name->text);
+            diag_label(s->diags, d, DIAG_label_state_twice);
+            diag_note(s->diags, d, first->span, DIAG_note_declared_here, first->name->text);
+        } else {
             map_put(&p->state_by_name, state->name, state);
+        }
     }
     if (p->state.n == 0 && !s->lost->sections)
         diag_report(s->diags, DIAG_no_state, (Span){p->src, 0, 0});

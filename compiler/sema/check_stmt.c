@@ -51,8 +51,11 @@ static bool check_writable(Sema *s, const Var *v, Str name, Span span)
         diag_label(s->diags, d, s->in_script ? DIAG_label_first_state : DIAG_label_change_state);
     } else if (v->kind == VAR_LOCAL) {
         d = diag_report(s->diags, DIAG_write_constant, span, name->text);
-    } else
+        diag_label(s->diags, d, DIAG_label_written_constant);
+    } else {
         d = diag_report(s->diags, DIAG_write_read_only, span, name->text);
+        diag_label(s->diags, d, DIAG_label_written_input);
+    }
     scope_note_declared(s, d, name);
     return false;
 }

@@ -119,6 +119,7 @@ static void parse_braces(Parser *p, AstStmts *into, Span *span)
         parser_advance(p);
     } else {
         Diag *d = parser_report(p, DIAG_brace_unclosed, open);
+        diag_label(p->diags, d, DIAG_label_close_after_last);
         diag_note(p->diags, d, parser_token_span(p), DIAG_note_brace_until, parser_describe(p, &p->tok));
     }
     *span = parser_span_since(p, open.at);
