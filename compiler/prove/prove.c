@@ -18,16 +18,17 @@ enum {
     EFFORT_PREMISE = 2000000  // how many steps a search runs for the premise of a proved requirement
 };
 
-// The limits of an exploration: in the first round, in the second one, and later with few or with all variables as keys.
-typedef enum ProveSize { PROVE_BRIEF, PROVE_COARSE, PROVE_LONG, PROVE_FINE } ProveSize;
+// The limits of an exploration: in the first round, in the second one, and later with few nodes, with more, and with all variables as keys.
+typedef enum ProveSize { PROVE_BRIEF, PROVE_COARSE, PROVE_FEW, PROVE_LONG, PROVE_FINE } ProveSize;
 
-static const ProveLimits limits_of[] = {{.nodes = 1500, .visits = 50000}, {.nodes = 1500, .visits = 300000}, {.nodes = 4000, .visits = 1500000}, {.nodes = 4000, .visits = 1500000}};
+static const ProveLimits limits_of[] = {{.nodes = 1500, .visits = 50000}, {.nodes = 1500, .visits = 300000}, {.nodes = 1500, .visits = 1500000},
+                                       {.nodes = 4000, .visits = 1500000}, {.nodes = 4000, .visits = 1500000}};
 
 // The attempts at a proof, from cheap to expensive.
 static const struct { ProveLoosening loose; ProveSize size; } attempt[] = {
     {PROVE_LOOSE_ALL, PROVE_COARSE}, {PROVE_LOOSE_LONG, PROVE_COARSE}, {PROVE_LOOSE_UNLIKE, PROVE_COARSE}, {PROVE_EXACT, PROVE_COARSE},
     {PROVE_COMPARED, PROVE_COARSE}, {PROVE_RELATED, PROVE_COARSE},
-    {PROVE_LOOSE_ALL, PROVE_LONG}, {PROVE_LOOSE_UNLIKE, PROVE_LONG},
+    {PROVE_LOOSE_ALL, PROVE_FEW}, {PROVE_LOOSE_ALL, PROVE_LONG}, {PROVE_LOOSE_UNLIKE, PROVE_LONG},
     {PROVE_LOOSE_ALL, PROVE_FINE}, {PROVE_LOOSE_UNLIKE, PROVE_FINE}, {PROVE_EXACT, PROVE_FINE}, {PROVE_COMPARED, PROVE_FINE}};
 
 enum { ATTEMPTS_FIRST = 6, ATTEMPTS = sizeof attempt / sizeof *attempt, SETS = 2 };
@@ -83,7 +84,7 @@ static bool try_proof(ProveRun *v, ProveModel *model, unsigned assumed, ProveSiz
 {
     ProveLimits limits = limits_of[size];
 
-    if (size == PROVE_LONG || size == PROVE_FINE)
+    if (size >= PROVE_FEW)
         limits.visits = visits_of_long(v);
     if (v->o->visits && (size != PROVE_BRIEF || v->o->visits < limits.visits))
         limits.visits = v->o->visits;
@@ -237,7 +238,7 @@ static bool is_repeated(const ProveProof *p, ProveLoosening loose)
 static bool has_failed(const bool *failed, uint32_t n)
 {
     for (uint32_t before = 0; before < n; before++)
-        if (failed[before] && attempt[before].loose == attempt[n].loose && attempt[n].size == PROVE_LONG)
+        if (failed[before] && attempt[before].loose == attempt[n].loose && attempt[n].size < PROVE_FINE)
             return true;
     return failed[n];
 }

@@ -60,6 +60,8 @@ V20 "between states"                always T == 0 and S == Run leads to S == Run
 V21 "and less"                      always T == 0 and S == Run leads to T == 0 and S == Wait within 80 ms
 V22 "once after a reset"            never (S == Wait) after (S == Run) without (T == 0)
 V23 "after two"                     never (S == Wait and on) after (q) without (not q)
+V24 "never twice without a wait"    never (S == Run and T == 0) after (S == Run and T > 0) without (S == Wait)
+V25 "an overwritten store"          never S == Run and on and not flag
 -- stdout --
   V3   proved              the last store counts
   V4   proved              or both are true
@@ -82,5 +84,7 @@ V23 "after two"                     never (S == Wait and on) after (q) without (
   V21  violated            and less
   V22  violated            once after a reset
   V23  violated            after two
+  V24  proved              never twice without a wait
+  V25  violated            an overwritten store
   V13  proved              the range of an input
   V17  violated            large numbers
