@@ -5,7 +5,7 @@
 
 enum { OPERANDS_MAX = 16 };       // operands of a chain that are compared with each other
 
-typedef struct AbsorbCheck { Diags *diags; Arena *arena; const uint32_t *window_of; } AbsorbCheck;
+typedef struct AbsorbCheck { Diags *diags; Arena *arena; const uint32_t *window_of; bool only_or; } AbsorbCheck;
 
 // An operand `of == number`, or != if `differs`.
 typedef struct Equality { const Expr *whole, *of; SmF64 number; bool differs; } Equality;
@@ -66,15 +66,16 @@ static void check_expr(const AbsorbCheck *k, const Expr *e, SmOperator chain)
 {
     const bool is_logic = e->kind == EX_BINARY && (e->op == SM_OP_AND || e->op == SM_OP_OR);
 
-    if (is_logic && e->op != chain)
+    if (is_logic && e->op != chain && !(k->only_or && e->op == SM_OP_AND))
         check_chain(k, e);
     for (uint32_t i = 0; i < e->n; i++)
         check_expr(k, e->arg[i], is_logic ? e->op : SM_OP_NOT);
 }
 
+// An assert with a superfluous inequality in a chain of `and` tests what it seems to.
 void analyse_absorbed_condition(Arena *arena, Diags *diags, const Expr *condition)
 {
-    const AbsorbCheck k = {diags, arena, NULL};
+    const AbsorbCheck k = {diags, arena, NULL, true};
 
     check_expr(&k, condition, SM_OP_NOT);
 }
@@ -87,7 +88,7 @@ static void check_stmt(const Stmt *s, void *context)
 
 void analyse_absorbed_operand(Analysis *a)
 {
-    AbsorbCheck k = {a->diags, a->arena, a->m->window_of};
+    AbsorbCheck k = {a->diags, a->arena, a->m->window_of, false};
 
     if (a->p->operators & EQUALITIES)
         each_stmt(a->p, check_stmt, &k);
