@@ -175,10 +175,11 @@ static int run_scripts(Cli *c, const CompileInput *in, const Compiled *made, con
     for (size_t i = 0; i < in->n; i++) {
         if (in->at[i].kind != FILE_SS || made->of[i].is_included)
             continue;
-        if (!prove_record_script(&c->session.arena, &c->session.diags, scripted, p, made->of[i].script, &g)) {
-            cli_print_diagnostics(c);
-            cli_print_error(c, TEXT_cover_fails, g.name);
+        if (cli_print_diagnostics(c) != EXIT_OK)
             return EXIT_PROBLEM;
+        if (!prove_record_script(&c->session.arena, &c->session.diags, scripted, p, made->of[i].script, &g)) {
+            diags_clear(&c->session.diags);           // the reason is not printed: a script that fails is no error here
+            cli_print_note(c, TEXT_prove_failing, g.name, (unsigned long long)g.ran);
         }
         vec_push(&c->session.arena, out, g);
     }

@@ -26,6 +26,7 @@ typedef struct TestResult {
     const char *printed;      // the lines that the script has printed; "" or NULL: none
     const char *seed;         // the seed of its random numbers; "" or NULL: it draws none
     bool is_limit;            // a limit of --min-coverage, not a test
+    bool did_not_run;         // TEST_BROKEN: none of the machine's scripts ran, because of an error elsewhere
     const char *requirements; // the ids of the requirements that it has tested, separated by spaces; "" or NULL: none
 } TestResult;
 

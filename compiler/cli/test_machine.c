@@ -45,6 +45,7 @@ static void add_errors(MachineTest *m, const char *message, int code)
     for (size_t i = 0; i < c->files; i++)
         if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
             add_result(m, result_name(c->file[i]), TEST_BROKEN, message, code);
+            m->t->result.at[m->t->result.n - 1].did_not_run = true;
             m->begin = os_seconds();          // the time before the first script is part of the first script's duration only
         }
 }

@@ -70,11 +70,15 @@ static void write_failed_scripts(const TestRun *t, Buf *out)
 
 void test_write_summary(const TestRun *t, Buf *out)
 {
-    size_t skipped = count_status(t, TEST_SKIPPED) + t->left_out;
+    size_t skipped = count_status(t, TEST_SKIPPED) + t->left_out, absent = 0;
 
+    for (size_t i = 0; i < t->result.n; i++)
+        absent += t->result.at[i].did_not_run;
     write_failed_scripts(t, out);
     buf_printf(out, "%lu passed, %lu failed", (unsigned long)count_status(t, TEST_PASSED),
-               (unsigned long)(count_status(t, TEST_FAILED) + count_status(t, TEST_BROKEN)));
+               (unsigned long)(count_status(t, TEST_FAILED) + count_status(t, TEST_BROKEN) - absent));
+    if (absent)
+        buf_printf(out, ", %lu did not run", (unsigned long)absent);
     if (skipped)
         buf_printf(out, ", %lu skipped", (unsigned long)skipped);
     write_limits(t, out);

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-static const DocColumn verdict_columns[] = {{"id", "Requirement"}, {"text", "Text"},   {"rule", "Rule"}, {"result", "In scripts"},
+static const DocColumn verdict_columns[] = {{"id", "Requirement"}, {"text", "Text"},   {"rule", "Rule"}, {"result", "Verdict"},
                                             {"proof", "Proof"},    {"faults", "Faults that violate it first"}};
 static const DocColumn place_columns[] = {{"id", "Requirement"}, {"text", "Text"},        {"place", "Place"},  {"implemented", "Implemented in"},
                                           {"asserts", "Tested by"}, {"scripts", "Judged in"}, {"judged", "Times"},
@@ -128,7 +128,7 @@ static void add_faults_cell(const Report *r, DocTable *t, size_t requirement)
         doc_add_plain_cell(t, text);
 }
 
-// For each requirement: the rule, its result in scripts and its proof.
+// For each requirement: the rule, the worse of its result in scripts and its proof, and its proof.
 static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
 {
     const Requirements *all = r->requirements;
@@ -139,7 +139,11 @@ static void add_verdicts(const Report *r, Doc *d, const RequirementTotal *total)
         doc_add_code_cell(t, q->id->text);
         doc_add_plain_cell(t, q->text->text);
         doc_add_code_cell(t, rule_text(r, i));
-        doc_add_badge_cell(t, requirement_verdict(&total[i]), total[i].violated ? "bad" : total[i].undecided || !total[i].judged ? "note" : "good");
+        if (r->proofs && r->proofs->of[i].verdict == PROVE_VIOLATED)
+            doc_add_badge_cell(t, "violated", "bad");
+        else
+            doc_add_badge_cell(t, requirement_verdict(&total[i]),
+                               total[i].violated ? "bad" : total[i].undecided || !total[i].judged ? "note" : "good");
         doc_add_badge_cell(t, r->proofs ? prove_verdict_words(r->proofs->of[i].verdict) : "",
                            r->proofs ? report_proof_tone(r->proofs->of[i].verdict) : NULL);
         add_faults_cell(r, t, i);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verdicts on top of the page: one line for each section that judges the machine, with a link to it.
+#include <inttypes.h>
+#include <string.h>
+
 #include "compiler/prove/prove_text.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
@@ -244,9 +247,21 @@ static void add_blocker(Blockers *b, const char *what, const char *how)
 // Returns where a requirement is violated first: by a script, or else by a run that a search has found; NULL: nowhere.
 static const char *find_violation(const Report *r, uint32_t requirement)
 {
-    for (size_t i = 0; i < r->runs; i++)
-        if (r->run[i].script && r->run[i].result.requirement && r->run[i].result.requirement[requirement].violations)
-            return format_in(r->arena, "%s violates it", r->run[i].name);
+    const ReportRun *first = NULL;
+    unsigned long scripts = 0;
+    uint64_t step;
+
+    for (size_t i = r->runs; i-- > 0; )
+        if (r->run[i].script && r->run[i].result.requirement && r->run[i].result.requirement[requirement].violations) {
+            first = &r->run[i];
+            scripts++;
+        }
+    if (first) {
+        step = first->result.requirement[requirement].first_step;
+        if (scripts == 1)
+            return format_in(r->arena, "%s violates it in step %" PRIu64, first->name, step);
+        return format_in(r->arena, "%lu scripts violate it, first %s in step %" PRIu64, scripts, first->name, step);
+    }
     if (r->proofs && r->proofs->of[requirement].verdict == PROVE_VIOLATED)
         return "a run that violates it was found (Proofs)";
     return NULL;
@@ -258,13 +273,46 @@ static unsigned long count_faults(const Report *r, uint32_t requirement)
     return r->faults && requirement < r->faults->of.n ? r->faults->of.at[requirement].faults : 0;
 }
 
-// Lists what the page shows to be wrong: scripts that fail, and requirements that a run violates.
+// Whether a script fails for a reason other than a violated requirement, which has a row of its own.
+static bool fails_by_itself(const ReportRun *run)
+{
+    return !run->script || (run->result.outcome != SCRIPT_PASSED && !(run->result.is_violated && script_has_stopped(&run->result)));
+}
+
+// Adds a row for the open findings, which names their codes, each once.
+static void add_open_findings(const Report *r, Blockers *b)
+{
+    const size_t n = report_count_findings(r).open;
+    Buf codes;
+
+    buf_init(&codes, r->arena);
+    for (size_t i = 0; i < n; i++) {
+        const char *code = diag_info[r->analysis.diags->list.at[i]->code].id;
+        if (!codes.n || !strstr(buf_text(&codes), code))
+            buf_printf(&codes, "%s%s", codes.n ? ", " : "", code);
+    }
+    if (n)
+        add_blocker(b, n == 1 ? "1 open finding" : format_in(r->arena, "%lu open findings", (unsigned long)n),
+                    format_in(r->arena, "%s (Findings)", buf_text(&codes)));
+}
+
+// Adds a row for each parameter that can have any value without a script noticing it.
+static void add_unnoticed_parameters(const Report *r, Blockers *b)
+{
+    for (uint32_t i = 0; r->sweep && i < r->sweep->of.n; i++) {
+        const ReportSweepOf *of = &r->sweep->of.at[i];
+        if (of->has_scripts && !of->fails_now && !of->has_margin)
+            add_blocker(b, format_in(r->arena, "parameter %s", of->parameter), "no script notices its value (Parameters at other values)");
+    }
+}
+
+// Lists what the page shows to be wrong: scripts that fail, requirements that a run violates, findings, and values that nothing notices.
 static void add_blockers(const Report *r, Doc *d)
 {
     Blockers b = {d, NULL, 0};
 
     for (size_t i = 0; i < r->runs; i++)
-        if (!r->run[i].script || r->run[i].result.outcome != SCRIPT_PASSED)
+        if (fails_by_itself(&r->run[i]))
             add_blocker(&b, format_in(r->arena, "script %s", r->run[i].name), r->run[i].script ? "it fails (Scripts)" : "it does not compile (Scripts)");
     for (uint32_t i = 0; r->requirements && i < r->requirements->at.n; i++) {
         const Requirement *what = &r->requirements->at.at[i];
@@ -274,6 +322,8 @@ static void add_blockers(const Report *r, Doc *d)
         if (how)
             add_blocker(&b, format_in(r->arena, "%s: %s", what->id->text, what->text->text), how);
     }
+    add_open_findings(r, &b);
+    add_unnoticed_parameters(r, &b);
     if (b.n > BLOCKERS_MOST)
         doc_add_plain(d, format_in(r->arena, "And %lu more: see the sections.", (unsigned long)(b.n - BLOCKERS_MOST)));
 }

@@ -106,6 +106,18 @@ static void parse_demand(Parser *p, AstRequirement *r)
 
 // ---- a requirement ----
 
+// Whether the current line begins with a word that belongs to the requirement of the line above.
+static bool at_continuation(Parser *p)
+{
+    static const char *const word[] = {"leads", "to", "implies", "within", "before", "after", "without", "and", "or"};
+    const char *text = parser_text(p, parser_token_span(p));
+
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (strcmp(text, word[i]) == 0)
+            return true;
+    return false;
+}
+
 // Reports text that begins no requirement.
 static void report_other_line(Parser *p)
 {
@@ -116,6 +128,10 @@ static void report_other_line(Parser *p)
     if (p->tok.kind == TOK_HEADER) {
         d = parser_fail(p, DIAG_requirement_section, parser_token_span(p));
         diag_label(p->diags, d, strcmp(p->tok.text->text, "define") == 0 ? DIAG_label_define_in_machine : DIAG_label_leave_out);
+        return;
+    }
+    if (p->tok.first && at_continuation(p)) {
+        parser_fail(p, DIAG_requirement_goes_on, parser_token_span(p), parser_text(p, parser_token_span(p)));
         return;
     }
     if (p->tok.kind == TOK_NAME && p->tok.first && (p->ahead.first || p->ahead.kind == TOK_END))

@@ -42,5 +42,9 @@ R6 "c"
     never (p > 1
            and q > 2)
 R7 "d" never p > 1 q                 #! E0330
+R9 "g" always p > 1
+    leads to q > 1 within 20 ms      #! E1313 'leads' cannot begin a line
+R10 "h" always p > 1
+    or q > 1                         #! E1313 'or'
 R8 "e"                               #! E1302 found the end of the line
 R8 "f" never                         #! E0312

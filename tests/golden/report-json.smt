@@ -23,6 +23,9 @@ bool valve    # lets "fuel" in
       {"section": "Scripts", "verdict": "open", "details": "none were run"},
       {"section": "Longest step", "verdict": "", "details": "7 instructions, in Idle"}
     ],
+    "blockers": [
+      {"what": "1 open finding", "how": "W0920 (Findings)"}
+    ],
     "facts": {
       "States": "2",
       "Transitions": "1",

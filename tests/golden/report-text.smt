@@ -69,6 +69,9 @@ Overview
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 
+  What speaks against it  How it is known
+  2 open findings         W0206, W0903 (Findings)
+
 Fills a tank.
 
 The machine has 4 states and starts in `Idle`. It reads `level`. It writes `valve`. It never leaves

@@ -60,6 +60,8 @@ Not examined: proofs of the requirements (`--prove`), changes that no script not
 
   What speaks against it       How it is known
   R1: no charge in the ascent  6 faults of sensors violate it (What breaks it)
+  1 open finding               W0903 (Findings)
+  parameter limit              no script notices its value (Parameters at other values)
 
 The machine has 2 states and starts in `Ascent`. It reads `altitude`. It writes `drogue`. It never
 What breaks it
@@ -150,9 +152,9 @@ With one fault, an assert fails [failed]
 006-altitude-dead.ss
 007-altitude-nan.ss
 008-altitude-low.ss
-  Requirement  Text                     Rule                                         In scripts  Proof     Faults that violate it first
-  R1           no charge in the ascent  never drogue and altitude > 300 and G < 600  met         violated  6
-  R2           it ends                  always G > 10 implies S <= 2                 met         proved    none
+  Requirement  Text                     Rule                                         Verdict   Proof     Faults that violate it first
+  R1           no charge in the ascent  never drogue and altitude > 300 and G < 600  violated  violated  6
+  R2           it ends                  always G > 10 implies S <= 2                 met       proved    none
 
 Where each requirement is implemented and judged
   Requirement  Text                     Place   Implemented in  Judged in  Times  Result

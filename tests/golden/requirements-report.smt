@@ -44,7 +44,7 @@ Each requirement is judged after every step of every script in which it could be
 is the number of these steps. One that was never judged has not been tested, and one that is
 undecided has not been met.
 
-  Requirement  Text                    Rule                                        In scripts
+  Requirement  Text                    Rule                                        Verdict
   R1           no pyro on the pad      never S == Pad and (drogue or main)         met
   R2           no main before drogue   never Main before Drogue                    met
   R3           pressure leads to main  always p > 100 leads to main within 100 ms  met
