@@ -13,7 +13,7 @@ every 10 ms:
 [all_states]
 G == 0: pressure = 11
 G == 10: @assert a.S == aState and a.aState == 2 and a.pressure == pressure and a.G == G and time == G and a.ready == ready
-G == 10: @assert a.S == Go and a.S != Wait and Go == a.S       #! W0522
+G == 10: @assert a.S == Go and a.S != Wait and Go == a.S
 G == 10: @assert a.seen == 1
 G == 10: @stop
 -- rocket.sv --

@@ -130,7 +130,7 @@ requirements of a, from state Idle, with a step every 10 ms:
       992433 steps were tried; what is known about the values is too little for a proof
       no run that was tried came to Open
       8 abstract states and 301615 paths were examined
-      what can help: a script that comes to these states, named in the command; @range on 'key', with --assume-ranges; --effort=10, which searches longer
+      what can help: a script that comes to these states, named in the command; @range on 'key', with --assume-ranges; --effort=10, which searches and proves longer
   R2  proved              waits
       in Idle: a is 0, b is 0
       in Wait: a is 0, b is 0, T is at most 4010

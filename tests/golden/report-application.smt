@@ -185,6 +185,9 @@ Overview
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 
+  What speaks against it  How it is known
+  9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
+
 Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
 machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
 decides requirements.
@@ -223,7 +226,7 @@ Each requirement is judged after every step of every script in which it could be
 is the number of these steps. One that was never judged has not been tested, and one that is
 undecided has not been met.
 
-  Requirement  Text                           Rule                                     In scripts
+  Requirement  Text                           Rule                                     Verdict
   R1           no water, no pump              never held(motor and level < 2, 100 ms)  met
   R2           the motor waits for the valve  never pump.On before valve.Open          met
 
@@ -322,6 +325,9 @@ valve: Source
   Faults of sensors                   open     of input and kind: 3 elsewhere, 2 differs, 4 aborted, 17 without effect
   Parameters                          passed   2 with a known margin
 
+  What speaks against it  How it is known
+  9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
+
 Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
 machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
 decides requirements.
@@ -351,6 +357,7 @@ of parameters (`--sweep`). `smc report --all` adds them.
 
   What speaks against it  How it is known
   script failing.ss       it fails (Scripts)
+  9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
 
 Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
 -- stderr --

@@ -60,7 +60,7 @@ Not examined: proofs of the requirements (`--prove`), changes that no script not
 
   What speaks against it       How it is known
   R1: no charge in the ascent  6 faults of sensors violate it (What breaks it)
-  1 open finding               W0903 (Findings)
+  2 open findings              W0903, W1304 (Findings)
   parameter limit              no script notices its value (Parameters at other values)
 
 The machine has 2 states and starts in `Ascent`. It reads `altitude`. It writes `drogue`. It never
