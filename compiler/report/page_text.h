@@ -92,6 +92,8 @@
 
 // ---- mutation ----
 
+#define TEXT_MUTATION_EQUIVALENT \
+    " Without `--generate`, `smc mutate` can prove this of fewer changes, and counts the others."
 #define TEXT_MUTATION \
     "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
     "would not find. The most dangerous ones come first. On paper, long tables have their first 20 rows, and the inputs that would show a change are left out."
