@@ -199,7 +199,7 @@ valve.limit:
   1 to 3: passes
   5 to 9: fails: stand.ss does not end
   stand.ss does not end: passes up to 4.999, fails from 5
-  now 2: below, nothing fails down to 1; above, fails at 5 (3 away)
+  now 2: below, nothing fails down to 1; above, fails at 5 (3 away, stand.ss does not end)
 {"smc-sweep":1,"application":"stand","runs":14,"complete":true,"parameters":[{"name":"pump.limit","now":60,"fails_below":42.72,"fails_now":false}],
 "points":[
 {"at":[20],"fails":["stand.ss does not end"]},
