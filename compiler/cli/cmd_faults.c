@@ -88,12 +88,17 @@ static void write_line(const FaultsRun *r, const FaultLine *line, Buf *out)
 // Writes all lines. Each group with the same outcome and number of faults has a heading.
 static void write_lines(const FaultsRun *r, Buf *out)
 {
+    bool has_others = false;
+
     for (uint32_t i = 0; i < r->lines.at.n; i++) {
         const FaultResult *x = r->lines.at.at[i].r;
         if (i == 0 || x->faults != r->lines.at.at[i - 1].r->faults || x->outcome != r->lines.at.at[i - 1].r->outcome)
             buf_printf(out, "%s%s:\n", x->faults > 1 ? "two faults, and worse than each alone: " : "", fault_outcome_words[x->outcome]);
         write_line(r, &r->lines.at.at[i], out);
+        has_others |= r->lines.at.at[i].others > 0;
     }
+    if (has_others)
+        buf_str(out, "smc faults -v lists each trigger\n");
 }
 
 // Writes a note for each input whose range is not declared: where the assumed range comes from.

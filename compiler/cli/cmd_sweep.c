@@ -124,21 +124,31 @@ static void write_map(const SweepRun *r, Buf *out)
     }
 }
 
+// Writes the results of one parameter (`axis`: its index).
+static void write_parameter(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    buf_printf(out, "%s:\n", r->s->axis[axis].parameter->name->text);
+    write_kept(r, axis, out);
+    if (sweep_is_alone(r->s, axis)) {
+        buf_str(out, "  no script is left\n");
+        return;
+    }
+    if (!sweep_is_noticed(r->s, axis))
+        buf_str(out, "  no script or requirement notices any of these values, so none of them tests this parameter\n");
+    write_line(r, axis, out);
+    write_boundaries(r, axis, out);
+    write_margin(r, axis, out);
+}
+
+// Writes the parameters, those first whose values nothing notices: they are the least tested.
 static void write_text(const SweepRun *r, Buf *out)
 {
     buf_printf(out, "sweep of %s: %lu script%s, %" PRIu64 " runs\n", r->s->p->name->text, (unsigned long)r->s->scripts, r->s->scripts == 1 ? "" : "s",
                r->s->runs);
-    for (uint32_t i = 0; i < r->o.axes; i++) {
-        buf_printf(out, "%s:\n", r->s->axis[i].parameter->name->text);
-        write_kept(r, i, out);
-        if (sweep_is_alone(r->s, i)) {
-            buf_str(out, "  no script is left\n");
-            continue;
-        }
-        write_line(r, i, out);
-        write_boundaries(r, i, out);
-        write_margin(r, i, out);
-    }
+    for (int noticed = 0; noticed <= 1; noticed++)
+        for (uint32_t i = 0; i < r->o.axes; i++)
+            if (sweep_is_noticed(r->s, i) == (noticed != 0))
+                write_parameter(r, i, out);
     if (r->s->point.n)
         write_map(r, out);
 }

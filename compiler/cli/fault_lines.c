@@ -42,7 +42,14 @@ static bool is_same_line(const FaultResult *a, const FaultResult *b)
     return true;
 }
 
-// For qsort: single faults first, then the most dangerous outcome, then the order in which they ran.
+// By FaultOutcome: the place of its lines in the list.  A violated requirement and an abort are about the machine; an assert describes a flight
+// without the fault, so one that fails says less.
+static const uint8_t place_of_outcome[FAULT_OUTCOME_COUNT] = {
+    [FAULT_HAS_VIOLATED] = 0, [FAULT_HAS_ABORTED] = 1, [FAULT_HAS_FAILED] = 2, [FAULT_HAS_ELSEWHERE] = 3, [FAULT_HAS_ENDLESS] = 4,
+    [FAULT_HAS_DIFFERS] = 5, [FAULT_HAS_NONE] = 6,
+};
+
+// For qsort: single faults first, then the outcome by its place in the list, then the order in which they ran.
 static int compare_lines(const void *a, const void *b)
 {
     const FaultResult *x = ((const FaultLine *)a)->r, *y = ((const FaultLine *)b)->r;
@@ -50,7 +57,7 @@ static int compare_lines(const void *a, const void *b)
     if (x->faults != y->faults)
         return x->faults < y->faults ? -1 : 1;
     if (x->outcome != y->outcome)
-        return x->outcome > y->outcome ? -1 : 1;
+        return place_of_outcome[x->outcome] < place_of_outcome[y->outcome] ? -1 : 1;
     return x < y ? -1 : x > y;
 }
 

@@ -19,7 +19,7 @@ typedef struct FaultLines {
     Cli *c;
     const Program *p;
     Faults *f;
-    VEC(FaultLine) at;        // single faults first, then pairs; of these, the most dangerous outcome first
+    VEC(FaultLine) at;        // single faults first, then pairs; of these, violated requirements, aborts, failed asserts, others
     uint32_t scripts;         // number of lines with a script
 } FaultLines;
 

@@ -413,7 +413,11 @@ static ReportSweepOf fill_sweep(Arena *arena, const Sweep *s)
         out.below = sweep_find_margin(s, 0, false, &fails) ? "fails at false" : "";
         out.above = sweep_find_margin(s, 0, true, &fails) ? "fails at true" : "";
     }
-    out.has_margin = sweep_find_margin(s, 0, false, &fails) || sweep_find_margin(s, 0, true, &fails);
+    for (int up = 0; up <= 1; up++)
+        if (sweep_find_margin(s, 0, up != 0, &fails)) {
+            out.has_margin = true;
+            out.is_requirement |= s->check.at[sweep_find_limit(s, 0, fails)].requirement != NULL;
+        }
     fill_spans(arena, s, &out);
     sweep_write_svg(arena, s, &svg);
     out.svg = buf_text(&svg);

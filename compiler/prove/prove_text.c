@@ -10,7 +10,7 @@
 static const char *const assumption_text[PROVE_ASSUMPTIONS] = {
     "only this machine writes the elements that it assigns",
     "in the first step G and the elements that the machine assigns are 0",
-    "the parameters have the values in the source",
+    "the parameters have the values in the source (smc sweep tries others)",
     "elements with @range have values in it",
 };
 

@@ -136,8 +136,9 @@ void report_add_mutation(Report *r, Doc *d)
     buf_percent(&percent, s.of[MUTANT_NOTICED], s.noticeable, 1);
     if (s.of[MUTANT_WAITING])
         doc_add_plain(d, format_in(r->arena, TEXT_MUTATION_STOPPED, s.all - s.of[MUTANT_WAITING], s.all));
-    doc_add_plain(d, format_in(r->arena, "The scripts notice %lu of %lu changes (%s %%). Changes that make no difference are not counted: %lu.",
-                               s.of[MUTANT_NOTICED], s.noticeable, buf_text(&percent), s.of[MUTANT_EQUIVALENT]));
+    doc_add_plain(d, format_in(r->arena, "The scripts notice %lu of %lu changes (%s %%). Changes that make no difference are not counted: %lu.%s",
+                               s.of[MUTANT_NOTICED], s.noticeable, buf_text(&percent), s.of[MUTANT_EQUIVALENT],
+                               s.of[MUTANT_EQUIVALENT] ? TEXT_MUTATION_EQUIVALENT : ""));
     add_scores(r, d);
     add_changes(r, d, DANGER_ABORT, "mutation-abort", "On the way to an abort");
     add_changes(r, d, DANGER_HAZARD, "mutation-hazard", "At a hazardous output");

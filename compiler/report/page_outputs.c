@@ -2,9 +2,11 @@
 // What each output is while the machine stays in a state: a constant, the value that an earlier state has left, or an expression.
 //
 // A data flow over the states: the values with which a state begins are joined over the transitions into it.  Guards whose result the facts
-// decide are followed in that direction only; others in both.  So a cell can contain a value that no run has, and lacks none.
+// decide are followed in that direction only; others in both.  If a guard implies the one of a conditional just before it, only the values of
+// that branch enter.  So a cell can contain a value that no run has, and lacks none.
 #include <string.h>
 
+#include "compiler/analysis/guards_imply.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
 #include "compiler/report/state_rest.h"
@@ -25,6 +27,13 @@ typedef struct OutputValues {
     const char *rest;                 // with `computed`: the only expression that this step has computed them from; NULL: none, or several
     bool initial;                     // the value that the output has when the machine starts is possible, too
 } OutputValues;
+
+// A conditional without an else in the current list.  Since then no statement has been executed after which control can be here, except in its
+// branch.
+typedef struct OutputSplit {
+    const Expr *guard;                // its guard; NULL: there is no such conditional
+    OutputValues *taken;              // the values if the guard was true
+} OutputSplit;
 
 typedef struct OutputFlow {
     const Report *r;
@@ -137,13 +146,21 @@ static void leave(OutputFlow *f, const Stmt *s, const OutputValues *now)
 }
 
 // Executes both branches that the facts allow.  Returns whether control can reach the end of the conditional.
-static bool run_branches(OutputFlow *f, const Stmt *s, OutputValues *now)
+// If the guard is true and implies that of *split, the latter was true too: had it been false, no assignment would lie between the two guards.
+static bool run_branches(OutputFlow *f, const Stmt *s, OutputValues *now, OutputSplit *split)
 {
     const StmtFact *fact = &f->stmt[s->number];
     OutputValues *other = copy_outputs(f, now);
-    const bool then = fact->then && run_statements(f, &s->then, now);
-    const bool otherwise = fact->otherwise && run_statements(f, &s->otherwise, other);
+    bool then, otherwise;
 
+    if (split->guard && guard_implies(&f->r->analysis, s->value, split->guard))
+        memcpy(now, split->taken, f->outputs * sizeof *now);
+    then = fact->then && run_statements(f, &s->then, now);
+    otherwise = fact->otherwise && run_statements(f, &s->otherwise, other);
+    if (s->otherwise.n > 0)
+        split->guard = NULL;
+    else if (then)
+        *split = (OutputSplit){s->value, copy_outputs(f, now)};
     if (then && otherwise)
         join_outputs(f, now, other);
     else if (otherwise)
@@ -155,15 +172,18 @@ static bool run_branches(OutputFlow *f, const Stmt *s, OutputValues *now)
 // AST_DEPTH_MAX.
 static bool run_statements(OutputFlow *f, const Stmts *stmts, OutputValues *now)
 {
+    OutputSplit split = {NULL, NULL};
+
     for (size_t i = 0; i < stmts->n; i++) {
         const Stmt *s = stmts->at[i];
         if (!f->stmt[s->number].reached)
             return false;
-        if (s->kind == ST_ASSIGN)
+        if (s->kind == ST_ASSIGN) {
             apply_assignment(f, s, now);
-        else if (s->kind == ST_TRANSITION)
+            split.guard = NULL;
+        } else if (s->kind == ST_TRANSITION)
             return leave(f, s, now), false;
-        else if (!run_branches(f, s, now))
+        else if (!run_branches(f, s, now, &split))
             return false;
     }
     return true;

@@ -9,21 +9,34 @@ static const DocColumn margin_columns[] = {{"parameter", "Parameter"}, {"verdict
 static const DocColumn span_columns[] = {{"from", "From"}, {"to", "To"}, {"fails", "What fails"}};
 static const DocColumn boundary_columns[] = {{"check", "Check"}, {"meaning", "Meaning"}, {"passes", "Passes at"}, {"fails", "Fails at"}};
 
-// For each parameter: how far its value can change before a check fails.
+static const char *const verdict[] = {"fails now", "not noticed", "not changed", "has a limit", "only an assert"};       // by rank_of
+static const char *const tone[] = {"bad", "note", "note", "good", "note"};
+
+// Returns the rank of a parameter in the table, from the one that needs attention first.
+static size_t rank_of(const ReportSweepOf *s)
+{
+    return !s->has_scripts ? 2 : s->fails_now ? 0 : !s->has_margin ? 1 : s->is_requirement ? 3 : 4;
+}
+
+static void add_margin(DocTable *t, const ReportSweepOf *s)
+{
+    doc_add_code_cell(t, s->parameter);
+    doc_add_badge_cell(t, verdict[rank_of(s)], tone[rank_of(s)]);
+    doc_add_plain_cell(t, s->now);
+    doc_add_plain_cell(t, s->below);
+    doc_add_plain_cell(t, s->above);
+}
+
+// For each parameter: how far its value can change before a check fails.  Those first that fail, then those whose values nothing notices.
 static void add_margins(const Report *r, Doc *d)
 {
     DocTable *t = DOC_ADD_TABLE(d, "margins", margin_columns);
 
     t->narrow = true;
-    for (uint32_t i = 0; i < r->sweep->of.n; i++) {
-        const ReportSweepOf *s = &r->sweep->of.at[i];
-        doc_add_code_cell(t, s->parameter);
-        doc_add_badge_cell(t, !s->has_scripts ? "not changed" : s->fails_now ? "fails now" : s->has_margin ? "has a limit" : "nothing fails",
-                           s->fails_now ? "bad" : s->has_margin ? "good" : "note");
-        doc_add_plain_cell(t, s->now);
-        doc_add_plain_cell(t, s->below);
-        doc_add_plain_cell(t, s->above);
-    }
+    for (size_t rank = 0; rank <= 2; rank++)          // the last rank and all after it in the order of the source
+        for (uint32_t i = 0; i < r->sweep->of.n; i++)
+            if (rank == 2 ? rank_of(&r->sweep->of.at[i]) >= rank : rank_of(&r->sweep->of.at[i]) == rank)
+                add_margin(t, &r->sweep->of.at[i]);
 }
 
 // The values that were tried for one parameter: checks that fail in each span, and the boundaries between spans.

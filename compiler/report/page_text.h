@@ -92,6 +92,8 @@
 
 // ---- mutation ----
 
+#define TEXT_MUTATION_EQUIVALENT \
+    " Without `--generate`, `smc mutate` can prove this of fewer changes, and counts the others."
 #define TEXT_MUTATION \
     "The machine is changed in one place at a time, and all scripts run again. A change that no script notices is a fault that these tests " \
     "would not find. The most dangerous ones come first. On paper, long tables have their first 20 rows, and the inputs that would show a change are left out."
@@ -116,7 +118,8 @@
 #define TEXT_SWEEP \
     "Each parameter is set to values over its whole range, the others stay as they are, and all scripts run again that do not set it " \
     "themselves. A margin is the distance from the current value of the machine to the nearest value at which something fails. Between neighbouring values with different results, the boundary was " \
-    "searched by bisection. Where nothing fails, these scripts and requirements do not notice a wrong value of the parameter."
+    "searched by bisection. Not noticed: nothing fails at any value, so these scripts and requirements do not test the parameter. Only an assert: " \
+    "no requirement is violated at the limit, and the assert may be the time line of one script."
 #define TEXT_SWEEP_NONE "The machine has no parameter that can be set."
 #define TEXT_SWEEP_STOPPED "Stopped before it was complete, so nothing is known of: %s."                // names of parameters
 #define TEXT_SWEEP_LEFT_OUT "Left out, because they set the parameter themselves: %s."                  // names of scripts

@@ -72,10 +72,11 @@ typedef struct ReportSweepBoundary { const char *check, *meaning, *passes, *fail
 
 typedef struct ReportSweepOf {
     const char *parameter, *now, *from, *to;
-    const char *below, *above;        // "fails at 20.1 (10.1 away)", "nothing fails up to 100"
+    const char *below, *above;        // "fails at 20.1 (10.1 away, requirement R1)", "nothing fails up to 100"
     const char *left_out;     // the scripts that set the parameter themselves and so keep their value, between commas; "": none
     bool has_scripts;         // other scripts were run; if not, the following fields are empty
     bool fails_now, has_margin;       // has_margin: something fails below or above the current value
+    bool is_requirement;      // with has_margin: a requirement is violated at the nearest such value below or above
     VEC(ReportSweepSpan) span;
     VEC(ReportSweepBoundary) boundary;
     const char *svg;

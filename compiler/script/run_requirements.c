@@ -229,9 +229,25 @@ const char *requirement_verdict(const RequirementTotal *t)
     return t->violated ? "violated" : t->undecided ? "undecided" : t->judged ? "met" : "never judged";
 }
 
+// Sets the first held(c, t) of a condition.
+static void find_held_time(Expr *e, void *context)
+{
+    const Expr **found = context;
+
+    if (e->kind == EX_ROLL && e->stat == SM_STAT_RUN_TIME && !*found)
+        *found = e;
+}
+
 void requirement_report_unjudged(Diags *diags, const Requirements *what, const RequirementTotal *total)
 {
     for (size_t i = 0; i < what->at.n; i++)
-        if (total[i].judged == 0 && total[i].undecided == 0)
-            diag_report(diags, DIAG_requirement_unjudged, what->at.at[i].span, what->at.at[i].id->text, what->at.at[i].text->text);
+        if (total[i].judged == 0 && total[i].undecided == 0) {
+            const Requirement *r = &what->at.at[i];
+            Diag *d = diag_report(diags, DIAG_requirement_unjudged, r->span, r->id->text, r->text->text);
+            const Expr *held = NULL;
+            if (r->a)
+                expr_walk(r->a, find_held_time, &held);
+            if (held)
+                diag_note(diags, d, held->span, DIAG_note_held_samples);
+        }
 }

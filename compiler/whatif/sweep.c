@@ -370,6 +370,28 @@ bool sweep_find_margin(const Sweep *s, uint32_t axis, bool above, double *fails)
     return found;
 }
 
+bool sweep_is_noticed(const Sweep *s, uint32_t axis)
+{
+    for (uint32_t i = 0; i < s->line[axis].at.n; i++)
+        if (s->line[axis].at.at[i].failing > 0)
+            return true;
+    return false;
+}
+
+uint32_t sweep_find_limit(const Sweep *s, uint32_t axis, double fails)
+{
+    const SweepLine *l = &s->line[axis];
+    uint32_t limit = s->check.n;              // requirements are the first checks
+
+    for (uint32_t i = 0; i < l->at.n; i++)
+        for (uint32_t c = 0; l->at.at[i].value[axis] == fails && c < limit; c++)
+            limit = l->at.at[i].fails[c] ? c : limit;
+    for (uint32_t i = 0; i < s->boundary.n; i++)
+        if (s->boundary.at[i].axis == axis && s->boundary.at[i].fails == fails && s->boundary.at[i].check < limit)
+            limit = s->boundary.at[i].check;
+    return limit;
+}
+
 void sweep_write_value(const SweepAxis *a, double x, Buf *out)
 {
     if (a->parameter->type == SM_F32)
@@ -413,14 +435,19 @@ void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out)
 {
     const SweepAxis *a = &s->axis[axis];
     double fails, distance;
+    uint32_t limit;
 
     if (sweep_find_margin(s, axis, above, &fails)) {
         buf_str(out, "fails at ");
         sweep_write_value(a, fails, out);
         distance = written_value(a, fails, out->arena) - written_value(a, a->current, out->arena);
-        buf_printf(out, " (%.6g away)", above ? distance : -distance);
+        limit = sweep_find_limit(s, axis, fails);
+        buf_printf(out, " (%.6g away, %s", above ? distance : -distance,
+                   s->check.at[limit].requirement ? "requirement " : s->check.at[limit].assert ? "only the assert " : "");
+        sweep_write_check(s, limit, out);
+        buf_char(out, ')');
     } else {
-        buf_str(out, above ? "nothing fails up to " : "nothing fails down to ");
+        buf_printf(out, "nothing %s %s to ", sweep_is_noticed(s, axis) ? "fails" : "notices it", above ? "up" : "down");
         sweep_write_value(a, above ? a->hi : a->lo, out);
     }
 }

@@ -84,6 +84,9 @@ bool sweep_find_margin(const Sweep *s, uint32_t axis, bool above, double *fails)
 bool sweep_takes_part(const Sweep *s, uint32_t axis, uint32_t script);       // false: the script sets the parameter itself, so its runs do not change
 bool sweep_is_alone(const Sweep *s, uint32_t axis);        // no script takes part
 bool sweep_fails_now(const Sweep *s, uint32_t axis);       // whether something fails at the current value
+bool sweep_is_noticed(const Sweep *s, uint32_t axis);      // whether something fails at any value along the axis
+// Returns what fails at a value that sweep_find_margin has found: a requirement if one does.
+uint32_t sweep_find_limit(const Sweep *s, uint32_t axis, double fails);
 void sweep_end(Sweep *s);
 
 // Appends the name of a check: "R3", "tank.ss:12", "tank.ss does not end".
@@ -93,7 +96,7 @@ void sweep_write_check(const Sweep *s, uint32_t check, Buf *out);
 void sweep_write_value(const SweepAxis *a, double x, Buf *out);
 // Appends the checks that fail at a point.
 void sweep_write_failing(const Sweep *s, const SweepPoint *p, const char *separator, Buf *out);
-// Appends what is below (`above` false) or above the current value: "fails at 20.1 (10.1 away)", "nothing fails up to 41".
+// Appends what is below (`above` false) or above the current value: "fails at 20.1 (10.1 away, requirement R1)", "nothing fails up to 41".
 void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out);
 // Returns the last point of the line in a row at which the same checks fail as at the point `first`.
 uint32_t sweep_find_last_alike(const Sweep *s, uint32_t axis, uint32_t first);

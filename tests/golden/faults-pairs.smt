@@ -51,6 +51,7 @@ two faults, and worse than each alone: ends in an @abort state:
   a dead and b dead from the start, in Wait (G = 0, vote.ss): assert at vote.ss:12 at G = 100; S = Abort instead of Wait at G = 10; ends in Abort instead of Wait; and 1 more trigger
   a dead and c dead from the start, in Wait (G = 0, vote.ss): assert at vote.ss:12 at G = 100; S = Abort instead of Wait at G = 10; ends in Abort instead of Wait; and 1 more trigger
   b dead and c dead from the start, in Wait (G = 0, vote.ss): assert at vote.ss:12 at G = 100; S = Abort instead of Wait at G = 10; ends in Abort instead of Wait; and 1 more trigger
+smc faults -v lists each trigger
 faults of vote: 3 inputs, 4 triggers in 1 script; 0 of 12 faults have an effect
 input  dead
 a      -

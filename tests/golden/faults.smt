@@ -87,12 +87,13 @@ a requirement is violated:
   altitude dead from the start, in Ascent (G = 0, a.ss): R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120; and 1 more trigger
   altitude nan from the start, in Ascent (G = 0, a.ss): R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120; and 1 more trigger
   altitude low from the start, in Ascent (G = 0, a.ss): R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120; and 1 more trigger
-an assert fails:
+an assert of a healthy flight fails:
   altitude stuck from the start, in Ascent (G = 0, a.ss): assert at a.ss:7 at G = 690; and 1 more trigger
   altitude high from the start, in Ascent (G = 0, a.ss): assert at a.ss:7 at G = 690; and 3 more triggers
   altitude dead from Ascent -> Drogue on (G = 620, a.ss): assert at a.ss:7 at G = 690; and 1 more trigger
   altitude nan from Ascent -> Drogue on (G = 620, a.ss): assert at a.ss:7 at G = 690; and 1 more trigger
   altitude low from Ascent -> Drogue on (G = 620, a.ss): assert at a.ss:7 at G = 690; and 1 more trigger
+smc faults -v lists each trigger
 001-altitude-dead.ss
 002-altitude-nan.ss
 003-altitude-low.ss
@@ -143,6 +144,7 @@ ends in an @abort state:
   P2 below from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch; and 1 more trigger
   P2 above from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch; and 1 more trigger
   P2 noisy from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch
+smc faults -v lists each trigger
 faults of feedback: 1 input, 5 triggers in 1 script; 17 of 30 faults have an effect
 input   stuck      dead       high       late       dropped    flipped
 isOpen  elsewhere  elsewhere  elsewhere  differs    differs    differs
@@ -155,6 +157,7 @@ other outputs or states on the way:
   isOpen dropped from the start, in Open (G = 0, feedback.ss): S = Open instead of Burn at G = 20; and 1 more trigger
   isOpen flipped from the start, in Open (G = 0, feedback.ss): S = Burn instead of Open at G = 10; and 2 more triggers
   isOpen dead from Open -> Burn on (G = 20, feedback.ss): S = Closed instead of Burn at G = 140; and 1 more trigger
+smc faults -v lists each trigger
 {"smc-faults":1,"machine":"a","faults":4,"runs":4,"pairs":0,"complete":true,
 "inputs":[{"name":"altitude","low":-50,"high":1000,"declared":true}],
 "triggers":[
@@ -171,7 +174,7 @@ faults of a: 1 input, 2 triggers in 1 script; 2 of 2 faults have an effect
 2 runs; the outcome of every other fault follows from these
 input     high
 altitude  failed
-an assert fails:
+an assert of a healthy flight fails:
   altitude high from a time in Ascent (G = 0, a.ss): assert at a.ss:7 at G = 690
   altitude high from a time in Ascent (G = 300, a.ss): assert at a.ss:7 at G = 690
 -- stderr --

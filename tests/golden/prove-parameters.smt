@@ -32,18 +32,18 @@ requirements of a, from state Run, with a step every 10 ms:
   R1  proved              every setting
       in Run: out is from 60 to 100
   R2  proved              the default alone, from below
-      assuming that the parameters have the values in the source
+      assuming that the parameters have the values in the source (smc sweep tries others)
       in Run: out is 80
   R3  proved              the default alone, from above
-      assuming that the parameters have the values in the source
+      assuming that the parameters have the values in the source (smc sweep tries others)
       in Run: out is 80
   R4  proved              every count
       in Run: other is from 2 to 4
   R5  proved              the default of the count
-      assuming that the parameters have the values in the source
+      assuming that the parameters have the values in the source (smc sweep tries others)
       in Run: other is 3
   R6  proved              the default of a bool
-      assuming that the parameters have the values in the source
+      assuming that the parameters have the values in the source (smc sweep tries others)
       in Run: ready is true
   R7  violated            not even the default
       after 1 steps

@@ -69,10 +69,10 @@ V25 "an overwritten store"          never S == Run and on and not flag
   V6   violated            the last time
   V7   violated            is reached
   V8   proved              the upper end of a parameter
-      assuming that the parameters have the values in the source
+      assuming that the parameters have the values in the source (smc sweep tries others)
   V9   proved              the upper end of all
   V10  proved              the lower end of a parameter
-      assuming that the parameters have the values in the source
+      assuming that the parameters have the values in the source (smc sweep tries others)
   V11  proved              the lower end of all
   V12  proved              the exit
   V13  violated            the range of an input

@@ -89,7 +89,7 @@ With one fault, a requirement is violated [violated]
     2  altitude nan   from the start, in Ascent (G = 0, a.ss)  R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120  1
     3  altitude low   from the start, in Ascent (G = 0, a.ss)  R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120  1
 
-With one fault, an assert fails [failed]
+With one fault, an assert of a healthy flight fails [failed]
   No.  Fault           Begins                                    What happens                 Other triggers
     4  altitude stuck  from the start, in Ascent (G = 0, a.ss)   assert at a.ss:7 at G = 690  1
     5  altitude high   from the start, in Ascent (G = 0, a.ss)   assert at a.ss:7 at G = 690  3
@@ -116,12 +116,13 @@ Parameters at other values
 Each parameter is set to values over its whole range, the others stay as they are, and all scripts
 run again that do not set it themselves. A margin is the distance from the current value of the
 machine to the nearest value at which something fails. Between neighbouring values with different
-results, the boundary was searched by bisection. Where nothing fails, these scripts and
-requirements do not notice a wrong value of the parameter.
+results, the boundary was searched by bisection. Not noticed: nothing fails at any value, so these
+scripts and requirements do not test the parameter. Only an assert: no requirement is violated at
+the limit, and the assert may be the time line of one script.
 
-  Parameter  Verdict        Now    Below                      Above
-  limit      nothing fails  300    nothing fails down to 100  nothing fails up to 500
-  unused     has a limit    false                             fails at true
+  Parameter  Verdict         Now    Below                           Above
+  limit      not noticed     300    nothing notices it down to 100  nothing notices it up to 500
+  unused     only an assert  false                                  fails at true
 
 `limit` from 100 to 500
   From  To   What fails
@@ -142,7 +143,7 @@ With one fault, a requirement is violated [violated]
     2  altitude nan   from the start, in Ascent (G = 0, a.ss)  R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120  1               002-altitude-nan.ss
     3  altitude low   from the start, in Ascent (G = 0, a.ss)  R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120  1               003-altitude-low.ss
 
-With one fault, an assert fails [failed]
+With one fault, an assert of a healthy flight fails [failed]
   No.  Fault           Begins                                    What happens                 Other triggers  Script
 001-altitude-dead.ss
 002-altitude-nan.ss

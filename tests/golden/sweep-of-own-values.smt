@@ -45,7 +45,7 @@ burn:
   15: fails: usual.ss:3
   usual.ss:2: passes from 5.891, fails up to 5.89
   usual.ss:3: passes up to 8.99, fails from 8.991
-  now 8: below, fails at 5.89 (2.11 away); above, fails at 8.991 (0.991 away)
+  now 8: below, fails at 5.89 (2.11 away, only the assert usual.ss:2); above, fails at 8.991 (0.991 away, only the assert usual.ss:3)
 {"smc-sweep":1,"machine":"b","runs":28,"complete":true,"parameters":[{"name":"burn","now":8,"fails_below":5.89,"fails_above":8.991,"fails_now":false,"left_out":["own.ss"]}],
 "points":[
 {"at":[1],"fails":["usual.ss:2"]},
@@ -64,6 +64,10 @@ burn:
 ],"boundaries":[
 ]}
 sweep of b: 2 scripts, 40 runs
+wait:
+  no script or requirement notices any of these values, so none of them tests this parameter
+  0 to 100: passes
+  now 0: below, nothing notices it down to 0; above, nothing notices it up to 100
 burn:
   left out, with a value of their own: own.ss
   1: fails: usual.ss:2
@@ -71,17 +75,14 @@ burn:
   15: fails: usual.ss:3
   usual.ss:2: passes from 5.891, fails up to 5.89
   usual.ss:3: passes up to 8.99, fails from 8.991
-  now 8: below, fails at 5.89 (2.11 away); above, fails at 8.991 (0.991 away)
-wait:
-  0 to 100: passes
-  now 0: below, nothing fails down to 0; above, nothing fails up to 100
+  now 8: below, fails at 5.89 (2.11 away, only the assert usual.ss:2); above, fails at 8.991 (0.991 away, only the assert usual.ss:3)
 map: wait up, burn to the right from 1 to 15; '.' passes, a digit is the number of checks that fail, '+' more than 9
   100  11
     0  11
   Parameters    open     1 with a known margin, 1 whose value nothing notices
-  Parameter  Verdict        Now  Below                      Above
-  burn       has a limit    8    fails at 5.89 (2.11 away)  fails at 8.9901 (0.9901 away)
-  wait       nothing fails  0    nothing fails down to 0    nothing fails up to 100
+  Parameter  Verdict         Now  Below                                                  Above
+  wait       not noticed     0    nothing notices it down to 0                           nothing notices it up to 100
+  burn       only an assert  8    fails at 5.89 (2.11 away, only the assert usual.ss:2)  fails at 8.9901 (0.9901 away, only the assert usual.ss:3)
 
 `burn` from 1 to 15
 Left out, because they set the parameter themselves: own.ss.
@@ -93,9 +94,9 @@ Left out, because they set the parameter themselves: own.ss.
 
   Check       Passes at  Fails at
   Parameters    open     1 whose value nothing notices, 1 that all scripts set themselves
-  Parameter  Verdict        Now  Below                    Above
-  burn       not changed    8
-  wait       nothing fails  0    nothing fails down to 0  nothing fails up to 100
+  Parameter  Verdict      Now  Below                         Above
+  wait       not noticed  0    nothing notices it down to 0  nothing notices it up to 100
+  burn       not changed  8
 
 `burn` from 1 to 15
 Not changed, because all scripts set the parameter themselves: own.ss.

@@ -62,8 +62,12 @@ limit:
   R1: passes up to 809.99, fails from 810
   v.ss:3: passes from 760, fails up to 759.99
   v.ss:4: passes up to 819.99, fails from 820
-  now 775: below, fails at 759.99 (15.01 away); above, fails at 810 (35 away)
+  now 775: below, fails at 759.99 (15.01 away, only the assert v.ss:3); above, fails at 810 (35 away, requirement R1)
 sweep of v: 1 script, 163 runs
+wait:
+  no script or requirement notices any of these values, so none of them tests this parameter
+  0 to 400: passes
+  now 50: below, nothing notices it down to 0; above, nothing notices it up to 400
 limit:
   700 to 750: fails: v.ss:3
   760 to 800: passes
@@ -72,10 +76,7 @@ limit:
   R1: passes up to 809.99, fails from 810
   v.ss:3: passes from 760, fails up to 759.99
   v.ss:4: passes up to 819.99, fails from 820
-  now 775: below, fails at 759.99 (15.01 away); above, fails at 810 (35 away)
-wait:
-  0 to 400: passes
-  now 50: below, nothing fails down to 0; above, nothing fails up to 400
+  now 775: below, fails at 759.99 (15.01 away, only the assert v.ss:3); above, fails at 810 (35 away, requirement R1)
 map: wait up, limit to the right from 700 to 900; '.' passes, a digit is the number of checks that fail, '+' more than 9
   400  111111.....1222222222
   300  111111.....1222222222
@@ -122,9 +123,10 @@ on:
   0: fails: v.ss:4
   1: passes
   v.ss:4: passes from 1, fails up to 0
-  now 1: below, fails at 0 (1 away); above, nothing fails up to 1
+  now 1: below, fails at 0 (1 away, only the assert v.ss:4); above, nothing fails up to 1
 sweep of v: 1 script, 4 runs
 wait:
+  no script or requirement notices any of these values, so none of them tests this parameter
   0 to 3: passes
   now 50: outside what was swept
 -- stderr --
