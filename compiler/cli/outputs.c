@@ -202,18 +202,21 @@ static bool is_log_table(const Head *h) { return is_table(h, "session,seconds", 
 
 // ---- results as JUnit XML ----
 
-typedef struct XmlElementRule { const char *tag, *parent, *attributes; bool has_text; } XmlElementRule;
+typedef struct XmlElementRule {
+    const char *tag, *parent, *attributes;
+    const char *text;         // how its text begins; NULL: it has none
+} XmlElementRule;
 
 static const XmlElementRule junit_rules[] = {
-    {"testsuites", "", " name tests failures errors time ", false},
-    {"testsuite", "testsuites", " name tests failures errors skipped time file ", false},
-    {"testcase", "testsuite", " name classname time ", false},
-    {"failure", "testcase", " message type ", true},
-    {"error", "testcase", " message type ", true},
-    {"skipped", "testcase", " message ", true},
-    {"properties", "testcase", " ", false},
-    {"property", "properties", " name value ", false},
-    {"system-out", "testcase", " ", true},
+    {"testsuites", "", " name tests failures errors time ", NULL},
+    {"testsuite", "testsuites", " name tests failures errors skipped time file ", NULL},
+    {"testcase", "testsuite", " name classname time ", NULL},
+    {"failure", "testcase", " message type ", ""},
+    {"error", "testcase", " message type ", ""},
+    {"skipped", "testcase", " message ", ""},
+    {"properties", "testcase", " ", NULL},
+    {"property", "properties", " name value ", NULL},
+    {"system-out", "testcase", " ", "step "},
 };
 
 enum { JUNIT_DEPTH = 5 };
@@ -258,7 +261,7 @@ static const char *read_tag(XmlOpen *open, const char *at, const char *end)
     }
     if (rule && end - at > 1 && at[0] == '/' && at[1] == '>')
         return at + 2;
-    if (!rule || at == end || *at != '>')
+    if (!rule || at == end || *at != '>' || (rule->text && at + 1 < end && !matches_pattern(at + 1, end, rule->text)))
         return NULL;
     open->rule[open->depth++] = rule;
     return at + 1;
@@ -280,7 +283,7 @@ static bool is_junit(const Head *h)
         if (*at == '<') {
             if ((open.depth == 0 && at != root) || (at = read_tag(&open, at, end)) == NULL)
                 return false;
-        } else if (*at == ' ' || *at == '\n' || (open.depth && open.rule[open.depth - 1]->has_text)) {
+        } else if (*at == ' ' || *at == '\n' || (open.depth && open.rule[open.depth - 1]->text)) {
             at++;
         } else {
             return false;
