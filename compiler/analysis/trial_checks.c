@@ -81,5 +81,7 @@ void analyse_trials(Analysis *a)
         for (size_t i = before; i < a->diags->list.n && setting != TRIAL_DEFAULTS; i++)
             diag_note(a->diags, a->diags->list.at[i], (Span){0}, DIAG_note_setting, setting_text(a, setting));
     }
+    if (gaps.list.n == 0 && a->diags->known >> DIAG_JUDGED_STEP & 1u)
+        a->diags->known |= 1u << DIAG_JUDGED_TRIALS;
     trial_report_gaps(a, &gaps);
 }

@@ -41,7 +41,7 @@ extern const DiagInfo diag_info[DIAG_COUNT];
 typedef enum DiagGroup { DIAG_GROUP_ALL, DIAG_GROUP_EXTRA, DIAG_GROUP_FLIGHT, DIAG_GROUPS } DiagGroup;
 #define DIAG_GROUPS_ALL ((1u << DIAG_GROUPS) - 1u)        // the set of all groups: 1u << DiagGroup for each
 typedef enum DiagJudged {                                 // what a run must know to report an @allow of the warning as unused (flags.def)
-    DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
+    DIAG_JUDGED_ALWAYS, DIAG_JUDGED_VECTOR, DIAG_JUDGED_APP, DIAG_JUDGED_STEP, DIAG_JUDGED_TRIALS, DIAG_JUDGED_NO_STEP, DIAG_JUDGED_NEVER
 } DiagJudged;
 typedef enum DiagCopies { DIAG_COPIES_CODE, DIAG_COPIES_RUN } DiagCopies;      // findings on statements of [all_states] (flags.def)
 typedef struct DiagFlag {
