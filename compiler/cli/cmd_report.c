@@ -67,7 +67,7 @@ static const char *find_app(const Cli *c)
     return NULL;
 }
 
-// Refuses options that an application replaces, and proofs.  With --all, a note says that there are none.
+// Refuses options that an application replaces, and proofs.  With --all, a note says that the page has no proofs.
 static int check_app_options(Cli *c, const char *app)
 {
     if (c->given[OPT_IO] || c->given[OPT_NET])

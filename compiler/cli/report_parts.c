@@ -55,7 +55,7 @@ typedef struct PartScripts {
     const Script **script;    // `n` of them
     const uint8_t **ignored;  // by script: ScriptOptions.ignored
     uint32_t n;
-    const char *none;         // why there is none, as a phrase; NULL: there is one
+    const char *none;         // why no script is left, as a phrase; NULL: n > 0
 } PartScripts;
 
 typedef struct PartsContext { Cli *c; Report *r; } PartsContext;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which outputs are hazards: those that no state marked @safe or @abort switches on, such as a charge, an igniter or a fill valve.  A vent that
-// is open in an @abort state is none, nor is a lamp of a safe state.  Nor is an integer that gets constants only: a code for people.
+// Which outputs are hazards: those that no state marked @safe or @abort switches on, such as a charge, an igniter or a fill valve.  Not
+// a vent that is open in an @abort state, a lamp of a safe state, or an integer that gets constants only: a code for people.
 #include "compiler/cover/mutant.h"
 
 typedef enum StateTruth { IS_FALSE, IS_TRUE, IS_OPEN } StateTruth;

@@ -22,8 +22,8 @@ static bool is_simpler(const SearchRun *k, uint32_t a, uint32_t b)
     return x->depth != y->depth ? x->depth < y->depth : x->at != y->at ? x->at < y->at : a < b;
 }
 
-// Returns the simplest entry of a state that is less simple than `after`; SEARCH_NONE as `after`: the simplest one.  Returns SEARCH_NONE if there
-// is none.
+// Returns the simplest entry of a state that is less simple than `after`; SEARCH_NONE as `after`: the simplest one.  Returns SEARCH_NONE if no
+// entry is left.
 static uint32_t find_entry_after(const SearchRun *k, uint32_t state, uint32_t after)
 {
     uint32_t best = SEARCH_NONE;

@@ -16,7 +16,7 @@ typedef enum TimeUnit { TIME_NONE, TIME_US, TIME_MS, TIME_S, TIME_MIN, TIME_H, T
 TimeUnit time_unit_find(const char *word);        // returns TIME_NONE if the word is no unit
 const char *time_unit_name(TimeUnit unit);        // returns the word, such as "ms"; the unit is not TIME_NONE
 bool time_unit_counts(TimeUnit unit);             // whether G can count in this unit: us, ms or s
-TimeUnit time_unit_of_period(uint64_t ns);        // returns the unit of so many nanoseconds in which G can count; TIME_NONE: there is none
+TimeUnit time_unit_of_period(uint64_t ns);        // returns the unit of so many nanoseconds in which G can count; TIME_NONE: it cannot count in any
 
 // Converts the literal of `len` characters at `text`, which is decimal, from `from` to a unit in which G can count: multiplies exactly, and
 // rounds once to the nearest F64. Returns false if the result is too large.
