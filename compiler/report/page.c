@@ -40,6 +40,16 @@ void report_add_source(Report *r, Doc *d)
     }
 }
 
+void report_add_behaviour(Report *r, Doc *d)
+{
+    report_add_diagram_section(r, d);
+    report_add_outputs(r, d);
+    report_add_all_states(r, d);
+    report_add_states(r, d);
+    report_add_transitions(r, d);
+    report_add_variables(r, d);
+}
+
 Doc *report_build(Report *r)
 {
     Doc *d = ARENA_NEW(r->arena, Doc);
@@ -51,12 +61,7 @@ Doc *report_build(Report *r)
     d->maker = r->maker;
     report_add_overview(r, d);
     doc_begin_chapter(d, TEXT_WHAT_IT_DOES);
-    report_add_diagram_section(r, d);
-    report_add_outputs(r, d);
-    report_add_all_states(r, d);
-    report_add_states(r, d);
-    report_add_transitions(r, d);
-    report_add_variables(r, d);
+    report_add_behaviour(r, d);
     report_add_messages(r, d);
     doc_begin_chapter(d, TEXT_WHAT_MUST_NOT_HAPPEN);
     report_add_requirements(r, d);

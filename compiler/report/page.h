@@ -57,6 +57,7 @@ struct Report {
 Doc *report_build(Report *r);
 // Builds the page of an application: its machines one after the other, what they share, and the runs of all of them.
 Doc *report_build_app(Report *r);
+void report_add_behaviour(Report *r, Doc *d);           // what a machine does: diagram, outputs, states, transitions, variables
 void report_add_left_out(const Report *r, Doc *d);     // names what the section does not contain because it fails anyway
 
 // ---- the sections, one file each ----

@@ -127,12 +127,7 @@ static void add_machine(Report *r, Doc *d)
 {
     d->scope = r->of->name->text;
     doc_begin_chapter(d, format_in(r->arena, "Machine %s", r->of->name->text));
-    report_add_diagram_section(r, d);
-    report_add_outputs(r, d);
-    report_add_all_states(r, d);
-    report_add_states(r, d);
-    report_add_transitions(r, d);
-    report_add_variables(r, d);
+    report_add_behaviour(r, d);
     report_add_abort_matrix(r, d);
     report_add_scripts(r, d);
     report_add_mutation(r, d);
