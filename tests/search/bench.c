@@ -3,7 +3,8 @@
 //
 //     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…      and a line for all machines together at each effort
 //     bench [--effort=STEPS] [--seed=N] --expect=FILE       runs the machines of a table, and fails if one comes less far (expected.txt)
-//     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible
+//     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible.  Half of
+//                                                           them begin as a run of the search
 //
 // A machine MACHINE.sm uses the vector MACHINE.sv, or the only .sv of its folder, if there is one.
 #include <dirent.h>
@@ -248,6 +249,7 @@ typedef struct RandomRuns {
     bool *is_input;           // by Var.index
     uint64_t *due;            // by Var.index: the step of the next change
     unsigned hold;            // changes are up to 2^hold steps apart in this run
+    void *run;                // the state of the machine
 } RandomRuns;
 
 static uint64_t any(RandomRuns *r, uint64_t below)
@@ -292,27 +294,72 @@ static void change_inputs(RandomRuns *r, uint64_t *cell, uint64_t step)
     }
 }
 
-static void make_random_runs(RandomRuns *r, uint64_t delta_t)
+// Sets what a scenario sets in step `step`.  now: by Var.index, the change that determines the value; next: the first change that has not begun.
+static void follow_scenario(RandomRuns *r, const Scenario *s, uint64_t step, const ScenarioChange **now, size_t *next, uint64_t *value)
+{
+    const Program *p = r->c->p;
+    uint64_t *cell = flat_cells(r->c->flat, r->run);
+
+    for (; *next < s->changes && s->change[*next].step <= step; ++*next)
+        now[s->change[*next].var] = &s->change[*next];
+    for (uint32_t i = 0; i < p->var.n; i++)
+        value[i] = r->c->m->var_of[i] == IR_NONE ? p->var.at[i]->init : cell[r->c->m->var_of[i]];
+    for (uint32_t i = 0; i < p->var.n; i++)
+        if (now[i] && r->c->m->var_of[i] != IR_NONE)
+            cell[r->c->m->var_of[i]] = scenario_cell(p, now[i], step, value);
+}
+
+// Begins a run as a scenario of the search does, up to any of its steps.  Returns the number of steps, at most `most`.  So random runs also go
+// on from the states that they would never reach.
+static uint64_t begin_as_scenario(RandomRuns *r, const Scenario *s, uint64_t most)
+{
+    const uint64_t steps = 1 + any(r, s->steps < most ? s->steps : most);
+    const ScenarioChange **now = calloc(r->c->p->var.n, sizeof *now);
+    uint64_t *value = calloc(r->c->p->var.n, sizeof *value);
+    FlatMachine *f = r->c->flat;
+    size_t next = 0;
+
+    flat_start(f, r->run, s->init_state->number);
+    for (uint64_t i = 0; i < steps; i++) {
+        follow_scenario(r, s, i + 1, now, &next, value);
+        flat_cells(f, r->run)[r->c->m->g] = i * s->delta_t;
+        flat_step(f, r->run);
+    }
+    free(now);
+    free(value);
+    return steps;
+}
+
+// Every second run begins as a scenario of `found`.
+static void make_random_runs(RandomRuns *r, const SearchResult *found)
 {
     FlatMachine *f = r->c->flat;
-    char *run = calloc(1, f->size);
     uint64_t left = random_steps;
+    Arena *arena = r->c->arena;
+    Scenario *plain = ARENA_ARRAY(arena, Scenario, found->chosens + 1);
 
+    r->run = calloc(1, f->size);
+    for (uint32_t i = 0; i < found->chosens; i++)
+        plain[i] = scenario_unroll(arena, &found->chosen[i].scenario);
     while (left > 0) {
-        uint64_t steps = UINT64_C(1) << (4 + any(r, LONGEST_RUN - 3));
-        steps = steps < left ? steps : left;
-        left -= steps;
+        uint64_t steps = UINT64_C(1) << (4 + any(r, LONGEST_RUN - 3)), begun = 0;
         r->hold = (unsigned)any(r, LONGEST_HOLD + 1);
         memset(r->due, 0, r->c->p->var.n * sizeof *r->due);
-        flat_start(f, run, 1);
-        for (uint64_t i = 0; i < steps; i++) {
-            uint64_t *cell = flat_cells(f, run);
+        if (found->chosens && any(r, 2))
+            begun = begin_as_scenario(r, &plain[any(r, found->chosens)], left);
+        else
+            flat_start(f, r->run, 1);
+        left -= begun;
+        steps = steps < left ? steps : left;
+        left -= steps;
+        for (uint64_t i = begun; i < begun + steps; i++) {
+            uint64_t *cell = flat_cells(f, r->run);
             change_inputs(r, cell, i);
-            cell[r->c->m->g] = i * delta_t;
-            flat_step(f, run);
+            cell[r->c->m->g] = i * found->delta_t;
+            flat_step(f, r->run);
         }
     }
-    free(run);
+    free(r->run);
 }
 
 static void compare_counts(const char *path, Cover *run, const SearchResult *found)
@@ -331,6 +378,14 @@ static void compare_counts(const char *path, Cover *run, const SearchResult *fou
     failed += wrong > 0 || covered == 0;
 }
 
+static bool has_impossible(const SearchResult *r)
+{
+    for (uint32_t i = 1; i < r->places; i++)
+        if (r->find[i].outcome == SEARCH_IMPOSSIBLE)
+            return true;
+    return false;
+}
+
 // Makes random runs of a machine.  Each place that the search has proved impossible has to be without a count.
 static void run_randomly(const char *path)
 {
@@ -343,9 +398,19 @@ static void run_randomly(const char *path)
 
     host_check(setjmp(host_oom));
     p = open_machine(&s, path);
+    if (!p) {
+        printf("%s does not compile\n", path);
+        failed++;
+        return;
+    }
     judged = cover_new(&s.arena, p);
     cover_settle(judged);
-    found = search_run(&s.arena, judged, &(SearchOptions){.seed = 1, .effort = 1000});
+    found = search_run(&s.arena, judged, &(SearchOptions){.seed = 1, .effort = effort / 10, .loops = true});
+    if (!has_impossible(found)) {
+        printf("%s: no goal is impossible\n", path);
+        session_free(&s);
+        return;
+    }
     r.c = run = cover_new(&s.arena, p);
     r.is_input = calloc(p->var.n, sizeof *r.is_input);
     r.due = calloc(p->var.n, sizeof *r.due);
@@ -354,7 +419,7 @@ static void run_randomly(const char *path)
     for (uint32_t i = 0; i < r.c->m->state.n; i++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             add_constants(&r, r.c->m->state.at[i].block[b]);
-    make_random_runs(&r, found->delta_t);
+    make_random_runs(&r, found);
     compare_counts(path, run, found);
     free(r.is_input);
     free(r.due);
