@@ -71,6 +71,9 @@ int test_coverage_check_options(Cli *c)
 
     if (c->given[OPT_MIN_COVERAGE] && !read_demands(c->value[OPT_MIN_COVERAGE], demand))
         return cli_usage_error(c, TEXT_min_coverage_form, list_kinds(c));
+    if (c->given[OPT_COVERAGE_DATA] && !test_is_coverage_data(c->value[OPT_COVERAGE_DATA]) && strcmp(c->value[OPT_COVERAGE_DATA], "-") != 0 &&
+        !os_is_special(c->value[OPT_COVERAGE_DATA]))
+        return cli_usage_error(c, TEXT_coverage_data_name, c->value[OPT_COVERAGE_DATA]);
     return EXIT_OK;
 }
 
