@@ -71,10 +71,9 @@ static int read_options(CoverRun *r, CoverSettings *s)
     c->given[OPT_OUTPUT] = true;
     if (c->given[OPT_GOALS] && !read_kinds(c->value[OPT_GOALS], &r->kinds))
         return cli_usage_error(c, TEXT_cover_goals, list_kinds(c));
-    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &s->effort) || s->effort > 1000000000))
-        return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
-    if (c->given[OPT_MEMORY] && (!cli_read_count(c->value[OPT_MEMORY], &s->memory) || s->memory > SIZE_MAX >> 20))
-        return cli_usage_error(c, TEXT_number_from_1, "--memory", c->value[OPT_MEMORY]);
+    if (!cli_read_limit(c, OPT_EFFORT, "--effort", EFFORT_MOST, &s->effort) ||
+        !cli_read_limit(c, OPT_MEMORY, "--memory", SIZE_MAX >> 20, &s->memory))
+        return EXIT_USAGE;
     if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &s->seed) || s->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     return EXIT_OK;

@@ -284,10 +284,9 @@ int cmd_prove(Cli *c)
         return code;
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;
-    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &settings.effort) || settings.effort > 1000000000))
-        return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
-    if (c->given[OPT_MEMORY] && (!cli_read_count(c->value[OPT_MEMORY], &settings.memory) || settings.memory > SIZE_MAX >> 20))
-        return cli_usage_error(c, TEXT_number_from_1, "--memory", c->value[OPT_MEMORY]);
+    if (!cli_read_limit(c, OPT_EFFORT, "--effort", EFFORT_MOST, &settings.effort) ||
+        !cli_read_limit(c, OPT_MEMORY, "--memory", SIZE_MAX >> 20, &settings.memory))
+        return EXIT_USAGE;
     if (deps_wanted(c) && !deps_check_name(c, &file))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
