@@ -2,7 +2,8 @@
 // smc cover: searches for inputs that reach what no script has tested, and writes each run as a script.
 //
 // 1. The given scripts run, and those of the folder that a person has edited.  The goals are the coverage places (transitions, branches,
-//    conditions: cover.h) that they do not cover.  The search starts with the states along the given scripts.
+//    conditions: cover.h) that they do not cover.  The search starts with the states along the given scripts.  A script that fails is left out:
+//    what it covers counts as not tested.
 // 2. The other scripts of the folder that smc has written run.  If they reach every goal that is not impossible, nothing is searched.
 // 3. Else the search is the same as without them, so a second call finds the same, and nothing is written twice.  What it finds is written if
 //    it reaches a goal that no script of the folder reaches.
@@ -17,7 +18,6 @@
 #include "compiler/search/script_writer.h"
 
 enum {
-    STEPS_MOST = 1000000,     // a script that runs longer is ended
     ALSO_MOST = 4,            // the most other goals that the comment of a script names
     GOAL_KINDS = COVER_PARAMETER      // number of kinds that can be goals: all but the last one, parameters, which are set and not reached
 };
@@ -84,8 +84,8 @@ static int read_options(CoverRun *r, CoverSettings *s)
 // Checks and runs the scripts that the command line names, counts what they cover, and records their runs as starting points of the search.
 static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Compiled *made)
 {
-    Engine *const counting = cover_open_engine(r->given), *e[2] = {NULL, cover_open_engine(r->all)};
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
+    const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
+    Engine *counting[] = {cover_open_engine(r->given), cover_open_engine(r->all)}, *recording[] = {NULL, counting[1]};
     bool *writable = arena_alloc(r->arena, r->p->var.n);
     int code;
 
@@ -99,13 +99,12 @@ static int run_given(CoverRun *r, const CompileInput *in, size_t given, const Co
     if ((code = cli_print_diagnostics(r->c)) != EXIT_OK)
         return code;
     for (uint32_t i = 0; i < r->script.n; i++) {
-        e[0] = scenario_record_open(r->arena, r->p, counting, r->script.at[i]->delta_t, writable, SCENARIO_FEW_CHANGES);
-        if (script_run(r->arena, &r->c->session.diags, r->script.at[i], e, 2, &o).outcome != SCRIPT_PASSED) {
-            cli_print_diagnostics(r->c);
-            cli_print_error(r->c, TEXT_cover_fails, r->script.at[i]->src->name);
-            return EXIT_PROBLEM;
-        }
-        vec_push(r->arena, &r->recorded, scenario_recorded(e[0]));
+        const Script *s = r->script.at[i];
+        if (!cover_accept_script(r, s->src->name, s))
+            continue;
+        recording[0] = scenario_record_open(r->arena, r->p, counting[0], s->delta_t, writable, SCENARIO_FEW_CHANGES);
+        script_run(r->arena, &r->c->session.diags, s, recording, 2, &o);
+        vec_push(r->arena, &r->recorded, scenario_recorded(recording[0]));
     }
     return cli_print_diagnostics(r->c);
 }
@@ -207,7 +206,7 @@ static int write_script(CoverRun *r, const Scenario *found, const char *stem, co
     const char *comment[] = {goal, "", skeleton ? "Write what must be true at each time, as an @assert." : "The asserts show what the machine does, not what it should do: check them before you rely on them.", also};
     const ScriptPage page = {.p = r->p, .scenario = &s, .engine = engine_ref_open(r->arena, r->p), .comment = comment, .comments = *also ? 4 : 3,
                              .is_skeleton = skeleton, .not_entered = not_entered};
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = true};
+    const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
     Engine *e = cover_open_engine(r->all);
     const Script *script;
     Buf body, out;
@@ -355,10 +354,13 @@ static int write_results(CoverRun *r, const CoverSettings *s)
     if (r->was_interrupted)
         cli_print_error(r->c, TEXT_cover_interrupted);
     else if (t.not_found)
-        cli_print_error(r->c, TEXT_cover_not_found, t.not_found, t.goals, (unsigned long)(10 * s->effort));
+        cli_print_error(r->c, s->effort < EFFORT_MOST ? TEXT_cover_not_found : TEXT_cover_not_found_at_all, t.not_found, t.goals,
+                        (unsigned long)(s->effort < EFFORT_MOST / 10 ? 10 * s->effort : EFFORT_MOST));
     if (!r->was_interrupted && t.not_found && r->result && r->result->memory_reached)
         cli_print_error(r->c, TEXT_cover_memory, (unsigned long)s->memory, (unsigned long)(4 * s->memory));
-    return r->was_interrupted || t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
+    if (!baseline_is_complete(&r->given_run))
+        cli_print_error(r->c, TEXT_cover_left_out, (unsigned long)r->given_run.left_out, (unsigned long)r->given_run.run.n);
+    return r->was_interrupted ? EXIT_INCONCLUSIVE : !baseline_is_complete(&r->given_run) ? EXIT_PROBLEM : t.not_found ? EXIT_INCONCLUSIVE : EXIT_OK;
 }
 
 // Covers a machine: runs the scripts of the command line and of the folder, searches, writes scripts and results. given: number of sources that
@@ -370,6 +372,7 @@ static int cover_machine(CoverRun *r, CompileInput *in, size_t given, const Comp
     r->given = cover_new(r->arena, r->p);
     r->all = cover_new(r->arena, r->p);
     r->text = goal_texts_new(r->arena, r->all);
+    baseline_init(&r->given_run, r->arena, NULL);
     if ((code = run_given(r, in, given, made)) != EXIT_OK || (code = cover_run_folder(r)) != EXIT_OK)
         return code;
     s->delta_t = o->step ? o->step : r->script.n ? r->script.at[0]->delta_t : SEARCH_DELTA_T;

@@ -6,8 +6,6 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/cover_run.h"
 
-enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended
-
 static const char *path_in_folder(const CoverRun *r, const char *name)
 {
     return format_in(r->arena, "%s%s%s", r->folder, path_ends_in_separator(r->folder) ? "" : "/", name);
@@ -77,11 +75,20 @@ int cover_read_folder(CoverRun *r, CompileInput *in)
 
 // ---- running ----
 
-static bool run_script(CoverRun *r, const Script *s, Engine *e, bool is_silent)
+static bool run_script(CoverRun *r, const Script *s, Engine *e)
 {
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = is_silent};
+    const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
 
     return script_run(r->arena, &r->c->session.diags, s, &e, 1, &o).outcome == SCRIPT_PASSED;
+}
+
+bool cover_accept_script(CoverRun *r, const char *name, const Script *s)
+{
+    const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
+    Engine *e = cover_open_engine(cover_new(r->arena, r->p));
+    const ScriptResult result = script_run(r->arena, &r->c->session.diags, s, &e, 1, &o);
+
+    return baseline_add(&r->given_run, name, s, &result);
 }
 
 // Returns whether `c` has counted a coverage place whose goal is this sentence. *is_known: the machine has such a place.
@@ -112,7 +119,7 @@ static void judge_script(CoverRun *r, OldScript *old)
         old->why = "the machine no longer fits it";
     } else {
         Cover *alone = cover_new(r->arena, r->p);
-        if (!run_script(r, s, cover_open_engine(alone), true))
+        if (!run_script(r, s, cover_open_engine(alone)))
             old->why = "it fails";
         cover_settle(alone);
         if (!old->why && !is_pair && !covers_goal(r, alone, goal, &is_known))
@@ -121,18 +128,18 @@ static void judge_script(CoverRun *r, OldScript *old)
     if (old->why)
         return;
     old->verdict = OLD_VALID;
-    run_script(r, s, cover_open_engine(r->all), true);
+    run_script(r, s, cover_open_engine(r->all));
 }
 
 // Runs an edited script like one that the command line names.
 static int run_edited(CoverRun *r, const OldScript *old)
 {
     const Script *s = session_script(&r->c->session, old->src, r->p);
-    Engine *e[] = {cover_open_engine(r->given), cover_open_engine(r->all)};
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
 
-    if (s)
-        script_run(r->arena, &r->c->session.diags, s, e, 2, &o);
+    if (s && cover_accept_script(r, old->path, s)) {
+        run_script(r, s, cover_open_engine(r->given));
+        run_script(r, s, cover_open_engine(r->all));
+    }
     return cli_print_diagnostics(r->c);
 }
 
@@ -159,6 +166,17 @@ static bool equal_names(const char *a, const char *b)         // without regard 
     return *a == *b;
 }
 
+// Whether this file of the folder is neither a script that smc has written for this machine nor an argument.
+static bool is_foreign(const CoverRun *r, const char *path)
+{
+    if (is_argument(r->c, path))
+        return false;
+    for (uint32_t i = 0; i < r->old.n; i++)
+        if (equal_names(r->old.at[i].path, path))
+            return false;
+    return true;
+}
+
 // Returns whether a new script can have this name.  If so, and a stale script has the name, marks that script as replaced.
 static bool claim_name(CoverRun *r, const char *name, const char *path)
 {
@@ -169,8 +187,11 @@ static bool claim_name(CoverRun *r, const char *name, const char *path)
         if (r->old.at[i].verdict == OLD_STALE && strcmp(r->old.at[i].path, path) == 0)
             return r->old.at[i].is_replaced = true;
     for (size_t i = 0; i < r->names; i++)
-        if (equal_names(r->name[i], name))
+        if (equal_names(r->name[i], name)) {
+            if (is_foreign(r, path))
+                vec_push(r->arena, &r->in_the_way, path);
             return false;
+        }
     return true;
 }
 

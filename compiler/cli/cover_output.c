@@ -107,6 +107,8 @@ static void write_old_scripts(const CoverRun *r, Buf *out)
         else if (old->verdict == OLD_STALE)
             buf_printf(out, "replaced: %s: %s\n", old->path, old->why);
     }
+    for (uint32_t i = 0; i < r->in_the_way.n; i++)
+        buf_printf(out, "kept: %s: smc has not written it, so the new script has a number after this name\n", r->in_the_way.at[i]);
 }
 
 // Lists the pairs of states without a transition for which no script exists.
@@ -131,6 +133,7 @@ void cover_write_report(const CoverRun *r, Buf *out)
     if (t.impossible)
         buf_printf(out, ", and %lu impossible", t.impossible);
     buf_char(out, '\n');
+    baseline_write_text(&r->given_run, out);
     for (uint32_t i = 0; i < r->new_one.n; i++)
         buf_printf(out, "wrote %s: %s\n", r->new_one.at[i].path, r->new_one.at[i].goal);
     write_old_scripts(r, out);
@@ -189,6 +192,7 @@ void cover_write_goals_json(const CoverRun *r, Buf *out)
 
     buf_str(out, "{\"smc-goals\":1");
     write_field(out, "machine", r->p->name->text);
+    baseline_write_json(&r->given_run, out);
     buf_str(out, ",\"goals\":[");
     for (uint32_t i = 1; i < r->all->place.n; i++)
         if (cover_is_goal(r, i)) {

@@ -4,11 +4,13 @@
 #define SMC_COVER_RUN_H
 
 #include "compiler/cli/cli.h"
+#include "compiler/script/baseline.h"
 #include "compiler/search/generated.h"
 #include "compiler/search/goal_text.h"
 #include "compiler/search/must_not.h"
 
 #define COVER_MADE_BY "smc cover"           // in the first line of a script
+enum { COVER_STEPS_MOST = 1000000 };        // a script that runs longer is ended
 #define MUST_NOT_GOAL "Must not: "          // begins the goal of a script for a pair of states
 
 // A script in the folder of -o that an earlier call of smc cover has written for this machine.
@@ -42,10 +44,12 @@ typedef struct CoverRun {
     GoalTexts *text;
     unsigned kinds;           // 1u << CoverKind of each kind that has goals
     VEC(const Script *) script;       // the scripts that the command line names
+    Baseline given_run;               // the runs of these scripts and of the edited ones of the folder: those that fail are left out
     VEC(Scenario) recorded;           // the runs of the given scripts, as far as scenarios can express them
     VEC(OldScript) old;
     VEC(NewScript) new_one;
     VEC(CoverPair) pair;
+    VEC(const char *) in_the_way;     // files of other origin that have the names of new scripts
     const char **name;        // `names` names of the files in the folder
     size_t names;
     const SearchResult *result;       // the result of the search; NULL: there was nothing to search
@@ -54,6 +58,8 @@ typedef struct CoverRun {
 
 // ---- cover_folder.c ----
 
+// Runs a script that counts as given.  Returns whether it passes; if not, it is left out.
+bool cover_accept_script(CoverRun *r, const char *name, const Script *s);
 // Creates the folder, lists it, and reads the scripts that smc has written for this machine.  Adds them to the sources.
 int cover_read_folder(CoverRun *r, CompileInput *in);
 // Runs the scripts that cover_read_folder has read.  Scripts that pass and reach their goals count in r->all; edited ones also in r->given.
