@@ -106,7 +106,7 @@ delta_t 10
 G == 0: q = 1
 G == 50: @stop
 -- stdout --
-mutations of a: 8 of 23 changes are noticed (34.8 %)
+mutations of a: 8 of 24 changes are noticed (33.3 %)
 not noticed:
   line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
   line 10:7: `>` changed to `<=` in Fill, on the way to an @abort state
@@ -121,6 +121,7 @@ not noticed:
   line 9:21: `700` changed to `770` in Fill, an output
   line 9:26: `and` changed to `or` in Fill, an output
   line 9:32: `>` changed to `>=` in Fill, an output
+  line 9:34: `-` left out in Fill, an output
   line 9:35: `1` changed to `0` in Fill, an output
   line 9:35: `1` changed to `2` in Fill, an output
 noticed:
@@ -132,9 +133,9 @@ noticed:
   line 9:19: `>` changed to `<=` in Fill, an output [a.ss]
   line 9:32: `>` changed to `<=` in Fill, an output [a.ss]
   line 14:5: `open = true` removed in Abort, an output [a.ss]
-mutations of a: 8 of 23 changes are noticed (34.8 %)
-mutations of a: 8 of 23 changes are noticed (34.8 %)
-inputs were found for 15 of the 15 changes that no script notices; --scripts=DIR writes them as scripts
+mutations of a: 8 of 24 changes are noticed (33.3 %)
+mutations of a: 8 of 24 changes are noticed (33.3 %)
+inputs were found for 16 of the 16 changes that no script notices; --scripts=DIR writes them as scripts
 not noticed; these inputs would show it:
     from Fill, at G = 10, S differs
     from Fill, at G = 10, S differs
@@ -150,10 +151,11 @@ not noticed; these inputs would show it:
     from Fill, at G = 0: p = 1000; at G = 0, open differs
     from Fill, at G = 0: p = -1; at G = 0, open differs
     from Fill, at G = 0, open differs
+    from Fill, at G = 0, open differs
     from Fill, at G = 0: p = -1; at G = 0, open differs
 1
   Left out: bad.ss, because it fails at bad.ss:4.
-mutations of a: 6 of 23 changes are noticed (26.1 %)
+mutations of a: 6 of 24 changes are noticed (25.0 %)
 requirements notice 6 of them: R1 1, R2 5
 noticed:
   line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state [still.ss: R2]
@@ -164,7 +166,7 @@ noticed:
   line 14:5: `open = true` removed in Abort, an output [still.ss: R1]
 1
 1
-mutations of a: 0 of 23 changes are noticed (0.0 %)
+mutations of a: 0 of 24 changes are noticed (0.0 %)
   Not judged: R3 in still.ss, where it is violated anyway.
 requirements notice 0 of them
 mutations of first: 22 of 26 changes are noticed (84.6 %), and 3 make no difference
@@ -203,8 +205,8 @@ at 10 ms: @assert state Off and not heater and alarm
 at 10 ms: @stop
 mutations of first: 24 of 27 changes are noticed (88.9 %), and 2 make no difference
 -- stderr --
-smc: the scripts notice 34.8 % of the changes, and 40 % are required
-smc: the scripts notice 34.8 % of the changes, and 100 % are required
+smc: the scripts notice 33.3 % of the changes, and 40 % are required
+smc: the scripts notice 33.3 % of the changes, and 100 % are required
 smc: scripts that do not pass without any change: 1 of 2; what they cannot show is left out ('smc test' shows why)
 smc: a script is required that could notice changes, as in 'smc mutate a.sm SCRIPT.ss'
 Try 'smc mutate --help'.
