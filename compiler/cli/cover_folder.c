@@ -31,11 +31,11 @@ static int read_old_script(CoverRun *r, const char *name)
     size_t n;
 
     if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) ||
-        generated_read(COVER_MADE_BY, r->machine, head, n) == GENERATED_OTHER)
+        generated_read(COVER_MADE_BY, r->file, head, n) == GENERATED_OTHER)
         return EXIT_OK;
     if ((old.src = cli_read_source(r->c, path)) == NULL)
         return EXIT_ENVIRONMENT;
-    old.verdict = generated_read(COVER_MADE_BY, r->machine, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
+    old.verdict = generated_read(COVER_MADE_BY, r->file, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
     vec_push(r->arena, &r->old, old);
     return EXIT_OK;
 }
@@ -85,23 +85,25 @@ static bool run_script(CoverRun *r, const Script *s, Engine *e)
 bool cover_accept_script(CoverRun *r, const char *name, const Script *s)
 {
     const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
-    Engine *e = cover_open_engine(cover_new(r->arena, r->p));
+    Engine *e = cover_open_engines(r->arena, r->p, cover_new_each(r));
     const ScriptResult result = script_run(r->arena, &r->c->session.diags, s, &e, 1, &o);
 
     return baseline_add(&r->given_run, name, s, &result);
 }
 
-// Returns whether `c` has counted a coverage place whose goal is this sentence. *is_known: the machine has such a place.
-static bool covers_goal(const CoverRun *r, const Cover *c, const char *goal, bool *is_known)
+// Returns whether the Covers (one for each machine) have counted a coverage place whose goal is this sentence. *is_known: some machine has such a
+// place.
+static bool covers_goal(const CoverRun *r, Cover *const *cover, const char *goal, bool *is_known)
 {
     bool found = false;
 
     *is_known = false;
-    for (uint32_t i = 1; i < c->place.n; i++)
-        if (strcmp(goal_sentence(r->text, i), goal) == 0) {
-            *is_known = true;
-            found = found || c->hits[i] > 0;
-        }
+    for (size_t m = 0; m < r->machines; m++)
+        for (uint32_t i = 1; i < cover[m]->place.n; i++)
+            if (strcmp(goal_sentence(r->text[m], i), goal) == 0) {
+                *is_known = true;
+                found = found || cover[m]->hits[i] > 0;
+            }
     return found;
 }
 
@@ -118,17 +120,17 @@ static void judge_script(CoverRun *r, OldScript *old)
     if (!s) {
         old->why = "the machine no longer fits it";
     } else {
-        Cover *alone = cover_new(r->arena, r->p);
-        if (!run_script(r, s, cover_open_engine(alone)))
+        Cover **alone = cover_new_each(r);
+        if (!run_script(r, s, cover_open_engines(r->arena, r->p, alone)))
             old->why = "it fails";
-        cover_settle(alone);
+        cover_settle_each(r, alone);
         if (!old->why && !is_pair && !covers_goal(r, alone, goal, &is_known))
             old->why = is_known ? "it does not reach its goal" : "the machine no longer has its goal";
     }
     if (old->why)
         return;
     old->verdict = OLD_VALID;
-    run_script(r, s, cover_open_engine(r->all));
+    run_script(r, s, cover_open_engines(r->arena, r->p, r->all));
 }
 
 // Runs an edited script like one that the command line names.
@@ -137,8 +139,8 @@ static int run_edited(CoverRun *r, const OldScript *old)
     const Script *s = session_script(&r->c->session, old->src, r->p);
 
     if (s && cover_accept_script(r, old->path, s)) {
-        run_script(r, s, cover_open_engine(r->given));
-        run_script(r, s, cover_open_engine(r->all));
+        run_script(r, s, cover_open_engines(r->arena, r->p, r->given));
+        run_script(r, s, cover_open_engines(r->arena, r->p, r->all));
     }
     return cli_print_diagnostics(r->c);
 }

@@ -36,12 +36,14 @@ typedef struct CoverPair { const MustNot *pair; const char *path; } CoverPair;
 typedef struct CoverRun {
     Cli *c;
     Arena *arena;
-    const Program *p;
+    const Program *p;         // the machine, or the application
     const char *folder;       // the folder of -o, to which scripts are written
-    const char *machine;      // the name of the machine's file, without folders
-    Cover *given;             // coverage by the scripts of the command line and by edited ones of the folder: what they do not cover are the goals
-    Cover *all;               // coverage by all scripts, the new ones included
-    GoalTexts *text;
+    const char *file;         // the name of the file of p, without folders
+    size_t machines;          // 1, or the number of the application's machines.  The next four have an entry for each:
+    Cover **given;            // coverage by the scripts of the command line and by edited ones of the folder: what they do not cover are the goals
+    Cover **all;              // coverage by all scripts, the new ones included
+    GoalTexts **text;
+    const SearchResult **result;      // of the last search for this machine's goals; NULL: there was nothing to search
     unsigned kinds;           // 1u << CoverKind of each kind that has goals
     VEC(const Script *) script;       // the scripts that the command line names
     Baseline given_run;               // the runs of these scripts and of the edited ones of the folder: those that fail are left out
@@ -52,9 +54,21 @@ typedef struct CoverRun {
     VEC(const char *) in_the_way;     // files of other origin that have the names of new scripts
     const char **name;        // `names` names of the files in the folder
     size_t names;
-    const SearchResult *result;       // the result of the search; NULL: there was nothing to search
     bool was_interrupted;
 } CoverRun;
+
+// ---- cmd_cover.c ----
+
+// Returns a new Cover for each machine.
+Cover **cover_new_each(const CoverRun *r);
+void cover_settle_each(const CoverRun *r, Cover *const *cover);
+
+// ---- cover_search.c ----
+
+typedef struct CoverSettings { uint64_t effort, memory, seed, delta_t; size_t format; } CoverSettings;
+
+// Searches for inputs that reach the goals, and writes a script for each run that reaches one which no script of the folder does.
+int cover_search(CoverRun *r, const CoverSettings *s);
 
 // ---- cover_folder.c ----
 
@@ -71,8 +85,9 @@ const char *cover_new_path(CoverRun *r, const char *stem);
 
 typedef struct CoverTotals { unsigned long goals, reached, impossible, not_found; } CoverTotals;
 
-bool cover_is_goal(const CoverRun *r, uint32_t place);
-CoverTotals cover_count(const CoverRun *r);
+bool cover_is_goal(const CoverRun *r, size_t machine, uint32_t place);
+// Counts the goals of a machine.
+CoverTotals cover_count(const CoverRun *r, size_t machine);
 void cover_write_report(const CoverRun *r, Buf *out);
 void cover_write_goals_json(const CoverRun *r, Buf *out);
 

@@ -481,7 +481,7 @@ void search_begin_choosing(SearchRun *k)
     arena_init_within(&c->flats, &k->work);
     arena_init_within(&c->tries, &k->work);
     arena_init_within(&c->unrolled, &k->work);
-    k->judge = flat_new(&k->work, k->m, &k->c->probes);
+    k->judge = search_flat(k, &k->work, &k->c->probes);
     c->covered = arena_alloc(&k->work, k->goals + 1);
     c->block = arena_alloc(&k->work, k->block);
     c->current = arena_array(&k->work, k->inputs + 1, sizeof *c->current);
