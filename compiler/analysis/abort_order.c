@@ -3,7 +3,7 @@
 //
 // A trial shows it: in one step both guards are true, and the machine goes on.  The trial then continues with the same inputs, beside a copy that
 // has aborted.  Reported if the machine has not aborted AFTER steps later, and has an output on that the copy has not.  So a step that the next
-// state corrects is not reported, and neither is a way out that switches everything off itself.
+// state corrects is not reported, and neither is a transition that switches everything off itself.
 //
 // An abort that waits for time or a count alone is not judged: that success is written above a time limit is usual.
 #include <string.h>
@@ -91,7 +91,8 @@ static bool is_pair(const OrderTrial *k, const Transition *first, const Transiti
 
     return first->from == abort->from && first->block == BLOCK_STEP && abort->block == BLOCK_STEP && first->stmt->number < abort->stmt->number &&
            fact[first->stmt->number].reached && fact[abort->stmt->number].reached && !k->bound.bound[first->to->number - 1] &&
-           abort->to->is_abort && first->to != first->from && !first->to->is_safe && can_abort(k, first->to) && own && own->holds && own->stmt->otherwise.n == 0 &&
+           abort->to->is_abort && first->to != first->from && !first->to->is_safe && can_abort(k, first->to) &&
+           own && own->holds && own->stmt->otherwise.n == 0 &&
            !is_inside(abort->when, own->stmt) && (d.n > 0 || d.input) && !implies(k, first, abort);
 }
 

@@ -97,7 +97,8 @@ static double find_value(const StaleTrial *k, CarriedKind kind)
     for (size_t s = 0; s < t->a->p->state.n; s++)
         for (size_t e = 0; e < t->state[s].entry.n; e++) {
             const double x = trial_vars(t, t->state[s].entry.at[e].situation)[k->var], initial = t->run->initial[k->var];
-            if (!t->state[s].entry.at[e].unhealthy && (x < initial ? initial - x : x - initial) > (value < initial ? initial - value : value - initial))
+            const double from_initial = x < initial ? initial - x : x - initial, most = value < initial ? initial - value : value - initial;
+            if (!t->state[s].entry.at[e].unhealthy && from_initial > most)
                 value = x;
         }
     return value;
@@ -170,8 +171,8 @@ static void report_stale(const StaleTrial *k, const CarriedStore *set, const Tra
 {
     const Analysis *a = k->t->a;
     const char *v = k->v->name->text;
-    Diag *d = diag_report(a->diags, DIAG_stale_latch, taken->stmt->span, taken->from->name->text, v, const_text(a->arena, trial_check_round(k->value)),
-                          taken->to->name->text);
+    Diag *d = diag_report(a->diags, DIAG_stale_latch, taken->stmt->span, taken->from->name->text, v,
+                          const_text(a->arena, trial_check_round(k->value)), taken->to->name->text);
 
     diag_note_declaration(a->diags, d, DIAG_OUTPUTS, k->v->span);
     diag_note(a->diags, d, set->stmt->span, DIAG_note_set_and_kept, v, taken->from->name->text);

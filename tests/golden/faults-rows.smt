@@ -47,8 +47,8 @@ G == 90: @stop
 -- stdout --
 faults of a: 1 input, 2 triggers in 1 script; 2 of 2 faults have an effect
 input  dead
-p      differs
-other outputs or states on the way:
+p      echo
+an output or a state differs on the way:
   p dead from the start, in main.Run (G = 0, a.ss): echo = 0 instead of 1 at G = 0; and 1 more trigger
 smc faults -v lists each trigger
 note: 'p' has no @range; its range in the runs without a fault is 1 to 4
