@@ -1094,6 +1094,7 @@ windows-campaign: all windows-i686 $(B)/golden $(B)/device/board
 $(call test, compile-instructions, targets, $(B)/bench/scale, sh tests/bench/instructions.sh $(B) '$(CC)' '$(CFLAGS)')
 $(call test, bench,                targets, $(B)/bench/steps $(B)/bench/compile $(B)/bench/scale, $(B)/bench/steps $(B)/bench check)
 $(call test, bench-report,         targets,, sh tests/check/bench_report.sh)
+$(call test, coverage-cost,        targets,, sh tests/bench/coverage.sh $(B)/smc)
 
 # ---- running them ----
 
