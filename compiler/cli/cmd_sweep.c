@@ -262,7 +262,8 @@ static void write_json_margin(const SweepRun *r, uint32_t axis, bool above, Buf 
     sweep_write_check(r->s, limit, &name);
     buf_printf(out, ",\"fails_%s\":%s,\"check_%s\":", side, number_text(r, &r->s->axis[axis], fails), side);
     json_put_string(out, buf_text(&name));
-    buf_printf(out, ",\"kind_%s\":\"%s\"", side, r->s->check.at[limit].requirement ? "requirement" : r->s->check.at[limit].assert ? "assert" : "script");
+    buf_printf(out, ",\"kind_%s\":\"%s\"", side,
+               r->s->check.at[limit].requirement ? "requirement" : r->s->check.at[limit].assert ? "assert" : "script");
 }
 
 // Writes the scripts that keep their own value of the parameter, if there are any.
