@@ -139,6 +139,12 @@ pump.T == 1 s: @assert motor and valve.S == Open
 
 [pump.Off]
 G > 2.2 s: @stop
+
+[pump.Abort]
+G == 5 s {
+    @assert false "it stops"
+    @stop
+}
 -- stand.rq --
 R1 "no water, no pump"   never held(motor and level < 2, 100 ms)
 R2 "the motor waits for the valve"  never pump.On before valve.Open
