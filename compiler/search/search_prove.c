@@ -132,13 +132,13 @@ static void mark_impossible(SearchRun *k, SearchGoal *g, const char *reason)
     k->open--;
 }
 
-static RunFacts *facts_of_runs(SearchRun *k)
+static RunFacts *facts_of_runs(SearchRun *k, Arena *known)
 {
     bool *is_input = arena_alloc(&k->work, k->m->var.n);
 
     for (uint32_t i = 0; i < k->inputs; i++)
         is_input[k->input[i].at] = true;
-    return run_facts_new(&k->work, k->m, is_input, k->delta_t, (RunStart){k->start->number, k->o->any_elements});
+    return run_facts_new(&k->work, known, k->m, is_input, k->delta_t, (RunStart){k->start->number, k->o->any_elements});
 }
 
 // Marks the goals that facts about all runs exclude.
@@ -192,15 +192,27 @@ static void prove_states(SearchRun *k)
     }
 }
 
+// Whether an open goal is no state.  Facts and regions prove nothing about states directly.
+static bool has_goal_in_states(const SearchRun *k)
+{
+    for (uint32_t i = 0; i < k->goals; i++)
+        if (!k->goal[i].done && k->goal[i].place < k->r->places && k->c->place.at[k->goal[i].place].kind != COVER_STATE)
+            return true;
+    return false;
+}
+
 void search_prove(SearchRun *k)
 {
-    RunFacts *facts;
-
     if (k->o->no_places)
         return;
-    facts = facts_of_runs(k);
-    prove_paths(k, facts);
-    if (facts)
+    if (has_goal_in_states(k)) {
+        Arena known;
+        RunFacts *facts;
+        arena_init_within(&known, k->arena);
+        facts = facts_of_runs(k, &known);
+        prove_paths(k, facts);
         prove_by_facts(k, facts);
+        arena_free_into(&known, &k->work);
+    }
     prove_states(k);
 }
