@@ -70,6 +70,16 @@ void arena_free(Arena *a)
     a->next = a->end = a->zeroed_end = NULL;
 }
 
+void arena_free_into(Arena *a, Arena *to)
+{
+    arena_free(a);
+    while (a->spare) {
+        ArenaChunk *c = a->spare;
+        a->spare = c->older;
+        free_chunk(to, c);
+    }
+}
+
 // Returns the total size of the chunks, in bytes.
 size_t arena_size(const Arena *a)
 {

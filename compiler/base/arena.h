@@ -30,6 +30,9 @@ size_t arena_size(const Arena *a);               // returns the bytes of its chu
 // arena keeps all its chunks for later allocations, because the parent cannot free them.
 void arena_init_within(Arena *a, Arena *parent);
 
+// Frees every chunk of `a`, for later allocations of `to`.  Both arenas are inside the same one.
+void arena_free_into(Arena *a, Arena *to);
+
 // The contents of an arena, to return to.
 typedef struct ArenaCopy {
     Arena was;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/cover/run_facts.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -11,8 +12,10 @@ enum { MOST_ROUNDS = 4 };
 
 struct RunFacts {
     Arena *arena;
+    Arena *known;             // memory of `facts`, and of what is computed from them
     IrMachine m;              // a copy of the machine in which all variables except inputs are locals
     FactMachine *facts;
+    uint32_t start;           // State.number of the state in which the runs begin
     uint64_t delta_t;
     bool counts;              // some transition stores a lower bound, so facts depend on delta_t
 };
@@ -90,10 +93,10 @@ DriftInState run_facts_drift(RunFacts *r, uint32_t state, uint32_t var)
         return out;
     before = env_get(&r->facts->shape, facts_at_begin(r->facts, state - 1, BLOCK_ENTRY), var);
     if (entry) {
-        paths = drift_of_function(r->arena, entry, var);
+        paths = drift_of_function(r->known, entry, var);
         first = drift_at_returns(entry, &paths);
     }
-    paths = drift_of_function(r->arena, step, var);
+    paths = drift_of_function(r->known, step, var);
     each = drift_at_returns(step, &paths);
     if (first.any || each.any || (!first.is_relative && !first.is_number))
         return out;
@@ -153,7 +156,7 @@ static bool bound_transitions(RunFacts *r, uint32_t state, uint32_t var)
 
     if (!d.has_low || d.each[0] == 0)
         return false;
-    paths = drift_of_function(r->arena, f, var);
+    paths = drift_of_function(r->known, f, var);
     flow = facts_flow(r->facts, f, facts_at_begin(r->facts, state - 1, BLOCK_STEP), &ends);
     for (uint32_t b = 0; b < f->blk.n; b++) {
         IrBlk *blk = &f->blk.at[b];
@@ -193,17 +196,77 @@ static bool bound_all_transitions(RunFacts *r)
     return more;
 }
 
-RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, uint64_t delta_t, RunStart start)
+// ---- how long a state lasts ----
+
+// The facts about T where a step ends without a transition.
+typedef struct StayEnd { const RunFacts *r; double most; bool any; } StayEnd;
+
+static void visit_stay(void *context, const IrJump *end, const Env *env)
+{
+    StayEnd *x = context;
+    const Fact time = env_get(&x->r->facts->shape, env, x->r->m.t);
+
+    if (end->kind != IR_RET)
+        return;
+    x->any = true;
+    x->most = time.hi > x->most ? time.hi : x->most;
+}
+
+Fact run_facts_time(RunFacts *r, uint32_t state)
+{
+    const IrFn *f = r->m.state.at[state - 1].block[BLOCK_STEP];
+    const double delta_t = (double)r->delta_t;
+    StayEnd x = {.r = r};
+    const FactEnds ends = {.visit = visit_stay, .context = &x, .all = true};
+    Fact time = fact_of_type(SM_U64);
+
+    if (!f || !facts_may_reach(r->facts, state - 1, BLOCK_STEP))
+        return time;
+    facts_flow(r->facts, f, facts_at_begin(r->facts, state - 1, BLOCK_STEP), &ends);
+    if (!x.any)
+        return fact_of_cell(SM_U64, 0);
+    if (!(x.most + delta_t < FACT_EXACT))
+        return time;
+    time.hi = floor(x.most / delta_t) * delta_t + delta_t;
+    time.round_trips = true;
+    return time;
+}
+
+// Computes the facts, with `time` about T when .step of each state begins; NULL: without.  Those computed before are freed.
+static void compute_facts(RunFacts *r, const Fact *time)
+{
+    arena_free(r->known);
+    r->facts = facts_with_times(r->known, &r->m, r->start - 1, time);
+}
+
+// Computes the facts again with what they imply about T.  Returns false if that is nothing.
+static bool add_times(RunFacts *r)
+{
+    Fact *time = ARENA_ARRAY(r->arena, Fact, r->m.state.n);
+    bool any = false;
+
+    for (uint32_t s = 0; s < r->m.state.n; s++) {
+        time[s] = run_facts_time(r, s + 1);
+        any |= time[s].hi < FACT_EXACT;
+    }
+    if (any)
+        compute_facts(r, time);
+    return any;
+}
+
+RunFacts *run_facts_new(Arena *arena, Arena *known, const IrMachine *m, const bool *is_input, uint64_t delta_t, RunStart start)
 {
     RunFacts *r = ARENA_NEW(arena, RunFacts);
 
     r->arena = arena;
+    r->known = known;
     r->m = *m;
     r->delta_t = delta_t;
+    r->start = start.state;
     turn_variables_into_locals(&r->m, arena, is_input, start.any_elements);
     make_functions(&r->m, arena);
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        r->facts = facts_from_state(arena, &r->m, start.state - 1);
+        compute_facts(r, NULL);
         if (round + 1 == MOST_ROUNDS || !bound_all_transitions(r))
             break;
         r->counts = true;
@@ -213,11 +276,22 @@ RunFacts *run_facts_new(Arena *arena, const IrMachine *m, const bool *is_input, 
 
 // ---- places ----
 
+// Sets reason[place], as run_facts_exclude does, for the places without a reason that the current facts exclude.  condition: appended to the reason.
+static void add_reasons(RunFacts *r, const Cover *c, Arena *texts, const char *condition, const char **reason)
+{
+    const char **found = arena_array(r->known, c->place.n, sizeof *found);
+
+    cover_judge_by_facts(c, r->known, r->facts, false, found);
+    for (uint32_t i = 1; i < c->place.n; i++)
+        if (found[i] && !reason[i])
+            reason[i] = format_in(texts, "%s, %s", found[i], condition);
+}
+
 void run_facts_exclude(RunFacts *r, const Cover *c, Arena *texts, const char **reason)
 {
-    cover_judge_by_facts(c, r->arena, r->facts, false, reason);
-    for (uint32_t i = 1; i < c->place.n; i++)
-        if (reason[i])
-            reason[i] = r->counts ? format_in(texts, "%s, if only inputs change, and delta_t is %lu", reason[i], (unsigned long)r->delta_t)
-                                  : format_in(texts, "%s, if only inputs change", reason[i]);
+    const char *const timed = format_in(r->arena, "if only inputs change, and delta_t is %" PRIu64, r->delta_t);
+
+    add_reasons(r, c, texts, r->counts ? timed : "if only inputs change", reason);
+    if (add_times(r))
+        add_reasons(r, c, texts, timed, reason);
 }

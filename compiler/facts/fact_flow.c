@@ -119,8 +119,8 @@ static void find_slots(FlowWalk *w)
         fm->slot_of[w->slot[slot].var] = (FactSlotOf){slot, fm->functions};
 }
 
-// Returns the facts at the beginning of the function: w->start.  `at_entry`: a state is entered, so T is 0.
-static FactPoint begin_function(FlowWalk *w, bool at_entry)
+// Returns the facts at the beginning of the function: w->start, and `time` about T, if it is not NULL.
+static FactPoint begin_function(FlowWalk *w, const Fact *time)
 {
     FactMachine *fm = w->fm;
     const uint32_t t = fm->m->t;
@@ -129,11 +129,11 @@ static FactPoint begin_function(FlowWalk *w, bool at_entry)
 
     find_slots(w);
     if (!w->has_slots)
-        return (FactPoint){.all = at_entry ? env_set(&fm->shape, w->start, t, fm->zero) : w->start};
+        return (FactPoint){.all = time ? env_set(&fm->shape, w->start, t, *time) : w->start};
     begin = ends && ends->fn ? ends->fn->begin : fm->slot_begin;
     for (uint32_t slot = 0; slot < w->space.slots; slot++) {
         const uint32_t var = w->slot[slot].var;
-        begin[slot] = at_entry && var == t ? fm->zero : env_get(&fm->shape, w->start, var);
+        begin[slot] = time && var == t ? *time : env_get(&fm->shape, w->start, var);
         w->private_slots |= (uint64_t)fm->shape.is_private[var] << slot;
     }
     w->space.arena = &fm->local;
@@ -180,8 +180,8 @@ static const Env *env_of_machine(FlowWalk *w, bool all)
 
     if (!w->has_slots)
         return all ? w->env.all : env_replace_shared(&fm->shape, w->env.all, fm->assumed);
-    if (all && w->ends->at_entry)
-        env = env_set(&fm->shape, env, fm->m->t, fm->zero);
+    if (all && w->ends->time)
+        env = env_set(&fm->shape, env, fm->m->t, *w->ends->time);
     rest = now->changed & (all ? UINT64_MAX : w->private_slots);
     for (uint32_t slot = 0; rest; slot++, rest >>= 1)
         if (rest & 1)
@@ -644,7 +644,7 @@ FactFlow facts_flow(FactMachine *fm, const IrFn *f, const Env *begin, const Fact
         ends->fn->end.n = ends->fn->update.n = 0;
     arena_reset(&fm->local);
     reuse_tables(&w);
-    join_at_block(&w, 0, begin_function(&w, ends && ends->at_entry));
+    join_at_block(&w, 0, begin_function(&w, ends ? ends->time : NULL));
     for (IrBlkRef b = 0; b < f->blk.n; b++)
         if (w.out.reached[b])
             visit_block(&w, b);

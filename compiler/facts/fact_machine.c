@@ -147,7 +147,8 @@ static void visit_end(void *context, const IrJump *end, const Env *env)
 static void compute_function_facts(FactIteration *v, int block)
 {
     static const IrJump nothing = {.kind = IR_RET, .cond = IR_NONE};
-    const FactEnds ends = {visit_end, v, .at_entry = block == BLOCK_ENTRY, .fn = &v->fm->fn[v->state][block]};
+    const Fact *time = block == BLOCK_ENTRY ? &v->fm->zero : block == BLOCK_STEP && v->fm->time ? &v->fm->time[v->state] : NULL;
+    const FactEnds ends = {visit_end, v, .time = time, .fn = &v->fm->fn[v->state][block]};
     const IrFn *f = v->fm->m->state.at[v->state].block[block];
     FactBegin *b = &v->fm->begin[v->state][block];
 
@@ -275,7 +276,7 @@ static void iterate_to_fixed_point(FactMachine *fm, bool any_start, uint32_t sta
         narrow_facts(&v, initial);
 }
 
-static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, uint32_t start, const Env *assumed)
+static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool any_start, uint32_t start, const Env *assumed, const Fact *time)
 {
     FactMachine *fm = ARENA_NEW(arena, FactMachine);
     const size_t slots = m->var.n > FACT_SLOTS ? m->var.n : FACT_SLOTS;
@@ -284,6 +285,7 @@ static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool
     fm->shape = env_shape(arena, m);
     arena_init_within(&fm->local, arena);
     fm->assumed = assumed;
+    fm->time = time;
     fm->begin = arena_array(arena, m->state.n, sizeof *fm->begin);
     fm->window = ARENA_ARRAY(arena, Fact, m->window.n);
     fm->epoch = ARENA_ARRAY(arena, uint32_t, m->var.n);
@@ -302,17 +304,23 @@ static FactMachine *compute_machine_facts(Arena *arena, const IrMachine *m, bool
     return fm;
 }
 
-FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, 0, NULL); }
+FactMachine *facts_of_machine(Arena *arena, const IrMachine *m) { return compute_machine_facts(arena, m, true, 0, NULL, NULL); }
 
 // Computes the facts of a machine that is only ever started in its first state, as analyses assume.
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m) { return facts_from_state(arena, m, 0); }
 
-FactMachine *facts_from_state(Arena *arena, const IrMachine *m, uint32_t state) { return compute_machine_facts(arena, m, false, state, NULL); }
+FactMachine *facts_from_state(Arena *arena, const IrMachine *m, uint32_t state) { return facts_with_times(arena, m, state, NULL); }
+
+// Like facts_from_state, with facts about T when .step of each state begins.
+FactMachine *facts_with_times(Arena *arena, const IrMachine *m, uint32_t state, const Fact *time)
+{
+    return compute_machine_facts(arena, m, false, state, NULL, time);
+}
 
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed)
 {
-    return compute_machine_facts(arena, m, false, 0, assumed);
+    return compute_machine_facts(arena, m, false, 0, assumed, NULL);
 }
 
 // ---- results ----
@@ -323,6 +331,8 @@ const Env *facts_at_begin(const FactMachine *fm, size_t state, int block)
     const Env *env = b->found ? b->env : fm->constants;
     const IrMachine *m = fm->m;
 
+    if (block == BLOCK_STEP && fm->time)
+        return env_set(&fm->shape, env, m->t, fm->time[state]);
     return block == BLOCK_ENTRY ? env_set(&fm->shape, env, m->t, fm->zero) : env;
 }
 

@@ -33,6 +33,8 @@ FactMachine *facts_of_machine(Arena *arena, const IrMachine *m);
 FactMachine *facts_from_first_state(Arena *arena, const IrMachine *m);
 // The same for a machine that is only ever started in this state, counted from 0.
 FactMachine *facts_from_state(Arena *arena, const IrMachine *m, uint32_t state);
+// Like facts_from_state, with facts about T when .step of each state begins.
+FactMachine *facts_with_times(Arena *arena, const IrMachine *m, uint32_t state, const Fact *time);
 // Like facts_from_first_state, but assumes that the elements satisfy `assumed` whenever a step begins.
 FactMachine *facts_assuming(Arena *arena, const IrMachine *m, const Env *assumed);
 // Makes later calls of facts_of_function allocate from `arena`.
@@ -60,7 +62,7 @@ typedef struct FactEnds {             // options of facts_flow: what to do with 
     void *context;
     bool all;                         // `visit` receives all facts; if false, only facts about private variables and assumed facts
     bool exits;                       // the caller needs FactExit.env, with all facts
-    bool at_entry;                    // the function begins when its state is entered: T is 0
+    const Fact *time;                 // what is known about T when the function begins; NULL: nothing
     struct FactFn *fn;                // receives a record of this visit, for the next one; NULL: no record, as with `all` or `exits`
 } FactEnds;
 
@@ -133,6 +135,7 @@ struct FactMachine {
     Fact slot_begin[FACT_SLOTS];      // by slot of the current function: the fact at the beginning of the function
     const Env *assumed;               // the facts that are assumed of elements, or NULL
     bool has_variable_locals;         // the machine writes private locals; else all functions begin with the facts `constants`
+    const Fact *time;                 // by state: what the caller knows about T when .step begins; NULL: nothing
     const Env *constants;             // `assumed`, and the values of locals that no code writes
     FactBegin (*begin)[BLOCK_COUNT];  // [state][block]: the facts at the beginning of each function
     FactFn (*fn)[BLOCK_COUNT];        // [state][block]: a record of the last visit of each function; NULL: visits are not recorded

@@ -132,7 +132,7 @@ static void mark_impossible(SearchRun *k, SearchGoal *g, const char *reason)
     k->open--;
 }
 
-static RunFacts *facts_of_runs(SearchRun *k)
+static RunFacts *facts_of_runs(SearchRun *k, Arena *known)
 {
     bool *is_input = arena_alloc(&k->work, k->m->var.n);
 
@@ -141,7 +141,7 @@ static RunFacts *facts_of_runs(SearchRun *k)
     for (uint32_t v = 0; v < k->p->var.n && k->o->place; v++)
         if (k->o->place->foreign[v])
             is_input[k->m->var_of[v]] = true;
-    return run_facts_new(&k->work, k->m, is_input, k->delta_t * k->every, (RunStart){k->start->number, k->o->any_elements});
+    return run_facts_new(&k->work, known, k->m, is_input, k->delta_t * k->every, (RunStart){k->start->number, k->o->any_elements});
 }
 
 // Marks the goals that facts about all runs exclude.
@@ -195,15 +195,29 @@ static void prove_states(SearchRun *k)
     }
 }
 
+// Whether an open goal is no state.  Facts and regions prove nothing about states directly.
+static bool has_goal_in_states(const SearchRun *k)
+{
+    for (uint32_t i = 0; i < k->goals; i++)
+        if (!k->goal[i].done && k->goal[i].place < k->r->places && k->c->place.at[k->goal[i].place].kind != COVER_STATE)
+            return true;
+    return false;
+}
+
 void search_prove(SearchRun *k)
 {
-    RunFacts *facts;
-
     if (k->o->no_places)
         return;
-    facts = k->o->place && k->o->place->no_facts ? NULL : facts_of_runs(k);
-    prove_paths(k, facts);
-    if (facts)
-        prove_by_facts(k, facts);
+    if (has_goal_in_states(k)) {
+        const bool no_facts = k->o->place && k->o->place->no_facts;
+        Arena known;
+        RunFacts *facts;
+        arena_init_within(&known, k->arena);
+        facts = no_facts ? NULL : facts_of_runs(k, &known);
+        prove_paths(k, facts);
+        if (facts)
+            prove_by_facts(k, facts);
+        arena_free_into(&known, &k->work);
+    }
     prove_states(k);
 }

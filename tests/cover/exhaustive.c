@@ -15,12 +15,12 @@
 // Every second machine has windows of at most WINDOW_MOST samples.  Then a situation also has the inputs of the steps before, and n is at most 2.
 enum { SITUATIONS_MOST = 400, COMBINATIONS = 12, COMBINATIONS_OF_WINDOWS = 6, CELLS_MOST = 8, T_MOST = 50, WINDOW_MOST = 3 };
 
-static struct { uint64_t machines, plain, whole, situations, places, impossible, unreached, reached, missed; } met;
+static struct { uint64_t machines, plain, whole, situations, places, impossible, timed, unreached, reached, missed; } met;
 
 // ---- machines ----
 
-// Whether the machine has windows, and counts without a limit.
-typedef struct Kind { bool windows, counts; } Kind;
+// Whether the machine has windows, and counts without a limit; its step in ms, and how many units of time are 1 ms.
+typedef struct Kind { bool windows, counts; unsigned step, ms; } Kind;
 static Kind kind;
 
 static const char *any_window(Arena *arena, Rng *r)
@@ -44,7 +44,7 @@ static const char *any_atom(Arena *arena, Rng *r)
     case 0:  return rng_percent(r, 50) ? "b" : "not b";
     case 1:  return format_in(arena, "n %s %u", op[rng_below(r, 6)], (unsigned)rng_below(r, 3));
     case 2:  return format_in(arena, "k %s %u", op[rng_below(r, 6)], (unsigned)rng_below(r, 5));
-    default: return format_in(arena, "T %s %u", op[rng_below(r, 6)], (unsigned)rng_below(r, 5) * 10);
+    default: return format_in(arena, "T %s %u ms", op[rng_below(r, 6)], (unsigned)rng_below(r, 5) * 10);
     }
 }
 
@@ -60,7 +60,7 @@ static const char *any_relation(Arena *arena, Rng *r)
 
 static const char *any_condition(Arena *arena, Rng *r, int depth)
 {
-    static const char *const counted[] = {"k >= %u and T > %u", "k > %u and T >= %u", "k >= %u or T < %u", "not (k < %u) and T > %u"};
+    static const char *const counted[] = {"k >= %u and T > %u ms", "k > %u and T >= %u ms", "k >= %u or T < %u ms", "not (k < %u) and T > %u ms"};
 
     if (kind.windows && rng_percent(r, 40))
         return any_relation(arena, r);
@@ -95,13 +95,24 @@ static void print_statement(Arena *arena, Rng *r, uint32_t states, int depth, Bu
     buf_printf(out, "    %s: -> S%u\n", any_condition(arena, r, 2), (unsigned)rng_below(r, states) + 1);
 }
 
-static const Source *any_machine(Session *s, Rng *r, Buf *out)
+// Chooses the step and the unit of time, with random numbers of their own.  Limits of time are multiples of 10 ms, and those of windows whole steps.
+static void choose_time(Rng r)
+{
+    static const unsigned step[] = {10, 10, 10, 7, 25, 40};
+
+    kind.step = kind.windows ? 10 : step[rng_below(&r, sizeof step / sizeof *step)];
+    kind.ms = rng_percent(&r, 25) ? 1000 : 1;
+}
+
+static const Source *any_machine(Session *s, Rng *r, Rng time, Buf *out)
 {
     const uint32_t states = 2 + rng_below(r, 3);
 
     kind.windows = rng_percent(r, 50);
     kind.counts = rng_percent(r, 30);
-    buf_str(out, "[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nbool b @read_only\nU8 n @read_only\nbool out\n");
+    choose_time(time);
+    buf_printf(out, "[options]\ntime_unit %s\nstep %u ms\n", kind.ms == 1 ? "ms" : "us", kind.step);
+    buf_str(out, "[state_vector]\nU64 G\nU32 S\nbool b @read_only\nU8 n @read_only\nbool out\n");
     buf_str(out, rng_percent(r, 50) ? "U8 k\n" : "[local]\nU8 k = 0\n");
     for (uint32_t i = 1; i <= states; i++) {
         buf_printf(out, "[S%u]\n", (unsigned)i);
@@ -138,7 +149,7 @@ typedef struct Enumeration {
 
 static void step_both(Enumeration *e, uint32_t step, uint32_t input)
 {
-    const EngineWrite write[] = {{e->p->g->index, step * UINT64_C(10)}, {e->b, input & 1}, {e->n, input >> 1}};
+    const EngineWrite write[] = {{e->p->g->index, step * e->p->step}, {e->b, input & 1}, {e->n, input >> 1}};
 
     for (int i = 0; i < 2; i++)
         if (e->engine[i]->step(e->engine[i], write, 3, &e->answer[i]) != ENGINE_OK)
@@ -172,7 +183,7 @@ static void fill(const Enumeration *e, Situation *s)
     for (uint32_t i = 0; i < e->p->var.n; i++) {
         const Var *v = e->p->var.at[i];
         const bool counts = v != e->p->g && v != e->p->s && i != e->b && i != e->n && !(v == e->p->t && s->first);
-        s->cell[i] = !counts ? 0 : v == e->p->t && a->cell[i] > T_MOST ? T_MOST : a->cell[i];
+        s->cell[i] = !counts ? 0 : v == e->p->t && a->cell[i] > T_MOST * kind.ms ? T_MOST * kind.ms : a->cell[i];
     }
 }
 
@@ -226,6 +237,7 @@ static const char *compare(Arena *arena, const Cover *run, const SearchResult *f
     for (uint32_t i = 1; i < run->place.n; i++) {
         met.places++;
         met.impossible += found->find[i].outcome == SEARCH_IMPOSSIBLE;
+        met.timed += found->find[i].outcome == SEARCH_IMPOSSIBLE && strstr(found->find[i].reason, "delta_t");
         met.reached += found->find[i].outcome == SEARCH_REACHED;
         met.unreached += is_whole && run->hits[i] == 0 && found->find[i].outcome == SEARCH_NOT_FOUND;
         met.missed += run->hits[i] > 0 && found->find[i].outcome == SEARCH_NOT_FOUND;
@@ -248,7 +260,7 @@ static const char *test_machine(uint64_t seed, Arena *arena, Session *s, const c
     bool is_whole;
 
     buf_init(&out, arena);
-    in.sm = any_machine(s, &r, &out);
+    in.sm = any_machine(s, &r, (Rng){rng_mix(seed, 4)}, &out);
     *text = buf_text(&out);
     if ((e.p = session_program(s, &in)) == NULL)
         return "does not compile";
@@ -280,10 +292,10 @@ static const char *test_machine(uint64_t seed, Arena *arena, Session *s, const c
 
 static bool was_thorough(uint64_t count)
 {
-    const bool good = met.whole * 10 >= met.plain * 8 && met.plain * 4 > count && met.situations > 10 * count && met.impossible > count / 4 && met.reached > count;
+    const bool good = met.whole * 10 >= met.plain * 8 && met.plain * 4 > count && met.situations > 10 * count && met.impossible > count / 4 && met.timed > count / 20 && met.reached > count;
 
     printf("%" PRIu64 " machines, %" PRIu64 " without windows and counts, of which %" PRIu64 " enumerated; %" PRIu64 " situations; of %" PRIu64 " places %" PRIu64 " impossible, %" PRIu64
-           " neither reached nor proved, %" PRIu64 " missed by the search\n", met.machines, met.plain, met.whole, met.situations, met.places, met.impossible, met.unreached,
+           " of them because of delta_t, %" PRIu64 " neither reached nor proved, %" PRIu64 " missed by the search\n", met.machines, met.plain, met.whole, met.situations, met.places, met.impossible, met.timed, met.unreached,
            met.missed);
     return good;
 }

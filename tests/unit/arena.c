@@ -93,6 +93,27 @@ static void test_reused_chunks(jmp_buf *oom)
     arena_free(&parent);
 }
 
+// Of two arenas within another one, the second uses the chunks that the first has freed.
+static void test_passed_chunks(jmp_buf *oom)
+{
+    Arena parent, a, b;
+    size_t before;
+
+    counted = 0;
+    arena_init(&parent, alloc_counted, NULL, oom);
+    arena_init_within(&a, &parent);
+    arena_init_within(&b, &parent);
+    for (int i = 0; i < 300; i++)
+        memset(arena_alloc(&a, 9000), 'x', 9000);
+    before = counted;
+    arena_free_into(&a, &b);
+    CHECK(arena_size(&a) == 0 && !a.spare);
+    for (int i = 0; i < 300; i++)
+        CHECK(is_zero(arena_alloc(&b, 9000), 9000));
+    CHECK(before >= 300 * 9000 && counted == before);
+    arena_free(&parent);
+}
+
 // Several lists share one allocation.  Each has room up to the beginning of the next list, and moves when it grows beyond.
 static void test_lists_in_one_piece(Arena *a)
 {
@@ -142,5 +163,6 @@ int main(void)
     test_size(&a);
     arena_free(&a);
     test_reused_chunks(&oom);
+    test_passed_chunks(&oom);
     return test_end("arena");
 }

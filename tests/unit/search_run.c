@@ -531,6 +531,7 @@ int main(void)
     check_machine_of("impossible", 15);
     check_machine_of("bounds", 8);
     check_machine_of("proofs", 43);
+    check_machine_of("stays", 19);
     check_determinism();
     check_stop();
     check_effort();
