@@ -4,7 +4,7 @@
 #   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
 #   make test-tank: runs the scripts tank.ss and tank-*.ss, with the requirements tank.rq.      tank.proof: the verdicts on these.
-#   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover.
+#   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover; so of an application, tank.app.
 #   make diff-tank OLD=flown.sm: what tank.sm does otherwise than flown.sm, and in its scripts tank.ss and tank-*.ss.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
 #     FROM=channel.sm: the machine is in this file.  SMC_APP has the state vector, and the bindings of the machine.
@@ -77,6 +77,9 @@ test-%: %.sm $(SMC_SV)
 cover-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV)) -o cover
+cover-%: %.app
+	$(SMC_WANT)
+	$(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) -o cover
 # Compares the machine with an earlier one; it fails if the behaviour differs.
 diff-%: %.sm $(SMC_SV)
 	$(SMC_WANT)

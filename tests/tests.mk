@@ -446,7 +446,12 @@ bench-mutants: $(B)/smc
 # The machines of the table of searches, with a tenth of the default effort and with all of it; the last two lines are the totals.
 search-table: $(B)/search/bench
 	$(B)/search/bench $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
-.PHONY: bench-search bench-mutants search-table
+# What searches call impossible, against random runs of every machine: N steps for each of the seeds SEED to SEED + 3.  Half of the runs begin as a
+# run of the search.  A machine without such goals ends at once.
+impossible-campaign: $(B)/search/bench
+	for m in $(or $(M),$(SEARCH_MACHINES)); do for s in 0 1 2 3; do \
+	    $(B)/search/bench --seed=$$(($(SEED) + s)) --random=$(N) $$m || exit 1; done; done
+.PHONY: bench-search bench-mutants search-table impossible-campaign
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr

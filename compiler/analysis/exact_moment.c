@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reports two mistakes with times.  First, waiting for one exact time: T, G, or a local computed from them is compared by == or != with a
 // time that no step may have.  Comparing a time with itself is not reported: T == 0 is true in a state's first step, G == start in the
-// step in which `start` was stored.  Second, comparing T with a number that is less than the length of a step or not whole: the user
-// probably meant seconds, but T counts milliseconds.
+// step in which `start` was stored.  Second, comparing T, or the time since a stored one as in `G - start`, with a number that is less than the
+// length of a step or not whole: the user probably meant seconds, but both count milliseconds.
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/timestamps.h"
 #include "stdlib/math.h"
 
-typedef struct TimeChecks { Analysis *a; Timestamps m; } TimeChecks;
+typedef struct TimeChecks { Analysis *a; Timestamps m; } TimeChecks;      // m: computed when it is first needed
+
+static const Timestamps *find_timestamps(TimeChecks *k)
+{
+    if (!k->m.of)
+        k->m = timestamps_of(k->a->arena, k->a->p);
+    return &k->m;
+}
 
 // Whether s, the difference of the two sides of an equality, contains only times and no constant: then the sides are equal in an intended step,
 // such as the step in which a time was stored. False if a local with a shifted time is compared with T or G.
@@ -55,7 +62,22 @@ static bool is_much_less_than_step(const TimeChecks *k, SmF64 x)
     return sm_lt(sm_from_i32(0), x) && sm_lt(sm_add(x, x), sm_from_u64(k->a->step));
 }
 
-// Reports `time op other` if `time` is T and `other` is an unlikely number.  `whole`: the expression that contains the comparison.
+// Whether e is a time that has passed: T, or the time since one that a local stores, as in `G - start`.
+static bool is_duration(TimeChecks *k, const Expr *e)
+{
+    const Program *p = k->a->p;
+    const Expr *from;
+
+    if (e->kind == EX_VAR)
+        return e->var == p->t;
+    if (e->kind != EX_BINARY || e->op != SM_OP_SUB || e->arg[0]->kind != EX_VAR || (e->arg[0]->var != p->g && e->arg[0]->var != p->t))
+        return false;
+    from = e->arg[1];
+    return from->kind == EX_VAR && from->var->kind == VAR_LOCAL && find_timestamps(k)->of[from->var->index] == TIMESTAMP_COPY;
+}
+
+// Reports `time op other` if `time` is a time that has passed and `other` is an unlikely number.  `whole`: the expression that contains the
+// comparison.
 static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOperator op, const Expr *other)
 {
     const bool first_step = op == SM_OP_GE || op == SM_OP_LT;
@@ -63,14 +85,14 @@ static void check_limit(TimeChecks *k, const Expr *whole, const Expr *time, SmOp
     SmF64 x;
     Diag *d;
 
-    if (op == SM_OP_EQ || op == SM_OP_NE || time->kind != EX_VAR || time->var != k->a->p->t || !expr_is_constant(other))
+    if (op == SM_OP_EQ || op == SM_OP_NE || !expr_is_constant(other) || !is_duration(k, time))
         return;
     x = expr_constant_value(other);
     if (other->unit == TIME_NONE ? !is_unlikely_limit(k, x, first_step) : !is_much_less_than_step(k, x))
         return;
     reason = sm_eq(x, sm_floor(x)) ? format_in(k->a->arena, "advances by %llu in each step", (unsigned long long)k->a->step)
                                    : "is a whole number";
-    d = diag_report(k->a->diags, DIAG_short_time, whole->span, const_text(k->a->arena, x), reason);
+    d = diag_report(k->a->diags, DIAG_short_time, whole->span, source_text(k->a->arena, time->span), const_text(k->a->arena, x), reason);
     diag_label(k->a->diags, d, DIAG_label_seconds, const_text(k->a->arena, x));
 }
 
@@ -88,7 +110,7 @@ static void check_expr(Expr *e, void *context)
     if (e->kind != EX_BINARY || (e->op != SM_OP_EQ && e->op != SM_OP_NE))
         return;
     time = e->arg[0];
-    s = time_sum_of(&k->m, time);
+    s = time_sum_of(find_timestamps(k), time);
     if (!s.time && !s.stamp)
         time = e->arg[1];
     other = time == e->arg[0] ? e->arg[1] : e->arg[0];
@@ -111,7 +133,5 @@ void analyse_exact_moment(Analysis *a)
 
     if (!(a->p->operators & COMPARISONS))
         return;
-    if (a->p->operators & EQUALITIES)
-        k.m = timestamps_of(a->arena, a->p);
     each_stmt(a->p, check_stmt, &k);
 }

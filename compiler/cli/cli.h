@@ -110,10 +110,14 @@ bool cli_prints_text(const Cli *c);       // whether diagnostics are printed as 
 int cli_finish(Cli *c, int code);
 
 bool has_suffix(const char *path, const char *suffix);
+
+#define EFFORT_MOST UINT64_C(1000000000)      // of --effort, in millions of steps
 // Read the value of an option such as --seed, and --max-steps.  Each returns false if it is not a whole number that 64 bits can hold; a count
 // begins at 1.
 bool cli_read_whole(const char *text, uint64_t *number);
 bool cli_read_count(const char *text, uint64_t *count);
+// Reads the value of an option, a whole number from 1 to `most`, if the option is given.  Returns false after a message.
+bool cli_read_limit(Cli *c, OptionId id, const char *spelling, uint64_t most, uint64_t *count);
 // Reads a time of --at, as in 400, '4 s' or 250ms, and converts it to units of G.  EXIT_OK, or EXIT_USAGE after a message.
 int cli_read_time(Cli *c, const char *text, TimeUnit unit, uint64_t *g);
 // Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.

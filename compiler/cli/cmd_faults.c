@@ -42,31 +42,45 @@ static bool is_column(const Faults *f, FaultKind kind)
     return false;
 }
 
-// Writes a table of the worst outcomes: a row for each input, a column for each kind of fault.
-static void write_matrix(const Faults *f, Buf *out)
+// Returns the cell of the table of worst outcomes; "": the input was not given this fault.
+static const char *worst_text(const FaultsRun *r, uint32_t input, FaultKind kind)
 {
-    size_t widest = strlen("input");
+    Buf b;
 
-    for (uint32_t i = 0; i < f->input.n; i++)
-        widest = f->input.at[i].var->report_name->len > widest ? f->input.at[i].var->report_name->len : widest;
-    buf_printf(out, "%-*s", (int)widest, "input");
+    if (!(r->f->options.kinds >> kind & 1) || !fault_applies(&r->f->input.at[input], kind))
+        return "";
+    buf_init(&b, r->arena);
+    fault_write_worst(r->f, input, kind, &b);
+    return b.n ? buf_text(&b) : "-";
+}
+
+// Writes a table of the worst outcomes: a row for each input, a column for each kind of fault.
+static void write_matrix(const FaultsRun *r, Buf *out)
+{
+    const Faults *f = r->f;
+    const uint32_t rows = f->input.n + 1u;                       // the first one has the heads
+    const char **cell = ARENA_ARRAY(r->arena, const char *, rows * (FAULT_KIND_COUNT + 1u));
+    uint32_t columns = 1;
+    size_t *width;
+
+    for (uint32_t i = 0; i < rows; i++)
+        cell[i] = i == 0 ? "input" : f->input.at[i - 1].var->report_name->text;
     for (int k = 0; k < FAULT_KIND_COUNT; k++)
-        if (is_column(f, (FaultKind)k))
-            buf_printf(out, "  %-9s", fault_kind_name[k]);
-    for (uint32_t i = 0; i < f->input.n; i++) {
+        if (is_column(f, (FaultKind)k)) {
+            for (uint32_t i = 0; i < rows; i++)
+                cell[columns * rows + i] = i == 0 ? fault_kind_name[k] : worst_text(r, i - 1, (FaultKind)k);
+            columns++;
+        }
+    width = ARENA_ARRAY(r->arena, size_t, columns);
+    for (uint32_t i = 0; i < columns * rows; i++)
+        width[i / rows] = strlen(cell[i]) > width[i / rows] ? strlen(cell[i]) : width[i / rows];
+    for (uint32_t i = 0; i < rows; i++) {
+        for (uint32_t k = 0; k < columns; k++)
+            buf_printf(out, "%s%-*s", k ? "  " : "", (int)width[k], cell[k * rows + i]);
         while (out->n && out->at[out->n - 1] == ' ')
             out->n--;
-        buf_printf(out, "\n%-*s", (int)widest, f->input.at[i].var->report_name->text);
-        for (int k = 0; k < FAULT_KIND_COUNT; k++) {
-            const bool applies = f->options.kinds >> k & 1 && fault_applies(&f->input.at[i], (FaultKind)k);
-            const FaultOutcome worst = faults_find_worst(f, i, (FaultKind)k);
-            if (is_column(f, (FaultKind)k))
-                buf_printf(out, "  %-9s", !applies ? "" : worst == FAULT_HAS_NONE ? "-" : fault_outcome_name[worst]);
-        }
+        buf_char(out, '\n');
     }
-    while (out->n && out->at[out->n - 1] == ' ')
-        out->n--;
-    buf_char(out, '\n');
 }
 
 // Writes the name, the trigger and the effect of a fault, and how many other triggers had the same outcome.
@@ -138,7 +152,7 @@ static void write_text(const FaultsRun *r, Buf *out)
     if (r->c->given[OPT_VERBOSE])
         buf_printf(out, "%" PRIu64 " run%s; the outcome of every other fault follows from these\n", f->runs, plural(f->runs));
     if (f->input.n)
-        write_matrix(f, out);
+        write_matrix(r, out);
     write_lines(r, out);
     write_ranges(r, out);
     if (r->c->given[OPT_SCRIPTS])
@@ -171,6 +185,23 @@ static void write_json_inputs(const Faults *f, Buf *out)
         buf_char(out, '}');
     }
     buf_str(out, "]");
+}
+
+// Writes the cells of the table of worst outcomes that are not empty.
+static void write_json_matrix(const FaultsRun *r, Buf *out)
+{
+    const char *before = "\n";
+
+    buf_str(out, "\"matrix\":[");
+    for (uint32_t i = 0; i < r->f->input.n; i++)
+        for (int k = 0; k < FAULT_KIND_COUNT; k++)
+            if (*worst_text(r, i, (FaultKind)k)) {
+                buf_printf(out, "%s{\"input\":\"%s\",\"kind\":\"%s\",\"outcome\":\"%s\",\"effect\":\"%s\"}", before,
+                           r->f->input.at[i].var->report_name->text, fault_kind_name[k],
+                           fault_outcome_name[faults_find_worst(r->f, i, (FaultKind)k)], worst_text(r, i, (FaultKind)k));
+                before = ",\n";
+            }
+    buf_str(out, "],\n");
 }
 
 static void write_json_triggers(const Faults *f, Buf *out)
@@ -228,6 +259,7 @@ static void write_json(const FaultsRun *r, Buf *out)
     buf_str(out, ",\n");
     write_json_inputs(f, out);
     buf_str(out, ",\n");
+    write_json_matrix(r, out);
     write_json_triggers(f, out);
     buf_str(out, ",\n\"results\":[");
     for (uint32_t i = 0; i < f->result.n; i++) {

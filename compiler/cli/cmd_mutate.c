@@ -119,7 +119,8 @@ static void write_text(MutateRun *r)
     write_list(r, MUTANT_GENERATED, "not noticed; these inputs would show it:\n", out);
     write_list(r, MUTANT_UNNOTICED, r->is_searched ? "not noticed, and no inputs were found that would show it:\n" : "not noticed:\n", out);
     if (r->scripts.by_mutant)
-        buf_printf(out, "%lu script%s in %s show %lu of these changes\n", r->scripts.scripts, r->scripts.scripts == 1 ? "" : "s", r->c->value[OPT_SCRIPTS],
+        buf_printf(out, "%lu script%s in %s show%s %lu of these changes\n", r->scripts.scripts, r->scripts.scripts == 1 ? "" : "s",
+                   r->c->value[OPT_SCRIPTS], r->scripts.scripts == 1 ? "s" : "",
                    r->scripts.shown);
     if (r->c->given[OPT_VERBOSE]) {
         write_list(r, MUTANT_NOTICED, "noticed:\n", out);

@@ -244,6 +244,7 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
     ProveProgress progress = {c, what, format == 0 && is_printed && what->at.n && !deps_wanted(c), false,
                               ARENA_ARRAY(&c->session.arena, bool, what->at.n + 1), 0};
     const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
+                                  .any_parameters = c->given[OPT_ANY_PARAMETERS],
                                   .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20,
                                   .progress = show_progress, .decided = print_verdict,
                                   .go_on = is_not_interrupted, .context = &progress};
@@ -284,10 +285,9 @@ int cmd_prove(Cli *c)
         return code;
     if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, &format) || !cli_compile_options(c, &o))
         return EXIT_USAGE;
-    if (c->given[OPT_EFFORT] && (!cli_read_count(c->value[OPT_EFFORT], &settings.effort) || settings.effort > 1000000000))
-        return cli_usage_error(c, TEXT_number_from_1, "--effort", c->value[OPT_EFFORT]);
-    if (c->given[OPT_MEMORY] && (!cli_read_count(c->value[OPT_MEMORY], &settings.memory) || settings.memory > SIZE_MAX >> 20))
-        return cli_usage_error(c, TEXT_number_from_1, "--memory", c->value[OPT_MEMORY]);
+    if (!cli_read_limit(c, OPT_EFFORT, "--effort", EFFORT_MOST, &settings.effort) ||
+        !cli_read_limit(c, OPT_MEMORY, "--memory", SIZE_MAX >> 20, &settings.memory))
+        return EXIT_USAGE;
     if (deps_wanted(c) && !deps_check_name(c, &file))
         return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)

@@ -77,7 +77,8 @@ static void write_boundaries(const SweepRun *r, uint32_t axis, Buf *out)
             continue;
         buf_str(out, "  ");
         sweep_write_check(r->s, b->check, out);
-        buf_printf(out, b->passes < b->fails ? ": passes up to %s, fails from %s\n" : ": passes from %s, fails up to %s\n",
+        buf_printf(out, r->s->axis[axis].parameter->type == SM_BOOL ? ": passes at %s, fails at %s\n" : b->passes < b->fails
+                   ? ": passes up to %s, fails from %s\n" : ": passes from %s, fails up to %s\n",
                    number_text(r, &r->s->axis[axis], b->passes), number_text(r, &r->s->axis[axis], b->fails));
     }
 }
@@ -96,9 +97,9 @@ static void write_margin(const SweepRun *r, uint32_t axis, Buf *out)
         buf_str(out, "fails\n");
         return;
     }
-    buf_str(out, "below, ");
+    buf_str(out, a->parameter->type == SM_BOOL ? "" : "below, ");
     sweep_write_side(r->s, axis, false, out);
-    buf_str(out, "; above, ");
+    buf_str(out, a->parameter->type == SM_BOOL ? "" : "; above, ");
     sweep_write_side(r->s, axis, true, out);
     buf_char(out, '\n');
 }
@@ -140,15 +141,18 @@ static void write_parameter(const SweepRun *r, uint32_t axis, Buf *out)
     write_margin(r, axis, out);
 }
 
-// Writes the parameters, those first whose values nothing notices: they are the least tested.
+// Returns the index of the parameter that is at this place in all forms: those first whose values nothing notices, because they are the least tested.
+static uint32_t axis_at(const SweepRun *r, uint32_t place)
+{
+    return r->o.axes == 2 && sweep_is_noticed(r->s, 0) && !sweep_is_noticed(r->s, 1) ? 1 - place : place;
+}
+
 static void write_text(const SweepRun *r, Buf *out)
 {
     buf_printf(out, "sweep of %s: %lu script%s, %" PRIu64 " runs\n", r->s->p->name->text, (unsigned long)r->s->scripts, r->s->scripts == 1 ? "" : "s",
                r->s->runs);
-    for (int noticed = 0; noticed <= 1; noticed++)
-        for (uint32_t i = 0; i < r->o.axes; i++)
-            if (sweep_is_noticed(r->s, i) == (noticed != 0))
-                write_parameter(r, i, out);
+    for (uint32_t i = 0; i < r->o.axes; i++)
+        write_parameter(r, axis_at(r, i), out);
     if (r->s->point.n)
         write_map(r, out);
 }
@@ -164,31 +168,47 @@ static void each_point(const SweepRun *r, void (*f)(const SweepRun *r, const Swe
         f(r, r->o.axes == 2 ? &r->s->point.at[i] : &r->s->line[0].at.at[i], out);
 }
 
-static void write_csv_point(const SweepRun *r, const SweepPoint *p, Buf *out)
+// Whether the parameters have their current values at this point.
+static bool is_current(const SweepRun *r, const SweepPoint *p)
 {
     for (uint32_t i = 0; i < r->o.axes; i++)
-        buf_printf(out, "%s,", number_text(r, &r->s->axis[i], p->value[i]));
-    buf_printf(out, "%lu,\"", (unsigned long)p->failing);
-    sweep_write_failing(r->s, p, " ", out);
+        if (p->value[i] != r->s->axis[i].current)
+            return false;
+    return true;
+}
+
+// Writes a row: the values, whether they are the current ones, how many checks and how many requirements fail, and which.
+static void write_csv_point(const SweepRun *r, const SweepPoint *p, Buf *out)
+{
+    uint32_t requirements = 0;
+    Buf failing;
+
+    for (uint32_t i = 0; i < r->o.axes; i++)
+        buf_printf(out, "%s,", number_text(r, &r->s->axis[axis_at(r, i)], p->value[axis_at(r, i)]));
+    for (uint32_t c = 0; c < r->s->check.n; c++)
+        requirements += p->fails[c] && r->s->check.at[c].requirement;
+    buf_printf(out, "%s,%lu,%lu,\"", is_current(r, p) ? "now" : "", (unsigned long)p->failing, (unsigned long)requirements);
+    buf_init(&failing, r->arena);
+    sweep_write_failing(r->s, p, ", ", &failing);
+    for (size_t i = 0; i < failing.n; i++)
+        buf_printf(out, failing.at[i] == '"' ? "\"\"" : "%c", failing.at[i]);
     buf_str(out, "\"\n");
 }
 
 static void write_csv(const SweepRun *r, Buf *out)
 {
     for (uint32_t i = 0; i < r->o.axes; i++)
-        buf_printf(out, "%s,", r->s->axis[i].parameter->name->text);
-    buf_str(out, "failing,checks\n");
+        buf_printf(out, "%s,", r->s->axis[axis_at(r, i)].parameter->name->text);
+    buf_str(out, "now,failing,requirements,checks\n");
     each_point(r, write_csv_point, out);
 }
 
-static void write_json_point(const SweepRun *r, const SweepPoint *p, Buf *out)
+// Writes the names of the checks that fail at a point.
+static void write_json_failing(const SweepRun *r, const SweepPoint *p, Buf *out)
 {
     const char *before = "";
 
-    buf_str(out, out->at[out->n - 1] == '[' ? "\n{\"at\":[" : ",\n{\"at\":[");
-    for (uint32_t i = 0; i < r->o.axes; i++)
-        buf_printf(out, "%s%s", i ? "," : "", number_text(r, &r->s->axis[i], p->value[i]));
-    buf_str(out, "],\"fails\":[");
+    buf_str(out, "\"fails\":[");
     for (uint32_t c = 0; c < r->s->check.n; c++)
         if (p->fails[c]) {
             Buf name;
@@ -198,22 +218,52 @@ static void write_json_point(const SweepRun *r, const SweepPoint *p, Buf *out)
             json_put_string(out, buf_text(&name));
             before = ",";
         }
-    buf_str(out, "]}");
+    buf_char(out, ']');
 }
 
-static void write_json_boundaries(const SweepRun *r, Buf *out)
+static void write_json_point(const SweepRun *r, const SweepPoint *p, Buf *out)
 {
-    buf_str(out, "\n],\"boundaries\":[");
-    for (uint32_t i = 0; i < r->s->boundary.n; i++) {
-        const SweepBoundary *b = &r->s->boundary.at[i];
-        Buf name;
-        buf_init(&name, r->arena);
-        sweep_write_check(r->s, b->check, &name);
-        buf_printf(out, "%s\n{\"parameter\":\"%s\",\"check\":", i ? "," : "", r->s->axis[b->axis].parameter->name->text);
-        json_put_string(out, buf_text(&name));
-        buf_printf(out, ",\"passes\":%s,\"fails\":%s}", number_text(r, &r->s->axis[b->axis], b->passes),
-                   number_text(r, &r->s->axis[b->axis], b->fails));
+    buf_str(out, out->at[out->n - 1] == '[' ? "\n{\"at\":[" : ",\n{\"at\":[");
+    for (uint32_t i = 0; i < r->o.axes; i++)
+        buf_printf(out, "%s%s", i ? "," : "", number_text(r, &r->s->axis[axis_at(r, i)], p->value[axis_at(r, i)]));
+    buf_str(out, "],");
+    write_json_failing(r, p, out);
+    buf_char(out, '}');
+}
+
+// Writes the results along one parameter, as write_line does.
+static void write_json_line(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    const SweepLine *l = &r->s->line[axis];
+
+    buf_str(out, ",\"values\":[");
+    for (uint32_t first = 0, last; first < l->at.n; first = last + 1) {
+        last = sweep_find_last_alike(r->s, axis, first);
+        buf_printf(out, "%s{\"from\":%s,\"to\":%s,", first ? "," : "", number_text(r, &r->s->axis[axis], l->at.at[first].value[axis]),
+                   number_text(r, &r->s->axis[axis], l->at.at[last].value[axis]));
+        write_json_failing(r, &l->at.at[last], out);
+        buf_char(out, '}');
     }
+    buf_char(out, ']');
+}
+
+// Writes where something fails below or above the current value, and what it is.
+static void write_json_margin(const SweepRun *r, uint32_t axis, bool above, Buf *out)
+{
+    const char *side = above ? "above" : "below";
+    uint32_t limit;
+    double fails;
+    Buf name;
+
+    if (!sweep_find_margin(r->s, axis, above, &fails))
+        return;
+    limit = sweep_find_limit(r->s, axis, fails);
+    buf_init(&name, r->arena);
+    sweep_write_check(r->s, limit, &name);
+    buf_printf(out, ",\"fails_%s\":%s,\"check_%s\":", side, number_text(r, &r->s->axis[axis], fails), side);
+    json_put_string(out, buf_text(&name));
+    buf_printf(out, ",\"kind_%s\":\"%s\"", side,
+               r->s->check.at[limit].requirement ? "requirement" : r->s->check.at[limit].assert ? "assert" : "script");
 }
 
 // Writes the scripts that keep their own value of the parameter, if there are any.
@@ -231,22 +281,44 @@ static void write_json_kept(const SweepRun *r, uint32_t axis, Buf *out)
         buf_char(out, ']');
 }
 
+// Writes the results of one parameter: those of write_parameter in the text.
+static void write_json_parameter(const SweepRun *r, uint32_t axis, Buf *out)
+{
+    const SweepLine *l = &r->s->line[axis];
+
+    buf_printf(out, "{\"name\":\"%s\",\"now\":%s,\"is_swept\":%s,\"is_noticed\":%s,\"fails_now\":%s", r->s->axis[axis].parameter->name->text,
+               number_text(r, &r->s->axis[axis], r->s->axis[axis].current), l->current == UINT32_MAX ? "false" : "true",
+               sweep_is_noticed(r->s, axis) ? "true" : "false", sweep_fails_now(r->s, axis) ? "true" : "false");
+    write_json_margin(r, axis, false, out);
+    write_json_margin(r, axis, true, out);
+    write_json_kept(r, axis, out);
+    write_json_line(r, axis, out);
+    buf_char(out, '}');
+}
+
+static void write_json_boundaries(const SweepRun *r, Buf *out)
+{
+    buf_str(out, "\n],\"boundaries\":[");
+    for (uint32_t i = 0; i < r->s->boundary.n; i++) {
+        const SweepBoundary *b = &r->s->boundary.at[i];
+        Buf name;
+        buf_init(&name, r->arena);
+        sweep_write_check(r->s, b->check, &name);
+        buf_printf(out, "%s\n{\"parameter\":\"%s\",\"check\":", i ? "," : "", r->s->axis[b->axis].parameter->name->text);
+        json_put_string(out, buf_text(&name));
+        buf_printf(out, ",\"passes\":%s,\"fails\":%s}", number_text(r, &r->s->axis[b->axis], b->passes),
+                   number_text(r, &r->s->axis[b->axis], b->fails));
+    }
+}
+
 static void write_json(const SweepRun *r, Buf *out)
 {
     buf_printf(out, "{\"smc-sweep\":1,\"%s\":\"%s\",\"runs\":%" PRIu64 ",\"complete\":%s,\"parameters\":[",
                r->s->p->joint ? "application" : "machine", r->s->p->name->text, r->s->runs,
                r->is_interrupted ? "false" : "true");
     for (uint32_t i = 0; i < r->o.axes; i++) {
-        double fails;
-        buf_printf(out, "%s{\"name\":\"%s\",\"now\":%s", i ? "," : "", r->s->axis[i].parameter->name->text,
-                   number_text(r, &r->s->axis[i], r->s->axis[i].current));
-        if (sweep_find_margin(r->s, i, false, &fails))
-            buf_printf(out, ",\"fails_below\":%s", number_text(r, &r->s->axis[i], fails));
-        if (sweep_find_margin(r->s, i, true, &fails))
-            buf_printf(out, ",\"fails_above\":%s", number_text(r, &r->s->axis[i], fails));
-        buf_printf(out, ",\"fails_now\":%s", sweep_fails_now(r->s, i) ? "true" : "false");
-        write_json_kept(r, i, out);
-        buf_char(out, '}');
+        buf_str(out, i ? ",\n" : "\n");
+        write_json_parameter(r, axis_at(r, i), out);
     }
     buf_str(out, "],\n\"points\":[");
     each_point(r, write_json_point, out);

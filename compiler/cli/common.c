@@ -380,6 +380,19 @@ int cli_read_time(Cli *c, const char *text, TimeUnit unit, uint64_t *g)
 
 bool cli_read_count(const char *text, uint64_t *count) { return cli_read_whole(text, count) && *count > 0; }
 
+bool cli_read_limit(Cli *c, OptionId id, const char *spelling, uint64_t most, uint64_t *count)
+{
+    const char *text = c->value[id];
+
+    if (!c->given[id] || (cli_read_count(text, count) && *count <= most))
+        return true;
+    if (*text != '\0' && text[strspn(text, "0123456789")] == '\0' && strspn(text, "0") < strlen(text))
+        cli_usage_error(c, TEXT_number_at_most, spelling, (unsigned long long)most, text);
+    else
+        cli_usage_error(c, TEXT_number_from_1, spelling, text);
+    return false;
+}
+
 // Reads a percentage from 0 to 100, with up to six digits after the point.  Returns what follows it, or NULL.
 const char *cli_read_percent(const char *at, double *percent)
 {

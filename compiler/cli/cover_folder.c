@@ -6,8 +6,6 @@
 #include "compiler/base/path.h"
 #include "compiler/cli/cover_run.h"
 
-enum { STEPS_MOST = 1000000 };        // a script that runs longer is ended
-
 static const char *path_in_folder(const CoverRun *r, const char *name)
 {
     return format_in(r->arena, "%s%s%s", r->folder, path_ends_in_separator(r->folder) ? "" : "/", name);
@@ -33,11 +31,11 @@ static int read_old_script(CoverRun *r, const char *name)
     size_t n;
 
     if (!has_suffix(name, ".ss") || is_argument(r->c, path) || !os_read_head(path, head, sizeof head, &n) ||
-        generated_read(COVER_MADE_BY, r->machine, head, n) == GENERATED_OTHER)
+        generated_read(COVER_MADE_BY, r->file, head, n) == GENERATED_OTHER)
         return EXIT_OK;
     if ((old.src = cli_read_source(r->c, path)) == NULL)
         return EXIT_ENVIRONMENT;
-    old.verdict = generated_read(COVER_MADE_BY, r->machine, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
+    old.verdict = generated_read(COVER_MADE_BY, r->file, old.src->text, old.src->len) == GENERATED_WHOLE ? OLD_VALID : OLD_EDITED;
     vec_push(r->arena, &r->old, old);
     return EXIT_OK;
 }
@@ -77,24 +75,35 @@ int cover_read_folder(CoverRun *r, CompileInput *in)
 
 // ---- running ----
 
-static bool run_script(CoverRun *r, const Script *s, Engine *e, bool is_silent)
+static bool run_script(CoverRun *r, const Script *s, Engine *e)
 {
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true, .is_silent = is_silent};
+    const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
 
     return script_run(r->arena, &r->c->session.diags, s, &e, 1, &o).outcome == SCRIPT_PASSED;
 }
 
-// Returns whether `c` has counted a coverage place whose goal is this sentence. *is_known: the machine has such a place.
-static bool covers_goal(const CoverRun *r, const Cover *c, const char *goal, bool *is_known)
+bool cover_accept_script(CoverRun *r, const char *name, const Script *s)
+{
+    const ScriptOptions o = {.max_steps = COVER_STEPS_MOST, .is_compared = true, .is_silent = true};
+    Engine *e = cover_open_engines(r->arena, r->p, cover_new_each(r));
+    const ScriptResult result = script_run(r->arena, &r->c->session.diags, s, &e, 1, &o);
+
+    return baseline_add(&r->given_run, name, s, &result);
+}
+
+// Returns whether the Covers (one for each machine) have counted a coverage place whose goal is this sentence. *is_known: some machine has such a
+// place.
+static bool covers_goal(const CoverRun *r, Cover *const *cover, const char *goal, bool *is_known)
 {
     bool found = false;
 
     *is_known = false;
-    for (uint32_t i = 1; i < c->place.n; i++)
-        if (strcmp(goal_sentence(r->text, i), goal) == 0) {
-            *is_known = true;
-            found = found || c->hits[i] > 0;
-        }
+    for (size_t m = 0; m < r->machines; m++)
+        for (uint32_t i = 1; i < cover[m]->place.n; i++)
+            if (strcmp(goal_sentence(r->text[m], i), goal) == 0) {
+                *is_known = true;
+                found = found || cover[m]->hits[i] > 0;
+            }
     return found;
 }
 
@@ -111,28 +120,28 @@ static void judge_script(CoverRun *r, OldScript *old)
     if (!s) {
         old->why = "the machine no longer fits it";
     } else {
-        Cover *alone = cover_new(r->arena, r->p);
-        if (!run_script(r, s, cover_open_engine(alone), true))
+        Cover **alone = cover_new_each(r);
+        if (!run_script(r, s, cover_open_engines(r->arena, r->p, alone)))
             old->why = "it fails";
-        cover_settle(alone);
+        cover_settle_each(r, alone);
         if (!old->why && !is_pair && !covers_goal(r, alone, goal, &is_known))
             old->why = is_known ? "it does not reach its goal" : "the machine no longer has its goal";
     }
     if (old->why)
         return;
     old->verdict = OLD_VALID;
-    run_script(r, s, cover_open_engine(r->all), true);
+    run_script(r, s, cover_open_engines(r->arena, r->p, r->all));
 }
 
 // Runs an edited script like one that the command line names.
 static int run_edited(CoverRun *r, const OldScript *old)
 {
     const Script *s = session_script(&r->c->session, old->src, r->p);
-    Engine *e[] = {cover_open_engine(r->given), cover_open_engine(r->all)};
-    const ScriptOptions o = {.max_steps = STEPS_MOST, .is_compared = true};
 
-    if (s)
-        script_run(r->arena, &r->c->session.diags, s, e, 2, &o);
+    if (s && cover_accept_script(r, old->path, s)) {
+        run_script(r, s, cover_open_engines(r->arena, r->p, r->given));
+        run_script(r, s, cover_open_engines(r->arena, r->p, r->all));
+    }
     return cli_print_diagnostics(r->c);
 }
 
@@ -159,6 +168,17 @@ static bool equal_names(const char *a, const char *b)         // without regard 
     return *a == *b;
 }
 
+// Whether this file of the folder is neither a script that smc has written for this machine nor an argument.
+static bool is_foreign(const CoverRun *r, const char *path)
+{
+    if (is_argument(r->c, path))
+        return false;
+    for (uint32_t i = 0; i < r->old.n; i++)
+        if (equal_names(r->old.at[i].path, path))
+            return false;
+    return true;
+}
+
 // Returns whether a new script can have this name.  If so, and a stale script has the name, marks that script as replaced.
 static bool claim_name(CoverRun *r, const char *name, const char *path)
 {
@@ -169,8 +189,11 @@ static bool claim_name(CoverRun *r, const char *name, const char *path)
         if (r->old.at[i].verdict == OLD_STALE && strcmp(r->old.at[i].path, path) == 0)
             return r->old.at[i].is_replaced = true;
     for (size_t i = 0; i < r->names; i++)
-        if (equal_names(r->name[i], name))
+        if (equal_names(r->name[i], name)) {
+            if (is_foreign(r, path))
+                vec_push(r->arena, &r->in_the_way, path);
             return false;
+        }
     return true;
 }
 

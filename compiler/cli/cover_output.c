@@ -10,28 +10,28 @@
 // ---- outcomes ----
 
 // Whether a coverage place (`place`: its index) is a goal: of a kind that is searched, and not covered by the given scripts.
-bool cover_is_goal(const CoverRun *r, uint32_t place)
+bool cover_is_goal(const CoverRun *r, size_t machine, uint32_t place)
 {
-    return r->kinds >> r->given->place.at[place].kind & 1 && r->given->hits[place] == 0;
+    return r->kinds >> r->given[machine]->place.at[place].kind & 1 && r->given[machine]->hits[place] == 0;
 }
 
 typedef enum Outcome { OUTCOME_REACHED, OUTCOME_IMPOSSIBLE, OUTCOME_NOT_FOUND } Outcome;
 
 // Returns what has become of a goal; `place`: its index in Cover.place.
-static Outcome outcome_of(const CoverRun *r, uint32_t place)
+static Outcome outcome_of(const CoverRun *r, size_t machine, uint32_t place)
 {
-    if (r->all->hits[place] > 0)
+    if (r->all[machine]->hits[place] > 0)
         return OUTCOME_REACHED;
-    return r->all->place.at[place].impossible ? OUTCOME_IMPOSSIBLE : OUTCOME_NOT_FOUND;
+    return r->all[machine]->place.at[place].impossible ? OUTCOME_IMPOSSIBLE : OUTCOME_NOT_FOUND;
 }
 
-CoverTotals cover_count(const CoverRun *r)
+CoverTotals cover_count(const CoverRun *r, size_t machine)
 {
     CoverTotals t = {0, 0, 0, 0};
 
-    for (uint32_t i = 1; i < r->given->place.n; i++)
-        if (cover_is_goal(r, i)) {
-            const Outcome outcome = outcome_of(r, i);
+    for (uint32_t i = 1; i < r->given[machine]->place.n; i++)
+        if (cover_is_goal(r, machine, i)) {
+            const Outcome outcome = outcome_of(r, machine, i);
             t.goals++;
             t.reached += outcome == OUTCOME_REACHED;
             t.impossible += outcome == OUTCOME_IMPOSSIBLE;
@@ -41,24 +41,24 @@ CoverTotals cover_count(const CoverRun *r)
 }
 
 // Returns how the search for a goal ended without reaching it; NULL if it reached the goal or did not search. `place`: index of the goal.
-static const SearchFind *find_failed_search(const CoverRun *r, uint32_t place)
+static const SearchFind *find_failed_search(const CoverRun *r, size_t machine, uint32_t place)
 {
-    const SearchFind *f = r->result ? &r->result->find[place] : NULL;
+    const SearchFind *f = r->result[machine] ? &r->result[machine]->find[place] : NULL;
 
     return f && f->outcome == SEARCH_NOT_FOUND ? f : NULL;
 }
 
 // Returns why the search has not reached a goal, as far as it knows; "": unknown. `place`: index of the goal in Cover.place.
-static const char *describe_failed_search(const CoverRun *r, uint32_t place)
+static const char *describe_failed_search(const CoverRun *r, size_t machine, uint32_t place)
 {
-    const SearchFind *f = find_failed_search(r, place);
-    const CoverPlace *blocked = f && f->blocked_by ? &r->all->place.at[f->blocked_by] : NULL;
+    const SearchFind *f = find_failed_search(r, machine, place);
+    const CoverPlace *blocked = f && f->blocked_by ? &r->all[machine]->place.at[f->blocked_by] : NULL;
     Buf out;
 
     if (!f)
         return "";
     buf_init(&out, r->arena);
-    if (!f->is_state_reached && r->all->place.at[place].from)
+    if (!f->is_state_reached && r->all[machine]->place.at[place].from)
         buf_str(&out, "no run was in its state");
     if (blocked && (blocked->kind == COVER_CONDITION || blocked->kind == COVER_GUARD)) {
         if (f->blocked_by != place)
@@ -75,19 +75,20 @@ static const char *describe_failed_search(const CoverRun *r, uint32_t place)
 
 // Lists the goals that no script reaches: with `impossible`, those proved unreachable, else the others.  Goals whose cause is listed are only
 // counted.  `n`: how many goals there are.
-static void write_gaps(const CoverRun *r, bool impossible, unsigned long n, Buf *out)
+static void write_gaps(const CoverRun *r, size_t machine, bool impossible, unsigned long n, Buf *out)
 {
-    const CoverGaps gaps = cover_list_gaps(r->all, r->kinds);
+    const CoverGaps gaps = cover_list_gaps(r->all[machine], r->kinds);
     bool is_first = true;
     unsigned long listed = 0;
 
     for (uint32_t i = 0; i < gaps.n; i++) {
         const CoverGap *g = &gaps.at[i];
-        const char *reason = impossible ? "" : describe_failed_search(r, g->place);
+        const char *reason = impossible ? "" : describe_failed_search(r, machine, g->place);
         if (g->is_impossible != impossible)
             continue;
         if (is_first)
-            buf_str(out, impossible ? "impossible:\n" : "not found:\n");
+            buf_printf(out, "%s%s%s:\n", impossible ? "impossible" : "not found", r->p->joint ? " in " : "",
+                       r->p->joint ? engine_machine_name(r->p, machine) : "");
         is_first = false;
         listed++;
         buf_printf(out, "  line %lu: %s%s%s\n", (unsigned long)source_position(g->span.src, g->span.at).line, g->text, *reason ? ": " : "", reason);
@@ -107,6 +108,8 @@ static void write_old_scripts(const CoverRun *r, Buf *out)
         else if (old->verdict == OLD_STALE)
             buf_printf(out, "replaced: %s: %s\n", old->path, old->why);
     }
+    for (uint32_t i = 0; i < r->in_the_way.n; i++)
+        buf_printf(out, "kept: %s: smc has not written it, so the new script has a number after this name\n", r->in_the_way.at[i]);
 }
 
 // Lists the pairs of states without a transition for which no script exists.
@@ -125,17 +128,22 @@ static void write_pairs(const CoverRun *r, Buf *out)
 
 void cover_write_report(const CoverRun *r, Buf *out)
 {
-    const CoverTotals t = cover_count(r);
-
-    buf_printf(out, "goals of %s: %lu of %lu reached", r->p->name->text, t.reached, t.goals - t.impossible);
-    if (t.impossible)
-        buf_printf(out, ", and %lu impossible", t.impossible);
-    buf_char(out, '\n');
+    for (size_t m = 0; m < r->machines; m++) {
+        const CoverTotals t = cover_count(r, m);
+        buf_printf(out, "goals of %s: %lu of %lu reached", engine_machine_name(r->p, m), t.reached, t.goals - t.impossible);
+        if (t.impossible)
+            buf_printf(out, ", and %lu impossible", t.impossible);
+        buf_char(out, '\n');
+    }
+    baseline_write_text(&r->given_run, out);
     for (uint32_t i = 0; i < r->new_one.n; i++)
         buf_printf(out, "wrote %s: %s\n", r->new_one.at[i].path, r->new_one.at[i].goal);
     write_old_scripts(r, out);
-    write_gaps(r, false, t.not_found, out);
-    write_gaps(r, true, t.impossible, out);
+    for (size_t m = 0; m < r->machines; m++) {
+        const CoverTotals t = cover_count(r, m);
+        write_gaps(r, m, false, t.not_found, out);
+        write_gaps(r, m, true, t.impossible, out);
+    }
     write_pairs(r, out);
 }
 
@@ -147,9 +155,9 @@ static void write_field(Buf *out, const char *name, const char *text)
     json_put_string(out, text);
 }
 
-static void write_blocking_condition(const CoverRun *r, const SearchFind *f, Buf *out)
+static void write_blocking_condition(const CoverRun *r, size_t machine, const SearchFind *f, Buf *out)
 {
-    const CoverPlace *p = &r->all->place.at[f->blocked_by];
+    const CoverPlace *p = &r->all[machine]->place.at[f->blocked_by];
     const LineCol at = source_position(p->span.src, p->span.at);
 
     buf_printf(out, ",\"blocked_by\":{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu", cover_kind_name[p->kind], (unsigned long)at.line,
@@ -162,41 +170,69 @@ static void write_blocking_condition(const CoverRun *r, const SearchFind *f, Buf
 }
 
 // Writes the JSON object of a goal. i: its index in Cover.place.
-static void write_goal(const CoverRun *r, uint32_t i, Buf *out)
+static void write_goal(const CoverRun *r, size_t machine, uint32_t i, Buf *out)
 {
     static const char *const word[] = {"reached", "impossible", "not found"};
-    const CoverPlace *p = &r->all->place.at[i];
+    const CoverPlace *p = &r->all[machine]->place.at[i];
     const LineCol at = source_position(p->span.src, p->span.at);
-    const Outcome outcome = outcome_of(r, i);
+    const Outcome outcome = outcome_of(r, machine, i);
+    const SearchFind *failed = find_failed_search(r, machine, i);
 
     buf_printf(out, "{\"kind\":\"%s\",\"line\":%lu,\"column\":%lu", cover_kind_name[p->kind], (unsigned long)at.line, (unsigned long)at.col);
     write_field(out, "text", source_text(r->arena, p->span));
-    write_field(out, "goal", goal_sentence(r->text, i));
+    write_field(out, "goal", goal_sentence(r->text[machine], i));
     write_field(out, "outcome", word[outcome]);
     if (outcome == OUTCOME_IMPOSSIBLE)
         write_field(out, "reason", p->impossible);
-    if (outcome == OUTCOME_NOT_FOUND && *describe_failed_search(r, i))
-        write_field(out, "reason", describe_failed_search(r, i));
-    if (outcome == OUTCOME_NOT_FOUND && find_failed_search(r, i))
-        write_blocking_condition(r, find_failed_search(r, i), out);
+    if (outcome == OUTCOME_NOT_FOUND && *describe_failed_search(r, machine, i))
+        write_field(out, "reason", describe_failed_search(r, machine, i));
+    if (outcome == OUTCOME_NOT_FOUND && failed)
+        write_blocking_condition(r, machine, failed, out);
     buf_char(out, '}');
+}
+
+// Writes the members "machine" and "goals" of a JSON object.
+static void write_machine(const CoverRun *r, size_t machine, Buf *out)
+{
+    const char *separator = "\n";
+
+    buf_str(out, "\"machine\":");
+    json_put_string(out, engine_machine_name(r->p, machine));
+    buf_str(out, ",\"goals\":[");
+    for (uint32_t i = 1; i < r->all[machine]->place.n; i++)
+        if (cover_is_goal(r, machine, i)) {
+            buf_str(out, separator);
+            write_goal(r, machine, i, out);
+            separator = ",\n";
+        }
+    buf_char(out, ']');
+}
+
+static void write_machines(const CoverRun *r, Buf *out)
+{
+    write_field(out, "application", r->p->name->text);
+    buf_str(out, ",\"machines\":[");
+    for (size_t m = 0; m < r->machines; m++) {
+        buf_str(out, m ? ",\n{" : "\n{");
+        write_machine(r, m, out);
+        buf_char(out, '}');
+    }
+    buf_char(out, ']');
 }
 
 void cover_write_goals_json(const CoverRun *r, Buf *out)
 {
     static const char *const verdict[] = {"edited", "valid", "stale"};
-    const char *separator = "\n";
 
     buf_str(out, "{\"smc-goals\":1");
-    write_field(out, "machine", r->p->name->text);
-    buf_str(out, ",\"goals\":[");
-    for (uint32_t i = 1; i < r->all->place.n; i++)
-        if (cover_is_goal(r, i)) {
-            buf_str(out, separator);
-            write_goal(r, i, out);
-            separator = ",\n";
-        }
-    buf_str(out, "],\"written\":[");
+    if (r->p->joint) {
+        write_machines(r, out);
+    } else {
+        buf_char(out, ',');
+        write_machine(r, 0, out);
+    }
+    baseline_write_json(&r->given_run, out);
+    buf_str(out, ",\"written\":[");
     for (uint32_t i = 0; i < r->new_one.n; i++) {
         buf_str(out, i ? ",\n{\"script\":" : "\n{\"script\":");
         json_put_string(out, path_portable_name(r->new_one.at[i].path));

@@ -88,6 +88,7 @@ static void prove_machine(ProveApp *k, size_t machine, const Requirements *own, 
     const Program *p = k->what->program;
     const Member *m = &p->joint->member.at[machine];
     const ProveOptions options = {.delta_t = p->step, .init_state = m->initial, .assume_ranges = k->c->given[OPT_ASSUME_RANGES],
+                                  .any_parameters = k->c->given[OPT_ANY_PARAMETERS],
                                   .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .go_on = is_not_interrupted};
     const ProveResult *r;
 

@@ -210,11 +210,11 @@ static uint32_t find_line(const FaultLines *l, uint32_t input, FaultKind kind, F
 static const char *describe_kind(Arena *arena, const FaultSizes *sizes, FaultKind kind)
 {
     switch ((int)kind) {
-    case FAULT_BELOW: return format_in(arena, "reads too little by %g %% of its range", 100 * sizes->offset);
-    case FAULT_ABOVE: return format_in(arena, "reads too much by %g %% of its range", 100 * sizes->offset);
-    case FAULT_NOISY: return format_in(arena, "a random number is added to each reading; its standard deviation is %g %% of the range", 100 * sizes->noise);
-    case FAULT_LATE: return format_in(arena, "reads the value of %lu steps before", (unsigned long)sizes->late);
-    case FAULT_DROPPED: return format_in(arena, "the last reading before the fault stays for %lu steps", (unsigned long)sizes->dropped);
+    case FAULT_BELOW: return format_in(arena, "the true value less %g %% of the range", 100 * sizes->offset);
+    case FAULT_ABOVE: return format_in(arena, "the true value and %g %% of the range", 100 * sizes->offset);
+    case FAULT_NOISY: return format_in(arena, "the true value and a random number with a standard deviation of %g %% of the range", 100 * sizes->noise);
+    case FAULT_LATE: return format_in(arena, "the true value of %lu steps before", (unsigned long)sizes->late);
+    case FAULT_DROPPED: return format_in(arena, "the last reading before the fault, for %lu steps", (unsigned long)sizes->dropped);
     default: return fault_kind_sentence[kind];
     }
 }
@@ -235,9 +235,12 @@ static void fill_matrix(Arena *arena, const FaultLines *l, ReportFaults *out)
         vec_push(arena, &out->input, f->input.at[i].var->report_name->text);
         for (int k = 0; k < FAULT_KIND_COUNT; k++) {
             const FaultOutcome worst = faults_find_worst(f, i, (FaultKind)k);
-            const ReportFaultCell cell = {fault_applies(&f->input.at[i], (FaultKind)k), worst, find_line(l, i, (FaultKind)k, worst)};
+            Buf effect;
+            buf_init(&effect, arena);
+            fault_write_worst(f, i, (FaultKind)k, &effect);
             if (is_used[k])
-                vec_push(arena, &out->cell, cell);
+                vec_push(arena, &out->cell, ((ReportFaultCell){fault_applies(&f->input.at[i], (FaultKind)k), worst,
+                                                               find_line(l, i, (FaultKind)k, worst), buf_text(&effect)}));
         }
     }
 }
@@ -341,8 +344,6 @@ static const char *value_text(Arena *arena, const Sweep *s, double x)
 {
     Buf b;
 
-    if (s->axis[0].parameter->type == SM_BOOL)
-        return x != 0 ? "true" : "false";
     buf_init(&b, arena);
     sweep_write_value(&s->axis[0], x, &b);
     return buf_text(&b);
@@ -403,16 +404,12 @@ static ReportSweepOf fill_sweep(Arena *arena, const Sweep *s)
     buf_init(&below, arena);
     buf_init(&above, arena);
     buf_init(&svg, arena);
-    if (!out.fails_now && a->parameter->type != SM_BOOL) {
+    if (!out.fails_now) {
         sweep_write_side(s, 0, false, &below);
         sweep_write_side(s, 0, true, &above);
     }
     out.below = buf_text(&below);
     out.above = buf_text(&above);
-    if (a->parameter->type == SM_BOOL) {
-        out.below = sweep_find_margin(s, 0, false, &fails) ? "fails at false" : "";
-        out.above = sweep_find_margin(s, 0, true, &fails) ? "fails at true" : "";
-    }
     for (int up = 0; up <= 1; up++)
         if (sweep_find_margin(s, 0, up != 0, &fails)) {
             out.has_margin = true;

@@ -30,33 +30,23 @@ static void write_bindings(const AstBindings *b, Buf *out)
             buf_printf(out, "%s%s", values++ ? ", " : ", without its values of ", b->at[i].name.text->text);
 }
 
-// What a command needs besides the machine: before its file, and after it.
-typedef struct OtherArguments { const char *command, *before, *after; } OtherArguments;
-
-static OtherArguments other_arguments(const char *command)
-{
-    static const OtherArguments known[] = {{"diff", "OLD.sm ", ""}, {"cover", "", " SCRIPT.ss -o FOLDER"}};
-
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(known[i].command, command) == 0)
-            return known[i];
-    return (OtherArguments){command, "", ""};
-}
+// Returns what precedes the machine's file in the arguments of a command.
+static const char *files_before(const char *command) { return strcmp(command, "diff") == 0 ? "OLD.sm " : ""; }
 
 // Writes the command for one machine of the application.
-static void write_command(Cli *c, const AppFiles *files, const AppInstance *m, OtherArguments other, Buf *out)
+static void write_command(Cli *c, const AppFiles *files, const AppInstance *m, const char *command, Buf *out)
 {
     const AppFile *file = &files->at[m->file];
 
-    buf_printf(out, "\n  %s: smc %s %s%s%s --sv %s", m->task->name.text->text, other.command, other.before,
-               file->src ? cli_printable_name(&c->session.arena, file->src->name) : file->name.text->text, other.after, find_app_vector(c, files));
+    buf_printf(out, "\n  %s: smc %s %s%s --sv %s", m->task->name.text->text, command, files_before(command),
+               file->src ? cli_printable_name(&c->session.arena, file->src->name) : file->name.text->text, find_app_vector(c, files));
     write_bindings(&m->task->bindings, out);
 }
 
 // Reports that the command is for one machine, and the command for each machine of the application.
 int runs_refuse_app(Cli *c, const char *app)
 {
-    const OtherArguments other = other_arguments(c->command->name);
+    const char *command = c->command->name;
     CompileSource source = {.text = cli_read_source(c, app), .kind = FILE_APP};
     CompileInput in = {.at = &source, .n = 1};
     Buf commands, all;
@@ -67,20 +57,20 @@ int runs_refuse_app(Cli *c, const char *app)
     diags_clear(&c->session.diags);
     buf_init(&commands, &c->session.arena);
     for (size_t i = 0; i < in.app->files.instances; i++)
-        write_command(c, &in.app->files, &in.app->files.instance[i], other, &commands);
+        write_command(c, &in.app->files, &in.app->files.instance[i], command, &commands);
     if (commands.n == 0)
-        return cli_usage_error(c, TEXT_not_an_app, app, other.command, other.command, other.before, other.after, find_app_vector(c, &in.app->files));
+        return cli_usage_error(c, TEXT_not_an_app, app, command, command, files_before(command), find_app_vector(c, &in.app->files));
     buf_init(&all, &c->session.arena);
-    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), other.command, buf_text(&commands));
+    buf_printf(&all, TEXT_not_an_app_but, cli_printable_name(&c->session.arena, app), command, buf_text(&commands));
     cli_print(c, 2, &all);
     return EXIT_USAGE;
 }
 
-// Whether the command accepts an application: scripts that it writes are for one machine, except those of faults.
+// Whether the command accepts an application: scripts that mutate writes are for one machine.
 static bool accepts_app(const Cli *c)
 {
     return (c->command->run == cmd_mutate && !c->given[OPT_SCRIPTS]) || c->command->run == cmd_faults || c->command->run == cmd_sweep ||
-           c->command->run == cmd_report;
+           c->command->run == cmd_report || c->command->run == cmd_cover;
 }
 
 // Checks that the arguments are one machine, or application, and scripts.  Returns EXIT_OK, or the exit code after a message.

@@ -71,6 +71,9 @@ int test_coverage_check_options(Cli *c)
 
     if (c->given[OPT_MIN_COVERAGE] && !read_demands(c->value[OPT_MIN_COVERAGE], demand))
         return cli_usage_error(c, TEXT_min_coverage_form, list_kinds(c));
+    if (c->given[OPT_COVERAGE_DATA] && !test_is_coverage_data(c->value[OPT_COVERAGE_DATA]) && strcmp(c->value[OPT_COVERAGE_DATA], "-") != 0 &&
+        !os_is_special(c->value[OPT_COVERAGE_DATA]))
+        return cli_usage_error(c, TEXT_coverage_data_name, c->value[OPT_COVERAGE_DATA]);
     return EXIT_OK;
 }
 
@@ -135,16 +138,11 @@ static int add_coverage_file(TestRun *t, const TestCoverage *v, const char *path
 // Opens an engine that counts coverage while it runs. For an application, it consists of one engine for each machine.
 static Engine *open_engine(Arena *arena, TestCoverage *v)
 {
-    Engine **e;
-
     v->machines = engine_machines(v->p);
     v->machine = ARENA_ARRAY(arena, Cover *, v->machines);
-    e = ARENA_ARRAY(arena, Engine *, v->machines);
-    for (size_t i = 0; i < v->machines; i++) {
+    for (size_t i = 0; i < v->machines; i++)
         v->machine[i] = cover_new(arena, engine_program(v->p, i));
-        e[i] = cover_open_engine(v->machine[i]);
-    }
-    return v->p->joint ? engine_app_open(arena, v->p, e) : e[0];
+    return cover_open_engines(arena, v->p, v->machine);
 }
 
 // Adds an engine that measures coverage to the set, and reads the counts of earlier runs. *coverage is NULL if no option asks for it.

@@ -41,6 +41,7 @@ static void add_result(MachineTest *m, const char *path, TestStatus status, cons
 static void add_errors(MachineTest *m, const char *message, int code)
 {
     Cli *c = m->t->c;
+    const size_t before = m->t->result.n;
 
     for (size_t i = 0; i < c->files; i++)
         if (test_is_script(c, c->file[i]) && !m->is_part[i]) {
@@ -48,6 +49,8 @@ static void add_errors(MachineTest *m, const char *message, int code)
             m->t->result.at[m->t->result.n - 1].did_not_run = true;
             m->begin = os_seconds();          // the time before the first script is part of the first script's duration only
         }
+    if (m->t->result.n == before)             // the call names only files of counts
+        add_result(m, result_name(m->path), TEST_BROKEN, message, code);
 }
 
 // ---- one script ----

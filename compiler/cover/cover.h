@@ -70,6 +70,8 @@ Cover *cover_new(Arena *arena, const Program *p);
 void cover_count_parameters(Cover *c, const uint64_t *cell);
 // Opens the engine that counts.  It can run any number of scripts, one after another.
 Engine *cover_open_engine(Cover *c);
+// Opens an engine that counts in the Covers of p's machines: one, or those of an application.
+Engine *cover_open_engines(Arena *arena, const Program *p, Cover *const *machine);
 // Completes the counts after the runs, and finds the places that are impossible.
 void cover_settle(Cover *c);
 CoverTotal cover_total(const Cover *c, CoverKind kind);

@@ -118,6 +118,16 @@ Engine *cover_open_engine(Cover *c)
     return e;
 }
 
+Engine *cover_open_engines(Arena *arena, const Program *p, Cover *const *machine)
+{
+    const size_t machines = engine_machines(p);
+    Engine **e = ARENA_ARRAY(arena, Engine *, machines);
+
+    for (size_t i = 0; i < machines; i++)
+        e[i] = cover_open_engine(machine[i]);
+    return p->joint ? engine_app_open(arena, p, e) : e[0];
+}
+
 void engine_flat_set(Engine *e, FlatMachine *f, void *run)
 {
     CoverEngine *c = e->self;

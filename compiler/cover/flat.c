@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/cover/flat.h"
+#include "compiler/cover/flat_app.h"
 
 #include <string.h>
 
@@ -464,7 +464,7 @@ static uint32_t run_blocks(FlatMachine *f, void *run, const uint32_t *block, boo
 }
 
 // Runs one step of the machine in `run`.  Returns false and changes nothing if no step may run with this G.
-bool flat_step(FlatMachine *f, void *run)
+bool flat_step_alone(FlatMachine *f, void *run)
 {
     FlatState *s = run;
     const uint64_t g = flat_cells(f, run)[f->m->g];
@@ -486,11 +486,19 @@ bool flat_step(FlatMachine *f, void *run)
     if (f->sample != FLAT_NOTHING)
         run_function(f, run, f->sample);
     to = run_blocks(f, run, f->block[state - 1], s->first);
-    s->first = to != 0;
+    s->first = f->moved = to != 0;
     if (to == 0)
         return true;
     s->state = to;
     count_state(f, f->probes ? f->probes->exit : NULL, state);
+    return true;
+}
+
+bool flat_step(FlatMachine *f, void *run)
+{
+    if (!f->app)
+        return flat_step_alone(f, run);
+    flat_app_step(f, run);
     return true;
 }
 
@@ -506,6 +514,8 @@ void flat_start(const FlatMachine *f, void *run, uint32_t state)
         if (f->m->var.at[v].space == IR_LOCAL)
             cell[v] = f->m->var.at[v].init;
     cell[f->m->s] = state;
+    if (f->app)
+        flat_app_start(f, run);
 }
 
 void flat_clear_counts(FlatMachine *f)

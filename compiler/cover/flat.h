@@ -66,6 +66,7 @@ typedef struct FlatOp {
 } FlatOp;
 
 typedef struct FlatSeen FlatSeen;
+typedef struct FlatApp FlatApp;
 
 // Where the temporaries of a function are.
 typedef struct FlatFn {
@@ -92,6 +93,10 @@ typedef struct FlatMachine {
     uint32_t **decision_at, *value_at;        // by decision: the indices in `frame` of its conditions; of its result
     bool *scratch;                    // working memory of count_decision, large enough for every decision
     uint32_t taken;                   // Stmt.number of the transition that the last step took; 0: none
+    const FlatApp *app;               // a step is a tick of this application, of which this is one machine (flat_app.h); NULL: the machine runs alone
+    size_t own;                       // with `app`: bytes of the state of a run before those of the application
+    bool ran;                         // with `app`: this machine ran a step in the last tick
+    bool moved;                       // the last step took a transition: of this machine, or with `app` of any machine
     uint64_t fresh;                   // number of counters that are no longer 0
     void (*watch)(void *watcher, uint32_t decision);  // called at watched decisions, while `frame` has the values of their conditions
     void *watcher;                    // passed to `watch`
@@ -111,8 +116,11 @@ FlatMachine *flat_new(Arena *arena, const IrMachine *m, const FlatProbes *probes
 // Initialises the state of a run as language.md 6.1 and 6.2 say: elements are 0, and S is `state`.
 void flat_start(const FlatMachine *f, void *run, uint32_t state);
 uint64_t *flat_cells(const FlatMachine *f, void *run);            // the cells of all variables, by IR variable
-// Runs one step.  Returns false and changes nothing if G does not allow it, because G has not increased (language.md 6.3).
+// Runs one step.  Returns false and changes nothing if G does not allow it, because G has not increased (language.md 6.3).  With `app`, runs a tick
+// of all machines and returns true.
 bool flat_step(FlatMachine *f, void *run);
+// The same without regard to FlatMachine.app: for flat_app.c.
+bool flat_step_alone(FlatMachine *f, void *run);
 // Sets all counters to 0.
 void flat_clear_counts(FlatMachine *f);
 

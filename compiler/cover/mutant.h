@@ -9,8 +9,8 @@
 
 // A change of one expression, statement or initial value.  A mutant of [all_states] has one for each copy of the code.
 struct MutantEdit {           // the names in front of ":" are values of `kind`
-    enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_NOT, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
-    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_NOT: the changed expression
+    enum { EDIT_NUMBER, EDIT_OPERATOR, EDIT_LINK, EDIT_DROP_UNARY, EDIT_GUARD, EDIT_TARGET, EDIT_DELETE, EDIT_INITIAL } kind;
+    Expr *e;                  // NUMBER, OPERATOR, LINK, DROP_UNARY: the changed expression
     Stmt *stmt;               // the statement that is or contains what is changed; NULL: INITIAL, or the expression that a window samples
     Var *var;                 // INITIAL: the local
     uint32_t link;            // LINK: index of the operator in the chain
@@ -51,6 +51,9 @@ struct Mutation {
 uint64_t mutation_delta_t(const Mutation *u);
 // Searches a scenario that shows a mutant, also from the situations of the scenario `from`, if that is not NULL.
 void mutation_search_from(Mutation *u, Mutant *m, const Scenario *from, uint64_t steps);
+
+// Returns the number in the initial value of a local: -50 has 50.  NULL: the value is not written as a number with or without a sign.
+Expr *mutant_initial_number(const Var *v);
 
 // ---- mutate_list.c ----
 

@@ -77,7 +77,7 @@ static void apply_edit(const EditPlace *k, const Expr *original, Expr *e)
             break;
         case EDIT_OPERATOR: e->op = d->op; break;
         case EDIT_LINK: expr_ops(e)[d->link] = d->op; break;
-        case EDIT_DROP_NOT: e->op = SM_OP_PLUS; break;
+        case EDIT_DROP_UNARY: e->op = SM_OP_PLUS; break;
         case EDIT_GUARD: case EDIT_TARGET: case EDIT_DELETE: case EDIT_INITIAL: break;
         }
     }
@@ -345,7 +345,7 @@ static void add_edit_cases(MutantCases *c, Arena *arena, const Program *p, const
     EditPlace k = {.cases = c, .arena = arena, .p = p, .edit = all};
 
     switch (d->kind) {
-    case EDIT_NUMBER: case EDIT_OPERATOR: case EDIT_LINK: case EDIT_DROP_NOT:
+    case EDIT_NUMBER: case EDIT_OPERATOR: case EDIT_LINK: case EDIT_DROP_UNARY:
         c->unknown |= !d->stmt;
         if (d->stmt)
             add_expression_cases(&k, d, is_only, step);
@@ -517,12 +517,12 @@ static void add_uses(Uses *k, const Stmts *list)
 // variable than constants, or what a window samples.
 static const MutantEdit *list_uses(Arena *arena, const Program *p, const MutantEdit *d)
 {
-    double *value = arena_array(arena, p->var.n, sizeof *value), was = d->var->init_value->number;
+    double *value = arena_array(arena, p->var.n, sizeof *value), was = mutant_initial_number(d->var)->number;
     uint64_t *init = arena_array(arena, p->var.n, sizeof *init);
     bool *changed = arena_alloc(arena, p->var.n), only_constants = true;
     Uses k = {.arena = arena, .value = value, .changed = changed};
 
-    d->var->init_value->number = d->number;
+    mutant_initial_number(d->var)->number = d->number;
     for (size_t i = 0; i < p->var.n; i++) {
         Var *v = p->var.at[i];
         init[i] = v->init;
@@ -532,7 +532,7 @@ static const MutantEdit *list_uses(Arena *arena, const Program *p, const MutantE
         changed[i] = v->init != init[i];
         only_constants = only_constants && (!changed[i] || (v->is_constant && !v->sizes));
     }
-    d->var->init_value->number = was;
+    mutant_initial_number(d->var)->number = was;
     for (size_t i = 0; i < p->var.n; i++)
         p->var.at[i]->init = init[i];
     for (size_t i = 0; i < p->window.n; i++)

@@ -43,6 +43,15 @@ static Expr *new_number(Mutation *u, double x)
     return e;
 }
 
+Expr *mutant_initial_number(const Var *v)
+{
+    Expr *e = v->init_value;
+
+    if (e && e->kind == EX_UNARY && e->op == SM_OP_NEG)
+        e = e->arg[0];
+    return e && e->kind == EX_NUMBER ? e : NULL;
+}
+
 static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
 {
     if (d->e) {
@@ -58,7 +67,7 @@ static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
         undo->op = expr_ops(d->e)[d->link];
         expr_ops(d->e)[d->link] = d->op;
         break;
-    case EDIT_DROP_NOT: d->e->op = SM_OP_PLUS; break;
+    case EDIT_DROP_UNARY: d->e->op = SM_OP_PLUS; break;
     case EDIT_GUARD: d->stmt->value = new_number(u, d->number); break;
     case EDIT_TARGET: d->stmt->target = d->target; break;
     case EDIT_DELETE:
@@ -68,8 +77,8 @@ static void apply_edit(Mutation *u, const MutantEdit *d, Undo *undo)
         memset(&d->stmt->otherwise, 0, sizeof d->stmt->otherwise);
         break;
     case EDIT_INITIAL:
-        undo->number = d->var->init_value->number;
-        d->var->init_value->number = d->number;
+        undo->number = mutant_initial_number(d->var)->number;
+        mutant_initial_number(d->var)->number = d->number;
         compute_initial_values(u);
         break;
     }
@@ -86,7 +95,7 @@ static void undo_edit(Mutation *u, const MutantEdit *d, const Undo *undo)
     if (d->stmt)
         *d->stmt = undo->stmt;
     if (d->kind == EDIT_INITIAL) {
-        d->var->init_value->number = undo->number;
+        mutant_initial_number(d->var)->number = undo->number;
         restore_initial_values(u);
     }
 }
@@ -225,7 +234,7 @@ static Around list_numbers_around(const Program *p, const Mutant *m)
         if (d->kind == EDIT_NUMBER || d->kind == EDIT_INITIAL)
             add_number(&list, d->number);
         if (d->kind == EDIT_INITIAL)
-            add_number(&list, d->var->init_value->number);
+            add_number(&list, mutant_initial_number(d->var)->number);
         if (d->stmt && d->stmt->value)
             expr_walk(d->stmt->value, add_constant_number, &list);
         else if (d->e)

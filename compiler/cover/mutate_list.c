@@ -149,6 +149,16 @@ static bool is_beside_and_or(const Expr *e, const Expr *outer)
     return (outer && is_and_or(outer)) || is_and_or(e->arg[0]) || is_and_or(e->arg[1]);
 }
 
+// Adds the mutant of a unary operator: it is left out.
+static void add_unary(Mutation *u, Expr *e)
+{
+    const char *const spelling = e->op == SM_OP_NOT ? "not" : "-";
+    const uint32_t n = (uint32_t)strlen(spelling);
+
+    if (e->op != SM_OP_PLUS && !same_span(e->span, e->arg[0]->span) && e->span.len > n && memcmp(e->span.src->text + e->span.at, spelling, n) == 0)
+        add_mutant(u, (Span){e->span.src, e->span.at, n}, "", (MutantEdit){.kind = EDIT_DROP_UNARY, .e = e});
+}
+
 static void list_expression(Mutation *u, Expr *e, const Expr *outer)
 {
     switch (e->kind) {
@@ -156,8 +166,7 @@ static void list_expression(Mutation *u, Expr *e, const Expr *outer)
         add_numbers(u, written_number(u, own_span(u, e->span)), e->number, (MutantEdit){.kind = EDIT_NUMBER, .e = e});
         return;
     case EX_UNARY:
-        if (e->op == SM_OP_NOT && !same_span(e->span, e->arg[0]->span) && e->span.len > 4 && memcmp(e->span.src->text + e->span.at, "not", 3) == 0)
-            add_mutant(u, (Span){e->span.src, e->span.at, 3}, "", (MutantEdit){.kind = EDIT_DROP_NOT, .e = e});
+        add_unary(u, e);
         break;
     case EX_BINARY:
         if (is_in_source(e, 0))
@@ -313,6 +322,19 @@ static bool sizes_a_window(const Program *p)
     return false;
 }
 
+// Adds the mutants of an initial value: other numbers, and the same one without its sign.  The new number of an edit has the sign of the source.
+static void add_initial(Mutation *u, Var *v)
+{
+    const Expr *number = mutant_initial_number(v), *value = v->init_value;
+    const MutantEdit edit = {.kind = EDIT_INITIAL, .var = v, .number = number ? -number->number : 0};
+
+    if (!number)
+        return;
+    if (number != value && value->span.len > 1 && value->span.src->text[value->span.at] == '-')
+        add_mutant(u, (Span){value->span.src, value->span.at, 1}, "", edit);
+    add_numbers(u, number->span, number->number, edit);
+}
+
 // Lists the initial values that are numbers.  None if the size of a window depends on a local, because windows are not built again.
 static void list_initial_values(Mutation *u)
 {
@@ -320,8 +342,8 @@ static void list_initial_values(Mutation *u)
     for (size_t i = 0; i < u->p->var.n && !sizes_a_window(u->p); i++) {
         Var *v = u->p->var.at[i];
         u->danger = u->of_local[v->index];
-        if (v->kind == VAR_LOCAL && v->init_value && v->init_value->kind == EX_NUMBER)
-            add_numbers(u, v->init_value->span, v->init_value->number, (MutantEdit){.kind = EDIT_INITIAL, .var = v});
+        if (v->kind == VAR_LOCAL)
+            add_initial(u, v);
     }
 }
 

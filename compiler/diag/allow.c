@@ -190,6 +190,14 @@ static Span span_to_remove(Span s)
     return (Span){s.src, s.at, end - s.at};                       // a statement follows on its line
 }
 
+// Whether this run could have reported warnings of the flag.
+static bool could_report(const Diags *d, const char *name)
+{
+    const DiagFlag *flag = diag_find_flag(name);
+
+    return (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u);
+}
+
 // Reports each @allow that no warning has used: if `about_itself`, only @allow(unused-allow), else all others. d->allow contains an
 // annotation once for each part of the source that it covers. An @allow is not reported if this run could not have produced its finding.
 static void report_unused(Diags *d, bool about_itself)
@@ -199,12 +207,10 @@ static void report_unused(Diags *d, bool about_itself)
     bool used = false;
 
     for (size_t i = 0; i < d->allow.n; i++) {
-        const DiagFlag *flag = diag_find_flag(all[i]->flag);
         used = used || all[i]->used || all[i]->shared;
         if (i + 1 < d->allow.n && compare_spans(&all[i], &all[i + 1]) == 0)
             continue;
-        if (!used && (d->analysed >> flag->group & 1u) && (flag->judged == DIAG_JUDGED_ALWAYS || d->known >> flag->judged & 1u) &&
-            (strcmp(all[i]->flag, itself) == 0) == about_itself) {
+        if (!used && (strcmp(all[i]->flag, itself) == 0) == about_itself && could_report(d, all[i]->flag)) {
             Diag *x = diag_report(d, DIAG_unused_allow, all[i]->span, all[i]->flag);
             diag_label(d, x, DIAG_label_leave_out);
             diag_edit(d, x, span_to_remove(all[i]->span), "");

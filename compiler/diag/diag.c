@@ -8,8 +8,6 @@ const DiagInfo diag_info[DIAG_COUNT] = {
 #define DIAG(id, name, severity, flag, message, page) {id, #name, severity, flag, message, page},
 #define DIAG_NOTE_TEXT(name, message) {NULL, #name, DIAG_NOTE, NULL, message, NULL},
 #include "compiler/diag/codes.def"
-#undef DIAG
-#undef DIAG_NOTE_TEXT
 };
 
 // A slot of the hash table that recognises a second report of the same code at the same position.

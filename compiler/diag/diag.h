@@ -21,8 +21,6 @@ typedef enum DiagCode {
 #define DIAG(id, name, severity, flag, message, page) DIAG_##name,
 #define DIAG_NOTE_TEXT(name, message) DIAG_##name,
 #include "compiler/diag/codes.def"
-#undef DIAG
-#undef DIAG_NOTE_TEXT
     DIAG_COUNT
 } DiagCode;
 

@@ -19,22 +19,37 @@ typedef enum FoldRank {
     FOLD_SEMICOLON
 } FoldRank;
 
+// Rows DIAG_FOLD of codes.def.
+static const struct { DiagCode code; FoldRank rank; bool habit; } folds[] = {
+#define DIAG_FOLD(name, rank, habit) {DIAG_##name, rank, habit},
+#include "compiler/diag/codes.def"
+};
+enum { FOLDS = sizeof folds / sizeof *folds };
+
+static size_t find_fold(DiagCode code)
+{
+    size_t i = 0;
+
+    while (i < FOLDS && folds[i].code != code)
+        i++;
+    return i;
+}
+
 static FoldRank rank_of(const Diag *x)
 {
     const char *id = diag_info[x->code].id;
+    const size_t row = find_fold(x->code);
 
-    if (x->code == DIAG_semicolon)
-        return FOLD_SEMICOLON;
-    if (x->code == DIAG_script_unguarded || x->code == DIAG_no_effect)
-        return FOLD_MISPLACED;
-    if (x->code == DIAG_foreign_comment)
-        return FOLD_COMMENT;
+    if (row < FOLDS)
+        return folds[row].rank;
     return strncmp(id, "E01", 3) == 0 || strncmp(id, "E03", 3) == 0 ? FOLD_GRAMMAR : FOLD_OTHER;
 }
 
 static bool is_habit(DiagCode code)
 {
-    return code == DIAG_semicolon || code == DIAG_foreign_comment || code == DIAG_foreign_operator || code == DIAG_colon_line_break;
+    const size_t row = find_fold(code);
+
+    return row < FOLDS && folds[row].habit;
 }
 
 // Whether an error at a position of a source can be folded. Warnings, also those that -Werror made errors, are about a meaning.

@@ -109,6 +109,8 @@ unsigned diag_selection_groups(const DiagSelection *w)
 {
     unsigned wanted = 0;
 
+    if (w->n == 0)
+        return w->none ? 0 : 1u << DIAG_GROUP_ALL;
     for (size_t i = 0; i < diag_flag_count; i++)
         if (select_flag(w, &diag_flag[i]).on)
             wanted |= 1u << diag_flag[i].group;

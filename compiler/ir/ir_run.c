@@ -179,7 +179,7 @@ static uint32_t run_function(IrRun *r, const IrRunFn *f, void *situation, IrTrac
             return b->jump.state;
         case IR_BR:
             record_event(trace, b->jump.stmt << 1 | (temp[b->jump.cond] != 0));
-            b = f->blk + (temp[b->jump.cond] != 0 ? b->jump.then : b->jump.otherwise);
+            b = f->blk + (temp[b->jump.cond] != 0 && (b->jump.stmt != r->refused || r->refused == 0) ? b->jump.then : b->jump.otherwise);
             break;
         }
     }

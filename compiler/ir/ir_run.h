@@ -28,6 +28,7 @@ typedef struct IrRun {
     IrRunFn *(*block)[BLOCK_COUNT];   // by state: its .entry, .step and .exit; NULL: missing
     double *initial;                  // by IR variable: the value of a local at the start.  Callers can change the values of parameters
     double *temp;                     // temporaries of the running function
+    uint32_t refused;                 // Stmt.number of a conditional whose guard counts as false, whatever its value; 0: none
 } IrRun;
 
 // The first bytes of a situation.  Variables and windows follow, which the functions below access.

@@ -31,6 +31,8 @@ static const struct { ProveLoosening loose; ProveSize size; } attempt[] = {
     {PROVE_LOOSE_ALL, PROVE_FEW}, {PROVE_LOOSE_ALL, PROVE_LONG}, {PROVE_LOOSE_UNLIKE, PROVE_LONG},
     {PROVE_LOOSE_ALL, PROVE_FINE}, {PROVE_LOOSE_UNLIKE, PROVE_FINE}, {PROVE_EXACT, PROVE_FINE}, {PROVE_COMPARED, PROVE_FINE}};
 
+enum { SETTINGS_MOST = 17 };  // how many settings of the parameters searches try: with 4 parameters, every combination of ends and the source's
+
 enum { ATTEMPTS_FIRST = 6, ATTEMPTS = sizeof attempt / sizeof *attempt, SETS = 2 };
 
 // What is kept of a requirement from round to round.
@@ -55,6 +57,8 @@ typedef struct ProveRun {
     uint32_t givens;
     const uint32_t *equal;    // by window of the requirements: as in ProveModel
     ProveKept *kept;          // by requirement
+    const uint64_t **setting; // `settings` values of all parameters, by Var.index, for searches; the first one, NULL: those of the source
+    uint32_t settings, now;   // now: the one that searches use
     bool stopped;             // go_on has returned false
 } ProveRun;
 
@@ -167,7 +171,7 @@ static void begin_proof(ProveRun *v, ProveProof *p, const ProveOf *of)
 {
     const unsigned ranges = v->o->assume_ranges ? 1u << PROVE_RANGES : 0, all = ranges | 1u << PROVE_OWN_OUTPUTS | 1u << PROVE_ZERO_START;
 
-    *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) ? 2 : 1};
+    *p = (ProveProof){.assumed = {all, all | 1u << PROVE_PARAMETERS}, .sets = program_has_parameters(v->p) && !v->o->any_parameters ? 2 : 1};
     for (int loose = 0; loose < PROVE_LOOSENINGS; loose++)
         p->model[loose] = prove_model_new(&v->models, v->m, v->all, of->what, v->result->delta_t, (ProveLoosening)loose, v->equal);
 }
@@ -269,7 +273,7 @@ static bool try_proofs(ProveRun *v, const ProveProof *p, ProveOf *of, uint32_t f
 static GoalSearch new_search(ProveRun *v, const ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
     return (GoalSearch){.all = v->all, .requirement = (size_t)(of->what - v->all->at.at), .kind = kind, .delta_t = v->result->delta_t, .seed = seed, .effort = effort ? effort : 1,
-                        .init_state = v->result->init_state, .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = goes_on, .context = v};
+                        .init_state = v->result->init_state, .initial = v->setting[v->now], .assume_ranges = v->o->assume_ranges, .given = v->given, .givens = v->givens, .memory = v->o->memory, .go_on = goes_on, .context = v};
 }
 
 // Runs a search, and adds its steps and the states that it has visited to those of the requirement.
@@ -286,12 +290,21 @@ static GoalFound run_goal_search(ProveRun *v, ProveOf *of, const GoalSearch *g)
     return found;
 }
 
-// Searches for a run that reaches the goal: a violation, or the premise.
+// Searches for a run that reaches the goal: a violation, or the premise.  Each setting of the parameters gets an equal part of the effort.  If a
+// run is found, v->now is its setting.
 static GoalFound search_goal(ProveRun *v, ProveOf *of, GoalKind kind, uint64_t seed, uint64_t effort)
 {
-    const GoalSearch g = new_search(v, of, kind, seed, effort);
+    GoalFound found = {.scenario = NULL};
+    bool premise_seen = false;
 
-    return run_goal_search(v, of, &g);
+    for (v->now = 0; v->now < v->settings && !found.scenario && goes_on(v); v->now += !found.scenario) {
+        const GoalSearch g = new_search(v, of, kind, seed, effort / v->settings);
+        found = run_goal_search(v, of, &g);
+        premise_seen = premise_seen || found.premise_seen;
+    }
+    v->now = found.scenario ? v->now : 0;
+    found.premise_seen = premise_seen;
+    return found;
 }
 
 static bool is_simpler(const Scenario *a, const Scenario *b) { return a->changes < b->changes || (a->changes == b->changes && a->steps < b->steps); }
@@ -345,6 +358,7 @@ static bool search_violation(ProveRun *v, ProveOf *of, uint64_t seed, uint64_t e
         return false;
     of->verdict = PROVE_VIOLATED;
     of->scenario = simplify_violation(v, of, found.scenario);
+    v->now = 0;
     return true;
 }
 
@@ -363,6 +377,52 @@ static bool search_again(ProveRun *v, ProveOf *of, uint32_t from, uint32_t to)
     for (uint32_t n = from; n < to && !found && of->steps < effort && goes_on(v); n++)
         found = search_violation(v, of, n + 2, most_steps[n] < effort - of->steps ? most_steps[n] : effort - of->steps);
     return found;
+}
+
+// ---- parameters ----
+
+// Adds a setting: the values of the source, but `which` parameters at an end of their range.  Both sets have a bit for each parameter, in the
+// order of the source; highest: those that are at the upper end.
+static void add_setting(ProveRun *v, uint64_t which, uint64_t highest)
+{
+    uint64_t *cell = arena_array(v->arena, v->p->var.n, sizeof *cell), bit = 1;
+    bool is_other = false;
+
+    for (uint32_t i = 0; i < v->p->var.n; i++) {
+        const Var *var = v->p->var.at[i];
+        cell[i] = var->init;
+        if (!var->parameter)
+            continue;
+        if (which & bit)
+            cell[i] = sm_cell_from_f64(var->type, highest & bit ? var->parameter->hi : var->parameter->lo);
+        bit <<= 1;
+        is_other = is_other || cell[i] != var->init;
+    }
+    if (is_other && v->settings < SETTINGS_MOST)
+        v->setting[v->settings++] = cell;
+}
+
+// Lists the settings of the parameters with which searches run.  If parameters can have any value: all of them at the lowest, all at the highest,
+// if they are few in every other combination of both ends, and each of them alone at both.
+static void list_settings(ProveRun *v)
+{
+    enum { FEW = 4 };
+    uint64_t parameters = 0;
+
+    v->setting = ARENA_ARRAY(v->arena, const uint64_t *, SETTINGS_MOST);
+    v->settings = 1;
+    for (uint32_t i = 0; i < v->p->var.n; i++)
+        parameters += v->p->var.at[i]->parameter != NULL;
+    if (!v->o->any_parameters || parameters == 0)
+        return;
+    add_setting(v, UINT64_MAX, 0);
+    add_setting(v, UINT64_MAX, UINT64_MAX);
+    for (uint64_t highest = 1; parameters <= FEW && highest + 1 < UINT64_C(1) << parameters; highest++)
+        add_setting(v, UINT64_MAX, highest);
+    for (uint64_t i = 0; i < parameters && i < 64 && parameters > 1; i++) {
+        add_setting(v, UINT64_C(1) << i, 0);
+        add_setting(v, UINT64_C(1) << i, UINT64_MAX);
+    }
 }
 
 // ---- given runs ----
@@ -479,6 +539,7 @@ static void search_premise(ProveRun *v, ProveOf *of)
 {
     if (of->verdict == PROVE_PROVED && !of->premise_seen && goes_on(v))
         of->premise_seen = search_goal(v, of, GOAL_PREMISE, 1, EFFORT_PREMISE < effort_of(v) ? EFFORT_PREMISE : effort_of(v)).premise_seen;
+    v->now = 0;
 }
 
 // Makes the attempts of a round at a proof.  Returns whether one has succeeded.
@@ -551,6 +612,7 @@ ProveResult *prove_run(Arena *arena, const Requirements *r, const ProveOptions *
     result->can_prove_longer = visits_of_long(&v) < limits_of[PROVE_LONG].visits;
     result->given = o->given;
     result->givens = o->givens;
+    list_settings(&v);
     judge_givens(&v);
     result->of = ARENA_ARRAY(arena, ProveOf, r->at.n + 1);
     v.kept = ARENA_ARRAY(arena, ProveKept, r->at.n + 1);

@@ -139,6 +139,7 @@ typedef struct ProveOptions {
     uint64_t delta_t;         // used if the machine declares no step; 0: that of the first given run, or 10
     const State *init_state;  // NULL: the first state
     bool assume_ranges;       // proofs can use PROVE_RANGES, and searches keep inputs within their ranges
+    bool any_parameters;      // no proof uses PROVE_PARAMETERS, and searches also set parameters to the ends of their ranges
     const ProveGiven *given;  // `givens` runs of scripts; those that begin in another state than init_state, or have another step, are not used
     uint32_t givens;
     uint64_t effort;          // how many steps the search for violations can run, fewer if its windows are long (prove_goal.h).  A small

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compiler/prove/prove_goal.h"
 
+#include <string.h>
+
 #include "compiler/ir/comparison.h"
 #include "stdlib/convert.h"
 
@@ -315,6 +317,8 @@ static bool try_without(Arena *arena, const GoalSearch *g, Scenario *s, size_t d
     less.changes = 0;
     for (size_t i = 0; i < s->changes; i++) {
         ScenarioChange c = s->change[i];
+        if (i == to && from != to && g->all->program->var.at[c.var]->parameter)
+            return false;                             // the other value can be outside of its range
         if (i == to && from != to)
             c.kind = SCENARIO_HOLD, c.a = s->change[from].a;
         if (i != drop)
@@ -363,6 +367,23 @@ static const Scenario *copy_scenario(Arena *arena, const Scenario *s)
     return out;
 }
 
+// Returns a scenario that first sets the parameters that have other values in g->initial than the machine was compiled with.
+static const Scenario *set_parameters(Arena *arena, const GoalSearch *g, const Scenario *s)
+{
+    const Program *p = g->all->program;
+    ScenarioChange *change = arena_array(arena, p->var.n + s->changes, sizeof *change);
+    Scenario *out = arena_copy(arena, s, sizeof *s);
+    size_t n = 0;
+
+    for (uint32_t v = 0; v < p->var.n && g->initial; v++)
+        if (p->var.at[v]->parameter && g->initial[v] != p->var.at[v]->init)
+            change[n++] = (ScenarioChange){.step = 1, .var = v, .kind = SCENARIO_HOLD, .a = sm_cell_to_f64(p->var.at[v]->type, g->initial[v])};
+    memcpy(change + n, s->change, s->changes * sizeof *change);
+    out->change = change;
+    out->changes = n + s->changes;
+    return out;
+}
+
 Scenario *goal_end_scenario(Arena *arena, const GoalSearch *g, const Scenario *found)
 {
     Scenario *s = ARENA_NEW(arena, Scenario);
@@ -392,8 +413,8 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     GoalWatch *w;
     SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .no_places = true, .plain = true,
-                       .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .initial = g->initial,
+                       .no_places = true, .plain = true, .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
                        .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS,
                        .go_on = may_go_on, .context = &stop};
     const SearchResult *found;
@@ -407,7 +428,7 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     found = search_run(work, c, &o);
     out.steps = found->steps;
     if (found->find[found->places].outcome == SEARCH_REACHED) {
-        Scenario *s = goal_end_scenario(work, g, &found->chosen[found->find[found->places].scenario].scenario);
+        Scenario *s = goal_end_scenario(work, g, set_parameters(work, g, &found->chosen[found->find[found->places].scenario].scenario));
         if (s)
             simplify_scenario(work, g, s);
         out.unconfirmed = !s && !g->assume_ranges;        // with ranges, the values that inputs must have can prevent the violation

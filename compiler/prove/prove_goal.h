@@ -16,6 +16,7 @@ typedef struct GoalSearch {
     uint64_t delta_t, seed;
     uint64_t effort;                  // at least 1: a step costs 1, and more if the requirement has long windows
     const State *init_state;
+    const uint64_t *initial;          // by Var.index: the cells of parameters; NULL: those with which the machine was compiled
     bool usual_values;                // the search tries no special values (SearchSpecials)
     size_t memory;                    // as SearchOptions.memory
     const Scenario *given;            // `givens` runs from which the search can start

@@ -51,16 +51,15 @@ static void add_input(const Report *r, DocTable *t, uint32_t input)
     doc_add_code_cell(t, f->input.at[input]);
     for (uint32_t k = 0; k < f->kind.n; k++) {
         const ReportFaultCell *c = &f->cell.at[input * f->kind.n + k];
-        const ReportOutcome *outcome = &f->outcome[c->outcome];
         if (c->line)
-            doc_add_linked_badge_cell(t, format_in(r->arena, "%s %lu", outcome->name, (unsigned long)c->line), tone[outcome->danger],
+            doc_add_linked_badge_cell(t, format_in(r->arena, "%s (%lu)", c->effect, (unsigned long)c->line), tone[f->outcome[c->outcome].danger],
                                       line_id(r, c->line));
         else
             doc_add_plain_cell(t, c->applies ? "-" : "");
     }
 }
 
-// Table of inputs by kinds of fault. Each cell shows the outcome; its number links to the line below that explains the fault.
+// Table of inputs by kinds of fault. Each cell shows what happens; its number is that of the line below that explains the fault.
 static void add_matrix(const Report *r, Doc *d)
 {
     const ReportFaults *f = r->faults;

@@ -104,8 +104,11 @@
 
 #define TEXT_FAULTS \
     "Each input is made faulty in each way, beginning in each state and at each transition that the scripts take, and the scripts run again. " \
-    "The table has the most dangerous outcome of each input and fault, with its number in the lists below. A `-` is a fault without any " \
-    "effect; an empty cell is a fault that the input cannot have. Requirements are judged for what the machine reads and for the true values."
+    "The table has the most dangerous outcome of each input and fault, with its number in the lists below. The name of a requirement: it is " \
+    "violated. `-> Abort`: the script ends in this state, and not where it does without the fault. The name of an output: it differs on the " \
+    "way, or an assert fails. `no @stop`: the script does not stop. `assert`: only an assert fails. `+2`: two other effects as dangerous, with another " \
+    "beginning of the fault. `-`: no effect. An empty cell: the input cannot have this fault. " \
+    "Requirements are judged for what the machine reads and for the true values."
 #define TEXT_FAULTS_INPUTS \
     "The table has the inputs with the worst outcomes, the worst first. %lu more inputs are left out: the worst of theirs is `%s`." // inputs, outcome
 #define TEXT_FAULTS_SCRIPTS "Each numbered script reproduces its line without `smc faults`. It fails as long as the fault has this effect."

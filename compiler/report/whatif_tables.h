@@ -26,6 +26,7 @@ typedef struct ReportFaultCell {
     bool applies;             // the input can have the fault
     uint32_t outcome;         // index in ReportFaults.outcome
     uint32_t line;            // number, from 1, of the line in the list that explains it; 0: the fault has no effect
+    const char *effect;       // the outcome in a few words, as fault_write_worst writes it: "R3 +1"; "": no effect
 } ReportFaultCell;
 
 // A line of the list: all faults of the same inputs and kinds with the same outcome.

@@ -50,6 +50,7 @@ struct Engine {
     // constant.
     EngineStatus (*step)(Engine *e, const EngineWrite *write, uint32_t n, EngineStep *out);
     void (*close)(Engine *e);
+    Engine *inside;           // the engine to which this one passes every call, such as that of a recorder; NULL: none
 };
 
 // Allocates the result of an engine that runs p.

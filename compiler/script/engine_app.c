@@ -205,11 +205,19 @@ static void app_close(Engine *e)
         a->machine[i].engine->close(a->machine[i].engine);
 }
 
-void engine_app_set_rows(Engine *e, bool by_rows) { ((AppEngine *)e->self)->by_rows = by_rows; }
+// Returns the engine that runs the machines: e, or the one inside it.
+static Engine *innermost(Engine *e)
+{
+    while (e->inside)
+        e = e->inside;
+    return e;
+}
+
+void engine_app_set_rows(Engine *e, bool by_rows) { ((AppEngine *)innermost(e)->self)->by_rows = by_rows; }
 
 Engine *engine_app_machine(Engine *e, size_t i)
 {
-    return e->program->joint ? ((AppEngine *)e->self)->machine[i].engine : e;
+    return e->program->joint ? ((AppEngine *)innermost(e)->self)->machine[i].engine : e;
 }
 
 Engine *engine_app_open(Arena *arena, const Program *p, Engine *const *machine)

@@ -19,6 +19,15 @@ uint64_t scenario_cell(const Program *p, const ScenarioChange *c, uint64_t step,
     return sm_cell_from_f64(type, x);
 }
 
+size_t scenario_times(const Scenario *s)
+{
+    size_t n = 0;
+
+    for (size_t i = 0; i < s->changes; i++)
+        n += i == 0 || s->change[i].step != s->change[i - 1].step;
+    return n;
+}
+
 const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step)
 {
     for (size_t i = 0; i < s->loops; i++)

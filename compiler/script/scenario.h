@@ -40,6 +40,8 @@ typedef struct Scenario {
     size_t loops;
 } Scenario;
 
+// How many times there are at which inputs change: the changes of one step have one time.
+size_t scenario_times(const Scenario *s);
 // The loop that repeats a change made in this step; NULL: none.
 const ScenarioLoop *scenario_loop_at(const Scenario *s, uint64_t step);
 // Returns the same scenario without loops: every change is listed as often as it is made.

@@ -79,7 +79,7 @@ static Engine *wrap_to_save_step(void *context, WhyRun *r, Engine *ref)
     b->write = ARENA_ARRAY(r->arena, EngineWrite, p->var.n);
     b->tried = ARENA_ARRAY(r->arena, EngineWrite, p->var.n);
     engine_step_init(&b->answer, r->arena, p);
-    b->engine = (Engine){ref->name, p, NULL, b, before_init, before_step, before_close};
+    b->engine = (Engine){ref->name, p, NULL, b, before_init, before_step, before_close, ref};
     return &b->engine;
 }
 
@@ -143,7 +143,7 @@ static Engine *wrap_noting(void *context, WhyRun *r, Engine *ref)
 
     k->run = r;
     k->ref = ref;
-    k->engine = (Engine){ref->name, ref->program, NULL, k, noting_init, noting_step, noting_close};
+    k->engine = (Engine){ref->name, ref->program, NULL, k, noting_init, noting_step, noting_close, ref};
     return &k->engine;
 }
 

@@ -9,6 +9,8 @@
 struct GoalTexts {
     Arena *arena;
     const Cover *c;
+    const char *before;       // begins each sentence: "", or of an application "vent: "
+    const char *stem;         // begins the name of each script: "tank", or of an application "stand-vent"
     Transitions transition;
     VEC(StmtLocation) stmt;
 };
@@ -20,12 +22,14 @@ static void list_stmt(const StmtLocation *at, void *context)
     vec_push(t->arena, &t->stmt, *at);
 }
 
-GoalTexts *goal_texts_new(Arena *arena, const Cover *c)
+GoalTexts *goal_texts_new(Arena *arena, const Cover *c, const Program *p, size_t machine)
 {
     GoalTexts *t = ARENA_NEW(arena, GoalTexts);
 
     t->arena = arena;
     t->c = c;
+    t->before = p->joint ? format_in(arena, "%s: ", engine_machine_name(p, machine)) : "";
+    t->stem = p->joint ? format_in(arena, "%s-%s", p->name->text, engine_machine_name(p, machine)) : c->p->name->text;
     t->transition = transitions_of(arena, c->p);
     each_stmt_location(arena, c->p, list_stmt, t);
     return t;
@@ -101,7 +105,7 @@ static const char *transition_sentence(const GoalTexts *t, const CoverPlace *p)
                  : format_in(t->arena, "%s -> %s, taken without a condition.", p->from->name->text, p->to->name->text);
 }
 
-const char *goal_sentence(const GoalTexts *t, uint32_t place)
+static const char *sentence_of(const GoalTexts *t, uint32_t place)
 {
     const CoverPlace *p = &t->c->place.at[place];
     const State *state = state_of(t, p);
@@ -120,6 +124,8 @@ const char *goal_sentence(const GoalTexts *t, uint32_t place)
     }
     return "";
 }
+
+const char *goal_sentence(const GoalTexts *t, uint32_t place) { return format_in(t->arena, "%s%s", t->before, sentence_of(t, place)); }
 
 // ---- names ----
 
@@ -152,7 +158,7 @@ const char *goal_file_stem(const GoalTexts *t, uint32_t place)
 {
     static const char *const word[COVER_KIND_COUNT] = {"", "statement", "guard", "condition", "window", "state"};
     const CoverPlace *p = &t->c->place.at[place];
-    const char *machine = t->c->p->name->text;
+    const char *machine = t->stem;
     const State *state = state_of(t, p);
     const unsigned long n = number_of(t, place);
     const char *end = p->kind == COVER_STATE ? (p->value ? "entered" : "left") : p->kind == COVER_WINDOW

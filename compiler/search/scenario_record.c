@@ -76,6 +76,7 @@ Engine *scenario_record_open(Arena *arena, const Program *p, Engine *inner, uint
     ScenarioRecorder *k = ARENA_NEW(arena, ScenarioRecorder);
 
     k->engine = *inner;
+    k->engine.inside = inner;
     k->engine.self = k;
     k->engine.init = recorder_init;
     k->engine.step = recorder_step;

@@ -399,7 +399,7 @@ static bool add_inputs(Writer *w)
 // A part of the run without a change of the state, or of an output of the time line.
 typedef struct Part {
     uint64_t step;            // its first step
-    uint32_t state;
+    uint32_t *state;          // State.number; of an application, that of each machine's state in the joined Program
     uint64_t *cell;           // by output of the time line
 } Part;
 
@@ -411,6 +411,12 @@ typedef struct RunRecord {
     uint64_t *last;           // by Var.index: cells after the last step
 } RunRecord;
 
+// Returns the number of the state of machine i after a step.
+static uint32_t state_after(const Program *p, const EngineStep *result, size_t i)
+{
+    return (uint32_t)(p->joint ? p->joint->member.at[i].first + result->cell[p->joint->member.at[i].s->index] : result->cell[p->s->index]);
+}
+
 static Part *part_at(const RunRecord *r, uint64_t i) { return &r->part[i % (SPANS_MOST + 1)]; }
 
 // Called after each step of the scenario's run: begins a new part of the record where the state or a quiet output changes.
@@ -418,10 +424,12 @@ static void record_step(void *context, uint64_t step, const EngineStep *result)
 {
     RunRecord *r = context;
     const Writer *w = r->w;
-    const uint32_t state = (uint32_t)result->cell[w->p->s->index];
+    const size_t machines = engine_machines(w->p);
     const Part *now = part_at(r, r->parts - 1);
-    bool differs = step == 1 || state != now->state;
+    bool differs = step == 1;
 
+    for (size_t i = 0; i < machines && !differs; i++)
+        differs = state_after(w->p, result, i) != now->state[i];
     for (uint32_t i = 0; i < w->p->var.n; i++)
         r->changes[i] += step > 1 && result->cell[i] != r->last[i];
     for (uint32_t i = 0; i < w->output.n && !differs; i++)
@@ -430,7 +438,8 @@ static void record_step(void *context, uint64_t step, const EngineStep *result)
     if (differs) {
         Part *part = part_at(r, r->parts++);
         part->step = step;
-        part->state = state;
+        for (size_t i = 0; i < machines; i++)
+            part->state[i] = state_after(w->p, result, i);
         for (uint32_t i = 0; i < w->output.n; i++)
             part->cell[i] = result->cell[w->output.at[i]->index];
     }
@@ -442,8 +451,10 @@ static bool record_run(Writer *w, RunRecord *r)
     *r = (RunRecord){.w = w, .part = arena_array(w->arena, SPANS_MOST + 1, sizeof *r->part),
                      .changes = arena_array(w->arena, w->p->var.n, sizeof *r->changes),
                      .last = arena_array(w->arena, w->p->var.n, sizeof *r->last)};
-    for (uint32_t i = 0; i <= SPANS_MOST; i++)
+    for (uint32_t i = 0; i <= SPANS_MOST; i++) {
         r->part[i].cell = arena_array(w->arena, w->output.n + 1, sizeof *r->part[i].cell);
+        r->part[i].state = arena_array(w->arena, engine_machines(w->p), sizeof *r->part[i].state);
+    }
     return scenario_run(w->arena, w->p, w->s, w->page->engine, record_step, r) == ENGINE_OK;
 }
 
@@ -470,11 +481,17 @@ static uint64_t most_changes(const Writer *w, const RunRecord *r)
     return most;
 }
 
+// Whether the machine, or some machine of the application, writes the element.  A machine's S is no output.
+static bool is_output(const Program *p, const Var *v)
+{
+    return v->kind == VAR_ELEMENT && !v->state_of && program_uses_of(p, v).written;
+}
+
 // Selects the outputs of the time line, and records the run.
 static bool record_time_line(Writer *w, RunRecord *r)
 {
     for (uint32_t i = 0; i < w->p->var.n; i++)
-        if (w->p->var.at[i]->kind == VAR_ELEMENT && w->p->var.at[i]->written)
+        if (is_output(w->p, w->p->var.at[i]))
             vec_push(w->arena, &w->output, w->p->var.at[i]);
     if (!record_run(w, r))
         return false;
@@ -534,15 +551,22 @@ static void add_part(Writer *w, const RunRecord *r, uint64_t i, uint64_t first)
 {
     const Part *part = part_at(r, i), *before = i > first ? part_at(r, i - 1) : NULL;
     const uint64_t to = i + 1 < r->parts ? part_at(r, i + 1)->step : 0;
-    const char *guard = guard_of(w, part->step, to), *state = w->p->state.at[part->state - 1]->name->text;
+    const char *guard = guard_of(w, part->step, to);
+    const size_t machines = engine_machines(w->p);
     VEC(const char *) term = {NULL, 0, 0};
+    Buf states;
 
+    buf_init(&states, w->arena);
+    for (size_t m = 0; m < machines; m++)
+        buf_printf(&states, "%s%s", m ? ", " : "", w->p->state.at[part->state[m] - 1]->name->text);
     if (w->page->is_skeleton) {
         add_item(w, part->step, RANK_ASSERT,
-                 format_in(w->arena, "# %s, in %s: what must be true?", strcmp(guard, "true") == 0 ? "always" : guard, state));
+                 format_in(w->arena, "# %s, in %s: what must be true?", strcmp(guard, "true") == 0 ? "always" : guard, buf_text(&states)));
         return;
     }
-    vec_push(w->arena, &term, format_in(w->arena, "state %s", state));
+    for (size_t m = 0; m < machines; m++)
+        if (machines <= REPEATED_MOST || !before || part->state[m] != before->state[m])
+            vec_push(w->arena, &term, format_in(w->arena, "state %s", w->p->state.at[part->state[m] - 1]->name->text));
     for (uint32_t k = 0; k < w->output.n; k++)
         if (w->output.n <= REPEATED_MOST || !before || part->cell[k] != before->cell[k])
             vec_push(w->arena, &term, term_of(w, w->output.at[k], part->cell[k]));
@@ -600,6 +624,8 @@ static void write_comment(const char *text, Buf *out)
 
 static void write_options(const Writer *w, Buf *out)
 {
+    if (w->p->joint)                  // the .app has the time between ticks, and the first states
+        return;
     buf_str(out, "\n[options]\ndelta_t    ");
     script_write_time(out, w->p->time_unit, w->s->delta_t);
     buf_printf(out, "\ninit_state %s\n", w->s->init_state->name->text);

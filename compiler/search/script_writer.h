@@ -15,7 +15,7 @@
 #include "compiler/script/scenario.h"
 
 typedef struct ScriptPage {
-    const Program *p;         // the machine as its scripts run it
+    const Program *p;         // the machine as its scripts run it; can be an application
     const Scenario *scenario;
     Engine *engine;           // runs p
     const char *const *comment;       // sentences, each a comment; a long one is wrapped, an empty one separates paragraphs

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "compiler/cover/flat_app.h"
 #include "compiler/search/search_run.h"
 
 enum {
@@ -255,6 +256,13 @@ static void run_search(SearchRun *k)
 
 // ---- beginning and end ----
 
+FlatMachine *search_flat(const SearchRun *k, Arena *arena, const FlatProbes *probes)
+{
+    FlatMachine *f = flat_new(arena, k->m, probes);
+
+    return k->o->place ? flat_app_join(f, k->o->place->app) : f;
+}
+
 static void begin_result(SearchRun *k)
 {
     const SearchOptions *o = k->o;
@@ -325,7 +333,8 @@ SearchResult *search_run(Arena *arena, const Cover *c, const SearchOptions *o)
     k->stop_at = o->drafts ? k->effort : k->effort - k->effort / SEARCH_PART;
     k->memory = o->memory ? o->memory : SEARCH_MEMORY;
     k->start = o->init_state ? o->init_state : c->p->state.at[0];
-    k->plain = flat_new(&k->work, k->m, NULL);
+    k->every = o->place ? o->place->every : 1;
+    k->plain = search_flat(k, &k->work, NULL);
     begin_result(k);
     search_analyse_machine(k);
     search_make_goals(k);

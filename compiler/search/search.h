@@ -43,6 +43,14 @@ typedef struct SearchHint { uint32_t var; double value; } SearchHint;
 
 // ---- options ----
 
+// A machine among the others of an application (search_app.h): each step of its search is a tick of all machines.
+typedef struct SearchPlace {
+    const struct FlatApp *app;
+    uint64_t every;           // the machine steps once in so many ticks
+    const bool *foreign;      // by Var.index: another machine writes the element
+    bool no_facts;            // the machine does not step at equal distances of G, so facts about its runs alone are not used
+} SearchPlace;
+
 typedef struct SearchProgress {
     uint32_t goals, reached, left;    // left: neither reached nor proved impossible
     uint64_t steps, effort;           // steps that have run; the most that can run
@@ -62,6 +70,7 @@ typedef struct SearchOptions {
     const State *init_state;  // where every scenario starts; NULL: the first state
     const bool *writable;     // by Var.index: scenarios can set the variable; NULL: see search_default_inputs
     unsigned kinds;           // 1u << CoverKind of each kind whose places are goals; 0: SEARCH_KINDS
+    const SearchPlace *place; // the machine runs in an application; NULL: alone
     bool no_places;           // only the goals of `watch` are searched for, no coverage points
     bool any_elements;        // proofs allow any value before the first step for elements that the machine stores; else they are 0, as in the runs
     bool loops;               // scenarios can have loops

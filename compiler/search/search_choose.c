@@ -16,6 +16,7 @@ enum {
     WAYS_PART = 4,            // at most this part of the effort of choosing (1 / n) is for runs to each state
     WAY_SHARE = 4,            // one of them can use this part of what is left for them (1 / n)
     SIMPLIFY_PART = 4,        // (n - 1) / n of the effort that is left then is for simplifying each run alone
+    GATHER_PART = 4,          // this part of the effort that is left after choosing (1 / n) is for fewer times of changes
     LEAST_SHARE = 16          // each scenario has at least this part of the remaining effort (1 / n)
 };
 
@@ -219,16 +220,23 @@ static SearchScenario *find_longest(const Chooser *c, const bool *tried)
     return out;
 }
 
+// Returns the goals that a chosen scenario is for.
+static GoalSet goals_of(Chooser *c, const SearchScenario *x)
+{
+    GoalSet out = {NULL, 0, 0};
+
+    for (uint32_t i = 0; i < x->goals; i++)
+        vec_push(&c->k->work, &out, c->k->goal_of[x->goal[i]]);
+    return out;
+}
+
 // Simplifies a chosen scenario for the same goals.  Returns whether it has fewer changes now.
 static bool simplify_chosen(Chooser *c, SearchScenario *x)
 {
     SearchRun *k = c->k;
-    GoalSet want = {NULL, 0, 0};
-    const GoalSet all = {NULL, 0, 0};
+    const GoalSet want = goals_of(c, x), all = {NULL, 0, 0};
     Scenario s = x->scenario;
 
-    for (uint32_t i = 0; i < x->goals; i++)
-        vec_push(&k->work, &want, k->goal_of[x->goal[i]]);
     c->limit = k->r->steps + (k->effort - k->r->steps) / IMPROVED_PART;
     build_wanted(c, &want);
     if (!chooser_simplify(c, &s, &want) || s.changes >= x->scenario.changes)
@@ -254,6 +262,27 @@ static void improve_longest(Chooser *c)
             tried[x - c->chosen.at] = true;
             any |= simplify_chosen(c, x);
         }
+    }
+}
+
+// Lets inputs change at fewer times in the chosen scenarios.
+static void gather_chosen(Chooser *c)
+{
+    SearchRun *k = c->k;
+
+    for (uint32_t i = 0; i < c->chosen.n && k->r->steps < k->effort && !k->r->stopped; i++) {
+        SearchScenario *x = &c->chosen.at[i];
+        const GoalSet want = goals_of(c, x);
+        Scenario s = x->scenario;
+        c->limit = k->r->steps + (k->effort - k->r->steps) / (c->chosen.n - i);
+        if (scenario_times(&s) < 2)
+            continue;
+        build_wanted(c, &want);
+        chooser_gather(c, &s, &want);
+        if (scenario_times(&s) >= scenario_times(&x->scenario))
+            continue;
+        x->end = k->p->state.at[c->end - 1];
+        store_scenario(c, x, &s);
     }
 }
 
@@ -452,7 +481,7 @@ void search_begin_choosing(SearchRun *k)
     arena_init_within(&c->flats, &k->work);
     arena_init_within(&c->tries, &k->work);
     arena_init_within(&c->unrolled, &k->work);
-    k->judge = flat_new(&k->work, k->m, &k->c->probes);
+    k->judge = search_flat(k, &k->work, &k->c->probes);
     c->covered = arena_alloc(&k->work, k->goals + 1);
     c->block = arena_alloc(&k->work, k->block);
     c->current = arena_array(&k->work, k->inputs + 1, sizeof *c->current);
@@ -489,8 +518,13 @@ void search_choose(SearchRun *k)
         if (find_unreached(c, want.at, want.n).n)     // the simplified scenarios can reach less than `best` does
             store_chosen(c, &best->s, best->end, best->reached);
     }
-    if (!k->o->drafts)
+    if (!k->o->drafts) {
+        const uint64_t end = k->effort, part = (end - (k->r->steps < end ? k->r->steps : end)) / GATHER_PART;
+        k->effort -= part;
         improve_longest(c);
+        k->effort = end;
+        gather_chosen(c);
+    }
     k->r->chosen = c->chosen.at;
     k->r->chosens = c->chosen.n;
     k->effort = full;

@@ -5,6 +5,7 @@
 //     search_simplify.c  fewer changes
 //     search_ways.c      shorter beginnings, no detours
 //     search_follow.c    inputs that follow outputs or alternate, in place of several changes
+//     search_gather.c    fewer times at which inputs change
 //     search_round.c     shorter times, rounder values
 //     search_rounds.c    loops in place of changes that are made again and again
 //     search_replay.c    runs a scenario
@@ -113,6 +114,8 @@ typedef struct Reducer {
 
 // Adds to an attempt when its changes are due after the entries of `enter`, which a replay of the same changes has recorded.
 void chooser_add_anchors(Chooser *c, Attempt *t, const SearchEnter *enter, uint32_t enters);
+// Replays *s, and stores its transitions.  Returns false if it does not reach the goals, or the effort has ended.
+bool chooser_begin_reducer(Reducer *r);
 void chooser_store_enters(Reducer *r);        // stores the transitions of the last replay, which was one of *s
 // Edits an attempt so that it has fewer changes; i, n: numbers with a meaning of the edit's own.  Returns false if the edit does not apply to this
 // scenario.
@@ -142,6 +145,9 @@ void chooser_round_periods(Chooser *c, Scenario *s, const GoalSet *want);
 void chooser_shorten_waits(Chooser *c, Scenario *s, const GoalSet *want);
 void chooser_prefer_holds(Chooser *c, Scenario *s, const GoalSet *want);
 void chooser_round_values(Chooser *c, Scenario *s, const GoalSet *want);
+
+// Makes changes at the times of earlier ones where the scenario still reaches all of `want`, so that inputs change at fewer times.
+void chooser_gather(Chooser *c, Scenario *s, const GoalSet *want);
 
 // Stores in `way` the beginnings of `s`, as its last replay has shown, that enter a state with fewer changes than known so far.
 void chooser_keep_ways(Chooser *c, const Scenario *s);

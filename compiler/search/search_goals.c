@@ -363,7 +363,7 @@ FlatMachine *search_new_flat(SearchRun *k, Arena *arena)
     for (uint32_t d = 0; d < k->decisions; d++)
         if (is_open(k, k->decision[d].d))
             kept[p->decisions++] = *k->decision[d].d;
-    return flat_new(arena, k->m, p);
+    return search_flat(k, arena, p);
 }
 
 void search_build_flat(SearchRun *k)
@@ -392,13 +392,13 @@ void search_build_flat(SearchRun *k)
     }
     p->decision = kept;
     p->watched = watched;
-    k->flat = flat_new(&k->flats, k->m, p);
+    k->flat = search_flat(k, &k->flats, p);
     k->flat->watch = measure_goals;
     k->flat->watcher = k;
     quiet = ARENA_NEW(&k->flats, FlatProbes);
     *quiet = *p;
     quiet->watched = NULL;
-    k->quiet = flat_new(&k->flats, k->m, quiet);
+    k->quiet = search_flat(k, &k->flats, quiet);
     k->running = k->flat;
     k->done_since = 0;
 }

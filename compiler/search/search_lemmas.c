@@ -170,7 +170,7 @@ static void relate_counts(Prover *p)
         const DriftInState count = v.op == IR_load && p->group[i].y == SEARCH_NONE && i != time ? run_facts_drift(p->facts, fn->state, v.var) : (DriftInState){.has_high = false};
         const Drift d = count.has_high ? drift_of_loads(p, p->group[i].x) : (Drift){.any = true};
         if (!d.any && d.is_relative && !d.is_number)
-            add_lemma(p, (RegionLemma){.kind = LEMMA_COUNT, .a = i, .b = time, .bound = count.bound[1] + d.by[1], .slope = count.each[1] / (double)p->k->delta_t});
+            add_lemma(p, (RegionLemma){.kind = LEMMA_COUNT, .a = i, .b = time, .bound = count.bound[1] + d.by[1], .slope = count.each[1] / (double)(p->k->delta_t * p->k->every)});
     }
 }
 

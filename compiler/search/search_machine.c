@@ -398,6 +398,9 @@ void search_analyse_machine(SearchRun *k)
     find_inputs(k);
     for (size_t v = 0; v < k->m->var.n; v++)
         k->var[v].inputs = ARENA_ARRAY(&k->work, uint64_t, k->words);
+    for (uint32_t v = 0; v < k->p->var.n && k->o->place; v++)      // what another machine writes can depend on any input
+        for (uint32_t i = 0; i < k->inputs && k->o->place->foreign[v]; i++)
+            k->var[k->m->var_of[v]].inputs[i / 64] |= UINT64_C(1) << i % 64;
     analyse_functions(k);
     k->decisions = k->c->probes.decisions;
     k->decision = arena_array(&k->work, k->decisions + 1, sizeof *k->decision);

@@ -4,6 +4,7 @@
 // A snapshot is one block of memory: the state of the flat machine, the situation of the caller's goals, and how each input is set.
 #include <string.h>
 
+#include "compiler/cover/flat_app.h"
 #include "compiler/search/search_run.h"
 #include "stdlib/convert.h"
 
@@ -220,7 +221,7 @@ static uint64_t key_of(const SearchRun *k, const char *block)
         h = (h ^ (uint64_t)(int64_t)(4 * x)) * UINT64_C(0x9e3779b97f4a7c15);
         h ^= h >> 29;
     }
-    return h;
+    return k->o->place ? flat_app_hash(k->plain, block, h) : h;
 }
 
 // The segment that is running.
@@ -606,7 +607,7 @@ static void run_steps(SearchRun *k, const Segment *seg, uint64_t left, uint32_t 
             if (goal != SEARCH_NONE && k->goal[goal].done)
                 return;
         }
-        if (s->first) {
+        if (f->moved) {
             k->visited[s->state - 1] = true;
             store_entry(k, seg);
             left = left > 256 && !stays && search_chance(k, 80) ? 256 : left;

@@ -138,7 +138,10 @@ static RunFacts *facts_of_runs(SearchRun *k, Arena *known)
 
     for (uint32_t i = 0; i < k->inputs; i++)
         is_input[k->input[i].at] = true;
-    return run_facts_new(&k->work, known, k->m, is_input, k->delta_t, (RunStart){k->start->number, k->o->any_elements});
+    for (uint32_t v = 0; v < k->p->var.n && k->o->place; v++)
+        if (k->o->place->foreign[v])
+            is_input[k->m->var_of[v]] = true;
+    return run_facts_new(&k->work, known, k->m, is_input, k->delta_t * k->every, (RunStart){k->start->number, k->o->any_elements});
 }
 
 // Marks the goals that facts about all runs exclude.
@@ -157,7 +160,7 @@ static void prove_by_facts(SearchRun *k, RunFacts *facts)
 // Marks the goals none of whose paths any combination of regions takes.
 static void prove_paths(SearchRun *k, RunFacts *facts)
 {
-    const char *const counted = format_in(k->arena, "what is counted before it takes longer, if only inputs change, and delta_t is %lu", (unsigned long)k->delta_t);
+    const char *const counted = format_in(k->arena, "what is counted before it takes longer, if only inputs change, and delta_t is %lu", (unsigned long)(k->delta_t * k->every));
     Prover *p = ARENA_NEW(&k->work, Prover);
 
     p->k = k;
@@ -209,9 +212,10 @@ void search_prove(SearchRun *k)
         Arena known;
         RunFacts *facts;
         arena_init_within(&known, k->arena);
-        facts = facts_of_runs(k, &known);
+        facts = k->o->place && k->o->place->no_facts ? NULL : facts_of_runs(k, &known);
         prove_paths(k, facts);
-        prove_by_facts(k, facts);
+        if (facts)
+            prove_by_facts(k, facts);
         arena_free_into(&known, &k->work);
     }
     prove_states(k);

@@ -133,11 +133,11 @@ static uint64_t run_scenario(Chooser *c, Scenario *s, const GoalSet *want, const
         next = make_changes(c, s, anchor, next, step);
         flat_step(f, c->block);
         k->r->steps++;
-        if (run->first && c->enters.n < MOST_ENTERS) {
+        if (f->moved && c->enters.n < MOST_ENTERS) {
             const SearchEnter e = {run->state, step};
             vec_push(&k->work, &c->enters, e);
         }
-        event = run->first || next != before ? step : event;
+        event = f->moved || next != before ? step : event;
         if (k->o->watch)
             judge_watch(c);
         if (want->n && f->fresh != fresh) {

@@ -155,6 +155,7 @@ typedef struct SearchRun {
     const SearchOptions *o;
     SearchResult *r;
     uint64_t effort, random, delta_t;     // random: state of the random number generator
+    uint64_t every;           // the machine steps once in so many steps of a run: 1, or of an application's tick
     uint64_t reserve;         // steps of the effort that are set aside for replaying the runs that reached goals
     uint64_t stop_at;         // the search ends when this many steps have run
     const State *start;       // the state in which every run begins
@@ -223,6 +224,9 @@ uint64_t search_random(SearchRun *k);
 // Returns a random number below n, which is above 0.
 static inline uint32_t search_pick(SearchRun *k, uint32_t n) { return (uint32_t)(search_random(k) % n); }
 static inline bool search_chance(SearchRun *k, uint32_t percent) { return search_pick(k, 100) < percent; }
+
+// Builds a flat machine, which runs in its application if the search has one.
+FlatMachine *search_flat(const SearchRun *k, Arena *arena, const FlatProbes *probes);
 
 void search_analyse_machine(SearchRun *k);
 

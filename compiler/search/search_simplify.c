@@ -180,7 +180,7 @@ void chooser_store_enters(Reducer *r)
     r->enters = r->c->enters.n;
 }
 
-static bool record_enters(Reducer *r)
+bool chooser_begin_reducer(Reducer *r)
 {
     Scenario s = *r->s;
 
@@ -353,7 +353,7 @@ static void shorten_long(Reducer *r)
     prefer_constants(r);
     chooser_simplify_beginning(r);
     if (chooser_add_loops(r->c, r->s, r->want))
-        record_enters(r);
+        chooser_begin_reducer(r);
 }
 
 bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
@@ -385,19 +385,19 @@ bool chooser_simplify(Chooser *c, Scenario *s, const GoalSet *want)
         if (!shorter)
             break;
     }
-    if (chooser_add_loops(c, s, want) && record_enters(&r)) {
+    if (chooser_add_loops(c, s, want) && chooser_begin_reducer(&r)) {
         prefer_constants(&r);
         merge_changes(&r);
         chooser_follow_outputs(&r);
     }
     if (chooser_extend_loops(c, s, want))
-        record_enters(&r);
+        chooser_begin_reducer(&r);
     drop_changes(&r, 0);
     chooser_shorten_waits(c, s, want);
     chooser_round_periods(c, s, want);
     chooser_prefer_holds(c, s, want);
     chooser_round_values(c, s, want);
-    if (record_enters(&r))
+    if (chooser_begin_reducer(&r))
         drop_changes(&r, 0);
     return true;
 }

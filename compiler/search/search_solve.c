@@ -7,8 +7,11 @@
 #include "compiler/search/search_wish.h"
 #include "stdlib/convert.h"
 
-// If an input alternates between two values, as a sensor with noise does, so many of a hundred new values of it alternate by as much.
-enum { TREMBLE_PERCENT = 75 };
+enum {
+    // If an input alternates between two values, as a sensor with noise does, so many of a hundred new values of it alternate by as much.
+    TREMBLE_PERCENT = 75,
+    OTHERS_PERCENT = 20       // in an application: of a hundred transitions of a walk, so many also change an input for the other machines
+};
 
 // ---- changes ----
 
@@ -117,13 +120,17 @@ static void add_random(SearchRun *k, const SearchPath *path)
 
 // ---- entrances ----
 
-// Runs one step on a copy of a node, so that the frame has its values.
+// Runs one step of the machine on a copy of a node, so that the frame has its values.
 static void run_trial(SearchRun *k, uint32_t node)
 {
     search_load(k, node, k->scratch);
-    search_set_inputs(k, k->scratch, k->node.at[node].at + 1);
-    flat_step(k->plain, k->scratch);
-    k->r->steps++;
+    for (uint64_t n = 1; n <= k->every; n++) {
+        search_set_inputs(k, k->scratch, k->node.at[node].at + n);
+        flat_step(k->plain, k->scratch);
+        k->r->steps++;
+        if (k->plain->ran)
+            break;
+    }
     k->turn.n = 0;
     k->wait = 0;
     k->rounds = 0;
@@ -206,7 +213,7 @@ uint64_t search_solve_exit(SearchRun *k, uint32_t node, const SearchExit *x)
         search_wish_node(k, d, d->d->nodes - 1, x->path.elem[e].value);
     }
     add_all_wished(k);
-    if (k->turn.n == 0 && k->wait == 0)
+    if ((k->turn.n == 0 && k->wait == 0) || (k->o->place && search_chance(k, OTHERS_PERCENT)))
         add_random(k, &x->path);
     return choose_steps(k);
 }

@@ -17,7 +17,6 @@ enum {
 // none of these steps.
 static uint64_t find_exit_step(SearchRun *k, uint32_t node, uint64_t steps)
 {
-    const FlatState *s = (const FlatState *)(const void *)k->scratch;
     const uint64_t at = k->node.at[node].at;
 
     search_load(k, node, k->scratch);
@@ -26,7 +25,7 @@ static uint64_t find_exit_step(SearchRun *k, uint32_t node, uint64_t steps)
         search_set_inputs(k, k->scratch, at + n);
         flat_step(k->plain, k->scratch);
         k->r->steps++;
-        if (s->first)
+        if (k->plain->taken)
             return n;
     }
     return 0;

@@ -170,6 +170,22 @@ uint32_t joint_machine_of(const Joint *j, uint32_t number)
     return i;
 }
 
+JointUses program_uses_of(const Program *p, const Var *v)
+{
+    JointUses u = {p->joint ? false : v->read, p->joint ? false : v->written, v->read_only};
+
+    for (size_t m = 0; p->joint && m < p->joint->member.n; m++) {
+        const Member *member = &p->joint->member.at[m];
+        for (size_t i = 0; i < member->program->var.n; i++)
+            if (member->var[i] == v) {
+                u.read |= member->program->var.at[i]->read;
+                u.written |= member->program->var.at[i]->written;
+                u.read_only |= member->program->var.at[i]->read_only;
+            }
+    }
+    return u;
+}
+
 // Computes floor(g * unit / period).  A period is at most an hour and a unit at most a second, so after division by their gcd, x below is less
 // than 2^42 and the unit less than 2^30.
 uint64_t joint_periods_until(const Joint *j, uint64_t every, uint64_t g)

@@ -420,6 +420,9 @@ typedef struct Script {
 
 // Returns the index of the machine to which the state with this number in the joined Program belongs.
 uint32_t joint_machine_of(const Joint *j, uint32_t number);
+// What a machine does with one of its variables; of an application, what its machines do with it.
+typedef struct JointUses { bool read, written, read_only; } JointUses;
+JointUses program_uses_of(const Program *p, const Var *v);
 // For a machine that steps once in `every` ticks: returns how many of its periods have ended when G is g.
 uint64_t joint_periods_until(const Joint *j, uint64_t every, uint64_t g);
 

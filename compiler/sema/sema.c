@@ -26,7 +26,7 @@ void sema_init(Sema *s, const CheckContext *c, const HiddenNames *lost, const Pr
 
 Str sema_file_stem(StrPool *strings, const Source *src)
 {
-    const char *name = path_portable_name(src->name), *end = strrchr(name, '.');
+    const char *name = strcmp(src->name, "<stdin>") == 0 ? "stdin" : path_portable_name(src->name), *end = strrchr(name, '.');
 
     return str_intern(strings, name, end && end != name ? (size_t)(end - name) : strlen(name));
 }

@@ -172,7 +172,7 @@ FaultEngine *fault_engine_open(Arena *arena, Engine *inner, const FaultInput *in
     FaultEngine *e = ARENA_NEW(arena, FaultEngine);
 
     e->arena = arena;
-    e->engine = (Engine){"faulty", inner->program, NULL, e, faulty_init, faulty_step, faulty_close};
+    e->engine = (Engine){"faulty", inner->program, NULL, e, faulty_init, faulty_step, faulty_close, inner};
     e->inner = inner;
     e->input = input;
     e->inputs = inputs;

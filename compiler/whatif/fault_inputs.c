@@ -18,35 +18,16 @@ static bool script_writes(const Script *s, const Var *v)
     return false;
 }
 
-// Which uses of a variable some machine has: in an application, of the variables that are `v` in its machines.
-typedef struct MachineUses { bool read, written, read_only; } MachineUses;
-
-static MachineUses uses_of(const Program *p, const Var *v)
-{
-    MachineUses u = {p->joint ? false : v->read, p->joint ? false : v->written, v->read_only};
-
-    for (size_t m = 0; p->joint && m < p->joint->member.n; m++) {
-        const Member *member = &p->joint->member.at[m];
-        for (size_t i = 0; i < member->program->var.n; i++)
-            if (member->var[i] == v) {
-                u.read |= member->program->var.at[i]->read;
-                u.written |= member->program->var.at[i]->written;
-                u.read_only |= member->program->var.at[i]->read_only;
-            }
-    }
-    return u;
-}
-
-bool fault_is_written(const Program *p, const Var *v) { return uses_of(p, v).written; }
+bool fault_is_written(const Program *p, const Var *v) { return program_uses_of(p, v).written; }
 
 bool fault_is_input(const Var *v, const Script *const *script, uint32_t scripts)
 {
     const Program *p = scripts ? script[0]->program : NULL;
-    MachineUses u;
+    JointUses u;
 
     if (!p || v->kind != VAR_ELEMENT || v == p->g || v->state_of)
         return false;
-    u = uses_of(p, v);
+    u = program_uses_of(p, v);
     if (!u.read || (p->joint && u.written))
         return false;
     for (uint32_t i = 0; i < scripts; i++)

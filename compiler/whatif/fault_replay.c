@@ -128,7 +128,7 @@ Engine *fault_tape_open(FaultRunner *x, Engine *inner, uint32_t script)
 {
     FaultTape *k = ARENA_NEW(&x->run, FaultTape);
 
-    *k = (FaultTape){{"tape", inner->program, NULL, k, tape_init, tape_step, tape_close}, inner, x, NULL, NULL};
+    *k = (FaultTape){{"tape", inner->program, NULL, k, tape_init, tape_step, tape_close, inner}, inner, x, NULL, NULL};
     k->last = ARENA_ARRAY(&x->run, uint64_t, count_slots(x, &x->seen[script]));
     x->w->tape = k;
     return &k->engine;

@@ -2,6 +2,7 @@
 #include "compiler/whatif/fault_script.h"
 
 #include <inttypes.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,6 +73,56 @@ void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out)
         buf_printf(out, "%sends in %s instead of %s", comma, r->end->name->text, r->healthy_end->name->text);
     else if (r->outcome == FAULT_HAS_ENDLESS)
         buf_printf(out, "%sno @stop within %" PRIu64 " steps", comma, r->steps);
+}
+
+// Appends what is most important about a result, in a word or two. Returns its rank among the effects with the same outcome: 0 is the clearest.
+static int write_brief(const Faults *f, const FaultResult *r, Buf *out)
+{
+    if (r->outcome == FAULT_HAS_VIOLATED) {
+        buf_str(out, f->options.requirements->at.at[r->violated - 1].id->text);
+        return 0;
+    }
+    if (r->end != r->healthy_end) {
+        buf_printf(out, "-> %s", r->end->name->text);
+        return 0;
+    }
+    if (r->outcome == FAULT_HAS_ENDLESS) {
+        buf_str(out, "no @stop");
+        return 1;
+    }
+    buf_str(out, r->differs ? r->differs->report_name->text : "assert");
+    return r->differs ? 2 : 3;
+}
+
+void fault_write_worst(const Faults *f, uint32_t input, FaultKind kind, Buf *out)
+{
+    const FaultOutcome worst = faults_find_worst(f, input, kind);
+    VEC(const char *) seen = {0};             // the different effects
+    uint32_t first = 0;                       // the clearest of them
+    int rank = INT_MAX;
+
+    for (uint32_t i = 0; i < f->result.n && worst != FAULT_HAS_NONE; i++) {
+        const FaultResult *r = &f->result.at[i];
+        uint32_t k = 0;
+        Buf brief;
+        int its_rank;
+        if (r->faults != 1 || r->fault[0].input != input || r->fault[0].kind != kind || r->outcome != worst)
+            continue;
+        buf_init(&brief, out->arena);
+        its_rank = write_brief(f, r, &brief);
+        while (k < seen.n && strcmp(seen.at[k], buf_text(&brief)) != 0)
+            k++;
+        if (k == seen.n)
+            vec_push(out->arena, &seen, buf_text(&brief));
+        if (its_rank < rank) {
+            rank = its_rank;
+            first = k;
+        }
+    }
+    if (seen.n)
+        buf_str(out, seen.at[first]);
+    if (seen.n > 1)
+        buf_printf(out, " +%lu", (unsigned long)(seen.n - 1));
 }
 
 // ---- what the script must show ----

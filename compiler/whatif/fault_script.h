@@ -26,6 +26,9 @@ void fault_write_name(const Faults *f, const FaultResult *r, Buf *out);
 void fault_write_trigger(const Faults *f, const FaultResult *r, Buf *out);
 // Appends where the range of an input comes from, unless it is declared: "'p' has no @range; …".  Returns whether it has appended anything.
 bool fault_write_range(const FaultInput *in, Buf *out);
+// Appends the most dangerous outcome of an input's faults of one kind in a few words, for a cell of a table; nothing if none has an effect.  Of all
+// effects with this outcome the first: "R3", "-> Abort", "valve", "no @stop", "assert"; "+2" after it: two others.
+void fault_write_worst(const Faults *f, uint32_t input, FaultKind kind, Buf *out);
 // Appends what happened, in words, without a full stop.
 void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out);
 

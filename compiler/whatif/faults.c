@@ -61,7 +61,7 @@ static Engine *open_recorder(FaultRunner *x, Engine *inner)
 {
     FaultRecorder *k = ARENA_NEW(&x->run, FaultRecorder);
 
-    *k = (FaultRecorder){{"recorder", inner->program, NULL, k, recorder_init, recorder_step, recorder_close}, inner, x, 0};
+    *k = (FaultRecorder){{"recorder", inner->program, NULL, k, recorder_init, recorder_step, recorder_close, inner}, inner, x, 0};
     return &k->engine;
 }
 

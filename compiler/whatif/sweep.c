@@ -394,7 +394,9 @@ uint32_t sweep_find_limit(const Sweep *s, uint32_t axis, double fails)
 
 void sweep_write_value(const SweepAxis *a, double x, Buf *out)
 {
-    if (a->parameter->type == SM_F32)
+    if (a->parameter->type == SM_BOOL)
+        buf_str(out, x != 0 ? "true" : "false");
+    else if (a->parameter->type == SM_F32)
         format_cell_stored(out, SM_F32, ref_convert(SM_F32, x));
     else
         format_number_shortest(out, x);
@@ -434,20 +436,24 @@ static double written_value(const SweepAxis *a, double x, Arena *arena)
 void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out)
 {
     const SweepAxis *a = &s->axis[axis];
+    const bool is_bool = a->parameter->type == SM_BOOL;
     double fails, distance;
     uint32_t limit;
 
     if (sweep_find_margin(s, axis, above, &fails)) {
         buf_str(out, "fails at ");
         sweep_write_value(a, fails, out);
+        buf_str(out, " (");
         distance = written_value(a, fails, out->arena) - written_value(a, a->current, out->arena);
+        if (!is_bool)
+            buf_printf(out, "%.6g away, ", above ? distance : -distance);
         limit = sweep_find_limit(s, axis, fails);
-        buf_printf(out, " (%.6g away, %s", above ? distance : -distance,
-                   s->check.at[limit].requirement ? "requirement " : s->check.at[limit].assert ? "only the assert " : "");
+        buf_str(out, s->check.at[limit].requirement ? "requirement " : s->check.at[limit].assert ? "only the assert " : "");
         sweep_write_check(s, limit, out);
         buf_char(out, ')');
-    } else {
-        buf_printf(out, "nothing %s %s to ", sweep_is_noticed(s, axis) ? "fails" : "notices it", above ? "up" : "down");
+    } else if (!is_bool || a->current != (above ? a->hi : a->lo)) {
+        buf_str(out, sweep_is_noticed(s, axis) ? "nothing fails " : "nothing notices it ");
+        buf_str(out, is_bool ? "at " : above ? "up to " : "down to ");
         sweep_write_value(a, above ? a->hi : a->lo, out);
     }
 }

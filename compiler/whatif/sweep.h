@@ -96,7 +96,8 @@ void sweep_write_check(const Sweep *s, uint32_t check, Buf *out);
 void sweep_write_value(const SweepAxis *a, double x, Buf *out);
 // Appends the checks that fail at a point.
 void sweep_write_failing(const Sweep *s, const SweepPoint *p, const char *separator, Buf *out);
-// Appends what is below (`above` false) or above the current value: "fails at 20.1 (10.1 away, requirement R1)", "nothing fails up to 41".
+// Appends what is below (`above` false) or above the current value: "fails at 20.1 (10.1 away, requirement R1)", "nothing fails up to 41".  Of a bool
+// only its other value has such a text.
 void sweep_write_side(const Sweep *s, uint32_t axis, bool above, Buf *out);
 // Returns the last point of the line in a row at which the same checks fail as at the point `first`.
 uint32_t sweep_find_last_alike(const Sweep *s, uint32_t axis, uint32_t first);

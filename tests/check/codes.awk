@@ -29,6 +29,19 @@ FILENAME ~ /codes\.def$/ && /^DIAG\("/ {
     row[id] = FNR
 }
 
+# codes.def: DIAG_FOLD(semicolon, … directly below the error of this name
+FILENAME ~ /codes\.def$/ && /^DIAG\("/ {
+    split($0, word, ", ")
+    named = word[2]
+    is_error = $0 ~ /^DIAG\("E/
+}
+
+FILENAME ~ /codes\.def$/ && /^DIAG_FOLD\(/ {
+    split(substr($0, 11), word, ", ")
+    if (word[1] != named || !is_error)
+        complain("codes.def:" FNR ": a row DIAG_FOLD follows the error that it is about")
+}
+
 FILENAME ~ /codes\.txt$/ && /^([EW][0-9]|[a-z])/ {
     if (NF < 2)
         complain("codes.txt:" FNR ": no reason given")

@@ -82,7 +82,10 @@ check 0 "is named" has '^kept: made/vent-2-vent-to-wait.ss has been edited'
 check 0 "and kept" cmp edited made/vent-2-vent-to-wait.ss
 sed 's/T > 200/T > 300/' vent.sm >changed && mv changed vent.sm
 check 1 "an edited script that fails" "$smc" cover vent.sm -o made
-cp before/* made
+check 0 "is left out" has 'Left out: vent-2-vent-to-wait.ss, because it fails at'
+check 0 "is kept" cmp edited made/vent-2-vent-to-wait.ss
+check 0 "and another script has its goal" grep -q 'T > 300' made/vent-2-vent-to-wait-2.ss
+rm -r made && cp -r before made
 check 0 "a changed machine" "$smc" cover vent.sm -o made
 check 0 "makes scripts stale" has '^replaced: made/vent-2-vent-to-wait.ss'
 check 0 "which are replaced" grep -q 'T > 300' made/vent-2-vent-to-wait.ss
@@ -90,8 +93,11 @@ mkdir foreign
 echo '# not generated' >foreign/vent-2-vent-to-wait.ss
 cp foreign/vent-2-vent-to-wait.ss edited
 check 0 "a script of other origin" "$smc" cover vent.sm -o foreign
+check 0 "is named" has '^kept: foreign/vent-2-vent-to-wait.ss: smc has not written it'
 check 0 "is not touched" cmp edited foreign/vent-2-vent-to-wait.ss
 check 0 "and the new one has another name" test -s foreign/vent-2-vent-to-wait-2.ss
+check 0 "a second call" "$smc" cover vent.sm -o foreign
+check 1 "has no name to change" has 'has not written it'
 mkdir crlf
 for f in again/*.ss; do sed 's/$/\r/' "$f" >crlf/"$(basename "$f")"; done
 check 0 "carriage returns are no edit" "$smc" cover vent.sm -o crlf
@@ -109,8 +115,27 @@ echo text >file
 check 3 "a folder that is a file" "$smc" cover vent.sm -o file
 check 3 "a folder in a file" "$smc" cover vent.sm -o file/made
 printf '[options]\ndelta_t 10\n[all_states]\nG == 0: @assert state Vent\nG == 0: @stop\n' >fails.ss
-check 1 "a given script that fails" "$smc" cover vent.sm fails.ss -o made
-check 0 "is named" has 'fails.ss fails'
+check 0 "before a script that fails" "$smc" cover vent.sm -o alone
+check 1 "a given script that fails" "$smc" cover vent.sm fails.ss -o without
+check 0 "is named with its line" has 'Left out: fails.ss, because it fails at fails.ss:4'
+check 0 "and counted" has 'scripts that do not pass: 1 of 1'
+check 0 "and covers nothing" diff -r alone without
+check 1 "a passing script beside it" "$smc" cover vent.sm alone/*.ss fails.ss -o beside
+check 0 "counts" test -z "$(ls beside)"
+check 1 "a script that is left out, as JSON" "$smc" cover vent.sm fails.ss -o without --format=json
+check 0 "has its reason" has '"left_out":\[{"script":"fails.ss","why":"fails at fails.ss:4"'
+printf '[options]\ndelta_t 10\n[all_states]\npressure > 2000: @stop\n' >endless.ss
+check 1 "a script without an end" "$smc" cover vent.sm endless.ss -o without
+check 0 "is left out, too" has 'Left out: endless.ss, because it does not stop'
+printf '[options]\ndelta_t 10\n[all_states]\nG == 0: other = 1\n' >unknown.ss
+check 1 "a script that does not compile" "$smc" cover vent.sm unknown.ss -o without
+check 0 "ends the call at its line" has "unknown.ss:4:9: error: unknown element 'other'"
+check 0 "a machine from standard input" sh -c "\"$smc\" cover - -o from-stdin <vent.sm"
+check 0 "has names that every system can store" test -s from-stdin/stdin-2-vent-to-wait.ss
+check 2 "too much effort" "$smc" cover vent.sm -o made --effort=1000000001
+check 0 "has its limit named" has "effort can be at most 1000000000, not '1000000001'"
+check 2 "a number of more than 64 bits" "$smc" cover vent.sm -o made --memory=99999999999999999999999
+check 0 "has its limit named, too" has "memory can be at most [0-9]*, not '9*'"
 mkdir locked && chmod a-w locked
 if test -w locked && mount -t tmpfs -o ro none locked 2>/dev/null; then       # root can write everywhere else
     check 3 "an unwritable folder" "$smc" cover vent.sm -o locked

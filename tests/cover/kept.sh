@@ -68,6 +68,14 @@ mkdir version && sed 's/775/776/' tank.sm >version/tank.sm
 refuse 1 "tank.cov.*version" "$smc" test version/tank.sm tank.ss tank.cov --coverage
 head -c 60 tank.cov >cut.cov
 refuse 1 "cut.cov" "$smc" test tank.sm tank.ss cut.cov --coverage
+# Without a script, too: the counts are all that the call has.
+refuse 1 "'tank.cov' has the coverage of the machine 'tank', not of 'x'" "$smc" test x.sm tank.cov --coverage
+refuse 1 "tank.cov.*version" "$smc" test version/tank.sm tank.cov --min-coverage=states:0
+refuse 1 "cut.cov" "$smc" test tank.sm cut.cov --coverage --junit=cut.xml
+check "and in a JUnit file" grep -q '<error' cut.xml
+refuse 1 "no-machine.sm:1:1: error" sh -c "echo x >no-machine.sm; '$smc' test no-machine.sm tank.cov --coverage"
+refuse 2 "a name that ends in .cov, not 'tank.txt'" "$smc" test tank.sm tank.ss --coverage-data=tank.txt
+check "no counts were written" test ! -e tank.txt
 echo mine >mine.cov
 refuse 2 "'mine.cov' exists and was not written by smc" "$smc" test tank.sm tank.ss --coverage-data=mine.cov
 check "the foreign file stays" grep -q mine mine.cov

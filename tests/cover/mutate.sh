@@ -74,6 +74,9 @@ for machine in tests/cover/*.sm; do
     test -f "$requirements" || requirements=
     compare "$machine" "${machine%.sm}"*.ss $requirements
 done
+# Every sign of signs.sm is left out in a mutant.
+"$smc" mutate -w tests/cover/signs.sm tests/cover/signs.ss --format=json -o "$dir/list.json" --force
+test "$(grep -c '"old":"-","new":""' "$dir/list.json")" = 10 || fail "signs.sm: $(grep -c '"old":"-","new":""' "$dir/list.json") signs, not 10"
 test $by_requirement -ge 15 || fail "requirements notice $by_requirement changes, not 15"
 
 # Ctrl-C: what is known so far is complete, and the process ends by the signal.

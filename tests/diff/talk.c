@@ -78,7 +78,7 @@ TalkPart *talk_add(Talk *t, Session *s, const Program *p, Form form, const IrMac
     part->tracks = t->images || t->n % 2 == 0;
     part->result = result;
     part->inner = engine_ref_open(&s->arena, p);
-    part->recorder = (Engine){ part->inner->name, p, NULL, part, record_init, record_step, record_close };
+    part->recorder = (Engine){ part->inner->name, p, NULL, part, record_init, record_step, record_close, part->inner };
     part->first = t->answers.n;
     part->answer = HEAD + 9 * p->var.n;
     return part;

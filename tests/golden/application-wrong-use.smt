@@ -82,8 +82,20 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
       |               ^~~~~~~~~~~~
 4 errors
 smc: cannot read 'a.ss': No such file or directory
-smc: 'a.app' is an application, and smc cover is for one machine, with scripts of that machine. Its machines:
-  m: smc cover missing.sm SCRIPT.ss -o FOLDER --sv a.sv
+a.app:4:1: error: 25 ms is not a multiple of 10 ms, the tick of [flight] [E1035]
+    4 | every 25 ms:
+      | ^~~~~~~~~~~~ 20 ms or 30 ms would be
+a.app:5:18: error: unknown element 'tim' [E0204]
+    5 |     task a @mode tim
+      |                  ^~~ did you mean 'time'?
+a.sv:2:5: note: 'time' is declared here
+a.app:7:13: error: machine 'm' needs the time: in [options], time ELEMENT 1 ms [E1030]
+    7 |     machine m "missing.sm"
+      |             ^
+a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
+    7 |     machine m "missing.sm"
+      |               ^~~~~~~~~~~~
+4 errors
 smc: cannot read 'a.rq': No such file or directory
 smc: cannot read 'a.ss': No such file or directory
 smc: cannot read 'a.ss': No such file or directory
@@ -105,4 +117,4 @@ a.app:7:15: error: cannot read 'missing.sm': No such file or directory [E1031]
 4 errors
 smc: cannot read 'nosuch.app': No such file or directory
 -- exit --
-2 2 2 2 2 2 2 2 2 3 1 1 3 2 3 3 3 2 1 3 0
+2 2 2 2 2 2 2 2 2 3 1 1 3 1 3 3 3 2 1 3 0

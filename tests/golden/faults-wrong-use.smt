@@ -75,8 +75,8 @@ at 300: @assert open
 at 300: @stop
 -- stdout --
 faults of a: 1 input, 0 triggers in 1 script; 0 of 0 faults have an effect
-input  stuck      dead       nan        low        high       below      above      noisy      late       dropped
-p      -          -          -          -          -          -          -          -          -          -
+input  stuck  dead  nan  low  high  below  above  noisy  late  dropped
+p      -      -     -    -    -     -      -      -      -     -
 note: 'p' has no @range; its range in the runs without a fault is 0 to 300
 faults of a: 1 input, 0 triggers in 1 script; 0 of 0 faults have an effect
 input  dead

@@ -81,8 +81,8 @@ true: isOpen = valve
 at 400: @stop
 -- stdout --
 faults of a: 1 input, 4 triggers in 1 script; 18 of 40 faults have an effect
-input     stuck      dead       nan        low        high       below      above      noisy      late       dropped
-altitude  failed     violated   violated   violated   failed     -          -          -          -          -
+input     stuck   dead  nan  low  high    below  above  noisy  late  dropped
+altitude  assert  R1    R1   R1   assert  -      -      -      -     -
 a requirement is violated:
   altitude dead from the start, in Ascent (G = 0, a.ss): R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120; and 1 more trigger
   altitude nan from the start, in Ascent (G = 0, a.ss): R1, by the true values, at G = 120; assert at a.ss:6 at G = 500; drogue = true instead of false at G = 120; and 1 more trigger
@@ -126,10 +126,10 @@ F32 true_altitude = 0     # the true value
 true: altitude = 0
 time == 120: @assert not drogue "as without the fault"
 faults of latch: 2 inputs, 2 triggers in 1 script; 26 of 40 faults have an effect
-input  stuck      dead       nan        low        high       below      above      noisy      late       dropped
-P1     -          aborted    aborted    aborted    aborted    aborted    aborted    aborted    -          -
-P2     -          aborted    aborted    aborted    aborted    aborted    aborted    aborted    -          -
-ends in an @abort state:
+input  stuck  dead     nan      low      high     below    above    noisy    late  dropped
+P1     -      -> Stop  -> Stop  -> Stop  -> Stop  -> Stop  -> Stop  -> Stop  -     -
+P2     -      -> Stop  -> Stop  -> Stop  -> Stop  -> Stop  -> Stop  -> Stop  -     -
+the script ends in an @abort state:
   P1 dead from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch; and 1 more trigger
   P1 nan from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch; and 1 more trigger
   P1 low from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch; and 1 more trigger
@@ -146,13 +146,13 @@ ends in an @abort state:
   P2 noisy from the start, in Watch (G = 0, latch.ss): assert at latch.ss:6 at G = 300; alarm = true instead of false at G = 0; ends in Stop instead of Watch
 smc faults -v lists each trigger
 faults of feedback: 1 input, 5 triggers in 1 script; 17 of 30 faults have an effect
-input   stuck      dead       high       late       dropped    flipped
-isOpen  elsewhere  elsewhere  elsewhere  differs    differs    differs
-ends in another state:
+input   stuck       dead     high     late  dropped  flipped
+isOpen  -> Open +1  -> Open  -> Burn  S     S        S
+the script ends in another state:
   isOpen stuck from the start, in Open (G = 0, feedback.ss): S = Open instead of Burn at G = 20; ends in Open instead of Closed; and 2 more triggers
   isOpen dead from the start, in Open (G = 0, feedback.ss): S = Open instead of Burn at G = 20; ends in Open instead of Closed
   isOpen high from the start, in Open (G = 0, feedback.ss): S = Burn instead of Open at G = 10; ends in Burn instead of Closed; and 2 more triggers
-other outputs or states on the way:
+an output or a state differs on the way:
   isOpen late from the start, in Open (G = 0, feedback.ss): S = Open instead of Burn at G = 20; and 2 more triggers
   isOpen dropped from the start, in Open (G = 0, feedback.ss): S = Open instead of Burn at G = 20; and 1 more trigger
   isOpen flipped from the start, in Open (G = 0, feedback.ss): S = Burn instead of Open at G = 10; and 2 more triggers
@@ -160,6 +160,8 @@ other outputs or states on the way:
 smc faults -v lists each trigger
 {"smc-faults":1,"machine":"a","faults":4,"runs":4,"pairs":0,"complete":true,
 "inputs":[{"name":"altitude","low":-50,"high":1000,"declared":true}],
+"matrix":[
+{"input":"altitude","kind":"dead","outcome":"violated","effect":"R1"}],
 "triggers":[
 {"script":"a.ss","step":1,"G":0,"state":"Ascent"},
 {"script":"a.ss","step":32,"G":310,"state":"Ascent"},
@@ -173,7 +175,7 @@ smc faults -v lists each trigger
 faults of a: 1 input, 2 triggers in 1 script; 2 of 2 faults have an effect
 2 runs; the outcome of every other fault follows from these
 input     high
-altitude  failed
+altitude  assert
 an assert of a healthy flight fails:
   altitude high from a time in Ascent (G = 0, a.ss): assert at a.ss:7 at G = 690
   altitude high from a time in Ascent (G = 300, a.ss): assert at a.ss:7 at G = 690
@@ -191,7 +193,7 @@ note: the last steps, and the values after each:
 a.sm:9:33: note: transition in step 12 (G = 110): Ascent -> Drogue
 a.sm:14:5: note: step 13 (G = 120): `drogue = true` was executed
 1 error
-smc: 7 faults: ends in another state, or worse
+smc: 7 faults: the script ends in another state, or worse
 smc: faults under "failed" (2) fail asserts, which describe a flight without faults: write what must hold with any fault as requirements, in a .rq file
 -- exit --
 0 1 0 1 0 0

@@ -21,7 +21,7 @@ Usage:
       change one number, operator, target or statement at a time, and list the changes that no script and no requirement notices
   smc diff OLD.sm NEW.sm [SCRIPT.ss...] [--sv V.sv] [--format=FORMAT] [-o OUT]
       compare what two machines do: states, transitions, outputs, costs and findings, and in scripts
-  smc cover M.sm [SCRIPT.ss...] [--sv V.sv] -o FOLDER
+  smc cover M.sm|X.app [SCRIPT.ss...] [--sv V.sv] -o FOLDER
       find inputs that reach what no script has tested, and write them as scripts into a folder
   smc faults M.sm|X.app SCRIPT.ss... [R.rq...] [--sv V.sv] [--pairs] [--scripts=DIR]
       make each input faulty in each way, beginning in each state and at each transition, and list what that does to the runs of scripts

@@ -46,7 +46,7 @@ faults of a: 1 input, 6 triggers in 2 scripts; 2 of 6 faults have an effect
   Left out: bad.ss, because it fails at bad.ss:3.
   Not judged: R1 in high.ss, where it is violated anyway.
 input  dead
-p      violated
+p      R2
 "left_out":[{"script":"bad.ss","why":"fails at bad.ss:3"}],"not_judged":[{"requirement":"R1","script":"high.ss"}],
 mutations of a: 3 of 13 changes are noticed (23.1 %)
   Left out: bad.ss, because it fails at bad.ss:3.

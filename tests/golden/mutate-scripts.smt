@@ -35,8 +35,8 @@ G == 50 {
     @stop
 }
 -- stdout --
-mutations of a: 8 of 23 changes are noticed (34.8 %)
-inputs were found for 15 of the 15 changes that no script notices
+mutations of a: 8 of 24 changes are noticed (33.3 %)
+inputs were found for 16 of the 16 changes that no script notices
 not noticed; these inputs would show it:
   line 10:5: `p > 825 or G < 0` changed to `1` in Fill, on the way to an @abort state
     from Fill, at G = 10, S differs [a-change-10-5-2.ss]
@@ -64,11 +64,13 @@ not noticed; these inputs would show it:
     from Fill, at G = 0: p = 1000; at G = 0, open differs [a-change-10-7-2.ss]
   line 9:32: `>` changed to `>=` in Fill, an output
     from Fill, at G = 0: p = -1; at G = 0, open differs [a-change-9-32-2.ss]
+  line 9:34: `-` left out in Fill, an output
+    from Fill, at G = 0, open differs [a-change-10-5-2.ss]
   line 9:35: `1` changed to `0` in Fill, an output
     from Fill, at G = 0, open differs [a-change-10-5-2.ss]
   line 9:35: `1` changed to `2` in Fill, an output
     from Fill, at G = 0: p = -1; at G = 0, open differs [a-change-9-32-2.ss]
-6 scripts in made show 15 of these changes
+6 scripts in made show 16 of these changes
 a-change-10-5-2.ss
 a-change-10-7-2.ss
 a-change-10-9-2.ss
@@ -89,12 +91,12 @@ at 0:     p = 700
 true:     @assert state Fill and open
 at 10 ms: @stop
 6 passed, 0 failed
-mutations of a: 23 of 23 changes are noticed (100.0 %)
-15
+mutations of a: 24 of 24 changes are noticed (100.0 %)
+16
 1857944801 233
-mutations of a: 8 of 23 changes are noticed (34.8 %)
+mutations of a: 8 of 24 changes are noticed (33.3 %)
 1857944801 233
-6 scripts in made show 14 of these changes
+6 scripts in made show 15 of these changes
 # mine
 # mine
 -- stderr --

@@ -380,9 +380,8 @@ empty.app:1:1: error: the application has no machine that a script could run [E0
     1 | [options]
       | ^
 1 error
-smc: 'stand.app' is an application, and smc cover is for one machine, with scripts of that machine. Its machines:
-  pump: smc cover pump.sm SCRIPT.ss -o FOLDER --sv stand.sv
-  valve: smc cover valve.sm SCRIPT.ss -o FOLDER --sv stand.sv
+smc: cover requires a folder for the scripts, as in 'smc cover stand.app -o cover'
+Try 'smc cover --help'.
 smc: 'stand.app' is an application, and smc diff is for one machine, with scripts of that machine. Its machines:
   pump: smc diff OLD.sm pump.sm --sv stand.sv
   valve: smc diff OLD.sm valve.sm --sv stand.sv

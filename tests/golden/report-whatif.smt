@@ -72,14 +72,17 @@ Faults of sensors
 
 Each input is made faulty in each way, beginning in each state and at each transition that the
 scripts take, and the scripts run again. The table has the most dangerous outcome of each input and
-fault, with its number in the lists below. A `-` is a fault without any effect; an empty cell is a
-fault that the input cannot have. Requirements are judged for what the machine reads and for the
-true values.
+fault, with its number in the lists below. The name of a requirement: it is violated. `-> Abort`:
+the script ends in this state, and not where it does without the fault. The name of an output: it
+differs on the way, or an assert fails. `no @stop`: the script does not stop. `assert`: only an
+assert fails. `+2`: two other effects as dangerous, with another beginning of the fault. `-`: no
+effect. An empty cell: the input cannot have this fault. Requirements are judged for what the
+machine reads and for the true values.
 
 18 of 40 faults have an effect: 1 input, 4 triggers in 1 script.
 
-  Input     stuck     dead        nan         low         high      below  above  noisy  late  dropped
-  altitude  failed 4  violated 1  violated 2  violated 3  failed 5  -      -      -      -     -
+  Input     stuck       dead    nan     low     high        below  above  noisy  late  dropped
+  altitude  assert (4)  R1 (1)  R1 (2)  R1 (3)  assert (5)  -      -      -      -     -
 
 With `--scripts=DIR`, `smc report` writes a script for each line, which reproduces it.
 
@@ -99,16 +102,16 @@ With one fault, an assert of a healthy flight fails [failed]
 
 Kinds of faults
   Fault    What the machine reads
-  stuck    the last reading before the fault stays
-  dead     reads 0 or false
-  nan      reads NaN, which a machine sees as 0; only floats
-  low      reads the lowest value of its range
-  high     reads the highest value of its range, or true
-  below    reads too little by 5 % of its range
-  above    reads too much by 5 % of its range
-  noisy    a random number is added to each reading; its standard deviation is 2 % of the range
-  late     reads the value of 5 steps before
-  dropped  the last reading before the fault stays for 10 steps
+  stuck    the last reading before the fault
+  dead     0 or false
+  nan      NaN, which a machine sees as 0; only floats
+  low      the lowest value of the range
+  high     the highest value of the range; true
+  below    the true value less 5 % of the range
+  above    the true value and 5 % of the range
+  noisy    the true value and a random number with a standard deviation of 2 % of the range
+  late     the true value of 5 steps before
+  dropped  the last reading before the fault, for 10 steps
 
 Parameters at other values
 --------------------------
@@ -122,7 +125,7 @@ the limit, and the assert may be the time line of one script.
 
   Parameter  Verdict         Now    Below                           Above
   limit      not noticed     300    nothing notices it down to 100  nothing notices it up to 500
-  unused     only an assert  false                                  fails at true
+  unused     only an assert  false                                  fails at true (only the assert a.ss:8)
 
 `limit` from 100 to 500
   From  To   What fails

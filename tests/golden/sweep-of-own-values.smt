@@ -46,7 +46,8 @@ burn:
   usual.ss:2: passes from 5.891, fails up to 5.89
   usual.ss:3: passes up to 8.99, fails from 8.991
   now 8: below, fails at 5.89 (2.11 away, only the assert usual.ss:2); above, fails at 8.991 (0.991 away, only the assert usual.ss:3)
-{"smc-sweep":1,"machine":"b","runs":28,"complete":true,"parameters":[{"name":"burn","now":8,"fails_below":5.89,"fails_above":8.991,"fails_now":false,"left_out":["own.ss"]}],
+{"smc-sweep":1,"machine":"b","runs":28,"complete":true,"parameters":[
+{"name":"burn","now":8,"is_swept":true,"is_noticed":true,"fails_now":false,"fails_below":5.89,"check_below":"usual.ss:2","kind_below":"assert","fails_above":8.991,"check_above":"usual.ss:3","kind_above":"assert","left_out":["own.ss"],"values":[{"from":1,"to":1,"fails":["usual.ss:2"]},{"from":8,"to":8,"fails":[]},{"from":15,"to":15,"fails":["usual.ss:3"]}]}],
 "points":[
 {"at":[1],"fails":["usual.ss:2"]},
 {"at":[8],"fails":[]},
@@ -59,7 +60,8 @@ sweep of b: 1 script, 0 runs
 burn:
   left out, with a value of their own: own.ss
   no script is left
-{"smc-sweep":1,"machine":"b","runs":0,"complete":true,"parameters":[{"name":"burn","now":8,"fails_now":false,"left_out":["own.ss"]}],
+{"smc-sweep":1,"machine":"b","runs":0,"complete":true,"parameters":[
+{"name":"burn","now":8,"is_swept":false,"is_noticed":false,"fails_now":false,"left_out":["own.ss"],"values":[]}],
 "points":[
 ],"boundaries":[
 ]}

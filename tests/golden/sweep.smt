@@ -6,6 +6,10 @@ args sweep v.sm v.ss v.rq --set limit=700:900:3 -o s.json -MD; cat s.json s.d
 args sweep v.sm v.ss v.rq --set limit=700:900:3 -o s.svg; "$SMC" sweep v.sm v.ss v.rq --set limit=700:900:3 -o s.svg; cat s.svg
 args sweep v.sm v.ss --set limit=800:900:2 | tail -n 1
 args sweep v.sm v.ss --set on=false:true:5
+args sweep v.sm v.ss --set on=0:1:2 --format=csv
+args sweep v.sm v.ss v.rq --set limit=750:850:3 --set wait=50:60:2 --format=json
+args sweep v.sm v.ss v.rq --set limit=750:850:3 --set wait=50:60:2 --format=csv
+args sweep v.sm 'quote".ss' --set on=false:true:2 --set wait=0:3:2 --format=csv
 args sweep v.sm never.ss --set wait=0:3:20
 args sweep v.sm v.ss
 args sweep v.sm v.ss --set limt=700:900:3
@@ -47,6 +51,11 @@ at 760: @assert not open
 at 820: @assert open
 at 900: @assert state Abort
 at 2 s: @stop
+-- quote".ss --
+[all_states]
+true: p = G
+at 820: @assert open
+at 900: @stop
 -- never.ss --
 [all_states]
 true: p = 1
@@ -83,12 +92,13 @@ map: wait up, limit to the right from 700 to 900; '.' passes, a digit is the num
   200  111111.....1222222222
   100  111111.....1222222222
     0  111111.....1222222222
-limit,failing,checks
-700,1,"v.ss:3"
-775,0,""
-800,0,""
-900,1,"v.ss:4"
-{"smc-sweep":1,"machine":"v","runs":36,"complete":true,"parameters":[{"name":"limit","now":775,"fails_below":759.99,"fails_above":810,"fails_now":false}],
+limit,now,failing,requirements,checks
+700,,1,0,"v.ss:3"
+775,now,0,0,""
+800,,0,0,""
+900,,1,0,"v.ss:4"
+{"smc-sweep":1,"machine":"v","runs":36,"complete":true,"parameters":[
+{"name":"limit","now":775,"is_swept":true,"is_noticed":true,"fails_now":false,"fails_below":759.99,"check_below":"v.ss:3","kind_below":"assert","fails_above":810,"check_above":"R1","kind_above":"requirement","values":[{"from":700,"to":700,"fails":["v.ss:3"]},{"from":775,"to":800,"fails":[]},{"from":900,"to":900,"fails":["R1","v.ss:4"]}]}],
 "points":[
 {"at":[700],"fails":["v.ss:3"]},
 {"at":[775],"fails":[]},
@@ -120,10 +130,40 @@ s.json: v.sm v.ss v.rq
   now 775: outside what was swept
 sweep of v: 1 script, 2 runs
 on:
-  0: fails: v.ss:4
-  1: passes
-  v.ss:4: passes from 1, fails up to 0
-  now 1: below, fails at 0 (1 away, only the assert v.ss:4); above, nothing fails up to 1
+  false: fails: v.ss:4
+  true: passes
+  v.ss:4: passes at true, fails at false
+  now true: fails at false (only the assert v.ss:4)
+on,now,failing,requirements,checks
+false,,1,0,"v.ss:4"
+true,now,0,0,""
+{"smc-sweep":1,"machine":"v","runs":50,"complete":true,"parameters":[
+{"name":"wait","now":50,"is_swept":true,"is_noticed":false,"fails_now":false,"values":[{"from":50,"to":60,"fails":[]}]},
+{"name":"limit","now":775,"is_swept":true,"is_noticed":true,"fails_now":false,"fails_below":759.99,"check_below":"v.ss:3","kind_below":"assert","fails_above":810,"check_above":"R1","kind_above":"requirement","values":[{"from":750,"to":750,"fails":["v.ss:3"]},{"from":775,"to":800,"fails":[]},{"from":850,"to":850,"fails":["R1","v.ss:4"]}]}],
+"points":[
+{"at":[50,750],"fails":["v.ss:3"]},
+{"at":[60,750],"fails":["v.ss:3"]},
+{"at":[50,800],"fails":[]},
+{"at":[60,800],"fails":[]},
+{"at":[50,850],"fails":["R1","v.ss:4"]},
+{"at":[60,850],"fails":["R1","v.ss:4"]}
+],"boundaries":[
+{"parameter":"limit","check":"R1","passes":809.99,"fails":810},
+{"parameter":"limit","check":"v.ss:3","passes":760,"fails":759.99},
+{"parameter":"limit","check":"v.ss:4","passes":819.99,"fails":820}
+]}
+wait,limit,now,failing,requirements,checks
+50,750,,1,0,"v.ss:3"
+60,750,,1,0,"v.ss:3"
+50,800,,0,0,""
+60,800,,0,0,""
+50,850,,2,1,"R1, v.ss:4"
+60,850,,2,1,"R1, v.ss:4"
+wait,on,now,failing,requirements,checks
+0,false,,1,0,"quote"".ss:3"
+3,false,,1,0,"quote"".ss:3"
+0,true,,0,0,""
+3,true,,0,0,""
 sweep of v: 1 script, 4 runs
 wait:
   no script or requirement notices any of these values, so none of them tests this parameter
@@ -153,4 +193,4 @@ Try 'smc sweep --help'.
 smc: sweep requires one or two parameters to sweep, as in --set=limit=700:900:21
 Try 'smc sweep --help'.
 -- exit --
-0 0 0 0 0 0 0 0 2 1 1 2 2 2 2 2 1 1 2 2 2
+0 0 0 0 0 0 0 0 0 0 0 0 2 1 1 2 2 2 2 2 1 1 2 2 2

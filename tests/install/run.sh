@@ -147,6 +147,7 @@ EOF
 check "an application builds with smc.mk" "$make" -s CC="$cc" CFLAGS=-O1
 check "and flies" sh -c "./probe | cmp - expected.txt"
 check "nothing of it is built twice" "$make" -q CC="$cc" CFLAGS=-O1
+check "make cover-NAME writes scripts of an application" sh -c "$make -s cover-probe | grep -q '^goals of ' && ls cover/probe-*.ss && rm -r cover"
 sleep 1
 sed 's/"rise.sm"/& @bytecode/' probe.app >new && mv new probe.app
 check "a changed application is noticed" stale CC="$cc" CFLAGS=-O1

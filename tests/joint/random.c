@@ -6,7 +6,8 @@
 // A machine is a program of tests/diff. The application binds its elements to elements of its own, or to elements of earlier machines. The
 // reference compiles every machine alone, with a state vector of its own, and steps it on the reference interpreter in the order that
 // docs/language.md 8.71 to 8.81 prescribes; it shares no code with the script's run. After every tick, all elements, the locals and T of
-// every machine, and how often the sections of the script have run must be equal.
+// every machine, and how often the sections of the script have run must be equal.  So must be the elements of the flat machines of the application
+// (flat_app.h), one seen from each machine.
 //
 // With FOLDER, writes each application there instead, with C tasks that play its script and the final values: tests/joint/sim.sh builds
 // them for the simulation.  clause 8.71 clause 8.72 clause 8.73 clause 8.75 clause 8.76 clause 8.80
@@ -15,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compiler/cover/flat_app.h"
 #include "compiler/script/ref.h"
 #include "compiler/script/script.h"
 #include "tests/diff/gen.h"
@@ -142,6 +144,54 @@ static void add_machine(uint32_t k)
     m->initial = 1 + rng_below(&rng, (uint32_t)m->p->state.n);
     m->engine = engine_ref_open(&m->subject.session.arena, m->p);
     engine_step_init(&m->answer, &m->subject.session.arena, m->p);
+}
+
+// ---- flat machines of the application ----
+
+typedef struct FlatOne {
+    const FlatView *view;
+    FlatMachine *f;
+    void *run;
+    One *machine;             // whose view it is
+    bool is_compared;         // false from when the script writes a local of another machine, which the view does not have
+} FlatOne;
+
+static FlatOne flat[MACHINES];
+static uint32_t flats;
+static uint64_t flat_ticks;
+
+static void flat_begin(Arena *a, const Program *joint)
+{
+    for (flats = 0; flats < joint->joint->member.n; flats++) {
+        const Member *m = &joint->joint->member.at[flats];
+        FlatOne *x = &flat[flats];
+        x->view = flat_view_new(a, joint, flats, ir_build(a, m->program));
+        x->f = flat_app_join(flat_new(a, x->view->m, NULL), x->view->app);
+        x->run = arena_alloc(a, x->f->size);
+        x->machine = &one[m->name->text[1] - '0'];
+        x->is_compared = true;
+        flat_start(x->f, x->run, m->initial->number);
+    }
+}
+
+// Returns the cell of a variable of the view.
+static uint64_t *flat_cell(const FlatOne *x, const Var *v) { return &flat_cells(x->f, x->run)[x->view->m->var_of[v->index]]; }
+
+static void flat_write_element(const char *name, uint64_t cell)
+{
+    for (uint32_t i = 0; i < flats; i++)
+        for (size_t v = 0; v < flat[i].view->p->var.n; v++)
+            if (flat[i].view->p->var.at[v]->kind == VAR_ELEMENT && strcmp(flat[i].view->p->var.at[v]->element->name->text, name) == 0)
+                *flat_cell(&flat[i], flat[i].view->p->var.at[v]) = cell;
+}
+
+static void flat_write_local(const One *m, const Var *v, uint64_t cell)
+{
+    for (uint32_t i = 0; i < flats; i++)
+        if (flat[i].machine != m)
+            flat[i].is_compared = false;
+        else
+            *flat_cell(&flat[i], flat[i].view->p->var.at[v->index]) = cell;
 }
 
 static uint64_t gcd(uint64_t a, uint64_t b) { return b ? gcd(b, a % b) : a; }
@@ -334,10 +384,12 @@ static void write_inputs(uint64_t g)
             continue;
         if (!in->machine) {
             shared[in->shared].cell = ref_convert(shared[in->shared].type, x);
+            flat_write_element(shared[in->shared].name, shared[in->shared].cell);
         } else {
             One *m = in->machine;
             const EngineWrite w = {in->local->index, ref_convert(in->local->type, x)};
             m->answer.cell[w.var] = w.cell;
+            flat_write_local(m, in->local, w.cell);
             if (m->writes == 2 * GEN_VARS_MAX)
                 memmove(m->write, m->write + 1, --m->writes * sizeof *m->write);
             m->write[m->writes++] = w;
@@ -358,6 +410,7 @@ static void reference_tick(void)
     for (uint32_t i = 0; i < counters; i++)
         counter[i].ran += counter[i].machine->counts && counter[i].machine->answer.next_state == counter[i].state;
     write_inputs(g);
+    flat_write_element(shared[0].name, g);
     for (uint32_t x = 0; x < executors; x++)
         for (uint32_t r = 0; r < executor[x].groups; r++)
             for (uint32_t k = 0; k < executor[x].group[r].machines; k++)
@@ -367,6 +420,24 @@ static void reference_tick(void)
 }
 
 // ---- comparing ----
+
+// Runs a tick of each flat machine, and compares its elements with those of the reference.
+static void compare_flats(void)
+{
+    for (uint32_t i = 0; i < flats && !difference; i++) {
+        const FlatOne *x = &flat[i];
+        if (!flat_step(x->f, x->run))
+            difference = "a flat machine refused a tick";
+        for (size_t v = 0; v < x->view->p->var.n && x->is_compared; v++) {
+            const Var *var = x->view->p->var.at[v];
+            for (uint32_t e = 0; e < shareds && var->kind == VAR_ELEMENT; e++)
+                if (!difference && strcmp(shared[e].name, var->element->name->text) == 0 && *flat_cell(x, var) != shared[e].cell)
+                    difference = format_in(&arena, "%s of flat machine %u after tick %" PRIu64 ": %" PRIx64 ", wanted %" PRIx64, shared[e].name,
+                                           (unsigned)i, now_tick, *flat_cell(x, var), shared[e].cell);
+        }
+        flat_ticks += x->is_compared;
+    }
+}
 
 typedef struct Comparison { StrPool *strings; const Program *p; const Script *script; } Comparison;
 
@@ -383,6 +454,7 @@ static void compare_tick(void *context, const ScriptStep *step)
     const Comparison *c = context;
 
     reference_tick();
+    compare_flats();
     for (uint32_t e = 0; e < shareds; e++)
         expect_cell(c, step->cell, shared[e].name, shared[e].cell);
     for (uint32_t k = 0; k < ones; k++)
@@ -471,6 +543,7 @@ static bool run_application(void)
         engine[0] = engine_ref_open(&s.arena, c.p);
         engine[1] = open_vm(&s, c.p);
         reference_init();
+        flat_begin(&s.arena, c.p);
         r = script_run(&s.arena, &s.diags, c.script, engine, 2, &run);
         if (!difference && r.outcome != SCRIPT_PASSED)
             difference = format_in(&arena, "the script ended with outcome %d: %s", (int)r.outcome, r.difference ? r.difference : "");
@@ -587,10 +660,10 @@ int main(int argc, char **argv)
         return difference != NULL;
 
     printf("%u of %" PRIu64 " applications, %u steps, %u transitions, %u disabled steps, %u shared elements, %u with fractions, %u with executors, %u "
-           "modes, %u written locals\n", met.applications, count, met.ran, met.transitions, met.disabled, met.shared, met.fractions, met.executors,
-           met.modes, met.locals);
+           "modes, %u written locals, %" PRIu64 " ticks of flat machines\n", met.applications, count, met.ran, met.transitions, met.disabled,
+           met.shared, met.fractions, met.executors, met.modes, met.locals, flat_ticks);
     CHECK(met.applications == count);
     CHECK(count < 50 || (met.transitions > count && met.disabled > count && met.shared > count && met.fractions > count / 20 && met.executors > count / 3 &&
-                         met.modes > count / 3 && met.locals > count));
+                         met.modes > count / 3 && met.locals > count && flat_ticks > 15 * count));
     return test_end("joint/random");
 }

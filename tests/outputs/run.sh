@@ -162,19 +162,22 @@ while IFS=$tab read -r option rest; do
     done
 
     # A file by another author is kept, unless --force is given; an empty file or one by smc is replaced.
-    echo "altitude,seconds" >foreign; cp foreign foreign.copy
-    refuses foreign --force
-    same foreign foreign.copy
-    call foreign --force; code=$?
-    if [ $code = 0 ] && ! cmp -s foreign foreign.copy; then good; else bad "$option foreign --force, $rest: exit $code"; fi
-    cp foreign first
-    call foreign; code=$?
+    ending=
+    case $option in --coverage-data*) ending=.cov ;; esac
+    foreign=foreign$ending empty=empty$ending
+    echo "altitude,seconds" >$foreign; cp $foreign foreign.copy
+    refuses $foreign --force
+    same $foreign foreign.copy
+    call $foreign --force; code=$?
+    if [ $code = 0 ] && ! cmp -s $foreign foreign.copy; then good; else bad "$option $foreign --force, $rest: exit $code"; fi
+    cp $foreign first
+    call $foreign; code=$?
     [ $code = 0 ] && good || bad "$option, $rest, again over its own result: exit $code"
-    case $option in --junit*) sed -i.old 's/ time="[^"]*"//g' first foreign ;; esac
-    same foreign first
-    : >empty
-    call empty; code=$?
-    if [ $code = 0 ] && [ -s empty ]; then good; else bad "$option empty, $rest: exit $code"; fi
+    case $option in --junit*) sed -i.old 's/ time="[^"]*"//g' first $foreign ;; esac
+    same $foreign first
+    : >$empty
+    call $empty; code=$?
+    if [ $code = 0 ] && [ -s $empty ]; then good; else bad "$option $empty, $rest: exit $code"; fi
 
     # A key that this command does not read is not replaced either, not even by force.
     cp rocket.key other.key; tr 'a-f\n' 'A-F\r' <other.key >upper.key
@@ -222,7 +225,7 @@ while IFS=$tab read -r option rest; do
     call pipe; code=$?
     wait
     if [ $code = 0 ] && [ -p pipe ] && [ -s piped ]; then good; else bad "$option pipe, $rest: exit $code"; fi
-    rm -f pipe piped foreign foreign.copy first first.old foreign.old empty
+    rm -f pipe piped $foreign foreign.copy first first.old foreign.old $empty
 done <writers.txt
 
 # ---- C: two files, and more beside them ----

@@ -3,7 +3,8 @@
 //
 //     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…      and a line for all machines together at each effort
 //     bench [--effort=STEPS] [--seed=N] --expect=FILE       runs the machines of a table, and fails if one comes less far (expected.txt)
-//     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible
+//     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible.  Half of
+//                                                           them begin as a run of the search
 //
 // A machine MACHINE.sm uses the vector MACHINE.sv, or the only .sv of its folder, if there is one.
 #include <dirent.h>
@@ -120,8 +121,8 @@ typedef struct Result {
     Cover *c;
     SearchResult *r;
     unsigned reached, impossible, missing;
-    int *changes;             // of inputs in each scenario, in ascending order
-    int median, most;
+    int *changes, *times;     // changes of inputs in each scenario, and times at which inputs change, each in ascending order
+    int median, most, median_times, most_times;
     double seconds;
 } Result;
 
@@ -129,13 +130,29 @@ enum { SCRIPTS_MOST = 20000, MANY_CHANGES = 10 };
 
 // All machines together, with one effort.
 typedef struct Total {
-    unsigned machines, reached, impossible, missing, scripts, many;   // many: scripts with more changes than MANY_CHANGES
+    unsigned machines, reached, impossible, missing, scripts;
     Count guards, conditions;
-    int changes[SCRIPTS_MOST];
+    int changes[SCRIPTS_MOST], times[SCRIPTS_MOST];
     double seconds, longest;
 } Total;
 
 static Total total[2];        // with a tenth of the effort, and with all of it
+
+// Sorts n numbers, and returns that in the middle; 0: there are none.
+static int sort(int *at, unsigned n)
+{
+    qsort(at, n, sizeof *at, compare);
+    return n ? at[n / 2] : 0;
+}
+
+static unsigned count_many(const int *at, unsigned n)
+{
+    unsigned many = 0;
+
+    for (unsigned i = 0; i < n; i++)
+        many += at[i] > MANY_CHANGES;
+    return many;
+}
 
 static Result search_machine(Session *s, const Program *p, uint64_t steps)
 {
@@ -143,7 +160,6 @@ static Result search_machine(Session *s, const Program *p, uint64_t steps)
     Result x = {.c = cover_new(&s->arena, p)};
     const clock_t begin = clock();
     Count all;
-    int *changes;
 
     cover_settle(x.c);
     x.r = search_run(&s->arena, x.c, &o);
@@ -152,13 +168,16 @@ static Result search_machine(Session *s, const Program *p, uint64_t steps)
     x.reached = all.reached;
     x.impossible = all.impossible;
     x.missing = all.missing;
-    changes = calloc(x.r->chosens + 1, sizeof *changes);
-    for (uint32_t i = 0; i < x.r->chosens; i++)
-        changes[i] = (int)x.r->chosen[i].scenario.changes;
-    qsort(changes, x.r->chosens, sizeof *changes, compare);
-    x.median = x.r->chosens ? changes[x.r->chosens / 2] : 0;
-    x.most = x.r->chosens ? changes[x.r->chosens - 1] : 0;
-    x.changes = changes;
+    x.changes = calloc(x.r->chosens + 1, sizeof *x.changes);
+    x.times = calloc(x.r->chosens + 1, sizeof *x.times);
+    for (uint32_t i = 0; i < x.r->chosens; i++) {
+        x.changes[i] = (int)x.r->chosen[i].scenario.changes;
+        x.times[i] = (int)scenario_times(&x.r->chosen[i].scenario);
+    }
+    x.median = sort(x.changes, x.r->chosens);
+    x.median_times = sort(x.times, x.r->chosens);
+    x.most = x.r->chosens ? x.changes[x.r->chosens - 1] : 0;
+    x.most_times = x.r->chosens ? x.times[x.r->chosens - 1] : 0;
     return x;
 }
 
@@ -179,8 +198,8 @@ static void add_result(Total *t, const Result *x)
     add_count(&t->guards, count_kinds(x->c, x->r, 1u << COVER_TRANSITION | 1u << COVER_GUARD));
     add_count(&t->conditions, count_kinds(x->c, x->r, 1u << COVER_CONDITION));
     for (uint32_t i = 0; i < x->r->chosens && t->scripts < SCRIPTS_MOST; i++) {
-        t->many += x->changes[i] > MANY_CHANGES;
-        t->changes[t->scripts++] = x->changes[i];
+        t->changes[t->scripts] = x->changes[i];
+        t->times[t->scripts++] = x->times[i];
     }
     t->seconds += x->seconds;
     t->longest = x->seconds > t->longest ? x->seconds : t->longest;
@@ -188,26 +207,40 @@ static void add_result(Total *t, const Result *x)
 
 static double percent_of(Count n) { return n.goals > n.impossible ? 100.0 * n.reached / (n.goals - n.impossible) : 100; }
 
+// Prints the middle and the largest of n sorted numbers, and how many are above MANY_CHANGES.
+static void print_spread(const char *what, const int *at, unsigned n)
+{
+    printf(" %s median %d max %d, %u with more than %d;", what, n ? at[n / 2] : 0, n ? at[n - 1] : 0, count_many(at, n), MANY_CHANGES);
+}
+
 static void print_total(Total *t, int percent)
 {
     if (t->machines == 0)
         return;
-    qsort(t->changes, t->scripts, sizeof *t->changes, compare);
-    printf("%u machines at %d%%: goals %u reached, %u impossible, %u not found; transitions and guards %u of %u (%.2f %%); MC/DC %u of %u (%.2f %%); "
-           "%u scripts, changes median %d max %d, %u with more than %d; %.1f s, at most %.1f\n", t->machines, percent, t->reached, t->impossible, t->missing,
-           t->guards.reached, t->guards.goals - t->guards.impossible, percent_of(t->guards), t->conditions.reached,
-           t->conditions.goals - t->conditions.impossible, percent_of(t->conditions), t->scripts, t->scripts ? t->changes[t->scripts / 2] : 0,
-           t->scripts ? t->changes[t->scripts - 1] : 0, t->many, MANY_CHANGES, t->seconds, t->longest);
+    sort(t->changes, t->scripts);
+    sort(t->times, t->scripts);
+    printf("%u machines at %d%%: goals %u reached, %u impossible, %u not found; transitions and guards %u of %u (%.2f %%); MC/DC %u of %u (%.2f %%); %u scripts;",
+           t->machines, percent, t->reached, t->impossible, t->missing, t->guards.reached, t->guards.goals - t->guards.impossible, percent_of(t->guards),
+           t->conditions.reached, t->conditions.goals - t->conditions.impossible, percent_of(t->conditions), t->scripts);
+    print_spread("changes", t->changes, t->scripts);
+    print_spread("times", t->times, t->scripts);
+    printf(" %.1f s, at most %.1f\n", t->seconds, t->longest);
 }
 
 static void print_result(const char *path, const Result *x, int percent)
 {
     const Count guards = count_kinds(x->c, x->r, 1u << COVER_TRANSITION | 1u << COVER_GUARD), conditions = count_kinds(x->c, x->r, 1u << COVER_CONDITION);
 
-    printf("%-30.30s %4d%% guards %4u = %4u + %3u i + %3u  mcdc %4u = %4u + %3u i + %3u  all left %3u  %3u scripts, changes %d max %d  %6.1f M steps %5.1f M/s %6.2f s\n",
+    printf("%-30.30s %4d%% guards %4u = %4u + %3u i + %3u  mcdc %4u = %4u + %3u i + %3u  all left %3u  %3u scripts, changes %d max %d, times %d max %d  %6.1f M steps %5.1f M/s %6.2f s\n",
            path + (strlen(path) > 30 ? strlen(path) - 30 : 0), percent, guards.goals, guards.reached, guards.impossible, guards.missing, conditions.goals,
-           conditions.reached, conditions.impossible, conditions.missing, x->missing, x->r->chosens, x->median, x->most, (double)x->r->steps / 1e6,
+           conditions.reached, conditions.impossible, conditions.missing, x->missing, x->r->chosens, x->median, x->most, x->median_times, x->most_times, (double)x->r->steps / 1e6,
            (double)x->r->steps / 1e6 / (x->seconds > 0 ? x->seconds : 1), x->seconds);
+}
+
+static void free_result(const Result *x)
+{
+    free(x->changes);
+    free(x->times);
 }
 
 static void run(const char *path)
@@ -226,7 +259,7 @@ static void run(const char *path)
         print_result(path, &x, 100 / part);
         failed += x.r->refuted > 0;
         add_result(&total[part == 1], &x);
-        free(x.changes);
+        free_result(&x);
         if (lists && part == 1)
             list_missing(x.c, x.r);
         if (lists > 1 && part == 1)
@@ -248,6 +281,7 @@ typedef struct RandomRuns {
     bool *is_input;           // by Var.index
     uint64_t *due;            // by Var.index: the step of the next change
     unsigned hold;            // changes are up to 2^hold steps apart in this run
+    void *run;                // the state of the machine
 } RandomRuns;
 
 static uint64_t any(RandomRuns *r, uint64_t below)
@@ -292,27 +326,72 @@ static void change_inputs(RandomRuns *r, uint64_t *cell, uint64_t step)
     }
 }
 
-static void make_random_runs(RandomRuns *r, uint64_t delta_t)
+// Sets what a scenario sets in step `step`.  now: by Var.index, the change that determines the value; next: the first change that has not begun.
+static void follow_scenario(RandomRuns *r, const Scenario *s, uint64_t step, const ScenarioChange **now, size_t *next, uint64_t *value)
+{
+    const Program *p = r->c->p;
+    uint64_t *cell = flat_cells(r->c->flat, r->run);
+
+    for (; *next < s->changes && s->change[*next].step <= step; ++*next)
+        now[s->change[*next].var] = &s->change[*next];
+    for (uint32_t i = 0; i < p->var.n; i++)
+        value[i] = r->c->m->var_of[i] == IR_NONE ? p->var.at[i]->init : cell[r->c->m->var_of[i]];
+    for (uint32_t i = 0; i < p->var.n; i++)
+        if (now[i] && r->c->m->var_of[i] != IR_NONE)
+            cell[r->c->m->var_of[i]] = scenario_cell(p, now[i], step, value);
+}
+
+// Begins a run as a scenario of the search does, up to any of its steps.  Returns the number of steps, at most `most`.  So random runs also go
+// on from the states that they would never reach.
+static uint64_t begin_as_scenario(RandomRuns *r, const Scenario *s, uint64_t most)
+{
+    const uint64_t steps = 1 + any(r, s->steps < most ? s->steps : most);
+    const ScenarioChange **now = calloc(r->c->p->var.n, sizeof *now);
+    uint64_t *value = calloc(r->c->p->var.n, sizeof *value);
+    FlatMachine *f = r->c->flat;
+    size_t next = 0;
+
+    flat_start(f, r->run, s->init_state->number);
+    for (uint64_t i = 0; i < steps; i++) {
+        follow_scenario(r, s, i + 1, now, &next, value);
+        flat_cells(f, r->run)[r->c->m->g] = i * s->delta_t;
+        flat_step(f, r->run);
+    }
+    free(now);
+    free(value);
+    return steps;
+}
+
+// Every second run begins as a scenario of `found`.
+static void make_random_runs(RandomRuns *r, const SearchResult *found)
 {
     FlatMachine *f = r->c->flat;
-    char *run = calloc(1, f->size);
     uint64_t left = random_steps;
+    Arena *arena = r->c->arena;
+    Scenario *plain = ARENA_ARRAY(arena, Scenario, found->chosens + 1);
 
+    r->run = calloc(1, f->size);
+    for (uint32_t i = 0; i < found->chosens; i++)
+        plain[i] = scenario_unroll(arena, &found->chosen[i].scenario);
     while (left > 0) {
-        uint64_t steps = UINT64_C(1) << (4 + any(r, LONGEST_RUN - 3));
-        steps = steps < left ? steps : left;
-        left -= steps;
+        uint64_t steps = UINT64_C(1) << (4 + any(r, LONGEST_RUN - 3)), begun = 0;
         r->hold = (unsigned)any(r, LONGEST_HOLD + 1);
         memset(r->due, 0, r->c->p->var.n * sizeof *r->due);
-        flat_start(f, run, 1);
-        for (uint64_t i = 0; i < steps; i++) {
-            uint64_t *cell = flat_cells(f, run);
+        if (found->chosens && any(r, 2))
+            begun = begin_as_scenario(r, &plain[any(r, found->chosens)], left);
+        else
+            flat_start(f, r->run, 1);
+        left -= begun;
+        steps = steps < left ? steps : left;
+        left -= steps;
+        for (uint64_t i = begun; i < begun + steps; i++) {
+            uint64_t *cell = flat_cells(f, r->run);
             change_inputs(r, cell, i);
-            cell[r->c->m->g] = i * delta_t;
-            flat_step(f, run);
+            cell[r->c->m->g] = i * found->delta_t;
+            flat_step(f, r->run);
         }
     }
-    free(run);
+    free(r->run);
 }
 
 static void compare_counts(const char *path, Cover *run, const SearchResult *found)
@@ -331,6 +410,14 @@ static void compare_counts(const char *path, Cover *run, const SearchResult *fou
     failed += wrong > 0 || covered == 0;
 }
 
+static bool has_impossible(const SearchResult *r)
+{
+    for (uint32_t i = 1; i < r->places; i++)
+        if (r->find[i].outcome == SEARCH_IMPOSSIBLE)
+            return true;
+    return false;
+}
+
 // Makes random runs of a machine.  Each place that the search has proved impossible has to be without a count.
 static void run_randomly(const char *path)
 {
@@ -343,9 +430,19 @@ static void run_randomly(const char *path)
 
     host_check(setjmp(host_oom));
     p = open_machine(&s, path);
+    if (!p) {
+        printf("%s does not compile\n", path);
+        failed++;
+        return;
+    }
     judged = cover_new(&s.arena, p);
     cover_settle(judged);
-    found = search_run(&s.arena, judged, &(SearchOptions){.seed = 1, .effort = 1000});
+    found = search_run(&s.arena, judged, &(SearchOptions){.seed = 1, .effort = effort / 10, .loops = true});
+    if (!has_impossible(found)) {
+        printf("%s: no goal is impossible\n", path);
+        session_free(&s);
+        return;
+    }
     r.c = run = cover_new(&s.arena, p);
     r.is_input = calloc(p->var.n, sizeof *r.is_input);
     r.due = calloc(p->var.n, sizeof *r.due);
@@ -354,7 +451,7 @@ static void run_randomly(const char *path)
     for (uint32_t i = 0; i < r.c->m->state.n; i++)
         for (int b = 0; b < BLOCK_COUNT; b++)
             add_constants(&r, r.c->m->state.at[i].block[b]);
-    make_random_runs(&r, found->delta_t);
+    make_random_runs(&r, found);
     compare_counts(path, run, found);
     free(r.is_input);
     free(r.due);
@@ -363,7 +460,13 @@ static void run_randomly(const char *path)
 
 // ---- the table ----
 
-typedef struct Expected { char path[300]; unsigned reached, impossible, missing; int median, most; } Expected;
+typedef struct Expected { char path[300]; unsigned reached, impossible, missing; int median, most, median_times, most_times; } Expected;
+
+static bool is_as_expected(const Result *x, const Expected *e)
+{
+    return x->reached >= e->reached && x->impossible >= e->impossible && x->missing <= e->missing && x->median <= e->median && x->most <= e->most
+           && x->median_times <= e->median_times && x->most_times <= e->most_times && x->r->steps <= effort;
+}
 
 static void check(const Expected *e)
 {
@@ -379,20 +482,21 @@ static void check(const Expected *e)
         return;
     }
     x = search_machine(&s, p, effort);
-    free(x.changes);
+    free_result(&x);
     if (lists)
-        printf("%-40s %4u %3u %3u %3d %3d\n", e->path, x.reached, x.impossible, x.missing, x.median, x.most);
+        printf("%-40s %4u %3u %3u %3d %3d %3d %3d\n", e->path, x.reached, x.impossible, x.missing, x.median, x.most, x.median_times, x.most_times);
     fflush(stdout);
     if (x.r->refuted) {
         failed++;
         printf("search: %s: %u goals that are proved impossible are reached\n", e->path, (unsigned)x.r->refuted);
     }
-    if (x.reached >= e->reached && x.impossible >= e->impossible && x.missing <= e->missing && x.median <= e->median && x.most <= e->most && x.r->steps <= effort) {
+    if (is_as_expected(&x, e)) {
         passed++;
     } else {
         failed++;
-        printf("search: %s: %u reached, %u impossible, %u not found, changes %d, at most %d, %lu steps; the table has %u, %u, %u, %d, %d\n", e->path, x.reached,
-               x.impossible, x.missing, x.median, x.most, (unsigned long)x.r->steps, e->reached, e->impossible, e->missing, e->median, e->most);
+        printf("search: %s: %u reached, %u impossible, %u not found, changes %d, at most %d, times %d, at most %d, %lu steps; the table has %u, %u, %u, %d, %d, %d, %d\n",
+               e->path, x.reached, x.impossible, x.missing, x.median, x.most, x.median_times, x.most_times, (unsigned long)x.r->steps, e->reached, e->impossible,
+               e->missing, e->median, e->most, e->median_times, e->most_times);
     }
     session_free(&s);
 }
@@ -405,7 +509,7 @@ static int check_table(const char *path)
 
     while (f && fgets(line, sizeof line, f))
         if (line[0] != '#' && line[0] != '\n') {
-            if (sscanf(line, "%299s %u %u %u %d %d", e.path, &e.reached, &e.impossible, &e.missing, &e.median, &e.most) == 6) {
+            if (sscanf(line, "%299s %u %u %u %d %d %d %d", e.path, &e.reached, &e.impossible, &e.missing, &e.median, &e.most, &e.median_times, &e.most_times) == 8) {
                 check(&e);
             } else {
                 printf("search: %s: a line that is no row: %s", path, line);

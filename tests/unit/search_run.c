@@ -497,6 +497,29 @@ static void check_loops(void)
     CHECK(most[0] > 200 && most[1] <= 20 && loops > 3);
 }
 
+// Inputs that a later state needs are set together with those of an earlier one, where that is possible.
+static void check_times(void)
+{
+    Session s;
+    Program *p;
+    SearchResult *r;
+    volatile size_t changes = 0, times = 0;
+
+    host_check(setjmp(host_oom));
+    p = load(&s, "bounds");
+    CHECK(p != NULL);
+    if (!p)
+        return;
+    r = search_run(&s.arena, make_cover(&s, p), &(SearchOptions){.seed = 1, .effort = EFFORT, .loops = true});
+    for (uint32_t i = 0; i < r->chosens; i++) {
+        changes = changes + r->chosen[i].scenario.changes;
+        times = times + scenario_times(&r->chosen[i].scenario);
+    }
+    CHECK(changes > 40 && times <= 26);
+    check_scenarios(&s, p, r);
+    session_free(&s);
+}
+
 int main(void)
 {
     check_machine_of("timer", 0);
@@ -521,5 +544,6 @@ int main(void)
         check_given(seed);
     check_unrolled();
     check_loops();
+    check_times();
     return test_end("search_run");
 }

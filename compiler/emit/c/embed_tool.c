@@ -15,7 +15,7 @@
 
 #define MARK "// snippet of emitted C: "
 
-enum { SNIPPETS_MAX = 250, DEPS_MAX = 24, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LINE_MAX_LEN = 400 };
+enum { SNIPPETS_MAX = 250, DEPS_MAX = 24, NAME_MAX_LEN = 40, TEXT_MAX = 4000, LINE_MAX_LEN = 400, LITERAL_MAX = 4000 };
 
 typedef struct Snippet {
     char name[NAME_MAX_LEN];
@@ -147,17 +147,24 @@ static void print_snippet(const Snippet *s)
     fputs("\" },\n", stdout);
 }
 
+// Prints the lines of a file as strings of several lines, each as long as C99 promises for a literal: every pointer to a string is a
+// relocation each time the command starts.
 static void print_lines(const char *path)
 {
     char line[LINE_MAX_LEN];
+    size_t length = 0;                // of the string that is open
     FILE *f = fopen(path, "r");
     if (f == NULL)
         exit_with_error("cannot read", path);
     while (fgets(line, sizeof line, f) != NULL)
         if (strncmp(line, "#include \"stdlib/", 17) != 0 && strncmp(line, "// SPDX", 7) != 0) {
+            if (length > 0)
+                puts(length + strlen(line) > LITERAL_MAX ? "\"," : "\"");
+            length = (length + strlen(line) > LITERAL_MAX ? 0 : length) + strlen(line);
             print_text(line);
-            fputs("\",\n", stdout);
         }
+    if (length > 0)
+        puts("\",");
     fclose(f);
 }
 
