@@ -344,13 +344,12 @@ void search_shorten_ways(SearchRun *k, uint64_t end)
 
 // ---- choosing ----
 
-// Replays the run to each goal that was found.
-static Candidate *make_candidates(Chooser *c, uint32_t *n)
+// Lists the runs to goals that were found.
+static Candidate *list_candidates(Chooser *c, uint32_t *n)
 {
     SearchRun *k = c->k;
     Candidate *all = arena_array(&k->work, k->goals + 1, sizeof *all);
     bool *known = arena_alloc(&k->work, k->node.n);
-    const GoalSet nothing = {NULL, 0, 0};
 
     for (uint32_t g = 0; g < k->goals; g++) {
         const uint32_t node = k->goal[g].found;
@@ -360,12 +359,34 @@ static Candidate *make_candidates(Chooser *c, uint32_t *n)
         known[node] = true;
         x->node = node;
         x->s = chooser_scenario_of(k, &k->work, node);
-        chooser_replay(c, k->judge, &x->s, &nothing, NULL);
-        x->reached = reached_set(c);
-        x->end = chooser_end_state(c);
         ++*n;
     }
     return all;
+}
+
+// Returns how many steps the replays of all candidates take.
+static uint64_t steps_of(const Candidate *all, uint32_t n)
+{
+    uint64_t steps = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        steps += all[i].s.steps;
+    return steps;
+}
+
+// Replays the candidates that are neither simplified nor superfluous, to find which goals they reach.
+static void replay_candidates(Chooser *c, Candidate *all, uint32_t n)
+{
+    const GoalSet nothing = {NULL, 0, 0};
+
+    for (uint32_t i = 0; i < n; i++) {
+        Candidate *x = &all[i];
+        if (x->simple || x->used)
+            continue;
+        chooser_replay(c, c->k->judge, &x->s, &nothing, NULL);
+        x->reached = reached_set(c);
+        x->end = chooser_end_state(c);
+    }
 }
 
 static int compare_changes(const void *a, const void *b)
@@ -400,24 +421,27 @@ static GoalSet find_own_goals(Chooser *c, const Candidate *x, const uint8_t *sho
 }
 
 // Simplifies each candidate for the goals that only its run has been found for, those with the fewest changes first: the others can then begin as
-// they do.
+// they do.  A candidate that is simplified, or superfluous, needs no replay, so the steps that are reserved for it are added to the effort.
 static void simplify_candidates(Chooser *c, Candidate *all, uint32_t n)
 {
     SearchRun *k = c->k;
     const GoalSet nothing = {NULL, 0, 0};
-    const uint64_t end = k->r->steps + (k->effort - k->r->steps) / SIMPLIFY_PART * (SIMPLIFY_PART - 1);
+    const uint64_t rest = (k->effort - k->r->steps) / SIMPLIFY_PART;
     Candidate **order = order_candidates(c, all, n);
     uint8_t *shown = arena_alloc(&k->work, k->goals / 8 + 1);
 
-    for (uint32_t i = 0; i < n && k->r->steps < end && !k->r->stopped; i++) {
+    for (uint32_t i = 0; i < n && k->r->steps + rest < k->effort && !k->r->stopped; i++) {
         Candidate *x = order[i];
         const GoalSet want = find_own_goals(c, x, shown);
+        const uint64_t reserved = x->s.steps;
         x->used = want.n == 0;
-        c->limit = k->r->steps + (end - k->r->steps) / (n - i);
-        if (x->used)
-            continue;
-        build_wanted(c, &want);
-        if (!chooser_simplify(c, &x->s, &want))
+        c->limit = k->r->steps + (k->effort - rest - k->r->steps) / (n - i);
+        if (!x->used) {
+            build_wanted(c, &want);
+            x->simple = chooser_simplify(c, &x->s, &want);
+        }
+        k->effort += x->used || x->simple ? reserved : 0;
+        if (!x->simple)
             continue;
         x->end = c->end;
         x->reached = set_of(c, &want);
@@ -425,7 +449,6 @@ static void simplify_candidates(Chooser *c, Candidate *all, uint32_t n)
             x->reached = reached_set(c);
             chooser_keep_ways(c, &x->s);
         }
-        x->simple = true;
         for (uint32_t b = 0; b < k->goals / 8 + 1; b++)
             shown[b] |= x->reached[b];
     }
@@ -493,6 +516,18 @@ void search_begin_choosing(SearchRun *k)
         c->input_of[k->input[i].var] = i;
 }
 
+// Simplifies the candidates, and runs to states before that.  The steps of a replay of each candidate stay reserved.
+static void simplify_in_part(Chooser *c, Candidate *all, uint32_t n)
+{
+    SearchRun *k = c->k;
+    const uint64_t full = k->effort, left = full - k->r->steps, reserved = steps_of(all, n);
+
+    k->effort -= reserved < left ? reserved : left;
+    simplify_ways(c, k->r->steps + (k->effort - k->r->steps) / WAYS_PART);
+    simplify_candidates(c, all, n);
+    k->effort = full;
+}
+
 void search_choose(SearchRun *k)
 {
     Chooser *c = k->chooser;
@@ -505,12 +540,12 @@ void search_choose(SearchRun *k)
     if (k->effort - k->r->steps > k->reserve + k->open)
         k->effort -= k->open;
     k->stop_at = k->effort;
-    all = make_candidates(c, &n);
+    all = list_candidates(c, &n);
     if (!k->o->drafts) {
-        simplify_ways(c, k->r->steps + (k->effort - k->r->steps) / WAYS_PART);
-        simplify_candidates(c, all, n);
+        simplify_in_part(c, all, n);
         choose_simple(c, all, n);
     }
+    replay_candidates(c, all, n);
     while ((best = choose_best(c, all, n, false, &want)) != NULL) {
         best->used = true;
         if (!k->o->drafts)
