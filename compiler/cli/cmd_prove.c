@@ -243,7 +243,8 @@ static int prove_requirements(Cli *c, const Requirements *what, const Givens *gi
     const bool is_printed = !c->given[OPT_OUTPUT] || strcmp(c->value[OPT_OUTPUT], "-") == 0;
     ProveProgress progress = {c, what, format == 0 && is_printed && what->at.n && !deps_wanted(c), false,
                               ARENA_ARRAY(&c->session.arena, bool, what->at.n + 1), 0};
-    const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES], .any_parameters = c->given[OPT_ANY_PARAMETERS],
+    const ProveOptions options = {.delta_t = o->step, .init_state = find_init_state(c, p), .assume_ranges = c->given[OPT_ASSUME_RANGES],
+                                  .any_parameters = c->given[OPT_ANY_PARAMETERS],
                                   .given = given->at, .givens = given->n, .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20,
                                   .progress = show_progress, .decided = print_verdict,
                                   .go_on = is_not_interrupted, .context = &progress};

@@ -413,7 +413,8 @@ GoalFound goal_search(Arena *arena, Arena *work, const Cover *c, const GoalSearc
     GoalWatch *w;
     SearchWatch watch = {.goals = 1, .start = start_goal, .step = step_goal};
     GoalStop stop = {g};
-    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state, .initial = g->initial, .no_places = true, .plain = true,
+    SearchOptions o = {.seed = g->seed, .effort = g->effort, .delta_t = g->delta_t, .init_state = g->init_state,
+                       .initial = g->initial, .no_places = true, .plain = true,
                        .watch = &watch, .given = g->given, .givens = g->givens, .memory = g->memory,
                        .specials = g->usual_values ? SEARCH_NO_SPECIALS : g->assume_ranges ? SEARCH_SPECIALS_IN_RANGES : SEARCH_SPECIALS,
                        .go_on = may_go_on, .context = &stop};
