@@ -13,7 +13,7 @@
 PARTS = quick thorough targets
 
 # $(call test,NAME,PART,NEEDS,COMMAND): a row of the table.
-#   NAME     unique; a + before it says that the command calls make
+#   NAME     unique; a + before it says that the command calls make for files of B, which only one may do at a time
 #   NEEDS    files that are built first, besides smc
 #   COMMAND  run by sh in this folder; its last line is "N passed, N failed" or "N passed, N failed, N skipped".  It can contain up to
 #            four commas, no $ and no ".  Patterns such as *.smt are expanded by sh, since one argument holds all rows (128 KB).
@@ -1071,8 +1071,9 @@ $(call test, +windows-x86-64,      targets,, sh tests/windows/exports.sh $(WINDO
 $(call test, +windows-x86-32,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) i686 -O0)
 $(call test, +firmware,            targets, $(B)/device/link $(STORE_SMB) $(LIMITS_SMB), sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)')
 $(call test, +processors,          targets, $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE), sh tests/targets/run.sh $(B))
-$(call test, +native-x86-32,       targets, $(B)/golden, sh tests/targets/native.sh $(B) '$(MAKE)' x86-32)
-$(call test, +tcc,                 targets, $(B)/golden, sh tests/targets/tcc.sh $(B) '$(MAKE)')
+# These two build in folders of their own.
+$(call test, native-x86-32,        targets, $(B)/golden, sh tests/targets/native.sh $(B) '$(MAKE)' x86-32)
+$(call test, tcc,                  targets, $(B)/golden, sh tests/targets/tcc.sh $(B) '$(MAKE)')
 $(call test, +sizes,               targets,, sh tests/bench/sizes.sh $(B) '$(CC)' '$(MAKE)')
 $(call test, +install,             targets,, sh tests/install/run.sh $(MAKE) $(B) '$(CC)')
 $(call test, +library-programs,    targets,, sh tests/library/programs.sh $(MAKE) $(B) '$(CC)')
