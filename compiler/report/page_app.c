@@ -149,6 +149,7 @@ Doc *report_build_app(Report *r)
     add_shared(r, d);
     report_add_messages(r, d);
     report_add_requirements(r, d);
+    report_add_proofs(r, d);
     report_add_findings(r, d);
     report_add_scripts(r, d);
     report_add_faults(r, d);

@@ -7,7 +7,8 @@ args report stand.app stand.ss --all --format=text | sed -n '/^  Section/,/^The 
 args report stand.app stand.ss --format=json | grep -o '^ "[a-z-]*"\|^{.*,' | head -n 9
 args report stand.app --format=text | sed -n '/^  Section/,/^$/p'
 args report stand.app failing.ss --format=text | sed -n '/^  Section/,/^Costs/p'
-args report stand.app stand.ss --prove
+args report stand.app stand.ss own.rq --prove --format=text | sed -n '1,/^  Findings/p;/^Proofs$/,/^Scripts/p'
+args report stand.app against.rq --prove
 args report stand.app stand.ss --io=a.io
 args report stand.app stand.ss --net=a.net
 args report stand.app stand.ss --sv=stand.sv
@@ -140,6 +141,15 @@ G > 2.2 s: @stop
 -- stand.rq --
 R1 "no water, no pump"   never held(motor and level < 2, 100 ms)
 R2 "the motor waits for the valve"  never pump.On before valve.Open
+-- own.rq --
+R1 "no water, no pump"          never held(motor and level < 2, 100 ms)
+R2 "the motor runs only in On"  always motor implies pump.S == On
+R3 "the motor stops in time"    always motor leads to not motor within 1 s
+R4 "asking ends"                always pump.S == Asking leads to pump.S != Asking within 520 ms
+R5 "never water at the valve"   never valve.S == Open
+-- against.rq --
+R1 "never"   never motor
+R2 "always"  always motor
 -- failing.ss --
 [all_states]
 G == 50 ms: @assert pump.S == On "the pump runs"
@@ -182,15 +192,14 @@ Overview
   pump: Coverage   open     41 of 58 places (71 %)
   valve: Coverage  open     25 of 34 places (74 %)
 
-Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
-of parameters (`--sweep`). `smc report --all` adds them.
+Not examined: proofs of the requirements (`--prove`), changes that no script notices (`--mutate`),
+faults of sensors (`--faults`), margins of parameters (`--sweep`). `smc report --all` adds them.
 
   What speaks against it  How it is known
   9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
 
 Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
-machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
-decides requirements.
+machine, its state vector (`--sv`) and its bindings (`--bind`).
 
 The application has 2 machines, and a tick every 10 ms.
 
@@ -329,8 +338,7 @@ valve: Source
   9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
 
 Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
-machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
-decides requirements.
+machine, its state vector (`--sv`) and its bindings (`--bind`).
 
 The application has 2 machines, and a tick every 10 ms.
 {"smc-report": 1, "application": "stand",
@@ -360,11 +368,139 @@ of parameters (`--sweep`). `smc report --all` adds them.
   9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
 
 Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
+stand
+=====
+Design review of the application in stand.app
+
+Overview
+--------
+
+  Section                  Verdict  Details
+  Requirements in scripts  failed   2 violated, 3 met in all scripts
+  Proofs                   open     1 violated alone, 2 not decided, 2 proved
+  Findings                 open     9 open
+Proofs
+------
+
+`smc prove` decides the requirements that one machine of the application decides alone. A proof
+holds whatever the other machines and tasks write, in the ticks of the application. A run that
+violates a requirement is one of this machine alone: the others may never write what it needs. What
+no machine decides alone is only as good as its tests.
+
+R1: no water, no pump [not decided]
+  because no machine writes 'level'
+
+R2: the motor runs only in On [proved]
+  of the machine pump
+  assuming that only this machine writes the elements that it assigns
+  assuming that in the first step G and the elements that the machine assigns are 0
+  in Off: motor is false
+  in Asking: motor is false, T is at most 510
+  in Abort: motor is false
+
+R3: the motor stops in time [violated alone]
+  of the machine pump
+  after 103 steps
+  # Violates R3 (the motor stops in time).
+
+  [options]
+  delta_t    10 ms
+  init_state Off
+
+  [all_states]
+  at 0:        start = true
+  at 0:        @assert state Off and not ask and not motor
+  at 10 ms:    open = true
+  at 10 ms:    @assert state Asking and ask and not motor
+  after 20 ms: @assert state On and ask and motor
+  at 1.02 s:   @stop
+  this run is of pump alone: in the application, its inputs may never have these values
+
+R4: asking ends [proved]
+  of the machine pump
+  in Asking: T is at most 510
+
+R5: never water at the valve [not decided]
+  because valve does not step in every tick
+
+Findings
+--------
+
+Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means
+and what to do. Time advances in each step of a machine by the period with which the application
+runs it.
+
+Machine pump
+  No.  Name             Group     Position      Finding                                                                                  Code
+    1  missing-timeout  -Wflight  pump.sm:31:2  'On' switches 'motor' on and has no transition that time alone makes                     W0921
+    2  not-tried        -Wflight  pump.sm:31:2  trial runs have not tried everything: not every failure of 'pressure' was tried in 'On'  W0930
+    3  missing-way-out  -Wflight  pump.sm:41:2  the machine can never leave 'Abort'                                                      W0920
+
+'On' switches 'motor' on and has no transition that time alone makes [W0921 missing-timeout]
+     31 | [On]
+
+    - 'motor' is switched on here
+
+trial runs have not tried everything: not every failure of 'pressure' was tried in 'On' [W0930 not-tried]
+     31 | [On]
+
+    - a script that leads through the state, run with 'smc faults', tries failures of this sensor there
+
+the machine can never leave 'Abort' [W0920 missing-way-out]
+     41 | [Abort] @abort
+        | if the machine can stay here for good, write [Abort] @safe
+
+Machine valve
+  No.  Name                 Group     Position        Finding                                                                                                  Code
+    4  output-on-zero       -Wflight  valve.sm:20:28  'level' alone switches on 'open' when it reads 10, as a broken sensor can                                W0903
+    5  abort-blind          -Wflight  valve.sm:22:2   state 'Open' cannot abort while 'level' reads more than 10: no transition to an @abort state is left     W0901
+    6  abort-single-sensor  -Wflight  valve.sm:22:2   state 'Open' cannot abort if 'level' sticks, for example at 5: no transition to an @abort state is left  W0902
+    7  missing-timeout      -Wflight  valve.sm:22:2   'Open' switches 'open' on and has no transition that time alone makes                                    W0921
+    8  not-tried            -Wflight  valve.sm:22:2   trial runs have not tried everything: not every failure of 'level' was tried in 'Open'                   W0930
+    9  missing-way-out      -Wflight  valve.sm:29:2   the machine can never leave 'Abort'                                                                      W0920
+
+'level' alone switches on 'open' when it reads 10, as a broken sensor can [W0903 output-on-zero]
+     20 |     ask and level > limit: -> Open
+
+    - 'open' is switched on here
+    - for example in 'Closed': 'level' reads 0, then 10; this happens in step 2 after that
+    - require that 'level' is plausible, or that a second sensor agrees
+
+state 'Open' cannot abort while 'level' reads more than 10: no transition to an @abort state is left [W0901 abort-blind]
+     22 | [Open]
+
+    - this transition to 'Abort' depends on 'level'
+    - a broken sensor reads 0, or a value that a healthy one never delivers; test that 'level' is plausible, use a second sensor, or add a time limit with T
+
+state 'Open' cannot abort if 'level' sticks, for example at 5: no transition to an @abort state is left [W0902 abort-single-sensor]
+     22 | [Open]
+
+    - this transition to 'Abort' depends on 'level'
+    - let a second sensor, a switch or a time limit with T lead to an @abort state, too
+
+'Open' switches 'open' on and has no transition that time alone makes [W0921 missing-timeout]
+     22 | [Open]
+
+    - 'open' is switched on here
+
+trial runs have not tried everything: not every failure of 'level' was tried in 'Open' [W0930 not-tried]
+     22 | [Open]
+
+    - a script that leads through the state, run with 'smc faults', tries failures of this sensor there
+
+the machine can never leave 'Abort' [W0920 missing-way-out]
+     29 | [Abort] @abort
+        | if the machine can stay here for good, write [Abort] @safe
+
+Scripts
 -- stderr --
-smc: --all: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
 smc: failing.ss failed; the report shows why
-smc: --prove: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
-Try 'smc report --help'.
+smc: stand.ss failed; the report shows why
+against.rq:2:1: error: requirement R2 contradicts R1: no step can meet both [E1312]
+    2 | R2 "always"  always motor
+      | ^~
+against.rq:1:1: note: the first one is here
+1 error
 smc: 'stand.app' names its files itself: remove --io
 Try 'smc report --help'.
 smc: 'stand.app' names its files itself: remove --net
@@ -389,4 +525,4 @@ smc: 'stand.app' is an application, and smc graph is for one machine, with scrip
   pump: smc graph pump.sm --sv stand.sv
   valve: smc graph valve.sm --sv stand.sv
 -- exit --
-0 0 0 0 0 0 0 2 2 2 2 1 1 2 2 2
+0 0 0 0 0 0 0 0 1 2 2 2 1 1 2 2 2
