@@ -5,6 +5,8 @@
 #include "compiler/base/path.h"
 #include "compiler/report/page_text.h"
 
+#include <string.h>
+
 FindingCount report_count_findings(const Report *r)
 {
     return (FindingCount){r->analysis.diags->list.n, r->analysis.diags->allowed.n};
@@ -90,26 +92,101 @@ static const char *step_text(const Report *r)
     return format_in(r->arena, r->step_given ? TEXT_STEP_GIVEN : TEXT_STEP_OF_SCRIPTS, step);
 }
 
+// Findings of one part of the page: of a machine, or of an application's machines that come from one file.
+typedef VEC(Diag *) Findings;
+typedef struct FindingGroup { Findings open, allowed; } FindingGroup;
+
+// Adds the tables of a group and each finding in detail, numbered from `first`.  name: added to the keys of the tables; "": none.
+static void add_group(const Report *r, Doc *d, const FindingGroup *g, size_t first, const char *name)
+{
+    DocTable *t;
+
+    if (g->open.n) {
+        t = doc_add_table(d, format_in(r->arena, "findings%s", name), finding_columns, sizeof finding_columns / sizeof *finding_columns);
+        for (size_t i = 0; i < g->open.n; i++)
+            add_row(r, t, g->open.at[i], first + i);
+    }
+    if (g->allowed.n) {
+        doc_add_heading(d, format_in(r->arena, "allowed%s", name), "Allowed findings");
+        t = doc_add_table(d, format_in(r->arena, "allowed%s", name), allowed_columns, sizeof allowed_columns / sizeof *allowed_columns);
+        for (size_t i = 0; i < g->allowed.n; i++)
+            add_row(r, t, g->allowed.at[i], first + g->open.n + i);
+    }
+    add_details(r, d, g->open.at, g->open.n, first);
+    add_details(r, d, g->allowed.at, g->allowed.n, first + g->open.n);
+}
+
+// ---- an application ----
+
+static bool is_from(const Report *machine, const Source *src) { return strcmp(machine->analysis.p->src->name, src->name) == 0; }
+
+// Returns the first machine in whose file the finding is; r->members: it is in none.
+static size_t machine_of(const Report *r, const Diag *diag)
+{
+    size_t m = 0;
+
+    while (m < r->members && !(diag->span.src && is_from(&r->member[m], diag->span.src)))
+        m++;
+    return m;
+}
+
+// Returns the heading of the findings in a machine's file: "Machine flight", or of several from one file "Machines drogue and main".
+static const char *group_title(const Report *r, size_t first)
+{
+    const Source *src = r->member[first].analysis.p->src;
+    size_t n = 0, at = 0;
+    Buf out;
+
+    for (size_t m = first; m < r->members; m++)
+        n += is_from(&r->member[m], src);
+    buf_init(&out, r->arena);
+    buf_str(&out, n > 1 ? "Machines " : "Machine ");
+    for (size_t m = first; m < r->members; m++)
+        if (is_from(&r->member[m], src))
+            buf_printf(&out, "%s%s", describe_separator(at++, n), r->member[m].of->name->text);
+    return buf_text(&out);
+}
+
+// Adds the findings of an application: first those in its own files, then a part for each machine.
+static void add_groups(const Report *r, Doc *d)
+{
+    const Diags *diags = r->analysis.diags;
+    FindingGroup *group = ARENA_ARRAY(r->arena, FindingGroup, r->members + 1);
+    size_t first = 1;
+
+    for (size_t i = 0; i < diags->list.n; i++)
+        vec_push(r->arena, &group[machine_of(r, diags->list.at[i])].open, diags->list.at[i]);
+    for (size_t i = 0; i < diags->allowed.n; i++)
+        vec_push(r->arena, &group[machine_of(r, diags->allowed.at[i])].allowed, diags->allowed.at[i]);
+    for (size_t n = 0; n <= r->members; n++) {
+        const size_t m = n == 0 ? r->members : n - 1;
+        const char *name = n == 0 ? "-application" : format_in(r->arena, "-%s", r->member[m].of->name->text);
+        if (group[m].open.n + group[m].allowed.n == 0)
+            continue;
+        doc_add_heading(d, format_in(r->arena, "findings-of%s", name), n == 0 ? TEXT_THE_APPLICATION : group_title(r, m));
+        add_group(r, d, &group[m], first, name);
+        first += group[m].open.n + group[m].allowed.n;
+    }
+}
+
+// ---- the section ----
+
 void report_add_findings(Report *r, Doc *d)
 {
     const Diags *diags = r->analysis.diags;
     const size_t open = diags->list.n, allowed = diags->allowed.n;
-    DocTable *t;
+    FindingGroup all = {{NULL, 0, 0}, {NULL, 0, 0}};
 
     doc_add_section(d, "findings", "Findings");
     doc_add_paragraph(d, format_in(r->arena, "%s %s", open ? TEXT_FINDINGS_OPEN : allowed ? TEXT_FINDINGS_ALLOWED : TEXT_FINDINGS_NONE,
                                    step_text(r)));
-    if (open) {
-        t = DOC_ADD_TABLE(d, "findings", finding_columns);
-        for (size_t i = 0; i < open; i++)
-            add_row(r, t, diags->list.at[i], i + 1);
+    if (r->members) {
+        add_groups(r, d);
+        return;
     }
-    if (allowed) {
-        doc_add_heading(d, "allowed", "Allowed findings");
-        t = DOC_ADD_TABLE(d, "allowed", allowed_columns);
-        for (size_t i = 0; i < allowed; i++)
-            add_row(r, t, diags->allowed.at[i], open + i + 1);
-    }
-    add_details(r, d, diags->list.at, open, 1);
-    add_details(r, d, diags->allowed.at, allowed, open + 1);
+    for (size_t i = 0; i < open; i++)
+        vec_push(r->arena, &all.open, diags->list.at[i]);
+    for (size_t i = 0; i < allowed; i++)
+        vec_push(r->arena, &all.allowed, diags->allowed.at[i]);
+    add_group(r, d, &all, 1, "");
 }
