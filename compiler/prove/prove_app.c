@@ -52,6 +52,17 @@ static void note_read(Expr *e, void *context)
         r->why = format_in(r->arena, writers ? "several machines write '%s'" : "no machine writes '%s'", e->var->name->text);
 }
 
+// Returns why a proof about the machine alone is none about the application: another machine writes what this one assigns.  NULL: none does.
+static const char *find_other_writer(Arena *arena, const Program *p, const Member *m)
+{
+    for (size_t i = 0; i < p->joint->member.n; i++)
+        for (size_t v = 0; v < p->var.n && &p->joint->member.at[i] != m; v++)
+            if (p->var.at[v]->kind == VAR_ELEMENT && stores(&p->joint->member.at[i], p->var.at[v]) && stores(m, p->var.at[v]))
+                return format_in(arena, "%s writes '%s', too, which %s assigns", p->joint->member.at[i].name->text, p->var.at[v]->name->text,
+                                 m->name->text);
+    return NULL;
+}
+
 // Returns why a step of the machine is not a tick of the application, or why its first step is not that of a proof; NULL: both are.
 static const char *steps_differ(Arena *arena, const Program *p, const Member *m)
 {
@@ -84,6 +95,8 @@ static size_t find_machine(Arena *arena, const Requirements *all, size_t i, cons
         r.why = "it reads nothing that a machine stores";
     if (!r.why)
         r.why = steps_differ(arena, all->program, &r.joint->member.at[r.machine]);
+    if (!r.why)
+        r.why = find_other_writer(arena, all->program, &r.joint->member.at[r.machine]);
     *why = r.why;
     return r.why ? SIZE_MAX : r.machine;
 }

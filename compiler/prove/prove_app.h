@@ -2,8 +2,9 @@
 // Requirements of an application that one of its machines decides alone (requirements.md, "Proofs").
 //
 // A proof about a machine is about all runs in which anything writes its inputs, so about those in the application, too.  It carries over if every
-// tick of the application is a step of the machine and the requirement reads only what this machine stores: then each judgement in the application is
-// one after a step of the machine.  An input could change between the step and the end of the tick, so a requirement that reads one is not decided.
+// tick of the application is a step of the machine, no other machine writes the elements that it assigns, and the requirement reads only what this
+// machine stores: then each judgement in the application is one after a step of the machine.  An input could change between the step and the end of
+// the tick, so a requirement that reads one is not decided.
 //
 // A violation does not carry over: the other machines may never write what it needs.
 #ifndef SMC_PROVE_APP_H
