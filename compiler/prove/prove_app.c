@@ -52,7 +52,7 @@ static void note_read(Expr *e, void *context)
         r->why = format_in(r->arena, writers ? "several machines write '%s'" : "no machine writes '%s'", e->var->name->text);
 }
 
-// Returns why a proof about the machine alone is none about the application: another machine writes what this one assigns.  NULL: none does.
+// Returns why a proof about the machine alone is none about the application: another machine writes what this one assigns.  NULL: no machine does.
 static const char *find_other_writer(Arena *arena, const Program *p, const Member *m)
 {
     for (size_t i = 0; i < p->joint->member.n; i++)
