@@ -1019,7 +1019,7 @@ $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/rando
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
 $(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
-$(call test, prove-apps,           thorough, $(B)/prove/apps, $(B)/prove/apps 1 60)
+$(call test, prove-apps,           thorough, $(B)/prove/apps, $(B)/prove/apps 240 60)
 $(call test, prove-interrupted,    thorough,, sh tests/prove/interrupted.sh $(B)/smc)
 $(call test, why-random,           thorough, $(B)/why/random, $(B)/why/random 1 1500)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)

@@ -117,7 +117,7 @@ static const char *add_machine(uint32_t k)
         uint32_t e = ELEMENTS;
         if (var->kind != VAR_ELEMENT)
             continue;
-        if (var != m->p->g && var != m->p->s && rng_percent(&rng, 40))
+        if (var != m->p->g && var != m->p->s && rng_percent(&rng, 50))
             e = pick_shared(var->type, k);
         met.shared += e != ELEMENTS;
         m->element[v] = var == m->p->g ? 0 : e != ELEMENTS ? e : add_shared(var->type, var == m->p->s);
