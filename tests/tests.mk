@@ -240,6 +240,13 @@ $(B)/prove/random: $(B)/obj/tests/prove/random.o $(B)/obj/tests/prove/related_te
 	@mkdir -p $(@D)
 	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
+$(B)/prove/apps: $(B)/obj/tests/prove/apps.o $(B)/obj/tests/prove/related_text.o $(B)/obj/tests/prove/held_text.o $(GEN_OBJ) $(B)/libsmc.a
+	@mkdir -p $(@D)
+	$(call say,LD)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+
+prove-app-campaign: $(B)/prove/apps
+	$(B)/prove/apps $(SEED) $(N) $(or $(STEPS),10000)
+.PHONY: prove-app-campaign
 prove-campaign: $(B)/prove/random
 	$(B)/prove/random $(SEED) $(N) $(or $(STEPS),100000)
 # tests/prove/corpus: requirements of the examples that a person has decided.  A minute of processor time.
@@ -1027,6 +1034,7 @@ $(call test, joint-random,         thorough, $(B)/joint/random, $(B)/joint/rando
 $(call test, joint-sim,            thorough, $(B)/joint/random $(B)/smc $(B)/runtime/sim.a, sh tests/joint/sim.sh $(B)/smc $(B)/joint/random $(B)/runtime/sim.a '$(CC)' 6)
 $(call test, compare-random,       thorough, $(B)/compare/random, $(B)/compare/random 1 150)
 $(call test, prove-random,         thorough, $(B)/prove/random, $(B)/prove/random 1 40)
+$(call test, prove-apps,           thorough, $(B)/prove/apps, $(B)/prove/apps 240 60)
 $(call test, prove-interrupted,    thorough,, sh tests/prove/interrupted.sh $(B)/smc)
 $(call test, why-random,           thorough, $(B)/why/random, $(B)/why/random 1 1500)
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
