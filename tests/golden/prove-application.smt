@@ -305,7 +305,7 @@ requirements of pump, from state Off, with a step every 10 ms:
       this run is of pump alone: in the application, its inputs may never have these values
 {"smc-proofs":1,"application":"stand","machines":[
 {"smc-proofs":1,"machine":"pump","state":"Off","delta_t":10,"scripts":[],"requirements":[
-{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":227,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
+{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":222,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
 ]}
 ],"undecided":[
 {"id":"R1","because":"no machine writes 'level'"}]}
