@@ -89,20 +89,49 @@ static const Program *flown_program(const App *app, const Member *m)
     return m->program;
 }
 
-// Returns the findings at positions in one source.
-static Diags *findings_of(Session *s, const Source *src)
+// Whether a position is in the source `src`; if `src` is NULL, in that of no machine of the application.
+static bool is_in_source(const Report *r, Span span, const Source *src)
+{
+    for (size_t i = 0; !src && i < r->members; i++)
+        if (span.src == r->member[i].analysis.p->src)
+            return false;
+    return !src || span.src == src;
+}
+
+// Returns the findings at positions in the source of a machine; for NULL, those that are in the source of no machine.
+static Diags *findings_of(Session *s, const Report *r, const Source *src)
 {
     Diags *out = arena_copy(&s->arena, &s->diags, sizeof s->diags);
 
-    out->list.at = NULL;
-    out->list.n = out->list.cap = 0;
+    out->list.at = out->allowed.at = NULL;
+    out->list.n = out->list.cap = out->allowed.n = out->allowed.cap = 0;
     for (size_t i = 0; i < s->diags.list.n; i++)
-        if (s->diags.list.at[i]->span.src == src)
+        if (is_in_source(r, s->diags.list.at[i]->span, src))
             vec_push(&s->arena, &out->list, s->diags.list.at[i]);
+    for (size_t i = 0; i < s->diags.allowed.n; i++)
+        if (is_in_source(r, s->diags.allowed.at[i]->span, src))
+            vec_push(&s->arena, &out->allowed, s->diags.allowed.at[i]);
     return out;
 }
 
-void review_begin_app(Session *s, const App *app, const Program *joint, Report *r)
+// Adds the costs of a machine of an application, as if it flew alone in an image.
+static void add_costs_of_member(Session *s, int opt_level, Report *r)
+{
+    const ImageOptions with_lines = {true, NULL}, as_sent = {false, NULL};
+    IrMachine *ir = session_ir(s, r->analysis.p, opt_level);
+    CompiledSource of = {0};
+    Buf lines, image;
+
+    buf_init(&lines, &s->arena);
+    buf_init(&image, &s->arena);
+    if (!session_image(s, &ir, 1, &with_lines, &lines) || !session_image(s, &ir, 1, &as_sent, &image))
+        return;
+    of.measured = (const uint8_t *)lines.at;
+    s->step = r->analysis.step;
+    review_add_costs(s, &of, &image, false, r);
+}
+
+void review_begin_app(Session *s, const App *app, const Program *joint, int opt_level, Report *r)
 {
     const Joint *j = joint->joint;
 
@@ -112,10 +141,13 @@ void review_begin_app(Session *s, const App *app, const Program *joint, Report *
     for (size_t i = 0; i < r->members; i++) {
         const uint64_t period = j->member.at[i].every * j->tick;
         review_begin(s, flown_program(app, &j->member.at[i]), &r->member[i]);
-        r->member[i].analysis.diags = findings_of(s, r->member[i].analysis.p->src);
         r->member[i].analysis.step = period % j->unit == 0 ? period / j->unit : 0;
         r->member[i].of = &j->member.at[i];
+        add_costs_of_member(s, opt_level, &r->member[i]);
     }
+    for (size_t i = 0; i < r->members; i++)
+        r->member[i].analysis.diags = findings_of(s, r, r->member[i].analysis.p->src);
+    r->analysis.diags = findings_of(s, r, NULL);
 }
 
 // Sets the run of one machine: what is the same for all machines, and the values of its own variables at the end.

@@ -16,8 +16,8 @@ void review_add_costs(Session *s, const CompiledSource *m, const Buf *image, boo
 // run->diags, not to s->diags.
 void review_run_script(Session *s, const Report *r, const Program *p, const Source *src, const Script *script, Engine **engine, size_t engines,
                        const ScriptOptions *o, ReportRun *run);
-// Begins a review of an application, and of each of its machines as it flies.
-void review_begin_app(Session *s, const App *app, const Program *joint, Report *r);
+// Begins a review of an application, and of each of its machines as it flies.  opt_level: that of the images whose costs it has.
+void review_begin_app(Session *s, const App *app, const Program *joint, int opt_level, Report *r);
 // Runs the script `src` of an application into run number `number` of r, and of the report of each machine.  engine: by machine, an engine that
 // counts coverage; `vm` runs all machines in lock step.
 void review_run_app_script(Session *s, Report *r, const Source *src, Engine *vm, Engine *const *engine, const ScriptOptions *o, size_t number);

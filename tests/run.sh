@@ -113,7 +113,9 @@ report() {
         { echo "---- $name"; tail -n 30 "$out"; } >>"$failures"
     fi
     reported=$((reported + 1))
-    printf '[%*d/%d] %-24s %4d s %6s cpu  %s\n' ${#count} "$reported" "$count" "$name" "$seconds" "$(cpu_of "$1")" "$last"
+    cpu=$(cpu_of "$1")
+    printf '[%*d/%d] %-24s %4d s %6s cpu  %s\n' ${#count} "$reported" "$count" "$name" "$seconds" "$cpu" "$last"
+    echo "$cpu $seconds $name" >>"$work/cpu"
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-0})) skipped=$((skipped + ${s:-0}))
     add_to_part "$(sed -n "$1p" "$work/parts")" "${p:-0}" "${f:-0}" "${s:-0}"
 }
@@ -135,6 +137,12 @@ while [ "$reported" -lt "$count" ]; do
     read -r number <&3
     report "$number"
 done
+
+# The ten tests that took most processor seconds, in a run that has more than ten.
+[ "$count" -le 10 ] || LC_ALL=C sort -rn "$work/cpu" | awk '
+    { sum += $1 }
+    NR <= 10 { most = most sprintf("    %-24s %4d s %6.1f cpu\n", $3, $2, $1) }
+    END { printf "---- most processor seconds, of %.0f in all:\n%s", sum, most }'
 
 [ ! -s "$failures" ] || cat "$failures"
 list_untracked "$work/untracked.after"

@@ -59,7 +59,7 @@ test: all
 	$(B)/smc test --engine=all $(T)
 
 # tests/golden.  `make update-golden` writes the current output into the cases.
-GOLDEN = $(wildcard tests/golden/*.smt)
+GOLDEN = $(wildcard tests/golden/*.smt tests/golden/long/*.smt)
 update-golden: all $(B)/golden
 	UPDATE=1 $(B)/golden $(B)/smc $(GOLDEN)
 
@@ -332,7 +332,14 @@ $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) 
 ASAN_LEAVES_OUT = check-words check-wrap check-sentences check-links check-layers check-hints check-codes check-builtins check-arguments check-clauses \
                   check-citations check-licence check-columns check-last-return check-places check-configurations check-headers check-headers-targets check-names \
                   check-imports check-commits check-mutants documents mutants-places runner \
-                  check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small
+                  check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small conformance-c-soft golden-long analysis-long
+#   7. conformance-c-soft compiles C that calls the functions of `soft`, which run under the sanitizers on operands of their own and in vm-soft;
+#      diff-c-soft compiles such C.
+#   8. golden-long and analysis-long are those of golden/ and analysis/ that take longest.
+# SANITIZED is not empty under them.  Then rows that start a process for each of many cases, or run a campaign, have fewer cases of the same
+# kinds, and names that end in -short, for which floors.txt has other floors.
+SANITIZED = $(findstring -fsanitize,$(CC))
+SHORT     = $(if $(SANITIZED),-short)
 SANITIZE = -fsanitize=address,undefined -fno-sanitize-recover=all
 asan:
 	$(MAKE) B=$(B)/asan CFLAGS='-O1 -g1' CC='$(CC) $(SANITIZE) -O0' LEVELS=2 PARTS='quick thorough' LEFT_OUT='$(ASAN_LEAVES_OUT)' check
@@ -893,7 +900,7 @@ mutants faults:
 # quick: no other compiler, no campaign.
 
 $(call test, golden,               quick, $(B)/golden, $(B)/golden $(B)/smc tests/golden/*.smt)
-$(call test, analysis,             quick,, $(B)/smc test tests/analysis)
+$(call test, analysis,             quick,, $(B)/smc test tests/analysis/*.smt)
 $(call test, conformance,          quick,, $(B)/smc test --engine=ref,vm conformance)
 UNIT_SLOW = vm_mutate vm_switch vm_decode stdlib_roll stdlib_roll_small stdlib_roll_emitted search_run
 $(foreach u,$(filter-out $(UNIT_SLOW:%=$(B)/unit/%),$(UNIT)) $(B)/unit/stdlib_convert_small,$(call test,$(notdir $(u)),quick,$(u),$(u)))
@@ -916,7 +923,7 @@ $(call test, library-random,       quick, $(B)/library/random, $(B)/library/rand
 $(call test, library-calls,        quick, , sh tests/library/calls.sh)
 $(call test, swap-clauses,         quick, $(B)/swap/clauses, $(B)/swap/clauses)
 $(call test, clauses-regions,      quick, $(B)/clauses/regions, $(B)/clauses/regions)
-$(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
+$(call test, fixes,                quick, $(B)/fixes, $(B)/fixes tests/check/fixes.txt conformance/*/*.smt tests/*/*.smt tests/*/long/*.smt README.md docs/*.md examples/*/*.sm tests/findings/*/*.sm)
 $(call test, fragments,            quick, $(B)/fragments, $(B)/fragments tests/check/fragments.txt)
 $(call test, diagnostics,          quick, $(B)/diagnostics, $(DIAGNOSTICS) | cmp - docs/diagnostics.md && echo 1 passed$(,) 0 failed)
 $(call test, editors,              quick, $(B)/editors, sh tests/check/editors.sh $(B)/editors)
@@ -961,6 +968,8 @@ $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(
 $(call test, findings-seeded,      thorough,, sh tests/findings/seeded.sh $(B)/smc)
 $(call test, examples,             thorough,, sh tests/check/examples.sh $(B)/smc $(patsubst %/,%,$(sort $(dir $(wildcard examples/*/*.sm)))))
 $(call test, findings,             thorough,, sh tests/findings/run.sh $(B)/smc)
+$(call test, golden-long,          thorough, $(B)/golden, $(B)/golden $(B)/smc tests/golden/long/*.smt)
+$(call test, analysis-long,        thorough,, $(B)/smc test tests/analysis/long)
 # Emitted C at -O1, as smc test builds it; -O0 builds faster.
 LEVELS ?= 0 1 2
 $(foreach level,$(LEVELS),$(call test,conformance-O$(level),thorough,,$(if $(filter-out 2,$(level)),CC='$(CC) -O0' )$(B)/smc test -O$(level) conformance))
@@ -973,9 +982,9 @@ $(call test, ci-pages,             thorough,, sh tests/check/ci_pages.sh $(B)/sm
 $(call test, applications,         thorough, $(RUNTIME_ARCHIVES), sh tests/check/applications.sh $(B)/smc '$(CC)' $(B)/runtime $(patsubst %/,%,$(dir $(wildcard examples/*/*.app))))
 $(call test, flight-docs,          thorough, $(B)/flight/flight.log, $(FLIGHT_SVG) | cmp - docs/flight.svg && echo 1 passed$(,) 0 failed)
 $(call test, graph-read,           thorough,, sh tests/graph/read.sh $(B)/smc tests/graph/machines/*.sm)
-$(call test, outputs,              thorough, $(B)/corpus/log/flight.log, sh tests/outputs/run.sh $(B)/smc $(B)/corpus/log/flight.log)
+$(call test, outputs$(SHORT),      thorough, $(B)/corpus/log/flight.log, sh tests/outputs/run.sh $(B)/smc $(B)/corpus/log/flight.log $(if $(SANITIZED),short))
 $(call test, junit,                thorough,, sh tests/check/junit.sh $(B)/smc $(B)/junit)
-$(call test, sarif,                thorough,, sh tests/check/sarif.sh $(B)/smc $(B)/sarif conformance/11-errors/*.smt tests/analysis/*.smt)
+$(call test, sarif,                thorough,, sh tests/check/sarif.sh $(B)/smc $(B)/sarif conformance/11-errors/*.smt tests/analysis/*.smt tests/analysis/long/*.smt)
 $(call test, analysis-effort,      thorough,, sh tests/analysis/effort.sh $(B)/smc)
 $(call test, log,                  thorough, $(B)/runtime/log, sh tests/log/run.sh $(B)/smc $(B)/runtime/log $(B)/log)
 $(call test, app,                  thorough, $(B)/runtime/sim.a $(B)/runtime/desk.a, sh tests/app/run.sh $(B)/smc $(B)/runtime/sim.a '$(CC)' $(B)/runtime/desk.a)
@@ -994,16 +1003,16 @@ $(call test, elementary-bits,      thorough, $(B)/elementary/bits, $(B)/elementa
 $(call test, soft-engine,          thorough, $(VM_SOFT), sh tests/soft/engine.sh $(VM_SOFT))
 
 $(call test, scripts-random,       quick, $(B)/cover/scripts, $(B)/cover/scripts 1 200)
-$(call test, exhaustive,           thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 3000 200)
+$(call test, exhaustive$(SHORT),   thorough, $(B)/cover/exhaustive, $(B)/cover/exhaustive 3000 $(if $(SANITIZED),50,200))
 $(call test, search,               thorough, $(B)/search/bench, $(B)/search/bench --effort=32000000 --expect=tests/search/expected.txt)
 $(call test, cover,                thorough, , sh tests/cover/cover.sh $(B)/smc)
-$(call test, mutation,             thorough, , sh tests/cover/mutate.sh $(B)/smc)
+$(call test, mutation$(SHORT),     thorough, , sh tests/cover/mutate.sh $(B)/smc $(if $(SANITIZED),10))
 $(call test, kept,                 thorough, , sh tests/cover/kept.sh $(B)/smc)
 $(call test, mutation-verdicts,    thorough, , sh tests/cover/verdicts.sh $(B)/smc)
 $(call test, mutation-equivalent,  thorough, $(B)/equivalent, $(B)/equivalent 15)
-$(call test, whatif,               thorough, , sh tests/whatif/run.sh $(B)/smc)
+$(call test, whatif$(SHORT),       thorough, , sh tests/whatif/run.sh $(B)/smc $(if $(SANITIZED),short))
 $(call test, diff,                 thorough, $(B)/diff/difftest, $(B)/diff/difftest --seed=40012098 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=40024584 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --seed=41961545 --count=1 --no-floors --out=$(B)/diff/check-seed && $(B)/diff/difftest --count=2000 --jobs=2 --out=$(B)/diff/check)
-$(call test, library-parity,       thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command)
+$(call test, library-parity$(SHORT), thorough, $(B)/library/command, sh tests/library/parity.sh $(B)/smc $(B)/library/command $(if $(SANITIZED),4))
 $(call test, library-swapping,     thorough, $(B)/smc $(LIBRARY_FILES), sh tests/library/swapping.sh $(MAKE) $(B) '$(CC)' '$(CFLAGS)')
 $(call test, library-abi,          thorough, $(LIBRARY_FILES), sh tests/library/abi.sh $(B) '$(CC)')
 $(call test, swap-running,         thorough, $(B)/swap/running, $(B)/swap/running)
@@ -1022,7 +1031,7 @@ $(call test, why-random,           thorough, $(B)/why/random, $(B)/why/random 1 
 $(call test, requirements-random,  thorough, $(B)/requirements/random, $(B)/requirements/random 1 2000)
 $(call test, swap-random,          thorough, $(B)/swap/random, $(B)/swap/random 1 1000)
 $(call test, swap-hostile,         thorough, $(B)/swap/hostile, $(B)/swap/hostile 1 3000)
-$(call test, sound,                thorough, $(B)/diff/difftest, $(SOUND) --count=300 --jobs=2 --out=$(B)/diff/check-sound)
+$(call test, sound$(SHORT),        thorough, $(B)/diff/difftest, $(SOUND) --count=$(if $(SANITIZED),60,300) --jobs=2 --out=$(B)/diff/check-sound)
 $(call test, diff-c,               thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=25 --forms=012h --cc='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c)
 $(call test, diff-c-soft,          thorough, $(B)/diff/difftest, $(B)/diff/difftest --count=10 --forms=012h --cc-soft='$(CC) -std=c99 -O1' --out=$(B)/diff/check-c-soft)
 $(call test, fuzz-script,          thorough, $(B)/fuzz/script, $(B)/fuzz/script -n 2000 conformance/0[678]*/*.smt tests/script/*.smt)
@@ -1060,6 +1069,10 @@ $(call test, device,               thorough, $(B)/device/link $(B)/device/board 
 
 # targets: other compilers and processors, emulated boards, measurements.
 
+# smc.exe and smc.dll, before `python`, which packs them.  Those for 32 bits do not run in `make check`, so they are built fast.
+WINDOWS_RUN = '$(MAKE)' '$(B)' '$(CC)'
+$(call test, +windows-x86-64,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) x86_64 -O2)
+$(call test, +windows-x86-32,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) i686 -O0)
 $(call test, +firmware,            targets, $(B)/device/link $(STORE_SMB) $(LIMITS_SMB), sh tests/avr/firmware.sh '$(MAKE)' $(B) '$(CC)')
 $(call test, +processors,          targets, $(B)/diff/difftest $(B)/targets/cases $(RUNTIME_MADE), sh tests/targets/run.sh $(B))
 $(call test, +native-x86-32,       targets, $(B)/golden, sh tests/targets/native.sh $(B) '$(MAKE)' x86-32)
@@ -1079,21 +1092,20 @@ $(call test, runtime-targets,      targets,, CC='$(CC)' sh tests/runtime/targets
 $(call test, +sbrio-arm,           targets,, sh tests/sbrio/run.sh '$(MAKE)' $(B) '$(CC)' arm)
 $(call test, models,               targets,, sh tests/check/models.sh $(STRICT_C) $(WARN))
 # tests/windows: smc.exe and smc.dll under Wine.  `make windows-campaign` runs the same as 32-bit programs, which needs a Wine that has them.
-WINDOWS_RUN = '$(MAKE)' '$(B)' '$(CC)'
-$(call test, +windows-x86-64,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) x86_64)
-$(call test, +windows-x86-32,      targets,, sh tests/windows/exports.sh $(WINDOWS_RUN) i686)
 $(call test, +windows-same,        targets,, sh tests/windows/same.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-golden,      targets, $(B)/golden, sh tests/windows/golden.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-files,       targets,, sh tests/windows/files.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-serial,      targets, $(B)/device/board, sh tests/windows/serial.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-labview,     targets,, sh tests/windows/labview.sh $(WINDOWS_RUN) x86_64)
 $(call test, +windows-console,     targets,, sh tests/windows/console.sh $(WINDOWS_RUN) x86_64)
-windows-campaign: all windows-i686 $(B)/golden $(B)/device/board
+windows-campaign: all $(B)/golden $(B)/device/board
+	@rm -rf $(B)/windows-i686 && $(MAKE) windows-i686
 	@for t in same golden files serial labview console; do MUST_RUN=1 sh tests/windows/$$t.sh $(WINDOWS_RUN) i686 || exit 1; done
 .PHONY: windows-campaign
 $(call test, compile-instructions, targets, $(B)/bench/scale, sh tests/bench/instructions.sh $(B) '$(CC)' '$(CFLAGS)')
 $(call test, bench,                targets, $(B)/bench/steps $(B)/bench/compile $(B)/bench/scale, $(B)/bench/steps $(B)/bench check)
 $(call test, bench-report,         targets,, sh tests/check/bench_report.sh)
+$(call test, coverage-cost,        targets,, sh tests/bench/coverage.sh $(B)/smc)
 
 # ---- running them ----
 

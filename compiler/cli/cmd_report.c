@@ -90,7 +90,7 @@ static int compile_app_for_report(Cli *c, const CompileInput *in, CompileOptions
         cli_print_diagnostics(c);
         return EXIT_PROBLEM;
     }
-    review_begin_app(&c->session, made->app, made->of[0].scripted, r);
+    review_begin_app(&c->session, made->app, made->of[0].scripted, o->opt_level, r);
     return EXIT_OK;
 }
 

@@ -212,7 +212,8 @@ static const char *describe_kind(Arena *arena, const FaultSizes *sizes, FaultKin
     switch ((int)kind) {
     case FAULT_BELOW: return format_in(arena, "the true value less %g %% of the range", 100 * sizes->offset);
     case FAULT_ABOVE: return format_in(arena, "the true value and %g %% of the range", 100 * sizes->offset);
-    case FAULT_NOISY: return format_in(arena, "the true value and a random number with a standard deviation of %g %% of the range", 100 * sizes->noise);
+    case FAULT_NOISY: return format_in(arena, "the true value and a random number with a standard deviation of %g %% of the range",
+                                       100 * sizes->noise);
     case FAULT_LATE: return format_in(arena, "the true value of %lu steps before", (unsigned long)sizes->late);
     case FAULT_DROPPED: return format_in(arena, "the last reading before the fault, for %lu steps", (unsigned long)sizes->dropped);
     default: return fault_kind_sentence[kind];

@@ -2,6 +2,8 @@
 // Statements as sentences.  Names and formulas of the author appear in backticks.
 #include "compiler/report/describe.h"
 
+#include <string.h>
+
 #include "compiler/analysis/transitions.h"
 #include "compiler/report/comment.h"
 #include "stdlib/convert.h"
@@ -67,6 +69,19 @@ static const char *describe_neighbours(Arena *arena, const Window *w, const char
     return format_in(arena, "`%s` one step before", sample);
 }
 
+// Returns the time of `held(condition, time)` as written.
+static const char *describe_held_time(Arena *arena, const Window *w)
+{
+    const char *call = source_text(arena, w->span), *time = strrchr(call, ',');
+    size_t n;
+
+    if (!time)
+        return "a time";
+    time += 1 + strspn(time + 1, " \t");
+    n = strcspn(time, ")");
+    return format_in(arena, "`%.*s`", (int)n, time);
+}
+
 // Returns a window in words.
 const char *describe_window(Arena *arena, const Program *p, const Window *w)
 {
@@ -76,8 +91,8 @@ const char *describe_window(Arena *arena, const Program *p, const Window *w)
     switch (w->stat) {
     case SM_STAT_OLDEST: case SM_STAT_NEWEST: return describe_neighbours(arena, w, sample);
     case SM_STAT_CHANGE: return format_in(arena, "the change of `%s` over the last %s, per second", sample, size);
-    case SM_STAT_RUN_STEPS: return format_in(arena, "whether `%s` was true in the last %s", sample, size);
-    case SM_STAT_RUN_TIME: return format_in(arena, "how long `%s` has been true", sample);
+    case SM_STAT_RUN_STEPS: return format_in(arena, "whether `%s` was true in each of the last %s", sample, size);
+    case SM_STAT_RUN_TIME: return format_in(arena, "whether `%s` has been true for %s", sample, describe_held_time(arena, w));
     default: return format_in(arena, "%s of `%s` over the last %s", name[w->stat], sample, size);
     }
 }

@@ -2,6 +2,8 @@
 // Builds a report.
 #include "compiler/report/doc.h"
 
+#include <string.h>
+
 void doc_begin_chapter(Doc *d, const char *title) { d->chapter = title; }
 
 const char *doc_scoped_id(Arena *arena, const char *scope, const char *id) { return scope ? format_in(arena, "%s-%s", scope, id) : id; }
@@ -38,6 +40,15 @@ DocPart *doc_add_heading(Doc *d, const char *id, const char *text)
 }
 
 void doc_add_paragraph(Doc *d, const char *text) { add_part(d, DOC_PARAGRAPH)->text = text; }
+
+void doc_add_legend(Doc *d, const char *text)
+{
+    for (size_t i = 0; i < d->legend.n; i++)
+        if (strcmp(d->legend.at[i], text) == 0)
+            return;
+    vec_push(d->arena, &d->legend, text);
+    doc_add_paragraph(d, text);
+}
 
 // Adds a paragraph without markup.
 void doc_add_plain(Doc *d, const char *text)

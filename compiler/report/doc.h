@@ -118,6 +118,7 @@ typedef struct Doc {
     const char *chapter;      // the chapter that begins with the next section; NULL: none
     const char *scope;        // DocSection.scope of the next sections
     VEC(DocSection *) section;
+    VEC(const char *) legend; // the texts of doc_add_legend so far
 } Doc;
 
 // ---- building: each adds to the end of the last section ----
@@ -130,6 +131,7 @@ void doc_add_section(Doc *d, const char *id, const char *title);
 const char *doc_scoped_id(Arena *arena, const char *scope, const char *id);
 DocPart *doc_add_heading(Doc *d, const char *id, const char *text);        // the pointer is valid until the next part is added
 void doc_add_paragraph(Doc *d, const char *text);
+void doc_add_legend(Doc *d, const char *text);            // a paragraph that explains what follows; only the first time that a page has it
 void doc_add_plain(Doc *d, const char *text);             // a paragraph without markup
 void doc_add_quote(Doc *d, const char *plain);            // adds nothing for NULL and ""
 void doc_add_excerpt(Doc *d, Span span, const char *label);

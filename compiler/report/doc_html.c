@@ -132,10 +132,14 @@ static void write_cell(Buf *out, const DocCell *c)
         buf_str(out, "</a>");
         break;
     case CELL_BADGE:
-        if (*c->text && c->link)
-            buf_printf(out, "<a class=\"badge %s\" href=\"#%s\">%s</a>", c->tone, c->link, c->text);
-        else if (*c->text)
-            buf_printf(out, "<span class=\"badge %s\">%s</span>", c->tone, c->text);
+        if (!*c->text)
+            break;
+        if (c->link)
+            buf_printf(out, "<a class=\"badge %s\" href=\"#%s\">", c->tone, c->link);
+        else
+            buf_printf(out, "<span class=\"badge %s\">", c->tone);
+        xml_write_str(out, c->text);
+        buf_str(out, c->link ? "</a>" : "</span>");
         break;
     }
 }
@@ -429,19 +433,21 @@ static void write_section(Buf *out, const DocSection *s)
     write_in_scope(out, buf_text(&parts), s->scope);
 }
 
-// Writes the list of sections, by chapter.
+// Writes the list of sections, by chapter.  Successive sections about one machine are one entry, with its name.
 static void write_contents(Buf *out, const Doc *d)
 {
     buf_str(out, "<nav><ul>\n");
     for (size_t i = 0; i < d->section.n; i++) {
         const DocSection *s = d->section.at[i];
+        if (s->scope && i > 0 && !s->chapter && d->section.at[i - 1]->scope == s->scope)
+            continue;
         if (s->chapter) {
             buf_str(out, i > 0 ? "</ul><ul>\n<li><b>" : "<li><b>");
             xml_write_str(out, s->chapter);
             buf_str(out, "</b></li>\n");
         }
         buf_printf(out, "<li><a href=\"#%s\">", s->id);
-        xml_write_str(out, s->title);
+        xml_write_str(out, s->scope ? s->scope : s->title);
         buf_str(out, "</a></li>\n");
     }
     buf_str(out, "</ul></nav>\n");

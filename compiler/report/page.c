@@ -34,7 +34,7 @@ void report_add_source(Report *r, Doc *d)
 
     doc_add_section(d, "source", "Source");
     doc_add_source(d, r->analysis.p->src);
-    if (!sv->from_machine && sv->element.n) {
+    if (!sv->from_machine && sv->element.n && !r->of) {
         doc_add_heading(d, NULL, format_in(r->arena, "State vector `%s`", path_portable_name(sv->element.at[0]->span.src->name)));
         doc_add_paragraph(d, TEXT_STATE_VECTOR);
     }

@@ -161,7 +161,7 @@ static void add_causes(const Report *r, Doc *d, const AbortMatrix *x)
     if (cause.n == 0)
         return;
     doc_add_heading(d, "abort-causes", "What each state aborts on");
-    doc_add_paragraph(d, TEXT_ABORT_CAUSES);
+    doc_add_legend(d, TEXT_ABORT_CAUSES);
     t = doc_add_table(d, "causes", column, (uint32_t)cause.n + 1);
     t->narrow = t->dense = true;
     t->upright = t->columns > TITLES_ACROSS;
@@ -261,7 +261,7 @@ void report_add_abort_matrix(Report *r, Doc *d)
         doc_add_paragraph(d, TEXT_ABORT_UNDECLARED);
         return;
     }
-    doc_add_paragraph(d, TEXT_ABORT);
+    doc_add_legend(d, TEXT_ABORT);
     t = DOC_ADD_TABLE(d, "abort", abort_columns);
     for (size_t i = 0; i < x.n; i++) {
         const AbortRow *row = &x.row[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of an application: an overview, which machine reads and writes what, the runs of all machines, then a chapter for each machine.
+// The page of an application: the chapters of a machine's page.  Each begins with what is about all machines, then has sections for each machine.
 #include "compiler/sema/application.h"
 
 #include "compiler/base/path.h"
@@ -122,16 +122,50 @@ static void add_shared(const Report *r, Doc *d)
 
 // ---- the page ----
 
-// Adds the chapter of one machine.
-static void add_machine(Report *r, Doc *d)
+// Returns the first machine that was made from the same file as member i: i itself if that is the first.
+static size_t first_of_file(const Report *r, size_t i)
 {
-    d->scope = r->of->name->text;
-    doc_begin_chapter(d, format_in(r->arena, "Machine %s", r->of->name->text));
-    report_add_behaviour(r, d);
-    report_add_abort_matrix(r, d);
-    report_add_scripts(r, d);
-    report_add_mutation(r, d);
-    report_add_source(r, d);
+    size_t first = 0;
+
+    while (r->member[first].analysis.p->src != r->member[i].analysis.p->src)
+        first++;
+    return first;
+}
+
+// Adds what one machine must never do: its findings, once for each file, and its abort matrix.
+static void add_dangers(Report *r, Doc *d, size_t i)
+{
+    const size_t first = first_of_file(r, i);
+
+    if (first == i)
+        report_add_findings(&r->member[i], d);
+    else {
+        doc_add_section(d, "findings", "Findings");
+        doc_add_paragraph(d, format_in(r->arena, TEXT_FINDINGS_OF_FILE, path_portable_name(r->member[i].analysis.p->src->name),
+                                       r->member[first].of->name->text));
+    }
+    report_add_abort_matrix(&r->member[i], d);
+}
+
+static void add_behaviour(Report *r, Doc *d, size_t i) { report_add_behaviour(&r->member[i], d); }
+
+static void add_tests(Report *r, Doc *d, size_t i)
+{
+    report_add_scripts(&r->member[i], d);
+    report_add_mutation(&r->member[i], d);
+}
+
+static void add_costs(Report *r, Doc *d, size_t i) { report_add_costs(&r->member[i], d); }
+
+static void add_source(Report *r, Doc *d, size_t i) { report_add_source(&r->member[i], d); }
+
+// Adds sections about each machine; the name of the machine begins their titles.
+static void add_for_each_machine(Report *r, Doc *d, void (*add)(Report *r, Doc *d, size_t i))
+{
+    for (size_t i = 0; i < r->members; i++) {
+        d->scope = r->member[i].of->name->text;
+        add(r, d, i);
+    }
     d->scope = NULL;
 }
 
@@ -145,18 +179,26 @@ Doc *report_build_app(Report *r)
     d->maker = r->maker;
     d->of_application = true;
     add_overview(r, d);
-    doc_begin_chapter(d, TEXT_THE_APPLICATION);
+    doc_begin_chapter(d, TEXT_WHAT_IT_DOES);
     add_shared(r, d);
     report_add_messages(r, d);
+    add_for_each_machine(r, d, add_behaviour);
+    doc_begin_chapter(d, TEXT_WHAT_MUST_NOT_HAPPEN);
     report_add_requirements(r, d);
-    report_add_findings(r, d);
+    if (r->analysis.diags->list.n || r->analysis.diags->allowed.n)
+        report_add_findings(r, d);
+    add_for_each_machine(r, d, add_dangers);
+    doc_begin_chapter(d, TEXT_WHAT_WAS_TESTED);
     report_add_scripts(r, d);
+    add_for_each_machine(r, d, add_tests);
+    doc_begin_chapter(d, TEXT_WHAT_BREAKS_IT);
     report_add_faults(r, d);
     report_add_sweep(r, d);
-    for (size_t i = 0; i < r->members; i++)
-        add_machine(&r->member[i], d);
+    doc_begin_chapter(d, TEXT_WHAT_IT_COSTS);
+    add_for_each_machine(r, d, add_costs);
     doc_begin_chapter(d, TEXT_APPENDIX);
     doc_add_section(d, "source", "Source");
     doc_add_source(d, r->analysis.p->src);
+    add_for_each_machine(r, d, add_source);
     return d;
 }

@@ -124,7 +124,7 @@ static void add_board(const Report *r, Doc *d)
 
     doc_add_heading(d, "board", report_board_name(r));
     if (board)
-        doc_add_paragraph(d, TEXT_COSTS_BOARD);
+        doc_add_legend(d, TEXT_COSTS_BOARD);
     t = DOC_ADD_TABLE(d, "board", board_columns);
     t->narrow = true;
     if (board) {
@@ -155,7 +155,7 @@ static void add_bytes(const Report *r, Doc *d)
     DocTable *t;
 
     doc_add_heading(d, "bytes", "Memory");
-    doc_add_paragraph(d, TEXT_COSTS_MEMORY);
+    doc_add_legend(d, TEXT_COSTS_MEMORY);
     t = DOC_ADD_TABLE(d, "bytes", byte_columns);
     t->narrow = true;
     add_bytes_row(t, "Windows of rolling statistics", c->windows);
@@ -170,7 +170,7 @@ static void add_bytes(const Report *r, Doc *d)
 void report_add_costs(Report *r, Doc *d)
 {
     doc_add_section(d, "cost", "Costs");
-    doc_add_paragraph(d, TEXT_COSTS);
+    doc_add_legend(d, TEXT_COSTS);
     if (r->cost.sample)
         doc_add_paragraph(d, format_in(r->arena, TEXT_COSTS_SAMPLES,
                                        describe_count(r->arena, r->cost.sample, "instruction", "instructions")));

@@ -81,7 +81,7 @@ static const char *step_text(const Report *r)
 {
     const unsigned long step = (unsigned long)r->analysis.step;
 
-    if (r->members)
+    if (r->members || r->of)
         return TEXT_STEP_OF_APP;
     if (r->analysis.step == 0)
         return r->runs > 1 ? TEXT_STEP_DIFFERS : TEXT_STEP_UNKNOWN;

@@ -130,7 +130,7 @@ void report_add_mutation(Report *r, Doc *d)
         return;
     }
     s = mutation_score(r->mutation);
-    doc_add_paragraph(d, TEXT_MUTATION);
+    doc_add_legend(d, TEXT_MUTATION);
     report_add_left_out(r, d);
     buf_init(&percent, r->arena);
     buf_percent(&percent, s.of[MUTANT_NOTICED], s.noticeable, 1);

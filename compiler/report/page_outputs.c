@@ -318,7 +318,7 @@ void report_add_outputs(Report *r, Doc *d)
         return;
     compute_flow(&f);
     doc_add_section(d, "outputs", "Outputs in each state");
-    doc_add_paragraph(d, TEXT_OUTPUTS);
+    doc_add_legend(d, TEXT_OUTPUTS);
     for (uint32_t i = 0; i < f.outputs; i += COLUMNS_MAX)
         add_table(&f, d, i, i + COLUMNS_MAX < f.outputs ? i + COLUMNS_MAX : f.outputs);
 }

@@ -275,7 +275,7 @@ static void add_not_covered(Report *r, Doc *d)
         doc_add_paragraph(d, c.shared ? TEXT_COVERED_ALL_EDGES : TEXT_COVERED_ALL);
     else {
         add_uncovered(r, d, build_counted_diagram(r));
-        report_add_diagram(r, d, NULL, &counts, "Dotted: states that no script has visited, and transitions that none has taken.");
+        report_add_diagram(r, d, NULL, &counts, NULL);          // the diagram explains dotted lines
     }
     add_shared_transitions(r, d);
 }
@@ -309,7 +309,7 @@ static void add_cover(const Report *r, Doc *d)
     DocTable *t;
 
     doc_add_heading(d, "coverage", "Coverage");
-    doc_add_paragraph(d, TEXT_COVERAGE);
+    doc_add_legend(d, TEXT_COVERAGE);
     add_cover_totals(r, d);
     if (gaps.n == 0)
         return;
@@ -317,7 +317,7 @@ static void add_cover(const Report *r, Doc *d)
     t->narrow = true;
     for (size_t i = 0; i < gaps.n; i++) {
         doc_add_number_cell(t, report_line_of(gaps.at[i].span));
-        doc_add_plain_cell(t, gaps.at[i].is_impossible ? format_in(r->arena, "impossible: %s", gaps.at[i].text) : gaps.at[i].text);
+        doc_add_text_cell(t, gaps.at[i].is_impossible ? format_in(r->arena, "impossible: %s", gaps.at[i].text) : gaps.at[i].text);
     }
 }
 

@@ -92,7 +92,7 @@ void report_add_all_states(Report *r, Doc *d)
     if (p->all_states.n == 0)
         return;
     doc_add_section(d, "all-states", "In all states");
-    doc_add_paragraph(d, TEXT_ALL_STATES);
+    doc_add_legend(d, TEXT_ALL_STATES);
     for (size_t i = 0; i < p->all_states.n; i++) {
         const AllStates *all = p->all_states.at[i];
         const Stmts stmts = written_section_stmts(p, all);
@@ -161,7 +161,7 @@ void report_add_states(Report *r, Doc *d)
     const Predecessors *from = list_predecessors(r, &transitions);
 
     doc_add_section(d, "states", "States");
-    doc_add_paragraph(d, TEXT_STATES);
+    doc_add_legend(d, TEXT_STATES);
     for (size_t i = 0; i < p->state.n; i++) {
         const State *s = p->state.at[i];
         set_badge(r, s, doc_add_heading(d, NULL, format_in(r->arena, "%u. %s", (unsigned)s->number, s->name->text)));

@@ -12,14 +12,17 @@
 #define TEXT_WHAT_BREAKS_IT       "What breaks it"
 #define TEXT_WHAT_IT_COSTS        "What it costs"
 #define TEXT_APPENDIX             "Appendix"
-#define TEXT_THE_APPLICATION      "The application"
 
 #define TEXT_SHARED_VARIABLES \
     "Every machine that reads or writes an element of the state vector. An element that a machine reads and none writes comes from outside: from a " \
     "pin, a message, or a task in C. In a tick, machines run in the order of the columns, and each sees what those before it have stored."
 #define TEXT_APP_ALONE \
-    "Costs of steps and traceability are on the page of one machine: `smc report` with the file of the machine, its state vector (`--sv`) and its " \
+    "Traceability is on the page of one machine: `smc report` with the file of the machine, its state vector (`--sv`) and its " \
     "bindings (`--bind`). `smc prove` with the application decides requirements."
+
+#define TEXT_VERDICTS \
+    "Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided. " \
+    "Failed: something is shown to be wrong."
 
 // ---- outputs ----
 
@@ -106,8 +109,8 @@
     "Each input is made faulty in each way, beginning in each state and at each transition that the scripts take, and the scripts run again. " \
     "The table has the most dangerous outcome of each input and fault, with its number in the lists below. The name of a requirement: it is " \
     "violated. `-> Abort`: the script ends in this state, and not where it does without the fault. The name of an output: it differs on the " \
-    "way, or an assert fails. `no @stop`: the script does not stop. `assert`: only an assert fails. `+2`: two other effects as dangerous, with another " \
-    "beginning of the fault. `-`: no effect. An empty cell: the input cannot have this fault. " \
+    "way, or an assert fails. `no @stop`: the script does not stop. `assert`: only an assert fails. `+2`: two other effects as dangerous, " \
+    "with another beginning of the fault. `-`: no effect. An empty cell: the input cannot have this fault. " \
     "Requirements are judged for what the machine reads and for the true values."
 #define TEXT_FAULTS_INPUTS \
     "The table has the inputs with the worst outcomes, the worst first. %lu more inputs are left out: the worst of theirs is `%s`." // inputs, outcome
@@ -138,6 +141,7 @@
 
 #define TEXT_FINDINGS_OPEN "Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means and what to do."
 #define TEXT_FINDINGS_ALLOWED "All findings are allowed, each with a reason."
+#define TEXT_FINDINGS_OF_FILE "`%s` is also the file of `%s`, and the findings are the same."      // file; machine
 #define TEXT_FINDINGS_NONE "The analyses of all groups found nothing."
 #define TEXT_STEP_UNKNOWN "The time per step is unknown. With `--step` the analyses find more."
 #define TEXT_STEP_DIFFERS \

@@ -185,7 +185,7 @@ static void add_settings(const Report *r, Doc *d, VarUse *use)
     if (count_variables(p, is_settable) == 0)
         return;
     doc_add_heading(d, "settings", "Parameters that can be set");
-    doc_add_paragraph(d, TEXT_SETTINGS);
+    doc_add_legend(d, TEXT_SETTINGS);
     t = DOC_ADD_TABLE(d, "settings", setting_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
@@ -211,7 +211,7 @@ static void add_parameters(const Report *r, Doc *d, VarUse *use)
     if (count_variables(p, is_parameter) == 0)
         return;
     doc_add_heading(d, "parameters", "Parameters");
-    doc_add_paragraph(d, TEXT_PARAMETERS);
+    doc_add_legend(d, TEXT_PARAMETERS);
     t = DOC_ADD_TABLE(d, "parameters", parameter_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
@@ -236,7 +236,7 @@ static void add_locals(const Report *r, Doc *d, VarUse *use)
     if (count_variables(p, is_changing_local) == 0)
         return;
     doc_add_heading(d, "locals", "Locals");
-    doc_add_paragraph(d, TEXT_LOCALS);
+    doc_add_legend(d, TEXT_LOCALS);
     t = DOC_ADD_TABLE(d, "locals", local_columns);
     for (size_t i = 0; i < p->var.n; i++) {
         const Var *v = p->var.at[i];
@@ -310,7 +310,7 @@ static void add_definitions(const Report *r, Doc *d)
     if (all->n == 0)
         return;
     doc_add_heading(d, "definitions", "Definitions");
-    doc_add_paragraph(d, TEXT_DEFINITIONS);
+    doc_add_legend(d, TEXT_DEFINITIONS);
     t = DOC_ADD_TABLE(d, "definitions", define_columns);
     for (size_t i = 0; i < all->n; i++) {
         const Define *def = all->at[i];
@@ -337,7 +337,7 @@ static void add_windows(const Report *r, Doc *d)
     if (w->n == 0)
         return;
     doc_add_heading(d, "windows", "Rolling statistics");
-    doc_add_paragraph(d, TEXT_WINDOWS);
+    doc_add_legend(d, TEXT_WINDOWS);
     t = DOC_ADD_TABLE(d, "windows", window_columns);
     for (size_t i = 0; i < w->n; i++) {
         if (listed[w->at[i].span.at] || w->at[i].stat == SM_STAT_ELAPSED)      // listed already, or an internal part of `held` or `rate`
@@ -345,7 +345,10 @@ static void add_windows(const Report *r, Doc *d)
         listed[w->at[i].span.at] = true;
         doc_add_code_cell(t, source_text(r->arena, w->at[i].span));
         doc_add_text_cell(t, describe_window(r->arena, r->analysis.p, &w->at[i]));
-        doc_add_number_cell(t, w->at[i].size);
+        if (w->at[i].stat == SM_STAT_RUN_TIME)         // it counts time and stores no samples
+            doc_add_plain_cell(t, "");
+        else
+            doc_add_number_cell(t, w->at[i].size);
         doc_add_line_cell(t, report_line_of(w->at[i].span));
     }
 }

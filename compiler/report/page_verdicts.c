@@ -6,10 +6,17 @@
 #include "compiler/prove/prove_text.h"
 #include "compiler/report/describe.h"
 #include "compiler/report/page.h"
+#include "compiler/report/page_text.h"
 
 static const DocColumn columns[] = {{"section", "Section"}, {"verdict", "Verdict"}, {"details", "Details"}};
 
 typedef enum Verdict { VERDICT_GOOD, VERDICT_OPEN, VERDICT_BAD, VERDICT_FACT } Verdict;      // FACT: a number without a judgement
+
+// Returns the title of a verdict, which names the machine of an application.
+static const char *title_of(const Report *r, const char *title)
+{
+    return r->of ? format_in(r->arena, "%s: %s", r->of->name->text, title) : title;
+}
 
 static void add_verdict(DocTable *t, const char *id, const char *title, Verdict v, const char *details)
 {
@@ -77,7 +84,10 @@ static void add_findings(const Report *r, DocTable *t)
     buf_init(&out, r->arena);
     add_count(&out, n.open, "open");
     add_count(&out, n.allowed, "allowed");
-    add_verdict(t, "findings", "Findings", n.open ? VERDICT_OPEN : VERDICT_GOOD, out.n ? buf_text(&out) : "none");
+    if (r->members && !out.n)             // the machines have rows of their own
+        return;
+    add_verdict(t, report_section_of(r, "findings"), title_of(r, "Findings"), n.open ? VERDICT_OPEN : VERDICT_GOOD,
+                out.n ? buf_text(&out) : "none");
 }
 
 static void add_scripts(const Report *r, DocTable *t)
@@ -88,12 +98,6 @@ static void add_scripts(const Report *r, DocTable *t)
         passed += r->run[i].script && r->run[i].result.outcome == SCRIPT_PASSED;
     add_verdict(t, "scripts", "Scripts", r->runs == 0 ? VERDICT_OPEN : passed < r->runs ? VERDICT_BAD : VERDICT_GOOD,
                 r->runs ? format_in(r->arena, "%lu of %lu passed", passed, (unsigned long)r->runs) : "none were run");
-}
-
-// Returns the title of a verdict, which names the machine of an application.
-static const char *title_of(const Report *r, const char *title)
-{
-    return r->of ? format_in(r->arena, "%s: %s", r->of->name->text, title) : title;
 }
 
 static void add_coverage(const Report *r, DocTable *t)
@@ -292,8 +296,10 @@ static void add_open_findings(const Report *r, Blockers *b)
             buf_printf(&codes, "%s%s", codes.n ? ", " : "", code);
     }
     if (n)
-        add_blocker(b, n == 1 ? "1 open finding" : format_in(r->arena, "%lu open findings", (unsigned long)n),
-                    format_in(r->arena, "%s (Findings)", buf_text(&codes)));
+        add_blocker(b, title_of(r, n == 1 ? "1 open finding" : format_in(r->arena, "%lu open findings", (unsigned long)n)),
+                    format_in(r->arena, "%s (%s)", buf_text(&codes), title_of(r, "Findings")));
+    for (size_t i = 0; i < r->members; i++)
+        add_open_findings(&r->member[i], b);
 }
 
 // Adds a row for each parameter that can have any value without a script noticing it.
@@ -328,6 +334,13 @@ static void add_blockers(const Report *r, Doc *d)
         doc_add_plain(d, format_in(r->arena, "And %lu more: see the sections.", (unsigned long)(b.n - BLOCKERS_MOST)));
 }
 
+static void add_longest_step(const Report *r, DocTable *t)
+{
+    add_verdict(t, report_section_of(r, "cost"), title_of(r, "Longest step"), VERDICT_FACT,
+                format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst,
+                          r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+}
+
 void report_add_verdicts(Report *r, Doc *d)
 {
     DocTable *t = DOC_ADD_TABLE(d, "verdicts", columns);
@@ -336,6 +349,8 @@ void report_add_verdicts(Report *r, Doc *d)
     add_requirements(r, t);
     add_proofs(r, t);
     add_findings(r, t);
+    for (size_t i = 0; i < r->members; i++)
+        add_findings(&r->member[i], t);
     add_scripts(r, t);
     for (size_t i = 0; i < r->members; i++)
         add_coverage(&r->member[i], t);
@@ -345,10 +360,11 @@ void report_add_verdicts(Report *r, Doc *d)
     add_mutation(r, t);
     add_faults(r, t);
     add_sweep(r, t);
+    for (size_t i = 0; i < r->members; i++)
+        add_longest_step(&r->member[i], t);
     if (!r->members)
-        add_verdict(t, "cost", "Longest step", VERDICT_FACT,
-                    format_in(r->arena, "%lu instructions, in %s", (unsigned long)r->cost.worst,
-                              r->analysis.p->state.at[r->cost.worst_state - 1]->name->text));
+        add_longest_step(r, t);
+    doc_add_paragraph(d, TEXT_VERDICTS);
     add_parts_left_out(r, d);
     add_blockers(r, d);
 }

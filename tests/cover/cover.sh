@@ -182,6 +182,17 @@ check 0 "the message of an interrupted search" has '^smc: interrupted'
 check 0 "and leaves scripts" sh -c 'ls stopped/*.ss'
 check 0 "that are whole" sh -c "\"$smc\" test -w hard.sm stopped/*.ss"
 
+check 5 "without a terminal" "$smc" cover hard.sm -o terminal --effort=20
+check 1 "there is no progress" has 'million steps a second'
+if command -v script >/dev/null && script -qec true /dev/null </dev/null >/dev/null 2>&1; then
+    # util-linux returns the exit code of the command with -e.  The progress is a line that is written again and again, and is erased at the end.
+    check 5 "on a terminal" script -qec "'$smc' cover hard.sm -o terminal-2 --effort=20" /dev/null </dev/null
+    check 0 "the progress has the goals" has '[0-9] goals reached, [0-9]* left, [0-9.]* million steps a second, [0-9]* %'
+else
+    echo "tests/cover: there is no script(1): no progress is tried"
+    skipped=$((skipped + 1))
+fi
+
 "$smc" cover "$root/tests/search/machines/unfound.sm" -o unfound --effort=1 --format=json >unfound.json 2>err
 check 0 "goals that are not found as JSON" grep -q '"outcome":"not found"' unfound.json
 check 1 "name what blocked them" sh -c "grep '\"outcome\":\"not found\"' unfound.json | grep -qv '\"blocked_by\":{\"kind\"'"

@@ -1,12 +1,14 @@
 # smc report of an application: what its machines share, and a chapter for each of them.  Then without scripts, what is refused, an application whose
 # machine does not compile, and the commands that are for one machine.
-args report stand.app stand.ss stand.rq --format=text | sed -n '1,/^Findings/p'
-args report stand.app stand.ss stand.rq --format=text | sed -n '/^valve: In scripts/,/^valve: Source/p'
+args report stand.app stand.ss stand.rq --format=text | sed -n '1,/^pump: Outputs/p; /^What must/,/^pump: Abort/p; /^valve: Findings/,/^  No/p'
+args report stand.app stand.ss stand.rq --format=text | sed -n '/^valve: In scripts/,/^What it costs/p; /^valve: Costs/,/^valve: Source/p'
 args report stand.app stand.ss stand.rq --format=text | grep -B1 '^[-=]*$' | grep '^[A-Zpv].*'
-args report stand.app stand.ss --all --format=text | sed -n '/^  Section/,/^The application/p'
+args report stand.app stand.ss --all --format=text | sed -n '/^  Section/,/^What it does/p'
+args report twice.app two.ss --format=text | sed -n '/^second: Findings/,/^second: Abort/p'
+args report twice.app two.ss --format=text | grep -c 'The machine runs in steps'
 args report stand.app stand.ss --format=json | grep -o '^ "[a-z-]*"\|^{.*,' | head -n 9
 args report stand.app --format=text | sed -n '/^  Section/,/^$/p'
-args report stand.app failing.ss --format=text | sed -n '/^  Section/,/^Costs/p'
+args report stand.app failing.ss --format=text | sed -n '/^  Section/,/^Trace/p'
 args report stand.app stand.ss --prove
 args report stand.app stand.ss --io=a.io
 args report stand.app stand.ss --net=a.net
@@ -137,6 +139,12 @@ pump.T == 1 s: @assert motor and valve.S == Open
 
 [pump.Off]
 G > 2.2 s: @stop
+
+[pump.Abort]
+G == 5 s {
+    @assert false "it stops"
+    @stop
+}
 -- stand.rq --
 R1 "no water, no pump"   never held(motor and level < 2, 100 ms)
 R2 "the motor waits for the valve"  never pump.On before valve.Open
@@ -159,6 +167,30 @@ U32 pumpState @alias S
 [Off]
 .step
     start: -> Off
+-- two.sv --
+[Time]
+U64  time
+[Sensors]
+F64  level    @range 0 10
+bool ask      @command
+[Machines]
+U32  firstState
+U32  secondState
+bool firstOpen
+bool secondOpen
+-- twice.app --
+[options]
+state_vector "two.sv"
+time         time 1 ms
+
+[stand]
+every 20 ms:
+    machine first "valve.sm" { valveState = firstState  open = firstOpen }
+    machine second "valve.sm" { valveState = secondState  open = secondOpen }
+-- two.ss --
+[all_states]
+true: level = 5
+G > 1 s: @stop
 -- empty.app --
 [options]
 state_vector "stand.sv"
@@ -175,22 +207,28 @@ Design review of the application in stand.app
 Overview
 --------
 
-  Section          Verdict  Details
-  Requirements     passed   2 met in all scripts
-  Findings         open     9 open
-  Scripts          passed   1 of 1 passed
-  pump: Coverage   open     41 of 58 places (71 %)
-  valve: Coverage  open     25 of 34 places (74 %)
+  Section              Verdict  Details
+  Requirements         passed   2 met in all scripts
+  pump: Findings       open     3 open
+  valve: Findings      open     6 open
+  Scripts              passed   1 of 1 passed
+  pump: Coverage       open     41 of 58 places (71 %)
+  valve: Coverage      open     25 of 34 places (74 %)
+  pump: Longest step            14 instructions, in On
+  valve: Longest step           9 instructions, in Closed
+
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
 
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 
   What speaks against it  How it is known
-  9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
+  pump: 3 open findings   W0921, W0930, W0920 (pump: Findings)
+  valve: 6 open findings  W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
 
-Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
-machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
-decides requirements.
+Traceability is on the page of one machine: `smc report` with the file of the machine, its state
+vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application decides requirements.
 
 The application has 2 machines, and a tick every 10 ms.
 
@@ -198,8 +236,8 @@ The application has 2 machines, and a tick every 10 ms.
   pump     pump.sm   10 ms            4  Off
   valve    valve.sm  20 ms            3  Closed
 
-The application
-===============
+What it does
+============
 
 Shared variables
 ----------------
@@ -219,6 +257,10 @@ in the order of the columns, and each sees what those before it have stored.
   open        bool  a machine    reads      writes     the valve is open
   motor       bool  a machine    writes
 
+pump: Outputs in each state
+What must never happen, and how we know
+=======================================
+
 Requirements
 ------------
 
@@ -235,7 +277,41 @@ Where each requirement is implemented and judged
   R1           no water, no pump              stand.rq:1  nowhere         stand.ss     222  met
   R2           the motor waits for the valve  stand.rq:2  nowhere         stand.ss     185  met
 
-Findings
+pump: Findings
+--------------
+
+Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means
+and what to do. Time advances in each step of a machine by the period with which the application
+runs it.
+
+  No.  Name             Group     Position      Finding                                                                                  Code
+    1  missing-timeout  -Wflight  pump.sm:31:2  'On' switches 'motor' on and has no transition that time alone makes                     W0921
+    2  not-tried        -Wflight  pump.sm:31:2  trial runs have not tried everything: not every failure of 'pressure' was tried in 'On'  W0930
+    3  missing-way-out  -Wflight  pump.sm:41:2  the machine can never leave 'Abort'                                                      W0920
+
+'On' switches 'motor' on and has no transition that time alone makes [W0921 missing-timeout]
+     31 | [On]
+
+    - 'motor' is switched on here
+
+trial runs have not tried everything: not every failure of 'pressure' was tried in 'On' [W0930 not-tried]
+     31 | [On]
+
+    - a script that leads through the state, run with 'smc faults', tries failures of this sensor there
+
+the machine can never leave 'Abort' [W0920 missing-way-out]
+     41 | [Abort] @abort
+        | if the machine can stay here for good, write [Abort] @safe
+
+pump: Abort matrix
+valve: Findings
+---------------
+
+Findings of all groups of warnings. `smc explain` with a name or code prints what a finding means
+and what to do. Time advances in each step of a machine by the period with which the application
+runs it.
+
+  No.  Name                 Group     Position        Finding                                                                                                  Code
 valve: In scripts
 -----------------
 
@@ -255,11 +331,6 @@ Not covered by the scripts
 No script visits `Abort`. No script takes a transition from `Open` to `Abort`.
 
 Coverage
-A place is one outcome that a script can show. A transition is one place for each state from which
-it can be taken: one of all states is several places, but one row in the tables of transitions. A
-guard and a condition are two places each, true and false. Places that no run can reach are
-impossible, and are not counted.
-
   Places       Covered  Of  Impossible
   transitions        2   3           0
   statements         7   9           0
@@ -281,17 +352,45 @@ stand.ss
      8   140  Open                    1900
    103  2040  Closed         until the end
 
-valve: Source
+What it costs
+valve: Costs
+------------
+
+  State   First step  Later steps  Most expensive lines of the longest step  Cycles on AVR
+  Closed           9            6  line 20: 6, line 18: 3                             2199
+  Open             9            6  line 24: 3, line 26: 3, line 27: 2                 2199
+  Abort            3            0  line 31: 3                                         1039
+
+The longest step, in `Closed`
+  Block   Line  Statement                       Instructions
+  .entry    18  open = false                               3
+  .step     20  ask and level > limit: -> Open             6
+
+On an Arduino Uno
+  Part                                     Value
+  Longest step, image in EEPROM            2199 cycles, 0.14 ms, in Closed
+  Longest step, image in flash             1729 cycles, 0.11 ms, in Closed
+  Stack of a step, largest measured        319 bytes
+  RAM of state vector, locals and windows  56 bytes of at most 960
+  Image                                    177 bytes of at most 960
+
+Memory
+  Part                           Bytes
+  Windows of rolling statistics      0
+  Locals and temporary values        8
+  State of the VM                   96
+  RAM in total                     104
+  State vector                      48
+  Image, in flash or RAM           177
+  of which code                     43
+
 Design review of the application in stand.app
 Overview
+Failed: something is shown to be wrong.
+vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application decides requirements.
 The application has 2 machines, and a tick every 10 ms.
-The application
+What it does
 Shared variables
-Requirements
-Findings
-Scripts
-The random numbers have the seed 0.
-Machine pump
 pump: Outputs in each state
 pump: States
 Entered from `On`.
@@ -300,10 +399,6 @@ Entered from `Asking`.
 Entered from `Asking` and `On`.
 pump: Transitions
 pump: Inputs, outputs and parameters
-pump: Abort matrix
-pump: In scripts
-pump: Source
-Machine valve
 valve: Outputs in each state
 valve: States
 Entered from `Open`.
@@ -311,12 +406,25 @@ Entered from `Closed`.
 Entered from `Open`.
 valve: Transitions
 valve: Inputs, outputs and parameters
+What must never happen, and how we know
+Requirements
+pump: Findings
+pump: Abort matrix
+valve: Findings
 valve: Abort matrix
+What was tested, and what was not
+Scripts
+The random numbers have the seed 0.
+pump: In scripts
 valve: In scripts
 No script visits `Abort`. No script takes a transition from `Open` to `Abort`.
-valve: Source
+What it costs
+pump: Costs
+C depends on the compiler and is not estimated.
+valve: Costs
   Section                             Verdict  Details
-  Findings                            open     9 open
+  pump: Findings                      open     3 open
+  valve: Findings                     open     6 open
   Scripts                             passed   1 of 1 passed
   pump: Coverage                      open     41 of 58 places (71 %)
   valve: Coverage                     open     25 of 34 places (74 %)
@@ -324,42 +432,70 @@ valve: Source
   valve: Changes that scripts notice  open     47.8 % of 23
   Faults of sensors                   open     of input and kind: 3 elsewhere, 2 differs, 4 aborted, 17 without effect
   Parameters                          passed   2 with a known margin
+  pump: Longest step                           14 instructions, in On
+  valve: Longest step                          9 instructions, in Closed
+
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
 
   What speaks against it  How it is known
-  9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
+  pump: 3 open findings   W0921, W0930, W0920 (pump: Findings)
+  valve: 6 open findings  W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
 
-Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
-machine, its state vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application
-decides requirements.
+Traceability is on the page of one machine: `smc report` with the file of the machine, its state
+vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application decides requirements.
 
 The application has 2 machines, and a tick every 10 ms.
+
+  Machine  File      Runs every  States  Starts in
+  pump     pump.sm   10 ms            4  Off
+  valve    valve.sm  20 ms            3  Closed
+
+What it does
+second: Findings
+----------------
+
+`valve.sm` is also the file of `first`, and the findings are the same.
+
+second: Abort matrix
+1
 {"smc-report": 1, "application": "stand",
  "overview"
  "shared"
- "findings"
- "scripts"
  "pump-outputs"
  "pump-states"
  "pump-transitions"
  "pump-variables"
-  Section   Verdict  Details
-  Findings  open     9 open
-  Scripts   open     none were run
+ "valve-outputs"
+ "valve-states"
+  Section              Verdict  Details
+  pump: Findings       open     3 open
+  valve: Findings      open     6 open
+  Scripts              open     none were run
+  pump: Longest step            14 instructions, in On
+  valve: Longest step           9 instructions, in Closed
 
-  Section          Verdict  Details
-  Findings         open     9 open
-  Scripts          failed   0 of 1 passed
-  pump: Coverage   open     6 of 58 places (10 %)
-  valve: Coverage  open     5 of 34 places (15 %)
+  Section              Verdict  Details
+  pump: Findings       open     3 open
+  valve: Findings      open     6 open
+  Scripts              failed   0 of 1 passed
+  pump: Coverage       open     6 of 58 places (10 %)
+  valve: Coverage      open     5 of 34 places (15 %)
+  pump: Longest step            14 instructions, in On
+  valve: Longest step           9 instructions, in Closed
+
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
 
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 
   What speaks against it  How it is known
   script failing.ss       it fails (Scripts)
-  9 open findings         W0921, W0930, W0920, W0903, W0901, W0902 (Findings)
+  pump: 3 open findings   W0921, W0930, W0920 (pump: Findings)
+  valve: 6 open findings  W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
 
-Costs of steps and traceability are on the page of one machine: `smc report` with the file of the
+Traceability is on the page of one machine: `smc report` with the file of the machine, its state
 -- stderr --
 smc: --all: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
 smc: failing.ss failed; the report shows why
@@ -389,4 +525,4 @@ smc: 'stand.app' is an application, and smc graph is for one machine, with scrip
   pump: smc graph pump.sm --sv stand.sv
   valve: smc graph valve.sm --sv stand.sv
 -- exit --
-0 0 0 0 0 0 0 2 2 2 2 1 1 2 2 2
+0 0 0 0 0 0 0 0 0 2 2 2 2 1 1 2 2 2

@@ -45,6 +45,9 @@ Overview
   Coverage      passed   6 of 6 places (100 %)
   Longest step           5 instructions, in Idle
 
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
+
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 

@@ -15,6 +15,7 @@ bool valve    # lets "fuel" in
 {"smc-report": 1, "machine": "a",
  "overview": {"title": "Overview",
    "text": [
+    "Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided. Failed: something is shown to be wrong.",
     "Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins of parameters (`--sweep`). `smc report --all` adds them.",
     "The machine has 2 states and starts in `Idle`. It writes `valve`. It never leaves `Done`."],
    "tables": {

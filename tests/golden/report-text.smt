@@ -66,6 +66,9 @@ Overview
   Coverage      open     33 of 45 places (73 %)
   Longest step           16 instructions, in Fill
 
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
+
 Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
 of parameters (`--sweep`). `smc report --all` adds them.
 

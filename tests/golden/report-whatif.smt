@@ -55,6 +55,9 @@ R2 "it ends" always G > 10 implies S <= 2
   Parameters         open     1 with a known margin, 1 whose value nothing notices
   Longest step                8 instructions, in Ascent
 
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
+
 Not examined: proofs of the requirements (`--prove`), changes that no script notices (`--mutate`).
 `smc report --all` adds them.
 

@@ -3,8 +3,8 @@
 args faults stand.app stand.ss stand.rq --kinds=dead,stuck
 args faults stand.app stand.ss stand.rq --kinds=dead,stuck --scripts=made >/dev/null; for s in made/*.ss; do "$SMC" test stand.app $s stand.rq >/dev/null 2>&1; echo "$? $s"; done; tail -n 9 made/002-*; head -n 1 made/002-*
 args faults stand.app stand.ss --kinds=dead --inputs=level --format=json --at=0
-args sweep stand.app stand.ss stand.rq --set valve.limit=1:9:5
-args sweep stand.app stand.ss --set pump.limit=20:60:3 --set valve.limit=3 --format=json
+args sweep stand.app stand.ss stand.rq --set valve.limit=1:9:5 --max-steps=1000
+args sweep stand.app stand.ss --set pump.limit=20:60:3 --set valve.limit=3 --max-steps=1000 --format=json
 args sweep stand.app stand.ss --set limit=1:9:3
 args sweep stand.app stand.ss --set pump.limt=1:9:3
 args faults stand.app stand.ss --set drain.limit=3

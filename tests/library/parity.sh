@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# libsmc gives what smc gives, byte for byte: images, C, reports, diagrams, diagnostics and runs of every example.    parity.sh SMC COMMAND
-smc=$1 command=$2
+# libsmc gives what smc gives, byte for byte: images, C, reports, diagrams, diagnostics and runs of every example.    parity.sh SMC COMMAND [EVERY]
+# EVERY: of every EVERY machines, one is compared (default 1).
+smc=$1 command=$2 every=${3:-1}
 . tests/checks.sh
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
@@ -28,7 +29,7 @@ same_structure()
 }
 # Prints the files with recorded data that the scripts name.
 data_of() { for s; do sed -n "s|^file \"\([^\"]*\)\".*|${s%/*}/\1|p" "$s"; done; }
-for machine in examples/*/*.sm tests/app/*.sm; do
+for machine in $(ls examples/*/*.sm tests/app/*.sm | awk -v every="$every" 'NR % every == 0'); do
     scripts=$(ls "${machine%.sm}".ss 2>/dev/null)
     "$smc" build -w "$machine" -o "$dir/smc" --force 2>/dev/null || continue         # it needs a state vector
     check "image of $machine" equal image "$machine"

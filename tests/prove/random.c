@@ -42,9 +42,10 @@ typedef struct Test {
     const Requirements *q;
     Monitor *monitor;
     uint64_t *cell;           // by Program.var
+    bool any_parameters;      // ProveOptions.any_parameters
 } Test;
 
-static struct { uint64_t programs, verdict[PROVE_VERDICTS], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted, related, with_ranges, with_parameters, interpreted; } met;
+static struct { uint64_t programs, verdict[PROVE_VERDICTS], judged[5], sliced, loose, windows, compared, violations, steps, layers, exhausted, related, with_ranges, with_parameters, settings, interpreted; } met;
 
 // ---- values ----
 
@@ -572,6 +573,22 @@ static bool is_violated(Test *t, const ProveOf *of)
 
 // ---- one program ----
 
+// Counts the parameters that a violation sets.  Each has to be set in the first step, to a value of its range, and only if any value was asked for.
+static const char *check_settings(const Test *t, const Scenario *s)
+{
+    bool any = false;
+
+    for (size_t i = 0; i < s->changes; i++) {
+        const ScenarioChange *c = &s->change[i];
+        const Parameter *p = t->p->var.at[c->var]->parameter;
+        if (p && (!t->any_parameters || c->step != 1 || c->kind != SCENARIO_HOLD || !(p->lo <= c->a && c->a <= p->hi)))
+            return "sets a parameter that it cannot set so";
+        any = any || p;
+    }
+    met.settings += any;
+    return NULL;
+}
+
 static bool has_parameter(const Test *t)
 {
     for (uint32_t v = 0; v < t->p->var.n; v++)
@@ -587,8 +604,12 @@ static const char *check_verdict(Test *t, const ProveOf *of, uint64_t steps)
     met.verdict[of->verdict]++;
     if (of->verdict == PROVE_VIOLATED && !is_violated(t, of))
         return format_in(t->arena, "%s is violated, but its scenario does not end with that", of->what->id->text);
+    if (of->verdict == PROVE_VIOLATED && (wrong = check_settings(t, of->scenario)) != NULL)
+        return format_in(t->arena, "the script that violates %s %s", of->what->id->text, wrong);
     if (of->verdict != PROVE_PROVED && of->verdict != PROVE_VACUOUS)
         return NULL;
+    if (t->any_parameters && assumes(of, PROVE_PARAMETERS))
+        return format_in(t->arena, "%s is proved for one setting of the parameters only", of->what->id->text);
     met.judged[of->what->kind]++;
     met.sliced += of->irrelevant > 0;
     met.loose += of->is_loose;
@@ -670,6 +691,7 @@ static const char *test_program(uint64_t seed, Arena *arena, Subject *s, uint64_
     begin_test(&t, s);
     o.init_state = t.p->state.at[t.init_state - 1];
     o.assume_ranges = rng_percent(&t.rng, of.kind == KIND_HELD ? 60 : 30);
+    o.any_parameters = t.any_parameters = seed / KINDS % 3 == 0;
     buf_init(&rq, arena);
     print_requirements(&t, &of, &rq);
     *text = buf_text(&rq);
@@ -694,7 +716,8 @@ static uint64_t count_missed_floors(uint64_t programs)
         {"compiled programs", &met.programs, 900}, {"proved", &met.verdict[PROVE_PROVED], 500}, {"scripts of violations", &met.violations, 1000},
         {"proofs without some variables", &met.sliced, 500}, {"proofs with windows of any value", &met.loose, 50},
         {"proofs with compared samples", &met.compared, 25}, {"proofs with differences", &met.related, 20},
-        {"proofs with ranges", &met.with_ranges, 20}, {"proofs of any parameters", &met.with_parameters, 100}, {"interpreted runs", &met.interpreted, 1000},
+        {"proofs with ranges", &met.with_ranges, 20}, {"proofs of any parameters", &met.with_parameters, 100}, {"violations by set parameters", &met.settings, 5},
+        {"interpreted runs", &met.interpreted, 1000},
     };
     uint64_t missed = 0;
 
@@ -728,8 +751,8 @@ int main(int argc, char **argv)
         arena_free(&arena);
     }
     printf("%" PRIu64 " programs: %" PRIu64 " proved, %" PRIu64 " vacuous, %" PRIu64 " violated, %" PRIu64 " undecided; %" PRIu64 " steps, %" PRIu64 " layers, %" PRIu64
-           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples, %" PRIu64 " with differences, %" PRIu64 " with ranges, %" PRIu64 " of any parameters; %" PRIu64 " runs interpreted\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
-           met.sliced, met.loose, met.windows, met.compared, met.related, met.with_ranges, met.with_parameters, met.interpreted);
+           " explored to the end; %" PRIu64 " proofs without some variables, %" PRIu64 " with windows of any value, %" PRIu64 " windows of machines, %" PRIu64 " with compared samples, %" PRIu64 " with differences, %" PRIu64 " with ranges, %" PRIu64 " of any parameters; %" PRIu64 " violations by set parameters; %" PRIu64 " runs interpreted\n", met.programs, met.verdict[0], met.verdict[1], met.verdict[2], met.verdict[3], met.steps, met.layers, met.exhausted,
+           met.sliced, met.loose, met.windows, met.compared, met.related, met.with_ranges, met.with_parameters, met.settings, met.interpreted);
     failed += count_missed_floors(count);
     printf("verdicts on random requirements: %" PRIu64 " passed, %" PRIu64 " failed\n", met.programs, failed);
     return failed > 0;

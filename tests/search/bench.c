@@ -6,6 +6,8 @@
 //     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible.  Half of
 //                                                           them begin as a run of the search
 //
+//     bench [--effort=STEPS] [--seed=N] --speed MACHINE.sm…        uses all of the effort, and prints steps a second of processor time
+//
 // A machine MACHINE.sm uses the vector MACHINE.sv, or the only .sv of its folder, if there is one.
 #include <dirent.h>
 #include <stdio.h>
@@ -19,6 +21,7 @@
 
 static uint64_t effort = SEARCH_EFFORT, seed = 1, random_steps;
 static int lists;
+static bool speed;
 static unsigned passed, failed;
 
 static const Source *read_source(Arena *a, const char *path)
@@ -458,6 +461,39 @@ static void run_randomly(const char *path)
     session_free(&s);
 }
 
+// ---- speed ----
+
+static void start_never(void *self, void *situation) { (void)self, (void)situation; }
+
+// A goal that no run comes near to, so that the search ends with its effort.
+static void never(void *self, void *situation, const uint64_t *cell, double *distance)
+{
+    (void)self, (void)situation, (void)cell;
+    *distance = SEARCH_UNKNOWN;
+}
+
+static void measure_speed(const char *path)
+{
+    const SearchWatch watch = {.goals = 1, .size = 1, .start = start_never, .step = never};
+    const SearchOptions o = {.seed = seed, .effort = effort, .loops = true, .watch = &watch};
+    Session s;
+    Program *p;
+    Cover *c;
+    SearchResult *r;
+    clock_t begin;
+    double seconds;
+
+    host_check(setjmp(host_oom));
+    p = open_machine(&s, path);
+    c = cover_new(&s.arena, p);
+    cover_settle(c);
+    begin = clock();
+    r = search_run(&s.arena, c, &o);
+    seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
+    printf("%s: %lu steps, %.1f million a second\n", path, (unsigned long)r->steps, (double)r->steps / 1e6 / (seconds > 0 ? seconds : 1));
+    session_free(&s);
+}
+
 // ---- the table ----
 
 typedef struct Expected { char path[300]; unsigned reached, impossible, missing; int median, most, median_times, most_times; } Expected;
@@ -535,8 +571,10 @@ int main(int argc, char **argv)
             random_steps = strtoull(argv[i] + 9, NULL, 10);
         else if (strcmp(argv[i], "--list") == 0)
             lists++;
+        else if (strcmp(argv[i], "--speed") == 0)
+            speed = true;
         else
-            (random_steps ? run_randomly : run)(argv[i]);
+            (speed ? measure_speed : random_steps ? run_randomly : run)(argv[i]);
     print_total(&total[0], 10);
     print_total(&total[1], 100);
     return failed != 0;

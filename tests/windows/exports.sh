@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # smc.exe and smc.dll are built without a warning; the DLL exports what its headers declare, undecorated, and needs KERNEL32 and msvcrt alone.  This runs
-# nothing under Wine.     exports.sh MAKE BUILD CC MACHINE
-make=$1 build=$2 cc=$3 machine=$4
+# nothing under Wine.     exports.sh MAKE BUILD CC MACHINE LEVEL
+make=$1 build=$2 cc=$3 machine=$4 level=$5
 . tests/checks.sh
 if ! command -v "$machine-w64-mingw32-gcc" >/dev/null 2>&1; then
     echo "no $machine-w64-mingw32-gcc here (apt-get install gcc-mingw-w64-$(echo "$machine" | tr _ -)): 0 passed, 0 failed, 1 skipped"
@@ -12,7 +12,7 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 files=$build/windows-$machine
 dump="$machine-w64-mingw32-objdump -p"
-check "make windows-$machine" $make -s B="$build" BUILD_CC="$cc" CFLAGS='-O2 -Werror' "windows-$machine"
+check "make windows-$machine" $make -s B="$build" BUILD_CC="$cc" CFLAGS="$level -Werror" "windows-$machine"
 
 needs() { $dump "$files/$1" | sed -n 's/.*DLL Name: //p' | tr 'A-Z' 'a-z' | sort | tr '\n' ' '; }
 check "the DLL needs KERNEL32 and msvcrt alone" test "$(needs smc.dll)" = 'kernel32.dll msvcrt.dll '
