@@ -209,10 +209,11 @@ void search_prove(SearchRun *k)
     if (k->o->no_places)
         return;
     if (has_goal_in_states(k)) {
+        const bool no_facts = k->o->place && k->o->place->no_facts;
         Arena known;
         RunFacts *facts;
         arena_init_within(&known, k->arena);
-        facts = k->o->place && k->o->place->no_facts ? NULL : facts_of_runs(k, &known);
+        facts = no_facts ? NULL : facts_of_runs(k, &known);
         prove_paths(k, facts);
         if (facts)
             prove_by_facts(k, facts);
