@@ -257,7 +257,7 @@ sbrio: $(B)/smc
 
 help:
 	@echo 'make                 builds $(B)/smc'
-	@echo 'make quick           runs the tests of the developer loop: 35 seconds on two cores'
+	@echo 'make quick           runs the tests of the developer loop: 20 seconds on two cores'
 	@echo 'make check           runs every test that this computer can run, and names the tools that skipped tests need; JOBS=1: one after another'
 	@echo 'make check-NAME      runs one test; make list-tests: their names and commands; make check-thorough, check-targets: a part of them'
 	@echo 'make test T=FILE     runs some conformance cases on every engine'

@@ -78,7 +78,7 @@ run_remaining() {
 }
 
 # floor_of NAME: the least number of tests that a command of that name must run
-floor_of() { sed -n "s/^$1  *\([0-9][0-9]*\)$/\1/p" "$floors" | tail -n 1 | grep . || echo 1; }
+floor_of() { awk -v name="$1" '$1 == name && $2 ~ /^[0-9]+$/ { floor = $2 } END { print floor == "" ? 1 : floor }' "$floors"; }
 
 # cpu_of NUMBER: the processor seconds that a command and the processes it waited for took
 cpu_of() {
@@ -90,9 +90,10 @@ report() {
     out=$work/$1.out name=$(sed -n "$1s/^+\{0,1\}\([^:]*\):.*/\1/p" "$work/lines")
     read -r code seconds <"$work/$1.code"
     last=$(LC_ALL=C sed -n '/[0-9] passed, [0-9]* failed/p' "$out" | tail -n 1)        # grep prints no line of a file with other bytes than text
-    p=$(printf '%s\n' "$last" | sed -n 's/^\(.*[^0-9]\)\{0,1\}\([0-9][0-9]*\) passed, [0-9][0-9]* failed.*/\2/p')
-    f=$(printf '%s\n' "$last" | sed -n 's/.* passed, \([0-9][0-9]*\) failed.*/\1/p')
-    s=$(printf '%s\n' "$last" | sed -n 's/.* failed, \([0-9][0-9]*\) skipped.*/\1/p')
+    p=${last% passed, *} after=${last##* passed, } s=
+    p=${p##*[!0-9]} f=${after%% failed*}
+    case $after in *' failed, '[0-9]*' skipped'*) s=${after#* failed, } s=${s%% skipped*} ;; esac
+    case $f$s in *[!0-9]*) f= s= ;; esac
     if [ -z "$p" ] || { [ "$code" -ne 0 ] && [ "${f:-0}" -eq 0 ]; }; then
         echo "$name: ended with exit code $code${p:+, with nothing failed}" >>"$out"
         last="${last:+$last, }ended with exit code $code"

@@ -37,7 +37,7 @@ ends 1 'a: two commands have this name' 'a: echo 1 passed, 0 failed' '+a: echo 1
 ends 0 '^---- most processor seconds, of [0-9]* in all:$' "$(printf '%s: echo 1 passed, 0 failed\n' a b c d e f g h i j k)"
 ends 0 '^10 passed' 'counted: echo 10 passed, 0 failed'
 ends 0 '^9 passed, 0 failed, 1 skipped' 'counted: echo 9 passed, 0 failed, 1 skipped'
-ends 0 '^\[1/1\] a  *[0-9]* s  *[0-9.]*[1-9][0-9.]* cpu ' 'a: awk "BEGIN { while (i < 10000000) i++ }"; echo 1 passed, 0 failed'
+ends 0 '^\[1/1\] a  *[0-9]* s  *[0-9.]*[1-9][0-9.]* cpu ' 'a: awk "BEGIN { while (i < 30000000) i++ }"; echo 1 passed, 0 failed'
 ends 0 '^1 passed, 0 failed$' 'a: printf "\\377\\000\\n"; echo 1 passed, 0 failed'        # bytes that are no text
 limit=2
 if timeout --foreground 1 true 2>/dev/null; then ends 1 'a: ended with exit code 124' 'a: exec sleep 20'; fi
