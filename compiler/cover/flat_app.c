@@ -70,6 +70,15 @@ void flat_app_step(FlatMachine *f, void *run)
     s->ticks++;
 }
 
+void *flat_app_state(const FlatMachine *f, void *run, uint32_t machine)
+{
+    char *at = (char *)(app_state(f, run) + 1);
+
+    for (uint32_t i = 0; i < machine; i++)
+        at += f->app->member[i].f ? f->app->member[i].f->size : 0;
+    return at;
+}
+
 uint64_t flat_app_hash(const FlatMachine *f, const void *run, uint64_t hash)
 {
     const char *at = (const char *)run + f->own + sizeof(AppState);
@@ -98,6 +107,7 @@ typedef struct ViewMaker {
     Arena *arena;
     const Program *joint;
     const Member *own;
+    const IrMachine *const *ir;       // by machine
     Program *p;
     IrMachine *m;
     uint32_t *var_of;         // IrMachine.var_of of the view
@@ -190,7 +200,7 @@ static FlatApp *make_app(const ViewMaker *k)
                           .state = from->initial->number};
         if (from == k->own)
             continue;
-        m->f = flat_new(k->arena, ir_build(k->arena, from->program), NULL);
+        m->f = flat_new(k->arena, k->ir[i], NULL);
         m->cell = map_elements(k, from, m->f->m);
         a->size += m->f->size;
     }
@@ -199,11 +209,12 @@ static FlatApp *make_app(const ViewMaker *k)
     return a;
 }
 
-const FlatView *flat_view_new(Arena *arena, const Program *joint, size_t machine, const IrMachine *m)
+const FlatView *flat_view_new(Arena *arena, const Program *joint, size_t machine, const IrMachine *const *ir)
 {
+    const IrMachine *m = ir[machine];
     const Member *own = &joint->joint->member.at[machine];
     const size_t most = own->program->var.n + joint->var.n;
-    ViewMaker k = {.arena = arena, .joint = joint, .own = own};
+    ViewMaker k = {.arena = arena, .joint = joint, .own = own, .ir = ir};
     FlatView *v = ARENA_NEW(arena, FlatView);
 
     k.p = arena_copy(arena, own->program, sizeof *own->program);

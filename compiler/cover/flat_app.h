@@ -2,7 +2,7 @@
 // An application as a flat machine (flat.h): one of its machines is seen from inside, with probes, while each step runs a tick of all machines
 // (language.md 8.71 to 8.76).  The state of a run contains those of all machines.
 //
-//     const FlatView *v = flat_view_new(arena, joint, machine, m);
+//     const FlatView *v = flat_view_new(arena, joint, machine, ir);
 //     FlatMachine *f = flat_app_join(arena, flat_new(arena, v->m, probes), v->app);
 //
 // The machine's own variables come first in the view, then the elements of the application that it does not list.  So the view has every element,
@@ -39,10 +39,12 @@ typedef struct FlatView {
     const FlatApp *app;
 } FlatView;
 
-// Returns the view from machine number `machine` of a joined Program.  m: the IR of this machine.
-const FlatView *flat_view_new(Arena *arena, const Program *joint, size_t machine, const IrMachine *m);
+// Returns the view from machine number `machine` of a joined Program.  ir: by machine, its IR.
+const FlatView *flat_view_new(Arena *arena, const Program *joint, size_t machine, const IrMachine *const *ir);
 // Makes the steps of f, which was built from the IR of a view, ticks of the application.  Returns f.
 FlatMachine *flat_app_join(FlatMachine *f, const FlatApp *app);
+// Returns the state of another machine than the view's, which is number `machine` of the application, within the state of a run.
+void *flat_app_state(const FlatMachine *f, void *run, uint32_t machine);
 // Adds the states of the other machines to a hash.
 uint64_t flat_app_hash(const FlatMachine *f, const void *run, uint64_t hash);
 

@@ -27,7 +27,8 @@ enum {
     AROUND_PERCENT = 30,      // hard goal, and another state must store a variable: go through that state and back, again and again
     FOREIGN_PERCENT = 60,     // any goal, and another state must store a variable: walk from the entry where it is nearest to the wanted value
     COUNT_PERCENT = 50,       // hard goal, and its state must count a variable: make pulses of inputs
-    REPAIR_PERCENT = 80,      // attempts that must wait in a state, and change what would end the wait (SearchOptions.stays)
+    REPAIR_PERCENT = 80,      // attempts that must wait in a state, and change what would end the wait (SearchOptions.stays); in an application,
+                              // what other machines would store
     LEAD_PERCENT = 30,        // with SearchOptions.stays: attempts before which up to LEAD_STEPS steps pass
     LEAD_STEPS = 4,
     PULSE_PERCENT = 4         // any other hard goal: make pulses of inputs
@@ -170,6 +171,8 @@ static void attempt_goal_from(SearchRun *k, uint32_t node, uint32_t goal)
 
     if (k->o->stays && k->wait > 1 && search_chance(k, REPAIR_PERCENT))
         search_run_staying(k, node, goal);
+    else if (k->o->place && k->wait > 1 && search_chance(k, REPAIR_PERCENT))
+        search_run_guarding(k, node, goal);
     else if (is_hard && k->foreign != SEARCH_NONE && search_chance(k, AROUND_PERCENT))
         search_go_around(k, goal);
     else if (k->foreign != SEARCH_NONE && search_chance(k, FOREIGN_PERCENT))

@@ -48,6 +48,8 @@ typedef struct SearchPlace {
     const struct FlatApp *app;
     uint64_t every;           // the machine steps once in so many ticks
     const bool *foreign;      // by Var.index: another machine writes the element
+    struct SearchOther *other;        // by machine; `others` of them
+    uint32_t others;
     bool no_facts;            // the machine does not step at equal distances of G, so facts about its runs alone are not used
 } SearchPlace;
 

@@ -15,6 +15,7 @@ struct SearchApp {
     bool *writable;           // by Var.index of the view
     SearchPlace place;
     VEC(SearchHint) hint;
+    VEC(SearchOther) other;   // by machine
 };
 
 // ---- inputs ----
@@ -37,10 +38,10 @@ void search_app_inputs(const Program *joint, bool *writable)
     }
 }
 
-// ---- what other machines compare with inputs ----
+// ---- other machines ----
 
-// Adds the numbers with which a machine compares inputs of the application: a search of another machine tries them.
-static void add_hints(SearchApp *a, const Cover *c, const Member *m, const bool *writable)
+// Studies another machine as for a search: its inputs, decisions and stores.
+static SearchRun *study(SearchApp *a, const Cover *c, FlatMachine *f)
 {
     static const SearchOptions none = {0};
     SearchRun *k = ARENA_NEW(a->arena, SearchRun);
@@ -51,14 +52,29 @@ static void add_hints(SearchApp *a, const Cover *c, const Member *m, const bool 
     k->p = c->p;
     k->m = c->m;
     k->o = &none;
-    k->plain = flat_new(&k->work, k->m, NULL);
+    k->plain = f;
     search_analyse_machine(k);
+    search_begin_solving(k);
+    return k;
+}
+
+// Adds another machine, and the numbers with which it compares inputs of the application, which the search tries.
+static void add_other(SearchApp *a, const Cover *c, const Member *m, FlatMachine *f, const bool *writable)
+{
+    SearchRun *k = study(a, c, f);
+    SearchOther other = {k, ARENA_ARRAY(a->arena, uint32_t, k->inputs + 1), ARENA_ARRAY(a->arena, uint32_t, a->view->m->var.n)};
+
     for (uint32_t i = 0; i < k->inputs; i++) {
         const uint32_t joint = m->var[k->input[i].var]->index;
+        other.input[i] = writable[joint] ? a->view->own[joint] : SEARCH_NONE;
         for (uint32_t n = 0; n < k->input[i].constant.n && writable[joint]; n++)
             vec_push(a->arena, &a->hint, ((SearchHint){a->view->own[joint], k->input[i].constant.at[n]}));
     }
-    arena_free(&k->work);
+    memset(other.var, 0xff, a->view->m->var.n * sizeof *other.var);
+    for (uint32_t v = 0; v < m->program->var.n; v++)
+        if (m->program->var.at[v]->kind == VAR_ELEMENT && k->var[k->m->var_of[v]].store.n)
+            other.var[a->view->m->var_of[a->view->own[m->var[v]->index]]] = k->m->var_of[v];
+    vec_push(a->arena, &a->other, other);
 }
 
 // ---- an application ----
@@ -105,11 +121,14 @@ SearchApp *search_app_new(Arena *arena, const Program *joint, size_t machine, Co
     const Joint *j = joint->joint;
     SearchApp *a = ARENA_NEW(arena, SearchApp);
     bool *inputs = arena_alloc(arena, joint->var.n + 1);
+    const IrMachine **ir = ARENA_ARRAY(arena, const IrMachine *, j->member.n);
 
     a->arena = arena;
     a->joint = joint;
     a->member = &j->member.at[machine];
-    a->view = flat_view_new(arena, joint, machine, cover[machine]->m);
+    for (size_t i = 0; i < j->member.n; i++)
+        ir[i] = cover[i]->m;
+    a->view = flat_view_new(arena, joint, machine, ir);
     a->writable = arena_alloc(arena, a->view->p->var.n + 1);
     search_app_inputs(joint, inputs);
     for (uint32_t i = 0; i < joint->var.n; i++)
@@ -117,13 +136,15 @@ SearchApp *search_app_new(Arena *arena, const Program *joint, size_t machine, Co
             a->writable[a->view->own[i]] = true;
     for (size_t i = 0; i < j->member.n; i++) {
         const Member *m = &j->member.at[i];
-        if (i != machine)
-            add_hints(a, cover[i], m, inputs);
+        if (i == machine)
+            vec_push(arena, &a->other, ((SearchOther){NULL, NULL, NULL}));
+        else
+            add_other(a, cover[i], m, a->view->app->member[i].f, inputs);
         if (m->mode && inputs[m->mode->index])
             vec_push(arena, &a->hint, ((SearchHint){a->view->own[m->mode->index], MODE_ENABLED}));
     }
     a->cover = cover_of_view(a, cover[machine]);
-    a->place = (SearchPlace){a->view->app, a->member->every, find_foreign(a), has_other_times(a)};
+    a->place = (SearchPlace){a->view->app, a->member->every, find_foreign(a), a->other.at, a->other.n, has_other_times(a)};
     return a;
 }
 
@@ -181,6 +202,9 @@ SearchResult *search_app_run(SearchApp *a, const SearchOptions *options)
     o.hints = a->hint.n;
     o.given = given_to_view(a, options);
     r = search_run(a->arena, a->cover, &o);
+    for (uint32_t i = 0; i < a->other.n; i++)
+        if (a->other.at[i].of)
+            arena_free(&a->other.at[i].of->work);
     result_to_joint(a, r);
     return r;
 }

@@ -7,6 +7,7 @@
 //     search_nodes.c     states that have been reached, and runs from them
 //     search_wish.h      which inputs lead to a goal: backwards from its conditions, or at random, in three files
 //     search_stay.c      waits in a state that other transitions would end
+//     search_guard.c     waits during which other machines would store something else
 //     search_repeat.c    pulses of inputs, and ways around through several states, again and again
 //     search_special.c   short runs with infinities, ends of ranges, and changes in each step
 //     search_choose.h    few scenarios with few changes that reach what was reached, in three files
@@ -248,6 +249,12 @@ void search_close_again(SearchRun *k);        // closes the goals that search_re
 void search_drop(SearchRun *k, uint32_t node);        // ends a use of the node: without other users it loses its snapshot
 bool search_goes_on(SearchRun *k);            // whether effort is left and the caller wants to go on
 void search_load(SearchRun *k, uint32_t node, char *to);      // copies the node's snapshot
+// Returns the statement of the last step that has stored a variable which temporary `ref` reads; 0: none has.
+uint32_t search_find_store(const SearchRun *k, uint32_t fn, IrRef ref);
+// Whether the last step of k->plain has made all decisions of a path, in a state that it has run.
+bool search_was_taken(const SearchRun *k, SearchPath path);
+// Adds wishes so that a step like the last one does not execute a statement which that step has executed.
+void search_avoid_statement(SearchRun *k, uint32_t stmt);
 // Makes changes in the state `block` of a run that has run `at` steps.
 void search_apply(SearchRun *k, char *block, uint64_t at, const SearchTurn *turn, uint32_t turns);
 void search_start(const SearchRun *k, FlatMachine *f, char *block, uint32_t state);    // makes `block` the start of a run in a state
@@ -268,6 +275,17 @@ uint32_t search_find_nearest_entry(SearchRun *k, uint32_t var, double wanted, ui
 void search_run_pulses(SearchRun *k, uint32_t node, uint32_t goal);
 // Goes from an entry through a state that stores k->foreign, and back to the first state, again and again.
 void search_go_around(SearchRun *k, uint32_t goal);
+
+// Another machine of the application: what a search knows of its code.
+typedef struct SearchOther {
+    struct SearchRun *of;     // the machine, studied but not searched; NULL: the machine that is searched
+    uint32_t *input;          // by index into of->input: index into SearchRun.p's variables of the element; SEARCH_NONE: no input of the application
+    uint32_t *var;            // by IR variable of SearchRun.m: that of `of` with the same element; SEARCH_NONE: none, or `of` does not store it
+} SearchOther;
+
+// Runs the solution, which must last k->wait steps, towards a goal.  Changes other inputs, too, so that other machines meanwhile leave alone what the
+// machine reads.
+void search_run_guarding(SearchRun *k, uint32_t node, uint32_t goal);
 
 // Makes a short run with special values from a node (SearchOptions.specials).
 void search_run_specials(SearchRun *k, uint32_t node);

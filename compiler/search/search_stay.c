@@ -31,8 +31,7 @@ static uint64_t find_exit_step(SearchRun *k, uint32_t node, uint64_t steps)
     return 0;
 }
 
-// Whether the last step of k->plain has made all decisions of a path, in a state that it has run.
-static bool was_taken(const SearchRun *k, SearchPath path)
+bool search_was_taken(const SearchRun *k, SearchPath path)
 {
     for (uint32_t e = path.n; e-- > 0; ) {
         const SearchDecision *d = &k->decision[path.elem[e].decision];
@@ -46,13 +45,12 @@ static bool was_taken(const SearchRun *k, SearchPath path)
 static const SearchExit *find_taken_exit(const SearchRun *k, uint32_t from, uint32_t to)
 {
     for (uint32_t i = 0; i < k->exit.n; i++)
-        if (k->exit.at[i].from == from && k->exit.at[i].to == to && was_taken(k, k->exit.at[i].path))
+        if (k->exit.at[i].from == from && k->exit.at[i].to == to && search_was_taken(k, k->exit.at[i].path))
             return &k->exit.at[i];
     return NULL;
 }
 
-// Returns the statement of the last step that has stored a variable which temporary `ref` reads; 0: none has.
-static uint32_t find_store(const SearchRun *k, uint32_t fn, IrRef ref)
+uint32_t search_find_store(const SearchRun *k, uint32_t fn, IrRef ref)
 {
     const IrIns *i = &k->fn[fn].fn->ins.at[ref];
     uint32_t found = 0;
@@ -61,25 +59,25 @@ static uint32_t find_store(const SearchRun *k, uint32_t fn, IrRef ref)
         const SearchVar *v = &k->var[i->var];
         for (uint32_t s = 0; s < v->store.n && v->input == SEARCH_NONE; s++)
             if (v->store.at[s].state == k->site_state && k->fn[v->store.at[s].fn].is_step && k->path[v->store.at[s].stmt].n > 0 &&
-                was_taken(k, k->path[v->store.at[s].stmt]))
+                search_was_taken(k, k->path[v->store.at[s].stmt]))
                 found = v->store.at[s].stmt;
         return found;
     }
     if (i->op == IR_const || i->op == IR_stat)
         return 0;
     if (i->a != IR_NONE)
-        found = find_store(k, fn, i->a);
-    return found || i->b == IR_NONE ? found : find_store(k, fn, i->b);
+        found = search_find_store(k, fn, i->a);
+    return found || i->b == IR_NONE ? found : search_find_store(k, fn, i->b);
 }
 
-// Adds wishes so that a step like the last one does not execute a statement which that step has executed: the innermost decision on its path has the
+// The innermost decision on its path has the
 // other outcome.  If the decision reads a variable that the same step has stored, as an error code, avoids that store.
-static void avoid_statement(SearchRun *k, uint32_t stmt)
+void search_avoid_statement(SearchRun *k, uint32_t stmt)
 {
     for (int n = 0; n < MOST_STORES && k->path[stmt].n > 0; n++) {
         const SearchElem *e = &k->path[stmt].elem[0];
         const SearchDecision *d = &k->decision[e->decision];
-        const uint32_t store = find_store(k, d->fn, d->d->value);
+        const uint32_t store = search_find_store(k, d->fn, d->d->value);
         if (store == 0 || store == stmt) {
             search_wish_node(k, d, d->d->nodes - 1, !e->value);
             return;
@@ -100,7 +98,7 @@ static bool repair_wait(SearchRun *k, const SearchExit *x)
         k->wish[i].vary = k->wish[i].slope = 0;
     }
     k->is_lasting = true;
-    avoid_statement(k, x->stmt);
+    search_avoid_statement(k, x->stmt);
     k->is_lasting = false;
     for (uint32_t i = 0; i < k->inputs; i++)
         if (k->wish[i].needed || k->wish[i].copies != SEARCH_NONE) {

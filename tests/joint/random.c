@@ -162,10 +162,14 @@ static uint64_t flat_ticks;
 
 static void flat_begin(Arena *a, const Program *joint)
 {
+    const IrMachine *ir[MACHINES];
+
+    for (size_t i = 0; i < joint->joint->member.n; i++)
+        ir[i] = ir_build(a, engine_program(joint, i));
     for (flats = 0; flats < joint->joint->member.n; flats++) {
         const Member *m = &joint->joint->member.at[flats];
         FlatOne *x = &flat[flats];
-        x->view = flat_view_new(a, joint, flats, ir_build(a, m->program));
+        x->view = flat_view_new(a, joint, flats, ir);
         x->f = flat_app_join(flat_new(a, x->view->m, NULL), x->view->app);
         x->run = arena_alloc(a, x->f->size);
         x->machine = &one[m->name->text[1] - '0'];
