@@ -133,11 +133,25 @@ static size_t list_in_postorder(const Reach *r, uint32_t *order)
     return n;
 }
 
+// Returns, by state, whether a transition leads to it from another one.
+static bool *mark_targets(const Reach *r)
+{
+    const size_t states = r->k->a->p->state.n;
+    bool *target = ARENA_ARRAY(r->k->a->arena, bool, states);
+
+    for (size_t from = 0; from < states; from++)
+        for (size_t i = r->first[from]; i < r->first[from + 1]; i++)
+            if (r->t->at[i].to->number != from + 1)
+                target[r->t->at[i].to->number - 1] = true;
+    return target;
+}
+
 static void report_states(ReachWalk *k)
 {
     const size_t states = k->a->p->state.n;
     Arena *arena = k->a->arena;
     uint32_t *order = ARENA_ARRAY(arena, uint32_t, states);
+    const bool *target;
     Reach r = {.k = k, .t = &k->a->transition, .first = transitions_by_state(arena, k->a->p, &k->a->transition)};
 
     r.stack = ARENA_ARRAY(arena, uint32_t, states);
@@ -149,9 +163,13 @@ static void report_states(ReachWalk *k)
         r.explained[s] = r.reached[s];
     mark_explained(&r);
     report_impossible_states(&r);
+    target = mark_targets(&r);
     for (size_t n = list_in_postorder(&r, order); n > 0; n--)
-        if (!r.explained[order[n - 1]])
-            report_state(&r, order[n - 1], DIAG_unreachable_state);
+        if (!r.explained[order[n - 1]]) {
+            Diag *d = report_state(&r, order[n - 1], DIAG_unreachable_state);
+            if (!target[order[n - 1]])
+                diag_label(k->a->diags, d, DIAG_label_no_way_to_state, k->a->p->state.at[order[n - 1]]->name->text);
+        }
 }
 
 // ---- entry points ----

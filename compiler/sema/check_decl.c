@@ -119,8 +119,8 @@ const Range *check_range(const CheckContext *c, const AstAnnotations *all, Str n
         if (type == SM_BOOL) {
             diag_report(c->diags, DIAG_range_of_bool, a->span, name->text);
         } else if (sm_lt(a->hi.value, a->lo.value)) {
-            diag_report(c->diags, DIAG_range_empty, a->span, name->text, const_text(c->arena, a->lo.value),
-                        const_text(c->arena, a->hi.value));
+            diag_label(c->diags, diag_report(c->diags, DIAG_range_empty, a->span, name->text, const_text(c->arena, a->lo.value),
+                                             const_text(c->arena, a->hi.value)), DIAG_label_range_form);
         } else {
             check_range_limit(c, a, a->lo.value, name, type);
             check_range_limit(c, a, a->hi.value, name, type);

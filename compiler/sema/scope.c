@@ -224,6 +224,19 @@ static bool has_foreign_letter(Str name)
     return false;
 }
 
+// Whether a comment of the source is `#define NAME`, which defines the name in C.
+static bool is_defined_in_comment(const Source *src, Str name)
+{
+    static const char define[] = "#define ";
+
+    for (const char *at = src->text; (at = strstr(at, define)) != NULL; at += sizeof define - 1) {
+        const char *word = at + sizeof define - 1 + strspn(at + sizeof define - 1, " \t");
+        if (strncmp(word, name->text, name->len) == 0 && (word[name->len] == ' ' || word[name->len] == '\t') && (at == src->text || at[-1] == '\n'))
+            return true;
+    }
+    return false;
+}
+
 // Reports a name that scope_find_variable does not find; once per name.
 void scope_report_unknown(Sema *s, Str name, Span span)
 {
@@ -242,7 +255,9 @@ void scope_report_unknown(Sema *s, Str name, Span span)
     }
     d = diag_report(s->diags, DIAG_unknown_element, span, name->text);
     record_first_unknown(s, d);
-    if (unlisted) {
+    if (s->guesses > 0 && is_defined_in_comment(span.src, name)) {
+        diag_label(s->diags, d, DIAG_label_defined_in_comment, name->text, name->text);
+    } else if (unlisted) {
         diag_label(s->diags, d, DIAG_label_list_it, sm_type_info[unlisted->type].spelling, unlisted->name->text);
         diag_note(s->diags, d, unlisted->span, DIAG_note_declared_here, unlisted->name->text);
     } else if (state && s->in_script) {

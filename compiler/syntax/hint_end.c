@@ -73,6 +73,44 @@ HintResult hint_report_stray_paren(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Returns the text from `from` to `end`, without blanks around it.
+static const char *trimmed(const Parser *p, uint32_t from, uint32_t end)
+{
+    const char *text = p->lex.src->text;
+
+    while (from < end && (text[from] == ' ' || text[from] == '\t'))
+        from++;
+    while (end > from && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    return parser_text(p, (Span){p->lex.src, from, end - from});
+}
+
+// Reports a condition after its statement, as in -> Idle if x > 5 and y = 1 if x > 5 else 2.
+HintResult hint_report_condition_last(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text, *condition, *statement, *other;
+    const uint32_t end = p->ahead.at + (uint32_t)strcspn(text + p->ahead.at, "#;}\r\n");
+    uint32_t from = p->tok.at, stop = p->ahead.at;
+
+    while (from > 0 && !strchr(":{}\n;", text[from - 1]))
+        from--;
+    while (stop < end && !(strncmp(text + stop, " else ", 6) == 0))
+        stop++;
+    condition = trimmed(p, p->ahead.at, stop);
+    statement = trimmed(p, from, p->tok.at);
+    other = stop < end ? trimmed(p, stop + 6, end) : "";
+    if (p->ahead.first || !*condition || strpbrk(condition, ":{"))
+        diag_label(p->diags, hint_report_general(c), DIAG_label_condition_first);
+    else if (!*other)
+        diag_label(p->diags, hint_report_general(c), DIAG_label_write, format_in(p->arena, "%s: %s", condition, statement));
+    else
+        diag_label(p->diags, hint_report_general(c), DIAG_label_write,
+                   format_in(p->arena, "if %s: %s, and on the next line else: %.*s = %s", condition, statement,
+                             (int)strcspn(statement, " ="), statement, other));
+    return HINT_READ;
+}
+
 // Reports a comma at the end of a statement's line, as in x = 1, where the next line has another statement.
 HintResult hint_report_comma_at_end(HintCase *c)
 {

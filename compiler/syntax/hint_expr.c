@@ -135,11 +135,11 @@ HintResult hint_report_state_word(HintCase *c)
     const char *name = p->tok.text->text, *text;
     Diag *d;
 
-    if (p->kind != FILE_RQ || strcmp(c->e->name->text, "state") != 0 || is_at_word_after_value(p) || parser_is_steps(p) ||
-        strcmp(name, "in") == 0)
+    if (p->kind != FILE_RQ || (strcmp(c->e->name->text, "state") != 0 && strcmp(c->e->name->text, "in") != 0) || is_at_word_after_value(p) ||
+        parser_is_steps(p) || strcmp(name, "in") == 0)
         return HINT_NONE;
     text = is_at_state_operand(p, c->e) ? name : format_in(p->arena, "S == %s", name);
-    d = parser_report(p, DIAG_foreign_word, c->e->span, "state");
+    d = parser_report(p, DIAG_foreign_word, c->e->span, c->e->name->text);
     diag_label(p->diags, d, DIAG_label_write, text);
     diag_edit(p->diags, d, both, text);
     parser_advance(p);

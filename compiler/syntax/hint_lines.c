@@ -375,15 +375,29 @@ static bool ends_block(const HintLine *l, const HintLine *guard, uint32_t colon)
            !memchr(guard->text + guard->from, ':', colon - guard->from);
 }
 
+// Whether line l is a word that closes a block in other languages, as END_IF; sets *word to it.
+static bool find_closing_word(const HintLine *l, Span *word)
+{
+    static const char *const words[] = {"END_IF", "end_if", "endif", "ENDIF", "end"};
+    const uint32_t at = skip_spaces(l, l->from), end = skip_word(l, at);
+    bool found = false;
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        found = found || is_text_equal(l, at, end, words[i]);
+    *word = line_span(l, at, end);
+    return found;
+}
+
 // Proposes braces around the lines below a condition's colon, if they are indented more, so that they are probably its statements.
-uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon)
+uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon, uint32_t len)
 {
     const HintLine guard = find_line(src, colon);
     HintLine l = guard, last = guard;
-    const uint32_t after = skip_spaces(&guard, colon + 1), from = skip_spaces_back(&guard, colon);
+    const uint32_t after = skip_spaces(&guard, colon + len), from = skip_spaces_back(&guard, colon);
     int braces = 0;                                    // braces opened since the colon minus braces closed
     uint32_t parens = 0;                               // open parentheses
     IndentLevels levels = {0};
+    Span closing;
 
     if (is_too_long(&guard) || (after < guard.end && guard.text[after] != '#'))
         return 0;
@@ -409,7 +423,10 @@ uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uin
     }
     if (last.from == guard.from || braces != 0 || parens != 0)
         return 0;
-    diag_edit(diags, d, line_span(&guard, from, colon + 1), " {");
-    diag_edit(diags, d, line_span(&last, last.end, last.end), format_in(diags->arena, "%s}", format_line_break(diags->arena, &guard, 0)));
+    diag_edit(diags, d, line_span(&guard, from, colon + len), " {");
+    if (find_closing_word(&l, &closing))
+        diag_edit(diags, d, closing, "}");
+    else
+        diag_edit(diags, d, line_span(&last, last.end, last.end), format_in(diags->arena, "%s}", format_line_break(diags->arena, &guard, 0)));
     return last.end;
 }

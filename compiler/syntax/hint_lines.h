@@ -21,8 +21,9 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
 // is unclear which of them depend on a condition before the first: in C those after the ';' do not.
 bool hint_is_first_of_several(const Source *src, uint32_t at);
 
-// Called if a line ends after a condition's colon. If the lines below are indented more, they are probably the condition's statements, and
-// the function proposes braces around them. Returns the end of these statements; 0 if no such statements follow.
-uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon);
+// Called if a line ends after a condition's colon, or after a word such as `then`, of `len` bytes at `colon`. If the lines below are indented
+// more, they are probably the condition's statements, and the function proposes braces around them. Returns the end of these statements; 0 if
+// no such statements follow.
+uint32_t hint_brace_indented_lines(Diags *diags, Diag *d, const Source *src, uint32_t colon, uint32_t len);
 
 #endif

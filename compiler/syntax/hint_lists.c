@@ -288,6 +288,11 @@ HintResult hint_report_membership(HintCase *c)
     const uint32_t in = skip_in_operator(text, p->tok.at, &m.is_negated);
     Diag *d;
 
+    if (in && p->is_expect && hint_is_word(&p->tok, "in") && p->ahead.kind == TOK_NUMBER) {         // @expect x == 1 in 5 s
+        hint_replace_word(p, "within", TOK_NAME);
+        p->tok.text = str_c(p->strings, "within");
+        return HINT_SKIPPED;
+    }
     if (!in)
         return HINT_NONE;
     if (p->ahead.kind == TOK_ERROR && !p->ahead.first) {       // `x in 3..5`: the lexer has reported 3..5 as a malformed number

@@ -170,6 +170,15 @@ bool hint_label_line_sharing(Parser *p, Diag *d, uint32_t at)
 
 // ---- synonyms ----
 
+// Whether two words are the same; case does not matter.
+static bool is_same_word(const char *a, const char *b)
+{
+    for (; *a && *b; a++, b++)
+        if ((*a >= 'A' && *a <= 'Z' ? *a - 'A' + 'a' : *a) != (*b >= 'A' && *b <= 'Z' ? *b - 'A' + 'a' : *b))
+            return false;
+    return *a == *b;
+}
+
 const char *hint_find_synonym(HintWords of, const char *word)
 {
     static const struct { HintWords of; const char *word, *ours; } synonyms[] = {
@@ -178,7 +187,7 @@ const char *hint_find_synonym(HintWords of, const char *word)
     };
 
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
-        if (synonyms[i].of == of && strcmp(word, synonyms[i].word) == 0)
+        if (synonyms[i].of == of && (of == HINT_TYPES ? is_same_word(word, synonyms[i].word) : strcmp(word, synonyms[i].word) == 0))
             return synonyms[i].ours;
     return NULL;
 }

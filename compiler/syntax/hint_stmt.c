@@ -91,6 +91,16 @@ HintResult hint_report_no_statement(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Returns the start of the text on the line of `at`.
+static uint32_t start_of_line(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+
+    while (at > 0 && text[at - 1] != '\n')
+        at--;
+    return at + (uint32_t)strspn(text + at, " \t");
+}
+
 // Reports `then` in if x then ..., and reads it as a colon.
 HintResult hint_read_then(HintCase *c)
 {
@@ -99,8 +109,11 @@ HintResult hint_read_then(HintCase *c)
     Diag *d = parser_report(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
     if (p->ahead.first) {
+        const uint32_t line = start_of_line(p, p->tok.at), end = hint_brace_indented_lines(p->diags, d, p->lex.src, p->tok.at, p->tok.len);
+        d->follows = hint_follows_indented(p, line);
         diag_label(p->diags, d, DIAG_label_braces_instead);
         hint_cover_indented(p);
+        p->indented = end > p->indented ? end : p->indented;
     } else {
         diag_label(p->diags, d, DIAG_label_colon_instead);
         if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
@@ -119,7 +132,9 @@ HintResult hint_report_unit_in_guard(HintCase *c)
 
     if (!(p->lex.src->text[p->tok.at] & 0x80))         // a word such as ° that is not ASCII is already reported
         hint_label_unit(p->diags, parser_report(p, DIAG_expected_end, parser_token_span(p), parser_describe(p, &p->tok)),
-                        parser_text(p, parser_span(p, &p->last)), p->tok.text->text, span_join(parser_span(p, &p->last), parser_token_span(p)));
+                        parser_text(p, parser_span(p, &p->last)),
+                        format_in(p->arena, "%.*s", (int)strcspn(p->lex.src->text + p->tok.at, " \t:{"), p->lex.src->text + p->tok.at),
+                        span_join(parser_span(p, &p->last), parser_token_span(p)));
     p->failed = true;
     return HINT_SKIPPED;
 }
@@ -251,16 +266,6 @@ HintResult hint_report_label_with_colon(HintCase *c)
     return HINT_READ;
 }
 
-// Returns the start of the text on the line of `at`.
-static uint32_t start_of_line(const Parser *p, uint32_t at)
-{
-    const char *text = p->lex.src->text;
-
-    while (at > 0 && text[at - 1] != '\n')
-        at--;
-    return at + (uint32_t)strspn(text + at, " \t");
-}
-
 // Reports a line that ends after the colon of a guard, or of `else` (c->e is NULL).
 HintResult hint_report_line_end_after_colon(HintCase *c)
 {
@@ -269,10 +274,15 @@ HintResult hint_report_line_end_after_colon(HintCase *c)
     Diag *d = parser_report(p, DIAG_colon_line_break, colon, c->e ? "the condition" : "'else'", parser_describe_found(p));
 
     d->follows = !c->e && hint_follows_indented(p, start_of_line(p, colon.at));
-
+    if (c->e && c->e->kind == AST_NAME && !c->e->name->declared && !p->has_if && p->kind == FILE_SM &&
+        (c->e->span.at == 0 || p->lex.src->text[c->e->span.at - 1] == '\n')) {        // Hold:
+        diag_label(p->diags, d, DIAG_label_perhaps_state, c->e->name->text, c->e->name->text);
+        c->e->kind = AST_ERROR;
+        return HINT_READ;
+    }
     if (p->tok.first && p->tok.kind != TOK_ELSE && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_braces_instead);
-        const uint32_t end = hint_brace_indented_lines(p->diags, d, colon.src, colon.at);
+        const uint32_t end = hint_brace_indented_lines(p->diags, d, colon.src, colon.at, 1);
         p->indented = end > p->indented ? end : p->indented;
     } else {
         diag_label(p->diags, d, DIAG_label_statement_here);
@@ -303,6 +313,11 @@ HintResult hint_report_else_without_body(HintCase *c)
     if (is_foreign_arrow(p))
         return HINT_READ;
     d = parser_report(p, DIAG_else_without_body, parser_gap_span(p), parser_describe_found(p));
+    if (p->tok.first && hint_follows_indented(p, p->last.at)) {
+        d->follows = true;
+        const uint32_t end = hint_brace_indented_lines(p->diags, d, p->lex.src, p->last.at + p->last.len, 0);
+        p->indented = end > p->indented ? end : p->indented;
+    }
     if (!p->tok.first && !parser_at_end_of_block(p)) {
         diag_label(p->diags, d, DIAG_label_insert_colon);
         propose_colon(p, d);
@@ -402,13 +417,19 @@ HintResult hint_report_op_assign(HintCase *c)
     const char *sign = parser_text(p, parser_token_span(p)), *name = parser_text(p, parser_span(p, &p->last));
     Diag *d = parser_report(p, DIAG_op_assign, parser_token_span(p), sign);
     const char *text = p->lex.src->text;
-    uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len);
+    uint32_t end = hint_skip_operand(text, p->tok.at + p->tok.len), operand = p->tok.at + p->tok.len, operand_end = end;
     bool one_operand;                         // the right side is one operand, so it needs no parentheses
 
+    operand += (uint32_t)strspn(text + operand, " \t");
     end += (uint32_t)strspn(text + end, " \t\r");
     one_operand = !text[end] || strchr("\n#;}", text[end]);
-    diag_label(p->diags, d, DIAG_label_write,
-               format_in(p->arena, one_operand ? "%s = %s %c ..." : "%s = %s %c (...)", name, name, sign[0]));
+    if (p->kind == FILE_RQ)
+        diag_label(p->diags, d, DIAG_label_changes_nothing);
+    else if (one_operand)
+        diag_label(p->diags, d, DIAG_label_write,
+                   format_in(p->arena, "%s = %s %c %.*s", name, name, sign[0], (int)(operand_end - operand), text + operand));
+    else
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s = %s %c (...)", name, name, sign[0]));
     return HINT_READ;
 }
 
@@ -436,6 +457,8 @@ static bool is_used_as_foreign(const Parser *p, HintEffect effect)
 
     if ((next->kind == TOK_COLON || next->kind == TOK_LBRACE) && effect == HINT_BLOCK)
         return !p->tok.text->declared;                            // try: or do {
+    if (next->first && effect == HINT_ELSE)
+        return hint_follows_indented(p, p->tok.at);               // ELSE, below IF x > 5 THEN and its statements
     if (next->first)
         return gives_up && next->kind != TOK_LBRACE;              // `stop` followed by a { on the next line is a guard
     if (effect == HINT_ARROW && next->kind == TOK_HEADER)
@@ -678,6 +701,10 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     case HINT_IF: case HINT_ELSE:
         d = hint_replace_word(p, text, effect == HINT_IF ? TOK_IF : TOK_ELSE);
         d->follows = hint_follows_indented(p, p->tok.at);              // elif
+        if (effect == HINT_ELSE && p->ahead.first) {
+            const uint32_t end = hint_brace_indented_lines(p->diags, d, p->lex.src, p->tok.at + p->tok.len, 0);
+            p->indented = end > p->indented ? end : p->indented;
+        }
         if (effect == HINT_IF)
             return HINT_READ;
         p->lost_body = true;

@@ -7,20 +7,13 @@
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/lexer.h"
 
-enum { WORD_MAX = 31, VALUES_SHOWN = 8 };
+enum { VALUES_SHOWN = 8 };
 
-// Returns the name of the type that another language writes as `word`, whose case does not matter; "F64" if it is unknown.
+// Returns the name of the type that another language writes as `word`; "F64" if it is unknown.
 static const char *find_type(const char *word)
 {
-    char lower[WORD_MAX + 1];
     const char *type = hint_find_synonym(HINT_TYPES, word);
-    const size_t n = strlen(word);
 
-    if (!type && n <= WORD_MAX) {
-        for (size_t i = 0; i <= n; i++)
-            lower[i] = (char)(word[i] >= 'A' && word[i] <= 'Z' ? word[i] - 'A' + 'a' : word[i]);
-        type = hint_find_synonym(HINT_TYPES, lower);
-    }
     return type ? type : "F64";
 }
 
@@ -108,25 +101,29 @@ HintResult hint_report_struct(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Returns the declaration that `i : INT := 0` means; *at is after its colon, and moves to the end of the value.
+static const char *format_iec_decl(const Parser *p, const char *name, uint32_t *at)
+{
+    const char *text = p->lex.src->text, *type = find_type(hint_read_word(p, at)), *value = "";
+
+    *at += (uint32_t)strspn(text + *at, " \t:=");
+    if (text[*at - 1] == '=')
+        value = "0";
+    else if (text[*at] != ';' && text[*at] != '\n')
+        value = hint_read_word(p, at);
+    return format_in(p->arena, *value ? "%s %s = %s" : "%s %s", type, name, value);
+}
+
 // Reports a declaration of IEC 61131, as i : INT := 0, and skips its line. The current token is the name.
 HintResult hint_report_iec_decl(HintCase *c)
 {
     Parser *p = c->p;
-    const char *text = p->lex.src->text, *name = p->tok.text->text, *type, *value = "";
-    const Span span = parser_token_span(p);
+    const char *text = p->lex.src->text, *name = p->tok.text->text;
     uint32_t at = p->ahead.at + 1;
-    Diag *d;
 
     if (p->ahead.first)
         return HINT_NONE;
-    type = find_type(hint_read_word(p, &at));
-    at += (uint32_t)strspn(text + at, " \t:=");
-    if (text[at - 1] == '=')
-        value = "0";
-    else if (text[at] != ';' && text[at] != '\n')
-        value = hint_read_word(p, &at);
-    d = parser_report(p, DIAG_decl_without_type, span, name);
-    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, *value ? "%s %s = %s" : "%s %s", type, name, value));
+    diag_label(p->diags, parser_report(p, DIAG_decl_without_type, parser_token_span(p), name), DIAG_label_write, format_iec_decl(p, name, &at));
     hint_skip_to(p, at + (uint32_t)strcspn(text + at, "\n"));
     return HINT_SKIPPED;
 }
@@ -136,13 +133,25 @@ HintResult hint_report_untyped_decl(HintCase *c)
 {
     Parser *p = c->p;
     const char *text = p->lex.src->text;
-    uint32_t end = p->ahead.at + (uint32_t)strcspn(text + p->ahead.at, "#;\r\n");
+    uint32_t end = p->ahead.at + (uint32_t)strcspn(text + p->ahead.at, "#;\r\n"), at = p->ahead.at, colon;
+    const char *rest, *word, *type;
     Diag *d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
 
     while (text[end - 1] == ' ' || text[end - 1] == '\t')
         end--;
-    text = format_in(p->arena, "%.*s", (int)(end - p->ahead.at), text + p->ahead.at);
-    diag_label(p->diags, d, DIAG_label_type_instead, text, text);
+    word = hint_read_word(p, &at);
+    rest = parser_text(p, (Span){p->lex.src, p->ahead.at, end - p->ahead.at});
+    type = hint_find_synonym(HINT_TYPES, word);
+    colon = at + (uint32_t)strspn(text + at, " \t");
+    if (text[colon] == ':') {                   // VAR limit : REAL := 500.0
+        colon++;
+        diag_label(p->diags, d, DIAG_label_write, format_iec_decl(p, word, &colon));
+    } else if (type && lex_is_letter(text[colon])) {                      // const float k = 5.0
+        diag_label(p->diags, d, DIAG_label_write,
+                   format_in(p->arena, "%s %s", type, parser_text(p, (Span){p->lex.src, colon, end > colon ? end - colon : 0})));
+    } else {
+        diag_label(p->diags, d, DIAG_label_type_instead, rest, rest);
+    }
     parser_advance(p);                          // parser_skip_line would stop before the first token of a line, which the word is
     return HINT_SKIPPED;
 }

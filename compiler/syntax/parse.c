@@ -264,6 +264,13 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     Diag *d = NULL;
 
     p->failed = false;
+    if (colon && !p->tok.first) {                                 // [Hold]:
+        d = parser_report(p, DIAG_label_colon, here, format_in(p->arena, "[%s]", s->name->text));
+        diag_label(p->diags, d, DIAG_label_leave_out);
+        diag_edit(p->diags, d, here, "");
+        parser_advance(p);
+        return;
+    }
     if (p->tok.first)
         parse_block(p, &ignored);
     else
@@ -273,9 +280,7 @@ static void parse_unlabelled(Parser *p, AstSection *s)
     if (d)
         d->follows = p->is_foreign_header;
     parse_block(p, &ignored);
-    if (d && colon)
-        diag_label(p->diags, d, DIAG_label_leave_out);
-    else if (d && p->tok.kind == TOK_LABEL)
+    if (d && p->tok.kind == TOK_LABEL)
         diag_label(p->diags, d, DIAG_label_after_label);
     else if (d && assigns)
         diag_label(p->diags, d, DIAG_label_constants);
@@ -603,8 +608,13 @@ static AstFile *parse_visited(Arena *arena, StrPool *strings, Diags *diags, cons
     if (kind == FILE_SS)
         parse_includes(&p, f);
     if (p.tok.kind != TOK_HEADER && p.tok.kind != TOK_END) {
-        if (p.tok.kind != TOK_ERROR)
-            diag_label(diags, parser_report(&p, DIAG_text_before_section, parser_token_span(&p)), DIAG_label_text, first_section[kind]);
+        if (p.tok.kind != TOK_ERROR) {
+            Diag *d = parser_report(&p, DIAG_text_before_section, parser_token_span(&p));
+            if (p.tok.kind == TOK_NAME && (strcmp(p.tok.text->text, "import") == 0 || strcmp(p.tok.text->text, "from") == 0))
+                diag_label(diags, d, DIAG_label_no_import);
+            else
+                diag_label(diags, d, DIAG_label_text, first_section[kind]);
+        }
         parser_skip_section(&p);
     }
     while (p.tok.kind == TOK_HEADER)

@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses lists of declarations and of options. A declaration or option can continue on further lines.
+#include <string.h>
+
 #include "compiler/syntax/hints.h"
 #include "compiler/syntax/parser.h"
 
 // ---- types ----
+
+// Whether other languages have this word as the type of a text.
+static bool is_type_of_text(const char *word)
+{
+    static const char *const words[] = {"string", "String", "STRING", "str", "text", "TEXT"};
+    size_t i = 0;
+
+    while (i < sizeof words / sizeof *words && strcmp(word, words[i]) != 0)
+        i++;
+    return i < sizeof words / sizeof *words;
+}
 
 static void report_unknown_type(Parser *p)
 {
@@ -16,7 +29,9 @@ static void report_unknown_type(Parser *p)
     const char *near = synonym ? synonym : str_nearest(word, types, sizeof types / sizeof *types);
     Diag *d = parser_report(p, DIAG_type_unknown, parser_token_span(p), word);
 
-    if (near)
+    if (is_type_of_text(word))
+        diag_label(p->diags, d, DIAG_label_no_texts);
+    else if (near)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
 }
 
@@ -93,12 +108,22 @@ static void parse_initial_value(Parser *p, AstDecl *d)
         p->failed = true;                      // the unknown type is reported; it may be no type, so nothing more is parsed
         return;
     }
+    if (kind == TOK_COMMA && !p->tok.first) {                     // F64 i, j = 0
+        diag_label(p->diags, parser_fail(p, DIAG_decl_comma, parser_token_span(p)), DIAG_label_decl_each);
+        return;
+    }
+    if (kind == TOK_EQ && !p->tok.first) {
+        Diag *x = parser_report(p, DIAG_foreign_operator, parser_token_span(p), "==", "=");
+        diag_label(p->diags, x, DIAG_label_write, "=");
+        diag_edit(p->diags, x, parser_token_span(p), "=");
+        kind = TOK_ASSIGN;
+    }
     if (kind != TOK_ASSIGN) {
         const char *const type = name_of_type(p, d);
         const bool has_value = !p->tok.first && (kind == TOK_NUMBER || kind == TOK_TRUE || kind == TOK_FALSE);
         Diag *x = parser_fail(p, DIAG_local_without_value, d->name_span, d->name->text);
-        if (kind == TOK_MINUS && !p->tok.first) {
-            diag_label(p->diags, x, DIAG_label_name_letters);
+        if (kind == TOK_MINUS && !p->tok.first && p->ahead.kind == TOK_NAME) {
+            diag_label(p->diags, x, DIAG_label_name_joined, format_in(p->arena, "%s_%s", d->name->text, p->ahead.text->text));
         } else if (has_value) {
             diag_label(p->diags, x, DIAG_label_write,
                        format_in(p->arena, "%s %s = %s", type, d->name->text, parser_text(p, parser_token_span(p))));

@@ -136,13 +136,14 @@ static void report_other_line(Parser *p)
     }
     if (p->tok.kind == TOK_NAME && p->tok.first && (p->ahead.first || p->ahead.kind == TOK_END))
         d = parser_fail(p, DIAG_requirement_text, parser_span(p, &p->tok), p->tok.text->text, "the end of the line");
-    else if (p->tok.kind == TOK_NAME && (p->ahead.kind == TOK_MINUS || p->ahead.kind == TOK_LABEL)) {
+    else if (p->tok.kind == TOK_NAME && p->ahead.at == p->tok.at + p->tok.len &&
+             (p->ahead.kind == TOK_MINUS || p->ahead.kind == TOK_LABEL || p->ahead.kind == TOK_NUMBER)) {
         diag_label(p->diags, parser_fail(p, DIAG_requirement_line, parser_span(p, &p->ahead), parser_describe(p, &p->ahead)),
                    DIAG_label_name_letters);
         return;
     }
-    else if (p->tok.kind == TOK_NAME && p->ahead.kind == TOK_COLON) {
-        d = parser_fail(p, DIAG_requirement_text, parser_span(p, &p->ahead), p->tok.text->text, "':'");
+    else if (p->tok.kind == TOK_NAME && (p->ahead.kind == TOK_COLON || p->ahead.kind == TOK_MINUS)) {
+        d = parser_fail(p, DIAG_requirement_text, parser_span(p, &p->ahead), p->tok.text->text, parser_describe(p, &p->ahead));
         diag_label(p->diags, d, DIAG_label_leave_out);
         return;
     } else if (p->tok.kind == TOK_NAME)

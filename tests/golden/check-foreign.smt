@@ -82,7 +82,7 @@ app.sm:25:5: error: 'S' cannot be assigned: it holds the number of the state [E0
 app.sm:26:13: error: the character 'ä' is allowed only in comments [E0102]
    26 |     mode = wärme
       |             ^ a name consists of a to z, A to Z, 0 to 9 and _
-app.sm:28:7: error: this must follow a label of state 'Vent' [E0310]
+app.sm:28:7: error: unexpected ':' after '[Vent]' [E0311]
    28 | [Vent]:
       |       ^ leave it out
 app.sm:30:12: error: expected ':' or '{' after the condition, found the end of the line [E0315]

@@ -17,5 +17,5 @@ F64 spare
 -- stderr --
 a.sm:9:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
     9 | [Lost]
-      |  ^~~~
+      |  ^~~~ no transition leads here: write -> Lost below a condition of another state
 1 warning

@@ -19,5 +19,5 @@ a.sm:5:5: warning: element 'spare' is never used [W0203 unused-element]
       |     ^~~~~
 a.sm:9:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
     9 | [Lost]
-      |  ^~~~
+      |  ^~~~ no transition leads here: write -> Lost below a condition of another state
 2 warnings

@@ -19,7 +19,7 @@ a.sm:5:5: error: element 'spare' is never used [W0203 unused-element]
       |     ^~~~~
 a.sm:9:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
     9 | [Lost]
-      |  ^~~~
+      |  ^~~~ no transition leads here: write -> Lost below a condition of another state
 1 error, 1 warning
 -- exit --
 1

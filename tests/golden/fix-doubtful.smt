@@ -217,10 +217,10 @@ app.sm:30:7: error: unknown operator '*=' [E0326]
       |       ^~ write n = n * (...)
 app.sm:31:7: error: unknown operator '-=' [E0326]
    31 |     n -= 2
-      |       ^~ write n = n - ...
+      |       ^~ write n = n - 2
 app.sm:32:7: error: unknown operator '/=' [E0326]
    32 |     n /= max(p, q) # of both
-      |       ^~ write n = n / ...
+      |       ^~ write n = n / max(p, q)
 app.sm:33:17: warning: this comma separates the numbers 0 and 5 [W0460 decimal-comma]
    33 |     n = min(p, 0,5)
       |                 ^ a decimal point is written 0.5; put a space after a comma that separates two values

@@ -50,5 +50,5 @@ digraph "tank" { // drawn by smc
 -- stderr --
 tank.sm:24:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
    24 | [Lost]
-      |  ^~~~
+      |  ^~~~ no transition leads here: write -> Lost below a condition of another state
 1 warning

@@ -58,5 +58,5 @@ stateDiagram-v2
 -- stderr --
 tank.sm:24:2: warning: state 'Lost' is unreachable [W0503 unreachable-state]
    24 | [Lost]
-      |  ^~~~
+      |  ^~~~ no transition leads here: write -> Lost below a condition of another state
 1 warning

@@ -33,5 +33,5 @@ tank.sm
 -- stderr --
 tank.sm:24:2: error: state 'Lost' is unreachable [W0503 unreachable-state]
    24 | [Lost]
-      |  ^~~~
+      |  ^~~~ no transition leads here: write -> Lost below a condition of another state
 1 error
