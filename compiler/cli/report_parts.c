@@ -366,7 +366,7 @@ static const char *list_kept(Arena *arena, const Sweep *s)
     buf_init(&out, arena);
     for (uint32_t i = 0; i < s->scripts; i++)
         if (!sweep_takes_part(s, 0, i))
-            buf_printf(&out, "%s%s", out.n ? ", " : "", path_portable_name(s->script[i]->src->name));
+            buf_printf(&out, "%s%s", out.n ? ", " : "", source_short_name(s->script[i]->src));
     return buf_text(&out);
 }
 

@@ -120,6 +120,28 @@ sees_proof()
         "$make" -s -f path.mk smc-clean && test ! -e tank.proof -a ! -e tank.proof.d
 }
 check "NAME.proof has the verdicts on requirements, again if they change, until smc-clean" sees_proof
+# What fails is made again, and stays to be read.
+makes_again()
+{
+    printf 'R1 "never" never valveOpen\n' >>tank.rq && sed -i.old 's/^R1 "above/R7 "above/' tank.rq
+    ! "$make" -s -f path.mk tank.proof >/dev/null 2>&1 && grep -q violated tank.proof && ! "$make" -s -f path.mk tank.proof >/dev/null 2>&1
+}
+check "a proof that fails does not count as made" makes_again
+cp "$root/examples/tank/tank.rq" . && rm -f tank.rq.old tank.proof*
+sees_page()
+{
+    "$make" -s -f path.mk tank.html SMC_REPORT=--sweep && grep -q 'Parameters at other values' tank.html && "$make" -q -f path.mk tank.html && sleep 1 &&
+        touch tank-overpressure.ss && stale -f path.mk tank.html && printf '[all_states]\nat 0: @assert valveOpen\nat 0: @stop\n' >tank-bad.ss &&
+        ! "$make" -s -f path.mk tank.html 2>/dev/null && grep -q 'tank-bad.ss' tank.html && stale -f path.mk tank.html && rm tank-bad.ss &&
+        "$make" -s -f path.mk smc-clean && test ! -e tank.html -a ! -e tank.html.d
+}
+check "NAME.html is the page for a review, again if a script changes, until smc-clean" sees_page
+sed 's/^U64  counter.*/&\nU16 limit = 775 @parameter @range 700 900/; s/> 775/> limit/' tank.sm >swept.sm && cp tank.ss swept.ss
+check "make mutate-NAME changes the machine" sh -c "$make -s -f path.mk mutate-tank | grep -q '^mutations of tank: .* changes are noticed'"
+check "make faults-NAME makes its inputs faulty" sh -c "$make -s -f path.mk faults-tank 2>/dev/null | grep -q '^faults of tank: 1 input'"
+check "make sweep-NAME sets a parameter to other values" sh -c "$make -s -f path.mk sweep-swept SET=limit=700:800:3 | grep -q '^sweep of swept: 1 script'"
+check "and asks which" sh -c "$make -s -f path.mk sweep-swept 2>&1 | grep -q 'SET=limit=700:900:21 says which parameter'"
+rm -f swept.*
 sed 's/825/820/; s/+ 25/+ 20/' tank.sm >flown.sm
 check "make diff-NAME compares with an earlier machine" sh -c "! $make -s -f path.mk diff-tank OLD=flown.sm >diff.txt && grep -q '^comparison of flown.sm with tank.sm: behaviour changed' diff.txt && rm diff.txt flown.sm"
 check "the command is found in PATH" sh -c "PATH='$inst/bin:$PATH' $make -s -f own.mk found.smb && rm found.smb"
