@@ -99,6 +99,7 @@ tests_of() {        # CLAUSES ENGINE
         images="$build/store/old.smb $build/store/new.smb"
         echo "$build/store/cuts $images && $build/store/agent $images && $build/store/agent_log $images && $build/store/auth $images && $build/unit/vm_auth" ;;
     ref | vm | c) echo "$build/smc test --engine=$2 $(cases_of "$1")" ;;
+    golden | analysis) echo "$(command_of "$2") && $(command_of "$2-long")" ;;
     *) command_of "$2" ;;
     esac
 }
