@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compiler/cover/judge.h"
+#include "stdlib/math.h"
 
 // How often facts are computed again: a bound after one transition can lead to a bound after another one in the next round.
 enum { MOST_ROUNDS = 4 };
@@ -239,7 +240,7 @@ Fact run_facts_time(RunFacts *r, uint32_t state)
         return fact_of_cell(SM_U64, 0);
     if (!(x.most + delta_t < FACT_EXACT))
         return time;
-    time.hi = floor(x.most / delta_t) * delta_t + delta_t;
+    time.hi = sm_floor(x.most / delta_t) * delta_t + delta_t;
     time.round_trips = true;
     return time;
 }
