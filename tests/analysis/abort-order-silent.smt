@@ -1,4 +1,4 @@
-# Transitions above an abort that lose nothing: the next state aborts at once ('Fill'), switches everything off itself ('Burn'), or is @safe ('Vent');
+# Transitions above an abort that lose nothing: the next state aborts at once ('Fill'), switches everything off itself ('Burn'), or is @safe ('Rest');
 # the abort is for the cases that the transition leaves ('Settle'); it waits for time alone ('Fill'); nothing stops the next state ('Cut').
 # 'Ignite' has the abort first.
 warn no-all abort-order
@@ -17,6 +17,7 @@ F32  level    @read_only @range 0 100
 bool fill
 bool igniter
 bool charge
+bool fan
 U8   tops
 
 [define]
@@ -71,6 +72,10 @@ high = roll_min(tank, 3) > 45
     high: -> Abort
 
 [Rest] @safe
+.entry
+    fan = true
+.step
+    level > 99: -> Abort
 
 [Cut]
 .entry
@@ -83,4 +88,5 @@ high = roll_min(tank, 3) > 45
 [Abort] @abort @safe
 .entry
     fill = false
+    fan = false
     igniter = false

@@ -1,5 +1,5 @@
-# Latches that decide nothing with a former visit: reset where the state begins, on the transition back, or where the machine waits; set before the
-# state begins; one that chooses between two ways, so that the second run leaves out what has been done ('primed').
+# Latches that decide nothing with a former visit: reset where the machine waits; set before the state
+# begins; one that chooses between two ways, so that the second run leaves out what has been done ('primed').
 warn no-all stale-latch
 
 -- app.sm --
@@ -26,6 +26,7 @@ bool primed = false
 [Idle] @safe
 .entry
     warm = false
+    lit = false
 .step
     test: tested = true
     key and primed: -> Ignite
@@ -43,7 +44,6 @@ bool primed = false
 [Ignite]
 .entry
     igniter = true
-    lit = false
 .step
     held(flame, 5 steps): lit = true
     lit and tested and T >= 500 ms: -> Burn
