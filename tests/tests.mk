@@ -446,7 +446,10 @@ bench-mutants: $(B)/smc
 # The machines of the table of searches, with a tenth of the default effort and with all of it; the last two lines are the totals.
 search-table: $(B)/search/bench
 	$(B)/search/bench $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
-.PHONY: bench-search bench-mutants search-table
+# Proofs of how many inputs a script must change at least, against the scripts of those machines.
+search-bounds: $(B)/search/bench
+	$(B)/search/bench --effort=32000000 --bounds $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
+.PHONY: bench-search bench-mutants search-table search-bounds
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr
