@@ -466,7 +466,10 @@ search-table: $(B)/search/bench
 impossible-campaign: $(B)/search/bench
 	for m in $(or $(M),$(SEARCH_MACHINES)); do for s in 0 1 2 3; do \
 	    $(B)/search/bench --seed=$$(($(SEED) + s)) --random=$(N) $$m || exit 1; done; done
-.PHONY: bench-search bench-mutants search-table impossible-campaign
+# Proofs of how many inputs a script must change at least, against the scripts of those machines.
+search-bounds: $(B)/search/bench
+	$(B)/search/bench --effort=32000000 --bounds $$(awk '!/^#/ && NF { print $$1 }' tests/search/expected.txt)
+.PHONY: bench-search bench-mutants search-table impossible-campaign search-bounds
 
 # `make bench` runs all parts; `make bench-time`, `bench-count`, `bench-sizes`, `bench-compile` and `bench-avr` one each (tests/bench/run.sh).
 BENCH_PARTS = time count sizes compile avr

@@ -265,12 +265,13 @@ static void improve_longest(Chooser *c)
     }
 }
 
-// Lets inputs change at fewer times in the chosen scenarios.
+// Lets inputs change at fewer times in the chosen scenarios.  In one for a goal of the caller each input changes where its effect is seen: a person
+// reads it to find out what went wrong.
 static void gather_chosen(Chooser *c)
 {
     SearchRun *k = c->k;
 
-    for (uint32_t i = 0; i < c->chosen.n && k->r->steps < k->effort && !k->r->stopped; i++) {
+    for (uint32_t i = 0; i < c->chosen.n && !k->o->watch && k->r->steps < k->effort && !k->r->stopped; i++) {
         SearchScenario *x = &c->chosen.at[i];
         const GoalSet want = goals_of(c, x);
         Scenario s = x->scenario;

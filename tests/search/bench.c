@@ -3,6 +3,7 @@
 //
 //     bench [--effort=STEPS] [--seed=N] [--list] MACHINE.sm…      and a line for all machines together at each effort
 //     bench [--effort=STEPS] [--seed=N] --expect=FILE       runs the machines of a table, and fails if one comes less far (expected.txt)
+//     bench [--effort=STEPS] --bounds MACHINE.sm…           compares the changes in scenarios with proofs that fewer do not reach their goals
 //     bench [--seed=N] --random=STEPS MACHINE.sm…           makes random runs, and fails if one covers what the search calls impossible.  Half of
 //                                                           them begin as a run of the search
 //
@@ -21,7 +22,7 @@
 
 static uint64_t effort = SEARCH_EFFORT, seed = 1, random_steps;
 static int lists;
-static bool speed;
+static bool speed, bounds;
 static unsigned passed, failed;
 
 static const Source *read_source(Arena *a, const char *path)
@@ -270,6 +271,150 @@ static void run(const char *path)
         fflush(stdout);
     }
     session_free(&s);
+}
+
+// ---- bounds ----
+
+// A goal is impossible if only some of the inputs change, and the others have their initial values: then a scenario that reaches it changes others.
+typedef struct Bounds {
+    Session s;
+    const Program *p;
+    Cover *c;
+    bool *writable;           // by Var.index
+    uint32_t input[400], inputs;
+    unsigned *least;          // by place: the fewest inputs that a scenario must change to reach it, as far as it is proved
+    bool *one, *two;          // by place: no input alone reaches it, no two of them do
+} Bounds;
+
+// The number of scripts with more than two changes, of those that are proved to need more than two, and of those that are proved to need all.
+typedef struct BoundCount { unsigned scripts, many, proved, tight, wrong; } BoundCount;
+
+static BoundCount bound_total;
+
+static const SearchResult *prove_goals(Bounds *b)
+{
+    return search_run(&b->s.arena, b->c, &(SearchOptions){.seed = 1, .effort = 1000, .writable = b->writable, .drafts = true, .memory = 1 << 22});
+}
+
+static void list_inputs(Bounds *b)
+{
+    search_default_inputs(b->p, b->writable);
+    for (uint32_t v = 0; v < b->p->var.n && b->inputs < 400; v++) {
+        const Var *var = b->p->var.at[v];
+        if (b->writable[v] && b->c->m->var_of[v] != IR_NONE && var != b->p->g && var != b->p->s && var != b->p->t)
+            b->input[b->inputs++] = v;
+    }
+}
+
+// Adds 1 to the bound of each goal that is impossible while this input has its initial value.
+static void bound_without(Bounds *b, uint32_t input)
+{
+    const SearchResult *r;
+
+    b->writable[input] = false;
+    r = prove_goals(b);
+    b->writable[input] = true;
+    for (uint32_t g = 1; g < b->c->place.n; g++)
+        b->least[g] += r->find[g].outcome == SEARCH_IMPOSSIBLE;
+}
+
+// Notes the goals that are possible if only these two inputs change, which can be the same.
+static void bound_with(Bounds *b, uint32_t x, uint32_t y)
+{
+    const SearchResult *r;
+
+    memset(b->writable, 0, b->p->var.n * sizeof *b->writable);
+    b->writable[x] = b->writable[y] = true;
+    r = prove_goals(b);
+    for (uint32_t g = 1; g < b->c->place.n; g++)
+        if (r->find[g].outcome != SEARCH_IMPOSSIBLE) {
+            b->two[g] = false;
+            b->one[g] &= x != y;
+        }
+}
+
+static void find_bounds(Bounds *b)
+{
+    const uint32_t places = b->c->place.n;
+
+    b->writable = calloc(b->p->var.n + 1, sizeof *b->writable);
+    b->least = calloc(places, sizeof *b->least);
+    b->one = malloc(places);
+    b->two = malloc(places);
+    memset(b->one, true, places);
+    memset(b->two, true, places);
+    list_inputs(b);
+    for (uint32_t x = 0; x < b->inputs; x++)
+        bound_without(b, b->input[x]);
+    for (uint32_t x = 0; x < b->inputs; x++)
+        for (uint32_t y = x; y < b->inputs; y++)
+            bound_with(b, b->input[x], b->input[y]);
+    for (uint32_t g = 1; g < places; g++) {
+        const unsigned by_number = b->two[g] ? 3 : b->one[g] ? 2 : 0;
+        b->least[g] = b->least[g] > by_number ? b->least[g] : by_number;
+    }
+}
+
+static unsigned count_inputs(const Scenario *s)
+{
+    unsigned n = 0;
+
+    for (size_t i = 0; i < s->changes; i++) {
+        bool is_new = true;
+        for (size_t j = 0; j < i; j++)
+            is_new &= s->change[j].var != s->change[i].var;
+        n += is_new;
+    }
+    return n;
+}
+
+// Compares the scenarios of a search with the bounds of their goals: one that changes fewer inputs than are proved necessary refutes the proof.
+static void compare_with_bounds(const char *path, const Bounds *b, const SearchResult *r)
+{
+    BoundCount n = {.scripts = r->chosens};
+
+    for (uint32_t i = 0; i < r->chosens; i++) {
+        const SearchScenario *x = &r->chosen[i];
+        unsigned least = 0;
+        for (uint32_t g = 0; g < x->goals; g++)
+            least = b->least[x->goal[g]] > least ? b->least[x->goal[g]] : least;
+        n.many += x->scenario.changes > 2;
+        n.proved += least > 2;
+        n.tight += x->scenario.changes <= least;
+        n.wrong += count_inputs(&x->scenario) < least;
+    }
+    printf("%-40s %4u scripts, %4u with more than 2 changes, %4u proved to need more than 2, %4u to need all, %u wrong\n", path, n.scripts, n.many, n.proved,
+           n.tight, n.wrong);
+    fflush(stdout);
+    bound_total.scripts += n.scripts;
+    bound_total.many += n.many;
+    bound_total.proved += n.proved;
+    bound_total.tight += n.tight;
+    failed += n.wrong > 0;
+}
+
+static void run_bounds(const char *path)
+{
+    Bounds b = {.inputs = 0};
+
+    host_check(setjmp(host_oom));
+    b.p = open_machine(&b.s, path);
+    b.c = cover_new(&b.s.arena, b.p);
+    cover_settle(b.c);
+    find_bounds(&b);
+    compare_with_bounds(path, &b, search_run(&b.s.arena, b.c, &(SearchOptions){.seed = seed, .effort = effort, .loops = true}));
+    free(b.writable);
+    free(b.least);
+    free(b.one);
+    free(b.two);
+    session_free(&b.s);
+}
+
+static void print_bounds(void)
+{
+    if (bound_total.scripts)
+        printf("all machines: %u scripts, %u with more than 2 changes, %u proved to need more than 2, %u to need all\n", bound_total.scripts, bound_total.many,
+               bound_total.proved, bound_total.tight);
 }
 
 // ---- random runs ----
@@ -573,8 +718,11 @@ int main(int argc, char **argv)
             lists++;
         else if (strcmp(argv[i], "--speed") == 0)
             speed = true;
+        else if (strcmp(argv[i], "--bounds") == 0)
+            bounds = true;
         else
-            (speed ? measure_speed : random_steps ? run_randomly : run)(argv[i]);
+            (speed ? measure_speed : random_steps ? run_randomly : bounds ? run_bounds : run)(argv[i]);
+    print_bounds();
     print_total(&total[0], 10);
     print_total(&total[1], 100);
     return failed != 0;

@@ -50,7 +50,7 @@ static void run_fault(Arena *a, SmType type, uint32_t input, FaultKind kind, dou
     const FaultInput in[] = {{.var = &x_var, .has_range = true, .lo = -100, .hi = 100}, {.var = &b_var}};
     const FaultSizes sizes = {0.05, 0.02, 2, 3, 7};
     const Fault fault = {input, kind};
-    Engine plain = {"plain", &program, NULL, NULL, plain_init, plain_step, plain_close};
+    Engine plain = {"plain", &program, NULL, NULL, plain_init, plain_step, plain_close, NULL};
     FaultEngine *e;
     EngineStep out;
 

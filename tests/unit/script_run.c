@@ -139,7 +139,7 @@ static void close_nothing(Engine *e) { (void)e; }
 
 static ScriptResult run_spoiled(Fixture *f, int what, bool alone)
 {
-    Spoiler spoiler = {{"spoiler", f->p, NULL, &spoiler, spoil_init, spoil_step, close_nothing},
+    Spoiler spoiler = {{"spoiler", f->p, NULL, &spoiler, spoil_init, spoil_step, close_nothing, NULL},
                        engine_ref_open(&f->s.arena, f->p), 0, what, var(f, "y")};
     Engine *both[2] = {f->e, &spoiler.engine};
     ScriptOptions o = {.max_steps = 100};
