@@ -122,7 +122,7 @@ static void add_shared(const Report *r, Doc *d)
 
 // ---- the page ----
 
-// Returns the first machine that was made from the same file as member i: i itself if that is the first.
+// Returns the first machine that was made from the same file as member i, which is i itself if no machine before it was.
 static size_t first_of_file(const Report *r, size_t i)
 {
     size_t first = 0;
