@@ -47,6 +47,7 @@ struct Cli {
     VEC(const Source *) scripts;          // the scripts that have been read, and the files that they include
     VEC(const char *) data;               // the paths of the files with recorded data that scripts name
     VEC(const Source *) included;         // the files that scripts include and no argument names
+    const AppFiles *app_files;            // the files that the application names; NULL: there is none
     VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
     Buf bindings;                         // the values of all --bind, one on each line

@@ -32,10 +32,14 @@ DepInputs deps_list_inputs(Cli *c)
 {
     static const OptionId option[] = {OPT_SV, OPT_IO, OPT_NET};
     enum { OPTIONS = sizeof option / sizeof *option };
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + OPTIONS), 0};
+    const size_t of_app = c->app_files ? c->app_files->n : 0;
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + of_app + c->included.n + c->data.n + OPTIONS), 0};
 
     for (size_t i = 0; i < c->files; i++)
         all.at[all.n++] = c->file[i];
+    for (size_t i = 0; i < of_app; i++)
+        if (c->app_files->at[i].src)
+            all.at[all.n++] = c->app_files->at[i].src->name;
     for (size_t i = 0; i < c->included.n; i++)
         all.at[all.n++] = c->included.at[i]->name;
     for (size_t i = 0; i < c->data.n; i++)

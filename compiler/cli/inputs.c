@@ -115,6 +115,7 @@ void cli_load_app(Cli *c, CompileInput *in)
 
     in->app = ARENA_NEW(&c->session.arena, CompileApp);
     compile_open_app(&c->session, in->at[0].text, in->app);
+    c->app_files = &in->app->files;
     for (size_t i = 0; i < in->app->files.n; i++) {
         AppFile *f = &in->app->files.at[i];
         const char *name = f->name.text->text;
