@@ -19,8 +19,8 @@ typedef struct SearchApp SearchApp;
 const char *search_app_refusal(const Program *joint);
 // cover: by machine.
 SearchApp *search_app_new(Arena *arena, const Program *joint, size_t machine, Cover *const *cover);
-// Searches for the goals of the Cover of the machine, once: then the SearchApp has ended.  Scenarios of `o`, and of the result, set variables of
-// the joined Program.
+// Searches for the goals of the machine's Cover, once: then the SearchApp has ended.  Scenarios of `o`, and of the result, set variables of the
+// joined Program.
 SearchResult *search_app_run(SearchApp *a, const SearchOptions *o);
 // Sets writable[Var.index] for the inputs of an application.
 void search_app_inputs(const Program *joint, bool *writable);
