@@ -253,11 +253,9 @@ requirements of pump, from state Off, with a step every 10 ms:
       init_state Off
 
       [all_states]
-      at 0 {
-          start = true
-          open = true
-      }
+      at 0:        start = true
       at 0:        @assert state Off and not ask and not motor
+      at 10 ms:    open = true
       at 10 ms:    @assert state Asking and ask and not motor
       after 20 ms: @assert state On and ask and motor
       at 1.02 s:   @stop
@@ -294,18 +292,16 @@ requirements of pump, from state Off, with a step every 10 ms:
       init_state Off
 
       [all_states]
-      at 0 {
-          start = true
-          open = true
-      }
+      at 0:        start = true
       at 0:        @assert state Off and not ask and not motor
+      at 10 ms:    open = true
       at 10 ms:    @assert state Asking and ask and not motor
       after 20 ms: @assert state On and ask and motor
       at 1.02 s:   @stop
       this run is of pump alone: in the application, its inputs may never have these values
 {"smc-proofs":1,"application":"stand","machines":[
 {"smc-proofs":1,"machine":"pump","state":"Off","delta_t":10,"scripts":[],"requirements":[
-{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":222,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
+{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":216,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
 ]}
 ],"undecided":[
 {"id":"R1","because":"no machine writes 'level'"}]}

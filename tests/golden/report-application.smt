@@ -562,11 +562,9 @@ R3: the motor stops in time [violated alone]
   init_state Off
 
   [all_states]
-  at 0 {
-      start = true
-      open = true
-  }
+  at 0:        start = true
   at 0:        @assert state Off and not ask and not motor
+  at 10 ms:    open = true
   at 10 ms:    @assert state Asking and ask and not motor
   after 20 ms: @assert state On and ask and motor
   at 1.02 s:   @stop

@@ -50,11 +50,9 @@ R2: never open [violated]
   init_state Idle
 
   [all_states]
-  at 0 {
-      armed = true
-      p = 101
-  }
+  at 0:     armed = true
   at 0:     @assert state Idle and not open
+  at 10 ms: p = 101
   at 10 ms: @assert state Fill and open
   at 10 ms: @stop
 

@@ -141,12 +141,10 @@ requirements of a, from state Idle, with a step every 10 ms:
       init_state Idle
 
       [all_states]
-      at 0 {
-          start = true
-          key = 46535
-      }
+      at 0:                  start = true
       at 0:                  @assert state Idle
       from 10 ms to 4.03 s:  @assert state Wait
+      at 4.03 s:             key = 46535
       from 4.03 s to 4.08 s: @assert state Read
       at 4.04 s:             key = 29009
       at 4.05 s:             key = 77
@@ -172,12 +170,10 @@ requirements of a, from state Idle, with a step every 10 ms:
       init_state Idle
 
       [all_states]
-      at 0 {
-          start = true
-          key = 46535
-      }
+      at 0:                  start = true
       at 0:                  @assert state Idle
       from 10 ms to 4.03 s:  @assert state Wait
+      at 4.03 s:             key = 46535
       from 4.03 s to 4.08 s: @assert state Read
       at 4.04 s:             key = 29009
       at 4.05 s:             key = 77
@@ -207,10 +203,10 @@ requirements of a, from state Idle, with a step every 10 ms:
       at 0 {
           start = true
           levelA = 50
-          key = 46535
       }
       at 0:                  @assert state Idle
       from 10 ms to 4.03 s:  @assert state Wait
+      at 4.03 s:             key = 46535
       from 4.03 s to 4.08 s: @assert state Read
       at 4.04 s:             key = 29009
       at 4.05 s:             key = 77
