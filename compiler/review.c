@@ -58,7 +58,7 @@ void review_run_script(Session *s, const Report *r, const Program *p, const Sour
     AfterStep after = {&run->trace, o};
     ScriptOptions with_data = *o;
 
-    run->name = path_portable_name(src->name);
+    run->name = source_short_name(src);
     trace_init(&run->trace, &s->arena, p, &r->analysis.transition);
     diags_clear(&s->diags);
     if ((run->script = script ? script : session_script(s, src, p)) != NULL) {
@@ -177,7 +177,7 @@ void review_run_app_script(Session *s, Report *r, const Source *src, Engine *vm,
         traced[i] = trace_wrap_engine(&m->run[number].trace, engine[i]);
     }
     all[1] = engine_app_open(&s->arena, r->analysis.p, traced);
-    run->name = path_portable_name(src->name);
+    run->name = source_short_name(src);
     diags_clear(&s->diags);
     if ((run->script = session_script(s, src, r->analysis.p)) != NULL) {
         if (o->requirements)

@@ -4,6 +4,9 @@
 #   app_net.c and app_net.h from app.net likewise.
 #   make flash-tank PORT=/dev/ttyACM0: tank.smb onto a board; it is on trial until `smc device confirm`.  make flash: of the one machine here.
 #   make test-tank: runs the scripts tank.ss and tank-*.ss, with the requirements tank.rq.      tank.proof: the verdicts on these.
+#   tank.html: the page for a review of tank.sm, with its scripts and requirements.  SMC_REPORT has further options, as --all.
+#   make mutate-tank, faults-tank, sweep-tank SET=limit=700:900:21: what changes of the machine, faults of its inputs and other values of a parameter
+#   do in the scripts tank.ss and tank-*.ss.
 #   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover; so of an application, tank.app.
 #   make diff-tank OLD=flown.sm: what tank.sm does otherwise than flown.sm, and in its scripts tank.ss and tank-*.ss.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
@@ -54,10 +57,16 @@ SMC_LOST = $(strip $(foreach f,$(SMC_SV) $(SMC_IO),$(if $(wildcard $f),,$f)))
 	$(error there is no $(SMC_LOST), as SMC_SV or SMC_IO says)
 .PRECIOUS: %.smb
 
+# What failed stays to be read, but as old as can be, so that make makes it again.
+SMC_OLD = { code=$$?; test ! -e $@ || touch -t 197001020000 $@; exit $$code; }
 # The verdicts on the requirements tank.rq of tank.sm; it fails if one is violated or undecided.  Searches start from tank.ss and tank-*.ss.
 %.proof: %.sm %.rq $(SMC_SV) $(SMC_SET)
 	$(SMC_WANT)
-	$(SMC) prove $< $*.rq $(wildcard $*.ss $*-*.ss) $(SMC_ARGS) -o $@ -MD -MP -MF $@.d
+	$(SMC) prove $< $*.rq $(wildcard $*.ss $*-*.ss) $(SMC_ARGS) -o $@ -MD -MP -MF $@.d || $(SMC_OLD)
+# The page for a review; it fails if a script does, and is written all the same.
+%.html: %.sm $(SMC_SV) $(SMC_SET)
+	$(SMC_WANT)
+	$(SMC) report $< $(wildcard $*.ss $*-*.ss) $(wildcard $*.rq) $(SMC_ARGS) $(SMC_REPORT) -o $@ -MD -MP -MF $@.d || $(SMC_OLD)
 
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
@@ -73,6 +82,17 @@ swap-%: $(or $(FROM),%.sm) $(SMC_SV)
 test-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) test $< $(or $(wildcard $*.ss $*-*.ss),$(error there is no $*.ss)) $(wildcard $*.rq) $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV))
+# What is tried on the scripts of the machine: changes of it, faults of its inputs, other values of a parameter.
+SMC_TRY   = $< $(or $(wildcard $*.ss $*-*.ss),$(error there is no $*.ss)) $(wildcard $*.rq) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV))
+mutate-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) mutate $(SMC_TRY)
+faults-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) faults $(SMC_TRY)
+sweep-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) sweep $(SMC_TRY) --set=$(or $(SET),$(error SET=limit=700:900:21 says which parameter to sweep))
 # Writes scripts into cover/ for what the scripts of the machine, tank.ss and tank-*.ss, do not test.
 cover-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
@@ -89,11 +109,11 @@ flash: $(if $(word 2,$(SMC_MACHINES)),,$(SMC_MACHINES:%=flash-%))
 	$(if $(filter 1,$(words $(SMC_MACHINES))),@:,$(error make flash-NAME says which machine; here are: $(SMC_MACHINES)))
 
 # Of machines here and in folders within folders.
-SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d $d/*.net.d $d/*.proof.d))))
+SMC_DEPS := $(foreach d,. */. */*/.,$(patsubst ./%,%,$(subst /./,/,$(wildcard $d/*.smb.d $d/*.sm.d $d/*.io.d $d/*.net.d $d/*.proof.d $d/*.html.d))))
 -include $(SMC_DEPS)
 
 # Each list of dependencies was written with what it is of.
-SMC_WASTE = $(SMC_DEPS) $(patsubst %.d,%,$(filter %.smb.d %.proof.d,$(SMC_DEPS))) \
+SMC_WASTE = $(SMC_DEPS) $(patsubst %.d,%,$(filter %.smb.d %.proof.d %.html.d,$(SMC_DEPS))) \
             $(foreach d,$(patsubst %.sm.d,%,$(filter %.sm.d,$(SMC_DEPS))),$d.c $d.h) \
             $(foreach d,$(patsubst %.io.d,%,$(filter %.io.d,$(SMC_DEPS))),$d_io.c $d_io.h) \
             $(foreach d,$(patsubst %.net.d,%,$(filter %.net.d,$(SMC_DEPS))),$d_net.c $d_net.h)

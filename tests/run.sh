@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs the test commands of standard input and adds up their results.  Lines:
 #   NAME: COMMAND     a test
-#   +NAME: COMMAND    a test whose command calls make: these run one after another, beside the others
+#   +NAME: COMMAND    a test whose command calls make for files that others need: these run one after another, beside the others
 #   [PART]            the following tests belong to this part; the runner prints a total and the time when a part is complete
-# As many commands run at once as there are processors, or as JOBS says.  The last line that a command prints ends with "N passed, N failed" or
-# "N passed, N failed, N skipped".  Exit code 1 if a test failed, or with STRICT=1 if a test was skipped.
+# One command more than there are processors runs at once, because some wait for clocks and emulated boards, or as many as JOBS says.  The
+# last line that a command prints ends with "N passed, N failed" or "N passed, N failed, N skipped".  Exit code 1 if a test failed, or with
+# STRICT=1 if a test was skipped.
 #
 # A command fails as well if
 #   1. it ran no test and skipped none,
@@ -17,7 +18,7 @@ floors=${FLOORS:-$(dirname "$0")/floors.txt}
 limit=
 timeout --foreground 1 true 2>/dev/null && limit="timeout --foreground -k 10 ${LIMIT:-3600}"      # in this process group, so that Ctrl-C ends it too
 unset MAKEFLAGS MFLAGS MAKELEVEL      # a make called by a command gets no options of the current one
-jobs=${JOBS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
+jobs=${JOBS:-$(($(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1) + 1))}
 work=$(mktemp -d "${TMPDIR:-/tmp}/smc-test.XXXXXX") || exit 1
 failures=$work/failures               # the ends of the outputs of failed commands, repeated at the end
 trap 'rm -rf "$work"' EXIT

@@ -3,7 +3,7 @@
 //
 // A trial shows it: in one step both guards are true, and the machine goes on.  The trial then continues with the same inputs, beside a copy that
 // has aborted.  Reported if the machine has not aborted AFTER steps later, and has an output on that the copy has not.  So a step that the next
-// state corrects is not reported, and neither is a transition that switches everything off itself.
+// state corrects is not reported, and neither is a transition to a state that switches everything off itself.
 //
 // An abort that waits for time or a count alone is not judged: that success is written above a time limit is usual.
 #include <string.h>
@@ -14,7 +14,7 @@
 
 enum {
     ENTRIES_TRIED = 6,            // situations from which a pair of transitions is tried
-    RESTS = 300,                  // readings that are tried at an entry, to make the state last
+    RESTS = 300,                  // changes of inputs that are tried at an entry, to make the state last
     TRIES = 24,                   // choices of inputs for the first transition, from each of these situations
     HAZARDS = 12,                 // choices of inputs for the abort, for each of them
     SHIFT_MAX = 2,                // the abort's inputs begin up to so many steps earlier or later than computed
@@ -31,7 +31,7 @@ typedef struct OrderTrial {
     const Transition *first, *abort;      // the pair, in the order as written
     uint32_t refused;             // Stmt.number of the innermost conditional around `first`
     bool *is_cause, *is_hazard;   // by input: the guards of `first` depend on it; those of `abort` do
-    void *start;                  // where a run begins
+    void *begin, *start;          // the entry of the state; where a run begins, after some time
     void *at, *other;             // the situations of the machine, and of its copy that has aborted
     double *rest, *cause, *hazard, *now;  // inputs: before anything happens, that lead to `first`, that lead to `abort`, of the current step
     uint32_t steps;               // the most steps of a run
@@ -143,20 +143,44 @@ static uint32_t find_step(OrderTrial *k, const Transition *wanted)
     return 0;
 }
 
-// Chooses inputs with which the machine does not abort from the entry for as long as a run lasts: those that led to it, or other healthy readings.
+// Gives an input of k->rest another value, and all sensors of its group: one that the guards of a transition depend on.
+static void change_one_input(OrderTrial *k, const Transition *x)
+{
+    Trials *t = k->t;
+    const uint32_t from = trial_random_below(t, t->inputs);
+
+    for (uint32_t n = 0; n < t->inputs; n++) {
+        const uint32_t i = (from + n) % t->inputs;
+        if (!depends_on(k, x->when, t->input[i].v))
+            continue;
+        if (t->input[i].command)
+            k->rest[i] = trial_pick_reading(t, &t->input[i], true);
+        else
+            trial_set_group(t, k->rest, i, trial_pick_reading(t, &t->input[i], false));
+        return;
+    }
+}
+
+// Chooses inputs with which the machine does not abort from the entry for as long as a run lasts, and stores the situation in k->begin.  Begins with
+// the inputs that led to it, and changes what a run aborts on.  The windows then have samples of the changed inputs.
 static bool find_rest(OrderTrial *k, const TrialEntry *e)
 {
     Trials *t = k->t;
-    bool lasts = false;
 
-    trial_begin_at_entry(t, e, k->start, k->rest);
-    for (int n = 0; n < RESTS && !lasts && trial_may_continue(t); n++) {
-        if (n > 0)
-            trial_draw_inputs(t, k->rest, &t->state[trial_state(e->situation) - 1], n % 2, false);
+    trial_begin_at_entry(t, e, k->begin, k->rest);
+    for (int n = 0; n < RESTS && trial_may_continue(t); n++) {
+        const Transition *x;
         memcpy(k->now, k->rest, t->inputs * sizeof *k->now);
-        lasts = find_step(k, k->first) > 0 || t->trace.transition == 0 || !t->transition[t->trace.transition]->to->is_abort;
+        trial_copy_situation(t, k->start, k->begin);
+        find_step(k, k->first);
+        x = t->trace.transition ? t->transition[t->trace.transition] : NULL;
+        if (!x || !x->to->is_abort)
+            return true;
+        change_one_input(k, x);
+        trial_copy_situation(t, k->begin, e->situation);
+        trial_fill_windows(t, k->begin, k->rest);
     }
-    return lasts;
+    return false;
 }
 
 // Runs one step in k->at with the inputs k->now, and in a copy without the first transition.  Whether the first makes it, and the copy aborts.
@@ -310,7 +334,7 @@ static bool try_entry(OrderTrial *k, const TrialEntry *e, uint64_t until)
         const Var *output[NAMED_MAX];
         uint32_t outputs;
         double time;
-        trial_copy_situation(t, k->start, e->situation);
+        trial_copy_situation(t, k->start, k->begin);
         if (!pass_time(k, n % 4) || !find_both(k, s, n))
             continue;
         time = trial_vars(t, k->at)[t->run->m->t];
@@ -355,6 +379,7 @@ void check_abort_order(Trials *t)
 
     k.is_cause = ARENA_ARRAY(t->a->arena, bool, t->inputs + 1u);
     k.is_hazard = ARENA_ARRAY(t->a->arena, bool, t->inputs + 1u);
+    k.begin = arena_alloc(t->a->arena, t->run->size);
     k.start = arena_alloc(t->a->arena, t->run->size);
     k.at = arena_alloc(t->a->arena, t->run->size);
     k.other = arena_alloc(t->a->arena, t->run->size);

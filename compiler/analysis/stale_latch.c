@@ -12,6 +12,7 @@
 #include "compiler/analysis/abort.h"
 #include "compiler/analysis/carried.h"
 #include "compiler/analysis/trial_checks.h"
+#include "stdlib/math.h"
 
 enum {
     ENTRIES_TRIED = 4,            // situations at the entry of the state
@@ -90,15 +91,15 @@ static const CarriedStore *find_former_set(StaleTrial *k, size_t v, const State 
 static double find_value(const StaleTrial *k, CarriedKind kind)
 {
     const Trials *t = k->t;
-    double value = t->run->initial[k->var];
+    const double initial = t->run->initial[k->var];
+    double value = initial;
 
     if (kind == CARRIED_LATCH)
         return 1;
     for (size_t s = 0; s < t->a->p->state.n; s++)
         for (size_t e = 0; e < t->state[s].entry.n; e++) {
-            const double x = trial_vars(t, t->state[s].entry.at[e].situation)[k->var], initial = t->run->initial[k->var];
-            const double from_initial = x < initial ? initial - x : x - initial, most = value < initial ? initial - value : value - initial;
-            if (!t->state[s].entry.at[e].unhealthy && from_initial > most)
+            const double x = trial_vars(t, t->state[s].entry.at[e].situation)[k->var];
+            if (!t->state[s].entry.at[e].unhealthy && sm_abs(x - initial) > sm_abs(value - initial))
                 value = x;
         }
     return value;
@@ -171,8 +172,8 @@ static void report_stale(const StaleTrial *k, const CarriedStore *set, const Tra
 {
     const Analysis *a = k->t->a;
     const char *v = k->v->name->text;
-    Diag *d = diag_report(a->diags, DIAG_stale_latch, taken->stmt->span, taken->from->name->text, v,
-                          const_text(a->arena, trial_check_round(k->value)), taken->to->name->text);
+    const char *value = const_text(a->arena, trial_check_round(k->value));
+    Diag *d = diag_report(a->diags, DIAG_stale_latch, taken->stmt->span, taken->from->name->text, v, value, taken->to->name->text);
 
     diag_note_declaration(a->diags, d, DIAG_OUTPUTS, k->v->span);
     diag_note(a->diags, d, set->stmt->span, DIAG_note_set_and_kept, v, taken->from->name->text);

@@ -4,12 +4,16 @@
 #include "compiler/analysis/analysis.h"
 #include "compiler/analysis/quantity.h"
 
+// The first value with a unit with which an element has been compared; text NULL: none has been.
+typedef struct ComparedUnit { Measure unit; const char *text; Span span; } ComparedUnit;
+
 typedef struct UnitCheck {
     Arena *arena;
     Diags *diags;
     const Program *p;
     const Script *script;         // NULL: the machine is checked
     bool *judged;                 // by Define.number: the definition's expression has been compared with its unit
+    ComparedUnit *compared;       // by Var.index: the unit with which an element without an @unit has been compared; NULL: not noted
 } UnitCheck;
 
 static Quantity infer(UnitCheck *k, const Expr *e);
@@ -102,6 +106,33 @@ static void add_to_group(UnitCheck *k, UnitGroup *g, const Quantity *q, Span spa
     }
 }
 
+// Returns the element without an @unit that e is, or of which it is a statistic with the same unit; NULL: e is something else.
+static const Var *unmarked_element(const Expr *e)
+{
+    if (e->kind == EX_ROLL && (e->stat == SM_STAT_MIN || e->stat == SM_STAT_MAX || e->stat == SM_STAT_AVG || e->stat == SM_STAT_MEDIAN))
+        e = e->arg[0];
+    return e->kind == EX_VAR && e->var->kind == VAR_ELEMENT && !e->var->unit && e->var->type != SM_BOOL ? e->var : NULL;
+}
+
+// Notes that an element without an @unit is compared with a value that has one.  Reports two such values that measure different things.
+static void note_comparison(UnitCheck *k, const Expr *element, const Expr *value, const Quantity *q)
+{
+    const Var *v = unmarked_element(element);
+    ComparedUnit *first = v && k->compared && q->kind == QUANTITY_UNIT && q->constant ? &k->compared[v->index] : NULL;
+    Diag *d;
+
+    if (!first)
+        return;
+    if (!first->text) {
+        first->unit = q->unit;
+        first->text = quote_source(k, value->span);
+        first->span = value->span;
+    } else if (!measure_is_same_kind(&first->unit, &q->unit)) {
+        d = diag_report(k->diags, DIAG_mixed_units, value->span, v->name->text, quote_source(k, value->span), text_of(k, q));
+        diag_note(k->diags, d, first->span, DIAG_note_compared_here, first->text, measure_text(k->diags->arena, &first->unit));
+    }
+}
+
 // Returns the quantity of the arguments of min, max or a comparison, which must have one unit.
 static Quantity infer_group(UnitCheck *k, const Expr *e)
 {
@@ -110,6 +141,9 @@ static Quantity infer_group(UnitCheck *k, const Expr *e)
     for (uint32_t i = 0; i < e->n; i++) {
         const Quantity q = infer(k, e->arg[i]);
         add_to_group(k, &g, &q, e->arg[i]->span);
+        for (uint32_t n = 0; n < e->n && e->n == 2; n++)
+            if (n != i)
+                note_comparison(k, e->arg[n], e->arg[i], &q);
     }
     return g.differs ? quantity_of_kind(QUANTITY_UNKNOWN) : g.all;
 }
@@ -347,9 +381,9 @@ static void check_clock(UnitCheck *k)
         check_store(k, g->unit, g->name->text, &time, g->span);
 }
 
-void analyse_units(Analysis *a)
+static void check_machine(Analysis *a, ComparedUnit *compared)
 {
-    UnitCheck k = {a->arena, a->diags, a->p, NULL, NULL};
+    UnitCheck k = {a->arena, a->diags, a->p, NULL, NULL, compared};
 
     if (!a->p->has_units)
         return;
@@ -360,6 +394,11 @@ void analyse_units(Analysis *a)
             check_assignment(&k, a->p->var.at[i], a->p->var.at[i]->init_value);
     each_stmt(a->p, check_stmt, &k);
 }
+
+void analyse_units(Analysis *a) { check_machine(a, NULL); }
+
+// What units differ is reported once, whichever of the two runs.
+void analyse_mixed_units(Analysis *a) { check_machine(a, ARENA_ARRAY(a->arena, ComparedUnit, a->p->var.n + 1)); }
 
 // ---- scripts ----
 
@@ -380,7 +419,7 @@ static void check_item(UnitCheck *k, const ScriptItem *item)
 void analyse_units_of_script(Arena *arena, Diags *diags, const Script *script)
 {
     const Program *p = script->program;
-    UnitCheck k = {arena, diags, p, script, NULL};
+    UnitCheck k = {arena, diags, p, script, NULL, NULL};
 
     if (!p->has_units && !script->has_units)
         return;

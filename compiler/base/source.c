@@ -3,6 +3,9 @@
 
 #include <string.h>
 
+#include "compiler/base/buf.h"
+#include "compiler/base/path.h"
+
 static uint32_t count_lines(const char *text, size_t len)
 {
     const char *end = text + len;
@@ -74,4 +77,46 @@ Span span_join(Span a, Span b)
 {
     a.len = b.at + b.len - a.at;
     return a;
+}
+
+const char *source_short_name(const Source *s) { return s->label ? s->label : path_portable_name(s->name); }
+
+// Returns the end of a path with this number of names; all of it if it has no more.
+static const char *path_end(const char *path, size_t names)
+{
+    const char *at = path + strlen(path);
+
+    while (at > path && (names > 0 || (at[-1] != '/' && at[-1] != '\\'))) {
+        at--;
+        names -= (*at == '/' || *at == '\\') && names > 0;
+    }
+    return at;
+}
+
+void sources_label(Arena *arena, Source *const *at, size_t n)
+{
+    const char *name = path_portable_name(at[n - 1]->name);
+    size_t names = 0, most = 0, same = 0;
+
+    for (size_t i = 0; i < n; i++)
+        if (strcmp(path_portable_name(at[i]->name), name) == 0) {
+            size_t parts = 0;
+            for (const char *c = at[i]->name; *c; c++)
+                parts += *c == '/' || *c == '\\';
+            most = parts > most ? parts : most;
+            same++;
+        }
+    if (same < 2)
+        return;
+    for (bool clear = false; !clear && names < most; ) {
+        names++;
+        clear = true;
+        for (size_t i = 0; i < n; i++)
+            for (size_t k = 0; k < i; k++)
+                clear = clear && (strcmp(path_portable_name(at[i]->name), name) != 0 || strcmp(at[i]->name, at[k]->name) == 0 ||
+                                  strcmp(path_end(at[i]->name, names), path_end(at[k]->name, names)) != 0);
+    }
+    for (size_t i = 0; i < n; i++)
+        if (strcmp(path_portable_name(at[i]->name), name) == 0)
+            at[i]->label = format_in(arena, "%s", path_end(at[i]->name, names));
 }

@@ -14,6 +14,7 @@ typedef struct Source {
     uint32_t len;
     uint32_t *line;       // line[i]: offset of the first byte of line i + 1
     uint32_t lines;       // number of lines; at least 1
+    const char *label;    // its name where the name of the file alone is ambiguous, set by sources_label; else NULL
     uint32_t number;      // free for use by the code that created the source; initially 0
 
     // A copy of a source whose statements belong to several states ([all_states] of a machine), one for each of these states. Positions in it
@@ -38,6 +39,10 @@ Source *source_copy_for_state(Arena *arena, const Source *s, const char *state);
 LineCol source_position(const Source *s, uint32_t at);
 // Returns the text of a line, counted from 1, without its LF or CR LF; *len is its length.
 const char *source_line(const Source *s, uint32_t line, uint32_t *len);
+// Returns the name of a source in results, which are the same on every computer: without folders, unless two sources of the command share it.
+const char *source_short_name(const Source *s);
+// Gives the last of n sources, and those with the same file name, labels that tell them apart: as much of the end of their paths as is needed.
+void sources_label(Arena *arena, Source *const *at, size_t n);
 Span span_join(Span a, Span b);     // the range from the start of a to the end of b
 
 #endif

@@ -44,9 +44,10 @@ struct Cli {
     size_t files;
     bool given[OPT_COUNT];                // by OptionId: the command line has the option
     const char *value[OPT_COUNT];         // by OptionId: the value of an option that takes one; of several, the last
-    VEC(const Source *) scripts;          // the scripts that have been read, and the files that they include
+    VEC(Source *) scripts;                // the scripts that have been read, and the files that they include
     VEC(const char *) data;               // the paths of the files with recorded data that scripts name
     VEC(const Source *) included;         // the files that scripts include and no argument names
+    VEC(const Source *) named;            // the files that an application names
     VEC(const char *) set;                // the values of --set, in order
     DiagSelection warn;
     Buf bindings;                         // the values of all --bind, one on each line

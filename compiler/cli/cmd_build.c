@@ -149,25 +149,6 @@ static int write_outputs(Cli *c, const Outputs *o, bool to_folder)
     return cli_write_outputs(c, o->at, o->n);
 }
 
-// Returns the inputs for -MD: all files of the command line, those that an application names, the state vector and the pins.
-static DepInputs list_inputs(Cli *c, const CompileInput *in)
-{
-    const size_t named = in->app ? in->app->files.n : 0;
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + named + c->data.n + 2), 0};
-
-    for (size_t i = 0; i < c->files; i++)
-        all.at[all.n++] = c->file[i];
-    for (size_t i = 0; i < named; i++)
-        all.at[all.n++] = in->app->files.at[i].src->name;
-    for (size_t i = 0; i < c->data.n; i++)
-        all.at[all.n++] = c->data.at[i];
-    if (c->given[OPT_SV])
-        all.at[all.n++] = c->value[OPT_SV];
-    if (c->given[OPT_IO])
-        all.at[all.n++] = c->value[OPT_IO];
-    return all;
-}
-
 // ---- which options and arguments go together ----
 
 // Checks that a .c and a .h can be written beside each other at `path`; false after a message.
@@ -333,6 +314,6 @@ int cmd_build(Cli *c)
     if (deps_wanted(c) && !deps_check_name(c, &out.at[0]))
         return EXIT_USAGE;
     if (deps_wanted(c))
-        deps_add_rule(c, out.at, &out.n, list_inputs(c, &in));
+        deps_add_rule(c, out.at, &out.n, deps_list_inputs(c));
     return write_outputs(c, &out, (in.app && c->given[OPT_OUTPUT]) || is_to_folder(c));
 }

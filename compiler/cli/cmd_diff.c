@@ -88,7 +88,7 @@ static int run_scripts(Cli *c, ProgramDiff *d, const Version *old, const Version
         if (new->in.at[i].kind == FILE_SS && !new->made.of[i].is_included) {
             const Source *src = new->in.at[i].text;
             const Script *a = compile_script(c, old, src), *b = compile_script(c, new, src);
-            diff_run_script(d, path_portable_name(src->name), a, b, max_steps);
+            diff_run_script(d, source_short_name(src), a, b, max_steps);
             if (!a && !b) {
                 session_script(&c->session, src, new->scripted);
                 code = cli_print_diagnostics(c) == EXIT_ENVIRONMENT ? EXIT_ENVIRONMENT : EXIT_USAGE;

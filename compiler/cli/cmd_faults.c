@@ -7,6 +7,7 @@
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
+#include "compiler/cli/deps.h"
 #include "compiler/cli/fault_lines.h"
 #include "compiler/cli/progress.h"
 #include "compiler/cli/setting.h"
@@ -40,6 +41,15 @@ static bool is_column(const Faults *f, FaultKind kind)
         if (f->options.kinds >> kind & 1 && fault_applies(&f->input.at[i], kind))
             return true;
     return false;
+}
+
+static bool has_column(const Faults *f)
+{
+    bool any = false;
+
+    for (int k = 0; k < FAULT_KIND_COUNT && !any; k++)
+        any = is_column(f, (FaultKind)k);
+    return any;
 }
 
 // Returns the cell of the table of worst outcomes; "": the input was not given this fault.
@@ -210,7 +220,7 @@ static void write_json_triggers(const Faults *f, Buf *out)
     for (uint32_t i = 0; i < f->trigger.n; i++) {
         const FaultTrigger *t = &f->trigger.at[i];
         buf_str(out, i ? ",\n{\"script\":" : "\n{\"script\":");
-        json_put_string(out, path_portable_name(f->script[t->script]->src->name));
+        json_put_string(out, source_short_name(f->script[t->script]->src));
         buf_printf(out, ",\"step\":%" PRIu64 ",\"G\":%" PRIu64 ",\"state\":\"%s\"", t->step, t->g, t->state->name->text);
         if (t->from)
             buf_printf(out, ",\"from\":\"%s\"", t->from->name->text);
@@ -317,6 +327,8 @@ static int run_and_report(FaultsRun *r, size_t format)
     }
     if (r->f->input.n == 0)
         cli_print_warning(r->c, TEXT_faults_no_input);
+    if (r->f->input.n && !has_column(r->f))
+        cli_print_warning(r->c, TEXT_faults_no_kind, r->c->value[OPT_KINDS]);
     if (r->f->trigger.n == 0)
         cli_print_warning(r->c, TEXT_faults_no_trigger);
     run_faults(r);
@@ -328,7 +340,7 @@ static int run_and_report(FaultsRun *r, size_t format)
             write_text(r, &out);
         else
             write_json(r, &out);
-        code = whatif_write(r->c, &out);
+        code = deps_write_result(r->c, &out);
     }
     if (code == EXIT_OK)
         code = report_fail_on(r);

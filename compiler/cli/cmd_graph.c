@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // smc graph: draws the state diagram of a machine, with its findings and the parts that its scripts have reached.
+#include "compiler/cli/deps.h"
 #include "compiler/cli/runs.h"
 
 typedef void WriteGraph(const Analysis *a, const DiagramOptions *o, Buf *out);
@@ -26,7 +27,6 @@ static int report_runs(Cli *c, const Report *r)
 int cmd_graph(Cli *c)
 {
     const CompiledSource *m;
-    OsOutput file = {NULL, NULL, 0};
     static WriteGraph *const writer[FORMATS] = {diagram_write_svg, diagram_write_dot, diagram_write_mermaid};
     size_t format;
     DiagramOptions g = {.findings = NULL};
@@ -39,7 +39,7 @@ int cmd_graph(Cli *c)
     Buf out;
     int code;
 
-    if (!cli_choose_format(c, formats, FORMATS, &format))
+    if (!cli_choose_format(c, formats, FORMATS, &format) || !deps_check_result(c))
         return EXIT_USAGE;
     if ((code = runs_check_arguments(c)) != EXIT_OK)
         return code;
@@ -65,8 +65,7 @@ int cmd_graph(Cli *c)
         g.counts = &counts;
     buf_init(&out, r.arena);
     writer[format](&r.analysis, &g, &out);
-    file = (OsOutput){c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(&out), out.n};
-    if ((code = cli_write_outputs(c, &file, 1)) != EXIT_OK)
+    if ((code = deps_write_result(c, &out)) != EXIT_OK)
         return code;
     return report_runs(c, &r);
 }

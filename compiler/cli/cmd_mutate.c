@@ -4,6 +4,7 @@
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
+#include "compiler/cli/deps.h"
 #include "compiler/cli/mutate_scripts.h"
 #include "compiler/cli/runs.h"
 #include "compiler/cli/whatif.h"
@@ -45,7 +46,7 @@ static void write_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     buf_printf(out, "  line %lu:%lu: ", (unsigned long)at.line, (unsigned long)at.col);
     mutant_write_change(r->arena, m, out);
     if (m->verdict == MUTANT_NOTICED)
-        buf_printf(out, " [%s%s%s]", path_portable_name(r->script.at[m->script]->src->name), m->violated ? ": " : "", m->violated ? m->violated->id->text : "");
+        buf_printf(out, " [%s%s%s]", source_short_name(r->script.at[m->script]->src), m->violated ? ": " : "", m->violated ? m->violated->id->text : "");
     if (m->if_only_inputs_change)
         buf_str(out, " [if only inputs change]");
     if (m->scenario) {
@@ -142,7 +143,7 @@ static void write_json_mutant(const MutateRun *r, const Mutant *m, Buf *out)
     buf_printf(out, ",\"danger\":\"%s\",\"verdict\":\"%s\"", mutant_danger_name[m->danger], mutant_verdict_name[m->verdict]);
     if (m->verdict == MUTANT_NOTICED) {
         buf_str(out, ",\"script\":");
-        json_put_string(out, path_portable_name(r->script.at[m->script]->src->name));
+        json_put_string(out, source_short_name(r->script.at[m->script]->src));
         if (m->violated)
             buf_printf(out, ",\"requirement\":\"%s\"", m->violated->id->text);
     }
@@ -200,13 +201,6 @@ static void run_mutants(MutateRun *r)
     while (r->c->given[OPT_GENERATE] && !os_signal_waiting() && mutant_reach_next(r->u, MUTANT_REACH_EFFORT, MUTATE_SEARCH_STEPS))
         mutate_show_progress(r->u, &k);
     progress_end(&k);
-}
-
-static int write_result(MutateRun *r)
-{
-    const OsOutput file = {r->c->given[OPT_OUTPUT] ? r->c->value[OPT_OUTPUT] : "-", buf_text(&r->out), r->out.n};
-
-    return cli_write_outputs(r->c, &file, 1);
 }
 
 // Compares the score with --min-score. Returns EXIT_PROBLEM after a message if it is lower.
@@ -276,7 +270,7 @@ static int mutate_machines(MutateRun *r, uint64_t max_steps, size_t format)
     }
     if (r->p->joint && format > 0)
         buf_str(&r->out, "]}\n");
-    written = code <= EXIT_PROBLEM ? write_result(r) : code;
+    written = code <= EXIT_PROBLEM ? deps_write_result(r->c, &r->out) : code;
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();
     return written == EXIT_OK ? code : written;
@@ -306,6 +300,8 @@ static int read_options(MutateRun *r, uint64_t *max_steps, size_t *format)
         return EXIT_USAGE;
     if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], max_steps))
         return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (!deps_check_result(c))
+        return EXIT_USAGE;
     if (c->given[OPT_MIN_SCORE] && ((end = cli_read_percent(c->value[OPT_MIN_SCORE], &r->least)) == NULL || *end != '\0'))
         return cli_usage_error(c, TEXT_min_score_form, c->value[OPT_MIN_SCORE]);
     return EXIT_OK;

@@ -60,7 +60,7 @@ static int write_result(Cli *c, size_t format, const Program *p, const ProveResu
 
     buf_init(&out, &c->session.arena);
     (format == 0 ? prove_write_text : prove_write_json)(&c->session.arena, p, r, &out);
-    return whatif_write(c, &out);
+    return deps_write_result(c, &out);
 }
 
 static int prove_and_write_app(Cli *c, const Requirements *what, const ProveSettings *s, size_t format)
@@ -72,7 +72,7 @@ static int prove_and_write_app(Cli *c, const Requirements *what, const ProveSett
     os_signals_begin();
     os_signals_delay();
     code = prove_application(c, what, s, format > 0, &out);
-    written = code == EXIT_PROBLEM ? EXIT_OK : whatif_write(c, &out);
+    written = code == EXIT_PROBLEM ? EXIT_OK : deps_write_result(c, &out);
     os_signals_resume();                  // ends the process if a signal has asked to stop
     os_signals_end();
     return written == EXIT_OK ? code : written;

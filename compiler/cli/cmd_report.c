@@ -67,17 +67,11 @@ static const char *find_app(const Cli *c)
     return NULL;
 }
 
-// Refuses options that an application replaces, and proofs.  With --all, a note says that the page has no proofs.
+// Refuses options that an application replaces.
 static int check_app_options(Cli *c, const char *app)
 {
     if (c->given[OPT_IO] || c->given[OPT_NET])
         return cli_usage_error(c, TEXT_app_names_files, app, c->given[OPT_IO] ? "--io" : "--net");
-    if (!c->given[OPT_PROVE])
-        return EXIT_OK;
-    c->given[OPT_PROVE] = false;
-    if (!c->given[OPT_ALL])
-        return cli_usage_error(c, TEXT_report_app_proofs, "--prove", app);
-    cli_print_note(c, TEXT_report_app_proofs, "--all", app);
     return EXIT_OK;
 }
 

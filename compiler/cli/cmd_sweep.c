@@ -6,6 +6,7 @@
 #include "compiler/base/json.h"
 #include "compiler/base/os_signal.h"
 #include "compiler/base/path.h"
+#include "compiler/cli/deps.h"
 #include "compiler/cli/progress.h"
 #include "compiler/cli/setting.h"
 #include "compiler/cli/whatif.h"
@@ -61,7 +62,7 @@ static void write_kept(const SweepRun *r, uint32_t axis, Buf *out)
 
     for (uint32_t i = 0; i < r->s->scripts; i++)
         if (!sweep_takes_part(r->s, axis, i)) {
-            buf_printf(out, "%s%s", before, path_portable_name(r->s->script[i]->src->name));
+            buf_printf(out, "%s%s", before, source_short_name(r->s->script[i]->src));
             before = ", ";
         }
     if (*before == ',')
@@ -274,7 +275,7 @@ static void write_json_kept(const SweepRun *r, uint32_t axis, Buf *out)
     for (uint32_t i = 0; i < r->s->scripts; i++)
         if (!sweep_takes_part(r->s, axis, i)) {
             buf_str(out, before);
-            json_put_string(out, path_portable_name(r->s->script[i]->src->name));
+            json_put_string(out, source_short_name(r->s->script[i]->src));
             before = ",";
         }
     if (!before[1])
@@ -346,7 +347,7 @@ static int run_and_report(SweepRun *r, size_t format)
     progress_end(&k);
     buf_init(&out, r->arena);
     writer[format](r, &out);
-    code = whatif_write(r->c, &out);
+    code = deps_write_result(r->c, &out);
     if (r->is_interrupted)
         cli_print_error(r->c, TEXT_sweep_interrupted, (unsigned long)r->s->runs);
     sweep_end(r->s);

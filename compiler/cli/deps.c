@@ -27,15 +27,17 @@ static void write_make_name(Buf *out, const char *name)
     }
 }
 
-// Lists the files that the command has read: arguments, what they include, their data, and those of options.
+// Lists the files that the command has read: arguments, what they name and include, their data, and those of options.
 DepInputs deps_list_inputs(Cli *c)
 {
     static const OptionId option[] = {OPT_SV, OPT_IO, OPT_NET};
     enum { OPTIONS = sizeof option / sizeof *option };
-    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->included.n + c->data.n + OPTIONS), 0};
+    DepInputs all = {ARENA_ARRAY(&c->session.arena, const char *, c->files + c->named.n + c->included.n + c->data.n + OPTIONS), 0};
 
     for (size_t i = 0; i < c->files; i++)
         all.at[all.n++] = c->file[i];
+    for (size_t i = 0; i < c->named.n; i++)
+        all.at[all.n++] = c->named.at[i]->name;
     for (size_t i = 0; i < c->included.n; i++)
         all.at[all.n++] = c->included.at[i]->name;
     for (size_t i = 0; i < c->data.n; i++)
@@ -77,4 +79,19 @@ void deps_add_rule(Cli *c, OsOutput *o, size_t *n, DepInputs in)
     path = c->given[OPT_DEPS_FILE] ? c->value[OPT_DEPS_FILE] : format_in(&c->session.arena, "%.*s.d", (int)stem, path);
     o[*n] = (OsOutput){path, buf_text(out), out->n};
     ++*n;
+}
+
+bool deps_check_result(Cli *c)
+{
+    return !deps_wanted(c) || deps_check_name(c, &(OsOutput){c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0});
+}
+
+int deps_write_result(Cli *c, const Buf *result)
+{
+    OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(result), result->n}};
+    size_t files = 1;
+
+    if (deps_wanted(c))
+        deps_add_rule(c, file, &files, deps_list_inputs(c));
+    return cli_write_outputs(c, file, files);
 }

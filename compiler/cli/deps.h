@@ -15,5 +15,9 @@ DepInputs deps_list_inputs(Cli *c);
 // Adds the rule after the *n outputs, where n > 0; the array has room for one more. The rule names them in order, and its file is named
 // after the first by default: ninja requires the first output of a command to be first in its rule.
 void deps_add_rule(Cli *c, OsOutput *out, size_t *n, DepInputs in);
+// The same for a command with one output, the file of -o or standard output: checks the name, and writes the output with the rule of -MD.
+// deps_write_result returns the exit code.
+bool deps_check_result(Cli *c);
+int deps_write_result(Cli *c, const Buf *result);
 
 #endif

@@ -28,7 +28,7 @@ static const Source *find_included(void *context, const Source *from, const char
 {
     Cli *c = context;
     const char *path = path_beside(&c->session.arena, from->name, name);
-    const Source *src;
+    Source *src;
     OsReader r;
 
     for (size_t i = 0; i < c->scripts.n; i++)
@@ -40,6 +40,7 @@ static const Source *find_included(void *context, const Source *from, const char
     if ((src = open_source(c, path, path, why)) == NULL)
         return NULL;
     vec_push(&c->session.arena, &c->scripts, src);
+    sources_label(&c->session.arena, c->scripts.at, c->scripts.n);
     vec_push(&c->session.arena, &c->included, src);
     return src;
 }
@@ -101,8 +102,10 @@ Source *cli_read_source(Cli *c, const char *path)
 
     if (!src)
         cli_print_error(c, TEXT_cannot_read, cli_printable_name(&c->session.arena, path), why);
-    else if (has_suffix(path, ".ss"))
+    else if (has_suffix(path, ".ss")) {
         vec_push(&c->session.arena, &c->scripts, src);
+        sources_label(&c->session.arena, c->scripts.at, c->scripts.n);
+    }
     c->session.finder = (SourceFinder){find_included, find_data, c};
     return src;
 }
@@ -125,6 +128,8 @@ void cli_load_app(Cli *c, CompileInput *in)
             f->problem = "that is no name of a file";
         else
             f->src = open_source(c, path, path, &f->problem);
+        if (f->src)
+            vec_push(&c->session.arena, &c->named, f->src);
     }
 }
 

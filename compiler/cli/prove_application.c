@@ -9,16 +9,12 @@
 #include "compiler/prove/prove_app.h"
 #include "compiler/prove/prove_text.h"
 
-typedef struct ProveApp {
+// The verdicts, and where they are written.
+typedef struct AppVerdicts {
     Cli *c;
-    Arena *arena;
-    const Requirements *what;
-    const size_t *decider;    // by requirement: the machine that decides it; SIZE_MAX: none
-    const char **why;         // by requirement: the reason if no machine decides it
+    ProveApp *of;
     Buf *out;
-    unsigned long open;       // number of requirements that are neither proved nor vacuous
-    const char *bug;
-} ProveApp;
+} AppVerdicts;
 
 static bool is_not_interrupted(void *context)
 {
@@ -29,51 +25,60 @@ static bool is_not_interrupted(void *context)
 // ---- text ----
 
 // Writes the verdicts on the requirements that one machine decides.  A violation is one of this machine alone.
-static void write_text(ProveApp *k, const Member *m, const ProveResult *r)
+static void write_text(const AppVerdicts *k, size_t machine)
 {
-    prove_write_head(m->program, r, k->out);
-    for (uint32_t i = 0; i < r->n; i++) {
-        const ProveOf *of = &r->of[i];
-        if (of->verdict != PROVE_VIOLATED) {
-            prove_write_verdict(k->arena, m->program, r, i, k->out);
+    const ProveApp *a = k->of;
+    const Program *p = a->what->program->joint->member.at[machine].program;
+    uint32_t n = 0;
+
+    prove_write_head(p, a->of[machine], k->out);
+    for (size_t i = 0; i < a->what->at.n; i++) {
+        if (a->decider[i] != machine)
             continue;
+        if (a->of[machine]->of[n].verdict == PROVE_VIOLATED) {
+            const Requirement *q = &a->what->at.at[i];
+            buf_printf(k->out, "  %s  %-18s  %s\n", q->id->text, prove_verdict_words(PROVE_ALONE), q->text->text);
+            prove_app_write_reason(a, i, 6, k->out);
+        } else {
+            prove_write_verdict(a->arena, p, a->of[machine], n, k->out);
         }
-        buf_printf(k->out, "  %s  %-18s  %s\n", of->what->id->text, "violated alone", of->what->text->text);
-        prove_write_reason(k->arena, m->program, of, 6, k->out);
-        buf_printf(k->out, "      this run is of %s alone: in the application, its inputs may never have these values\n", m->name->text);
+        n++;
     }
 }
 
-static void write_text_of_undecided(ProveApp *k)
+static void write_text_of_undecided(const AppVerdicts *k)
 {
+    const ProveApp *a = k->of;
     bool is_first = true;
 
-    for (size_t i = 0; i < k->what->at.n; i++) {
-        const Requirement *q = &k->what->at.at[i];
-        if (k->decider[i] != SIZE_MAX)
+    for (size_t i = 0; i < a->what->at.n; i++) {
+        const Requirement *q = &a->what->at.at[i];
+        if (!a->why[i])
             continue;
         if (is_first)
             buf_printf(k->out, "requirements of %s that no machine decides alone; 'smc test' judges them in scripts:\n",
-                       k->what->program->name->text);
-        buf_printf(k->out, "  %s  %-18s  %s\n      because %s\n", q->id->text, prove_verdict_words(PROVE_INTERRUPTED), q->text->text, k->why[i]);
+                       a->what->program->name->text);
+        buf_printf(k->out, "  %s  %-18s  %s\n", q->id->text, prove_verdict_words(PROVE_INTERRUPTED), q->text->text);
+        prove_app_write_reason(a, i, 6, k->out);
         is_first = false;
     }
 }
 
 // ---- JSON ----
 
-static void write_json_of_undecided(ProveApp *k)
+static void write_json_of_undecided(const AppVerdicts *k)
 {
+    const ProveApp *a = k->of;
     bool is_first = true;
 
     buf_str(k->out, "],\"undecided\":[");
-    for (size_t i = 0; i < k->what->at.n; i++) {
-        if (k->decider[i] != SIZE_MAX)
+    for (size_t i = 0; i < a->what->at.n; i++) {
+        if (!a->why[i])
             continue;
         buf_str(k->out, is_first ? "\n{\"id\":" : ",\n{\"id\":");
-        json_put_string(k->out, k->what->at.at[i].id->text);
+        json_put_string(k->out, a->what->at.at[i].id->text);
         buf_str(k->out, ",\"because\":");
-        json_put_string(k->out, k->why[i]);
+        json_put_string(k->out, a->why[i]);
         buf_char(k->out, '}');
         is_first = false;
     }
@@ -83,55 +88,51 @@ static void write_json_of_undecided(ProveApp *k)
 // ---- deciding ----
 
 // Decides the requirements of one machine, of which it has some, and writes the verdicts.
-static void prove_machine(ProveApp *k, size_t machine, const Requirements *own, const ProveSettings *s, bool is_json, bool is_first)
+static void prove_machine(AppVerdicts *k, size_t machine, const ProveSettings *s, bool is_json, bool is_first)
 {
-    const Program *p = k->what->program;
-    const Member *m = &p->joint->member.at[machine];
-    const ProveOptions options = {.delta_t = p->step, .init_state = m->initial, .assume_ranges = k->c->given[OPT_ASSUME_RANGES],
-                                  .any_parameters = k->c->given[OPT_ANY_PARAMETERS],
+    const ProveOptions options = {.assume_ranges = k->c->given[OPT_ASSUME_RANGES], .any_parameters = k->c->given[OPT_ANY_PARAMETERS],
                                   .effort = s->effort * 1000000, .memory = (size_t)s->memory << 20, .go_on = is_not_interrupted};
-    const ProveResult *r;
 
-    r = prove_run(k->arena, own, &options);
-    k->bug = r->bug ? r->bug : k->bug;
-    for (uint32_t i = 0; i < r->n; i++)
-        k->open += r->of[i].verdict != PROVE_PROVED && r->of[i].verdict != PROVE_VACUOUS;
+    prove_app_run(k->of, machine, &options);
     if (is_json) {
         buf_str(k->out, is_first ? "" : ",");
-        prove_write_json(k->arena, m->program, r, k->out);
+        prove_write_json(k->of->arena, k->of->what->program->joint->member.at[machine].program, k->of->of[machine], k->out);
     } else
-        write_text(k, m, r);
+        write_text(k, machine);
+}
+
+// Returns the exit code of the verdicts.
+static int exit_code(Cli *c, const ProveResult *all)
+{
+    int code = EXIT_OK;
+
+    for (uint32_t i = 0; i < all->n; i++)
+        if (all->of[i].verdict != PROVE_PROVED && all->of[i].verdict != PROVE_VACUOUS)
+            code = EXIT_INCONCLUSIVE;
+    if (!all->bug)
+        return code;
+    cli_print_error(c, TEXT_sentence, all->bug);
+    return EXIT_INTERNAL;
 }
 
 int prove_application(Cli *c, const Requirements *what, const ProveSettings *s, bool is_json, Buf *out)
 {
-    Arena *arena = &c->session.arena;
-    size_t *decider = ARENA_ARRAY(arena, size_t, what->at.n + 1);
-    ProveApp k = {c, arena, what, decider, ARENA_ARRAY(arena, const char *, what->at.n + 1), out, 0, NULL};
+    AppVerdicts k = {c, prove_app_new(&c->session.arena, what), out};
     bool any = false;
 
-    for (size_t i = 0; i < what->at.n; i++) {
-        decider[i] = prove_find_machine(arena, what, i, &k.why[i]);
-        k.open += decider[i] == SIZE_MAX;
-    }
     if (is_json)
         buf_printf(out, "{\"smc-proofs\":1,\"application\":\"%s\",\"machines\":[\n", what->program->name->text);
     for (size_t i = 0; i < what->program->joint->member.n; i++) {
-        const Requirements *own = prove_of_machine(arena, what, decider, i);
-        if (own->at.n == 0)
+        if (!k.of->own[i])
             continue;
-        if (runs_report_contradiction(c, own))
+        if (runs_report_contradiction(c, k.of->own[i]))
             return cli_print_diagnostics(c);
-        prove_machine(&k, i, own, s, is_json, !any);
+        prove_machine(&k, i, s, is_json, !any);
         any = true;
     }
     if (is_json)
         write_json_of_undecided(&k);
     else
         write_text_of_undecided(&k);
-    if (k.bug) {
-        cli_print_error(c, TEXT_sentence, k.bug);
-        return EXIT_INTERNAL;
-    }
-    return k.open ? EXIT_INCONCLUSIVE : EXIT_OK;
+    return exit_code(c, prove_app_verdicts(k.of));
 }

@@ -8,6 +8,7 @@
 #include "compiler/cli/fault_lines.h"
 #include "compiler/cli/mutate_scripts.h"
 #include "compiler/cli/runs.h"
+#include "compiler/prove/prove_app.h"
 #include "compiler/prove/prove_given.h"
 #include "compiler/report/describe.h"
 #include "compiler/search/mutant_reach.h"
@@ -118,6 +119,27 @@ static void record_scripts(Cli *c, const Report *r, ProveOptions *o)
     o->given = given;
 }
 
+// Decides the requirements that the machines of an application decide alone.  EXIT_PROBLEM if two of a machine contradict each other, which is
+// printed.
+static int run_proofs_of_app(Cli *c, Report *r, ProofProgress *k, ProveOptions *o)
+{
+    ProveApp *a = prove_app_new(r->arena, r->requirements);
+
+    for (size_t m = 0; m < r->members; m++) {
+        if (!a->own[m])
+            continue;
+        if (runs_report_contradiction(c, a->own[m])) {
+            cli_print_diagnostics(c);
+            return EXIT_PROBLEM;
+        }
+        k->what = a->own[m];
+        prove_app_run(a, m, o);
+    }
+    r->proofs = prove_app_verdicts(a);
+    r->proofs_of_app = a;
+    return EXIT_OK;
+}
+
 // Decides the requirements.  EXIT_PROBLEM if two of them contradict each other, which is printed.
 static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClock *clock)
 {
@@ -127,15 +149,20 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClo
 
     if (!r->requirements)
         return EXIT_OK;
-    if (runs_report_contradiction(c, r->requirements)) {
-        cli_print_diagnostics(c);
-        return EXIT_PROBLEM;
+    if (r->members) {
+        if (run_proofs_of_app(c, r, &k, &options) != EXIT_OK)
+            return EXIT_PROBLEM;
+    } else {
+        if (runs_report_contradiction(c, r->requirements)) {
+            cli_print_diagnostics(c);
+            return EXIT_PROBLEM;
+        }
+        record_scripts(c, r, &options);
+        r->proofs = prove_run(r->arena, r->requirements, &options);
     }
-    record_scripts(c, r, &options);
-    r->proofs = prove_run(r->arena, r->requirements, &options);
     progress_end(&k.line);
     for (uint32_t i = 0; i < r->proofs->n; i++)
-        interrupted += r->proofs->of[i].verdict == PROVE_INTERRUPTED;
+        interrupted += r->proofs->of[i].verdict == PROVE_INTERRUPTED && !(r->proofs_of_app && r->proofs_of_app->why[i]);
     if (interrupted)
         add_unfinished(r, format_in(r->arena, "proofs of %lu of %lu requirements", interrupted, (unsigned long)r->proofs->n));
     return EXIT_OK;
@@ -366,7 +393,7 @@ static const char *list_kept(Arena *arena, const Sweep *s)
     buf_init(&out, arena);
     for (uint32_t i = 0; i < s->scripts; i++)
         if (!sweep_takes_part(s, 0, i))
-            buf_printf(&out, "%s%s", out.n ? ", " : "", path_portable_name(s->script[i]->src->name));
+            buf_printf(&out, "%s%s", out.n ? ", " : "", source_short_name(s->script[i]->src));
     return buf_text(&out);
 }
 

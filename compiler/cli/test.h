@@ -82,7 +82,7 @@ typedef struct RequirementTable RequirementTable;
 // Begins the table of the requirements `what`, which can be NULL: then it stays empty.
 RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what);
 // Adds the run of a script.
-void test_requirements_add(RequirementTable *table, const char *path, const Script *s, const ScriptResult *r);
+void test_requirements_add(RequirementTable *table, const Script *s, const ScriptResult *r);
 // Ends the table: reports what no script has judged, and stores the results in t->requirement. `complete`: all scripts have reached a @stop.
 void test_requirements_end(RequirementTable *table, bool complete);
 void test_requirements_write(const TestRun *t, Buf *out);      // the table for people

@@ -155,7 +155,7 @@ static void run_script(MachineTest *m, const char *path, const Script *s)
     r = script_run(t->arena, &t->c->session.diags, s, m->engines.at, m->engines.n, &o);
     code = exit_code_of(r.outcome);
     m->has_early_end |= !script_has_stopped(&r);
-    test_requirements_add(m->table, path, s, &r);
+    test_requirements_add(m->table, s, &r);
     if (m->matrix)
         traceability_add_run(m->matrix, path, s, &r);
     buf_str(&m->report, r.printed);

@@ -42,7 +42,7 @@ RequirementTable *test_requirements_begin(TestRun *t, const Requirements *what)
 // Appends `path:line` and the result to a list, unless it is the last entry.
 static void append_source_line(Arena *arena, Buf *list, Span span, const char *result)
 {
-    const char *place = format_in(arena, "%s:%lu%s", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line,
+    const char *place = format_in(arena, "%s:%lu%s", source_short_name(span.src), (unsigned long)source_position(span.src, span.at).line,
                                   result);
     const size_t n = strlen(place);
 
@@ -68,7 +68,7 @@ static void add_asserts(RequirementTable *table, const Script *s, const ScriptRe
 }
 
 // Adds what the run of a script has judged and asserted.
-void test_requirements_add(RequirementTable *table, const char *path, const Script *s, const ScriptResult *r)
+void test_requirements_add(RequirementTable *table, const Script *s, const ScriptResult *r)
 {
     if (!table->what)
         return;
@@ -76,7 +76,7 @@ void test_requirements_add(RequirementTable *table, const char *path, const Scri
     requirement_add_visits(table->visited, table->what->program, r);
     for (size_t i = 0; i < table->what->at.n; i++)
         if (r->requirement[i].judged)
-            buf_printf(&table->judged[i], "%s%s: %llu", table->judged[i].n ? ", " : "", path_portable_name(path),
+            buf_printf(&table->judged[i], "%s%s: %llu", table->judged[i].n ? ", " : "", source_short_name(s->src),
                        (unsigned long long)r->requirement[i].judged);
     add_asserts(table, s, r);
 }

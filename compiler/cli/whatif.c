@@ -39,7 +39,7 @@ int whatif_load(Cli *c, WhatIf *w)
         return cli_usage_error(c, TEXT_whatif_script, c->command->name, c->command->name, c->file[0]);
     if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &w->max_steps))
         return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
-    if (deps_wanted(c) && !deps_check_name(c, &(OsOutput){c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", NULL, 0}))
+    if (!deps_check_result(c))
         return EXIT_USAGE;
     if (!cli_compile_options(c, &o))
         return EXIT_USAGE;
@@ -51,16 +51,6 @@ int whatif_load(Cli *c, WhatIf *w)
     w->p = m->scripted;
     w->requirements = m->requirements;
     return check_scripts(c, w, &in, &made);
-}
-
-int whatif_write(Cli *c, const Buf *result)
-{
-    OsOutput file[2] = {{c->given[OPT_OUTPUT] ? c->value[OPT_OUTPUT] : "-", buf_text(result), result->n}};
-    size_t files = 1;
-
-    if (deps_wanted(c))
-        deps_add_rule(c, file, &files, deps_list_inputs(c));
-    return cli_write_outputs(c, file, files);
 }
 
 int whatif_report_baseline(Cli *c, const Baseline *b, const char *what)

@@ -15,8 +15,6 @@ typedef struct WhatIf {
 
 // Compiles the files that the command names, and reads --max-steps.  EXIT_OK, or the exit code after a message.
 int whatif_load(Cli *c, WhatIf *w);
-// Writes a result to the file of -o, and the make rule that -MD requests.  EXIT_OK, or the exit code after a message.
-int whatif_write(Cli *c, const Buf *result);
 // Reports that all scripts, or some of them, fail or violate requirements without a change.  `what`: "fault", "change".  Returns the exit code
 // for it.
 int whatif_report_baseline(Cli *c, const Baseline *b, const char *what);

@@ -44,11 +44,22 @@ static void turn_variables_into_locals(IrMachine *m, Arena *arena, const bool *i
     }
 }
 
+// Replaces what a function reads of S by the number of its state: no code outside the machine writes S (language.md 6.4, 6.12).
+static void replace_state_number(IrFn *f, uint32_t s, uint64_t number)
+{
+    for (uint32_t i = 0; i < f->ins.n; i++)
+        if (f->ins.at[i].op == IR_load && f->ins.at[i].var == s) {
+            f->ins.at[i].op = IR_const;
+            f->ins.at[i].bits = number;
+        }
+}
+
 static void make_functions(IrMachine *m, Arena *arena)
 {
     m->state.at = arena_copy(arena, m->state.at, m->state.n * sizeof *m->state.at);
-    for (uint32_t s = 0; s < m->state.n; s++) {
-        const IrFn *f = m->state.at[s].block[BLOCK_STEP];
+    for (uint32_t i = 0; i < m->state.n * BLOCK_COUNT; i++) {
+        const uint32_t s = i / BLOCK_COUNT, part = i % BLOCK_COUNT;
+        const IrFn *f = m->state.at[s].block[part];
         IrFn *form;
         if (!f)
             continue;
@@ -61,7 +72,8 @@ static void make_functions(IrMachine *m, Arena *arena)
             form->blk.at[b].ins.at = arena_copy(arena, f->blk.at[b].ins.at, f->blk.at[b].ins.n * sizeof *f->blk.at[b].ins.at);
             form->blk.at[b].ins.cap = f->blk.at[b].ins.n;
         }
-        m->state.at[s].block[BLOCK_STEP] = form;
+        replace_state_number(form, m->s, s + 1);
+        m->state.at[s].block[part] = form;
     }
 }
 

@@ -195,7 +195,7 @@ static void compare_place(ProgramDiff *d, const Canon canon[2], const char *wher
         return;
     }
     compare_items(d, canon, where, old, new);
-    if (d->change.n == before)
+    if (d->change.n == before && old.state && new.state)         // of a state without statements that is added, nothing is in another order
         diff_add(d, whole);
 }
 

@@ -45,7 +45,9 @@
 #include "compiler/script/scenario.h"
 #include "compiler/sema/requirements.h"
 
-typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED, PROVE_INTERRUPTED, PROVE_VERDICTS } ProveVerdict;
+typedef enum ProveVerdict { PROVE_PROVED, PROVE_VACUOUS, PROVE_VIOLATED, PROVE_UNDECIDED, PROVE_INTERRUPTED,
+                            PROVE_ALONE,      // violated by a machine of an application that runs alone (prove_app.h)
+                            PROVE_VERDICTS } ProveVerdict;
 
 typedef enum ProveAssumption {
     PROVE_OWN_OUTPUTS,        // only the machine writes the elements that it assigns

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "compiler/prove/prove_text.h"
+
 // ---- which machine ----
 
 // What a requirement reads.
@@ -50,6 +52,17 @@ static void note_read(Expr *e, void *context)
         r->why = format_in(r->arena, writers ? "several machines write '%s'" : "no machine writes '%s'", e->var->name->text);
 }
 
+// Returns why a proof about the machine alone is none about the application: another machine writes what this one assigns.  NULL: no machine does.
+static const char *find_other_writer(Arena *arena, const Program *p, const Member *m)
+{
+    for (size_t i = 0; i < p->joint->member.n; i++)
+        for (size_t v = 0; v < p->var.n && &p->joint->member.at[i] != m; v++)
+            if (p->var.at[v]->kind == VAR_ELEMENT && stores(&p->joint->member.at[i], p->var.at[v]) && stores(m, p->var.at[v]))
+                return format_in(arena, "%s writes '%s', too, which %s assigns", p->joint->member.at[i].name->text, p->var.at[v]->name->text,
+                                 m->name->text);
+    return NULL;
+}
+
 // Returns why a step of the machine is not a tick of the application, or why its first step is not that of a proof; NULL: both are.
 static const char *steps_differ(Arena *arena, const Program *p, const Member *m)
 {
@@ -65,7 +78,8 @@ static const char *steps_differ(Arena *arena, const Program *p, const Member *m)
     return NULL;
 }
 
-size_t prove_find_machine(Arena *arena, const Requirements *all, size_t i, const char **why)
+// Returns the index of the machine that decides requirement i of an application; SIZE_MAX: none, and *why is the reason.
+static size_t find_machine(Arena *arena, const Requirements *all, size_t i, const char **why)
 {
     const Requirement *what = &all->at.at[i];
     Expr *const condition[] = {what->a, what->b, what->c};
@@ -81,6 +95,8 @@ size_t prove_find_machine(Arena *arena, const Requirements *all, size_t i, const
         r.why = "it reads nothing that a machine stores";
     if (!r.why)
         r.why = steps_differ(arena, all->program, &r.joint->member.at[r.machine]);
+    if (!r.why)
+        r.why = find_other_writer(arena, all->program, &r.joint->member.at[r.machine]);
     *why = r.why;
     return r.why ? SIZE_MAX : r.machine;
 }
@@ -137,7 +153,8 @@ static uint32_t copy_window(Copy *k, uint32_t n)
     return k->to->window.n - 1;
 }
 
-const Requirements *prove_of_machine(Arena *arena, const Requirements *all, const size_t *decider, size_t machine)
+// Returns the requirements that a machine decides as requirements of that machine; NULL: there are none.
+static const Requirements *requirements_of(Arena *arena, const Requirements *all, const size_t *decider, size_t machine)
 {
     const Member *m = &all->program->joint->member.at[machine];
     Copy k = {arena, all, m, ARENA_NEW(arena, Requirements), ARENA_ARRAY(arena, uint32_t, all->window.n + 1)};
@@ -154,5 +171,80 @@ const Requirements *prove_of_machine(Arena *arena, const Requirements *all, cons
         memset(what.machine, 0, sizeof what.machine);
         vec_push(arena, &k.to->at, what);
     }
-    return k.to;
+    return k.to->at.n ? k.to : NULL;
+}
+
+// ---- verdicts ----
+
+ProveApp *prove_app_new(Arena *arena, const Requirements *what)
+{
+    const size_t machines = what->program->joint->member.n, n = what->at.n + 1;
+    ProveApp *a = ARENA_NEW(arena, ProveApp);
+
+    a->arena = arena;
+    a->what = what;
+    a->own = ARENA_ARRAY(arena, const Requirements *, machines);
+    a->decider = ARENA_ARRAY(arena, size_t, n);
+    a->why = ARENA_ARRAY(arena, const char *, n);
+    a->of = ARENA_ARRAY(arena, const ProveResult *, machines);
+    for (size_t i = 0; i < what->at.n; i++)
+        a->decider[i] = find_machine(arena, what, i, &a->why[i]);
+    for (size_t m = 0; m < machines; m++)
+        a->own[m] = requirements_of(arena, what, a->decider, m);
+    return a;
+}
+
+const ProveResult *prove_app_run(ProveApp *a, size_t machine, const ProveOptions *options)
+{
+    ProveOptions o = *options;
+
+    o.delta_t = a->what->program->step;
+    o.init_state = a->what->program->joint->member.at[machine].initial;
+    return a->of[machine] = prove_run(a->arena, a->own[machine], &o);
+}
+
+const ProveOf *prove_app_verdict(const ProveApp *a, size_t i)
+{
+    size_t before = 0;
+
+    if (a->decider[i] == SIZE_MAX || !a->of[a->decider[i]])
+        return NULL;
+    for (size_t n = 0; n < i; n++)
+        before += a->decider[n] == a->decider[i];
+    return &a->of[a->decider[i]]->of[before];
+}
+
+const ProveResult *prove_app_verdicts(const ProveApp *a)
+{
+    ProveResult *r = ARENA_NEW(a->arena, ProveResult);
+
+    r->n = (uint32_t)a->what->at.n;
+    r->of = ARENA_ARRAY(a->arena, ProveOf, r->n + 1);
+    r->delta_t = a->what->program->step;
+    for (uint32_t i = 0; i < r->n; i++) {
+        const ProveOf *of = prove_app_verdict(a, i);
+        r->of[i].verdict = PROVE_INTERRUPTED;
+        if (of)
+            r->of[i] = *of;
+        if (r->of[i].verdict == PROVE_VIOLATED)
+            r->of[i].verdict = PROVE_ALONE;
+        r->of[i].what = &a->what->at.at[i];
+    }
+    for (size_t m = 0; m < a->what->program->joint->member.n; m++)
+        r->bug = a->of[m] && a->of[m]->bug ? a->of[m]->bug : r->bug;
+    return r;
+}
+
+void prove_app_write_reason(const ProveApp *a, size_t i, size_t indent, Buf *out)
+{
+    const ProveOf *of = prove_app_verdict(a, i);
+    const Member *m = of ? &a->what->program->joint->member.at[a->decider[i]] : NULL;
+
+    if (a->why[i])
+        buf_printf(out, "%*sbecause %s\n", (int)indent, "", a->why[i]);
+    if (!of)
+        return;
+    prove_write_reason(a->arena, m->program, of, indent, out);
+    if (of->verdict == PROVE_VIOLATED)
+        buf_printf(out, "%*sthis run is of %s alone: in the application, its inputs may never have these values\n", (int)indent, "", m->name->text);
 }

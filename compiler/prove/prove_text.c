@@ -18,7 +18,7 @@ static const char *const assumption_name[PROVE_ASSUMPTIONS] = {"own-outputs", "z
 
 const char *prove_verdict_name(ProveVerdict v)
 {
-    static const char *const name[] = {"proved", "vacuous", "violated", "undecided", "interrupted"};
+    static const char *const name[] = {"proved", "vacuous", "violated", "undecided", "interrupted", "violated-alone"};
 
     return name[v];
 }
@@ -84,7 +84,7 @@ static const char *const obstacle_name[] = {"facts-too-weak", "too-large"};
 
 const char *prove_verdict_words(ProveVerdict v)
 {
-    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found", "not decided"};
+    static const char *const word[] = {"proved", "vacuous", "violated", "no violation found", "not decided", "violated alone"};
 
     return word[v];
 }
@@ -335,7 +335,7 @@ void prove_write_reason(Arena *arena, const Program *p, const ProveOf *of, size_
         write_assumptions(of, indent, out);
         write_invariants(arena, p, of, indent, out);
         break;
-    case PROVE_VIOLATED:
+    case PROVE_VIOLATED: case PROVE_ALONE:
         if (of->given)
             buf_printf(out, "%*sthe script %s violates it in its step %llu\n", (int)indent, "", of->given->name, (unsigned long long)of->given_step);
         if (of->near)

@@ -6,8 +6,8 @@
 #include "compiler/base/buf.h"
 #include "compiler/prove/prove.h"
 
-const char *prove_verdict_name(ProveVerdict v);       // "proved", "vacuous", "violated", "undecided", "interrupted"
-const char *prove_verdict_words(ProveVerdict v);      // "proved", "vacuous", "violated", "no violation found", "not decided"
+const char *prove_verdict_name(ProveVerdict v);       // "proved", "vacuous", "violated", "undecided", "interrupted", "violated-alone"
+const char *prove_verdict_words(ProveVerdict v);      // "proved", "vacuous", "violated", "no violation found", "not decided", "violated alone"
 // Returns what is true after each step in a state, as a sentence; NULL: nothing is known.
 const char *prove_invariant_text(Arena *arena, const ProveInvariant *i);
 // Returns the script that shows a violation; NULL: none can be written.

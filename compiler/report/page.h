@@ -50,6 +50,7 @@ struct Report {
     const Network *net;           // the messages of the application; or NULL
     const Requirements *requirements;     // the requirements that the runs have judged; or NULL
     const ProveResult *proofs;    // verdicts on these requirements; NULL: not tried
+    const struct ProveApp *proofs_of_app;         // of an application: what they are from
     VEC(const char *) left_out;   // sentences that name scripts and requirements that these three parts leave out, because they fail anyway
     VEC(const char *) unfinished; // phrases that name what was stopped before it was complete
 };

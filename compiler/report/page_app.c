@@ -185,6 +185,7 @@ Doc *report_build_app(Report *r)
     add_for_each_machine(r, d, add_behaviour);
     doc_begin_chapter(d, TEXT_WHAT_MUST_NOT_HAPPEN);
     report_add_requirements(r, d);
+    report_add_proofs(r, d);
     if (r->analysis.diags->list.n || r->analysis.diags->allowed.n)
         report_add_findings(r, d);
     add_for_each_machine(r, d, add_dangers);

@@ -28,7 +28,7 @@ static const char *position_text(const Report *r, Span span)
     if (!span.src)
         return "";
     at = source_position(span.src, span.at);
-    return format_in(r->arena, "%s:%lu:%lu", path_portable_name(span.src->name), (unsigned long)at.line, (unsigned long)at.col);
+    return format_in(r->arena, "%s:%lu:%lu", source_short_name(span.src), (unsigned long)at.line, (unsigned long)at.col);
 }
 
 static void add_finding(const Report *r, Doc *d, const Diag *diag, size_t number)

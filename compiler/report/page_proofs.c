@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verdicts of `smc prove` on the requirements, each with what supports it.
+#include "compiler/prove/prove_app.h"
 #include "compiler/prove/prove_text.h"
 #include "compiler/report/page.h"
 #include "compiler/report/page_text.h"
@@ -35,18 +36,31 @@ static const Requirement *find_same(const ProofLines *lines, uint32_t n, const P
     return NULL;
 }
 
+// Appends the lines that support a verdict; of an application, first which machine decides it.
+static void write_reason(const Report *r, uint32_t i, Buf *out)
+{
+    const ProveApp *a = r->proofs_of_app;
+
+    if (!a) {
+        prove_write_reason(r->arena, r->analysis.p, &r->proofs->of[i], 0, out);
+        return;
+    }
+    if (!a->why[i])
+        buf_printf(out, "of the machine %s\n", r->member[a->decider[i]].of->name->text);
+    prove_app_write_reason(a, i, 0, out);
+}
+
 const char *report_proof_tone(ProveVerdict v) { return v == PROVE_PROVED ? "good" : v == PROVE_VIOLATED ? "bad" : "note"; }
 
 void report_add_proofs(Report *r, Doc *d)
 {
-    const Program *p = r->analysis.p;
     const ProveResult *all = r->proofs;
     ProofLines *lines;
 
     if (!all)
         return;
     doc_add_section(d, "proofs", "Proofs");
-    doc_add_paragraph(d, TEXT_PROOFS);
+    doc_add_paragraph(d, r->proofs_of_app ? TEXT_PROOFS_OF_APP : TEXT_PROOFS);
     lines = ARENA_ARRAY(r->arena, ProofLines, all->n);
     for (uint32_t i = 0; i < all->n; i++) {
         const ProveOf *of = &all->of[i];
@@ -60,7 +74,7 @@ void report_add_proofs(Report *r, Doc *d)
         heading->tone = report_proof_tone(of->verdict);
         heading->badge = prove_verdict_words(of->verdict);
         buf_init(&reason, r->arena);
-        prove_write_reason(r->arena, p, of, 0, &reason);
+        write_reason(r, i, &reason);
         text = arena_copy(r->arena, buf_text(&reason), reason.n + 1);
         cut = cut_lines(text);
         lines[i] = (ProofLines){of, text};

@@ -16,7 +16,7 @@ static const DocColumn place_columns[] = {{"id", "Requirement"}, {"text", "Text"
 
 static const char *place_text(const Report *r, Span s)
 {
-    return format_in(r->arena, "%s:%lu", path_portable_name(s.src->name), (unsigned long)report_line_of(s));
+    return format_in(r->arena, "%s:%lu", source_short_name(s.src), (unsigned long)report_line_of(s));
 }
 
 // Adds an entry to a list, unless it is the last one already.

@@ -352,7 +352,7 @@ static void add_named_asserts(const Report *r, Doc *d, const ReportRun *run)
                     continue;
                 if (!t)
                     t = DOC_ADD_TABLE(d, format_in(r->arena, "asserts.%s", run->name), assert_columns);
-                doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(m->span.src->name),
+                doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", source_short_name(m->span.src),
                                                 (unsigned long)source_position(m->span.src, m->span.at).line));
                 doc_add_plain_cell(t, m->text ? m->text->text : "");
                 doc_add_plain_cell(t, m->requirement ? m->requirement->text : "");
@@ -385,7 +385,7 @@ static void add_compares(const Report *r, Doc *d, const ReportRun *run)
             format_number_shortest(&largest, c->worst.difference);
             buf_printf(&largest, " at G = %llu", (unsigned long long)c->worst.g);
         }
-        doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", path_portable_name(column->span.src->name),
+        doc_add_plain_cell(t, format_in(r->arena, "%s:%lu", source_short_name(column->span.src),
                                         (unsigned long)source_position(column->span.src, column->span.at).line));
         doc_add_plain_cell(t, column->var->name->text);
         doc_add_plain_cell(t, column->name->text);
@@ -456,7 +456,7 @@ static void add_history(const Report *r, Doc *d, const Diag *failure)
     for (size_t i = 0; i < failure->notes.n; i++) {
         const DiagNote *note = &failure->notes.at[i];
         if (note->span.src)
-            buf_printf(&lines, "%s:%lu: ", path_portable_name(note->span.src->name),
+            buf_printf(&lines, "%s:%lu: ", source_short_name(note->span.src),
                        (unsigned long)source_position(note->span.src, note->span.at).line);
         buf_printf(&lines, "%s\n", note->text);
     }

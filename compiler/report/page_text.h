@@ -18,7 +18,7 @@
     "pin, a message, or a task in C. In a tick, machines run in the order of the columns, and each sees what those before it have stored."
 #define TEXT_APP_ALONE \
     "Traceability is on the page of one machine: `smc report` with the file of the machine, its state vector (`--sv`) and its " \
-    "bindings (`--bind`). `smc prove` with the application decides requirements."
+    "bindings (`--bind`)."
 
 #define TEXT_VERDICTS \
     "Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided. " \
@@ -81,6 +81,11 @@
     "`smc prove` decides whether any run can violate a requirement. A proof holds for all inputs, NaN and infinities included, with the " \
     "machine's step and the assumptions named. The lines after a proof are what is true after each step in a state. A script shows a " \
     "violation. Without a proof and without a violation, the requirement is only as good as its tests."
+
+#define TEXT_PROOFS_OF_APP \
+    "`smc prove` decides the requirements that one machine of the application decides alone. A proof holds whatever the other machines and tasks " \
+    "write, in the ticks of the application. A run that violates a requirement is one of this machine alone: the others may never write what it " \
+    "needs. What no machine decides alone is only as good as its tests."
 
 // ---- traceability ----
 

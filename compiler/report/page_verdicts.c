@@ -212,7 +212,7 @@ static void add_parts_left_out(const Report *r, Doc *d)
     Buf out;
 
     buf_init(&out, r->arena);
-    buf_str(&out, r->requirements && !r->proofs && !r->members ? ", proofs of the requirements (`--prove`)" : "");
+    buf_str(&out, r->requirements && !r->proofs ? ", proofs of the requirements (`--prove`)" : "");
     buf_str(&out, !(r->members ? r->member : r)->mutation && !r->not_mutated ? ", changes that no script notices (`--mutate`)" : "");
     buf_str(&out, !r->faults ? ", faults of sensors (`--faults`)" : "");
     buf_str(&out, !r->sweep ? ", margins of parameters (`--sweep`)" : "");

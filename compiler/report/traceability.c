@@ -37,7 +37,7 @@ static void add_index(Arena *arena, TraceIndices *list, uint32_t index)
 
 const char *traceability_place(Arena *arena, Span s)
 {
-    return format_in(arena, "%s:%lu", path_portable_name(s.src->name), (unsigned long)source_position(s.src, s.at).line);
+    return format_in(arena, "%s:%lu", source_short_name(s.src), (unsigned long)source_position(s.src, s.at).line);
 }
 
 const char *traceability_ids(const Traceability *t, const TraceIndices *list)
@@ -238,7 +238,7 @@ static void add_judged_requirements(Traceability *t, const ScriptResult *r)
 
 void traceability_add_run(Traceability *t, const char *name, const Script *s, const ScriptResult *r)
 {
-    const TracedScript script = {path_portable_name(name), r->outcome, {NULL, 0, 0}};
+    const TracedScript script = {s ? source_short_name(s->src) : path_portable_name(name), r->outcome, {NULL, 0, 0}};
 
     vec_push(t->arena, &t->script, script);
     add_judged_requirements(t, r);

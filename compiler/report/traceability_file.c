@@ -150,7 +150,7 @@ void traceability_write_csv(const Traceability *t, Buf *out)
 static void write_place(Buf *out, Span s)
 {
     buf_str(out, "\"file\":");
-    json_put_string(out, path_portable_name(s.src->name));
+    json_put_string(out, source_short_name(s.src));
     buf_printf(out, ",\"line\":%lu", (unsigned long)source_position(s.src, s.at).line);
 }
 

@@ -15,7 +15,7 @@ static const char *assert_text(Arena *arena, const ScriptAssert *a)
 {
     const Span at = a->condition ? a->condition->span : a->remark->span;
 
-    return format_in(arena, "fails at %s:%lu", path_portable_name(at.src->name), (unsigned long)source_position(at.src, at.at).line);
+    return format_in(arena, "fails at %s:%lu", source_short_name(at.src), (unsigned long)source_position(at.src, at.at).line);
 }
 
 static bool has_other_data(const Script *s, const ScriptResult *r)
@@ -52,7 +52,7 @@ static const uint8_t *list_violated(const Baseline *b, const ScriptResult *r)
 
 bool baseline_add(Baseline *b, const char *name, const Script *s, const ScriptResult *r)
 {
-    BaselineRun run = {path_portable_name(name), s ? reason_to_leave_out(b->arena, s, r) : "does not compile", NULL};
+    BaselineRun run = {s ? source_short_name(s->src) : path_portable_name(name), s ? reason_to_leave_out(b->arena, s, r) : "does not compile", NULL};
 
     if (!run.why && b->requirements && r->is_violated)
         run.ignored = list_violated(b, r);

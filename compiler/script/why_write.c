@@ -28,7 +28,7 @@ static void write_position(Span at, Buf *out)
     const LineCol lc = source_position(at.src, at.at);
 
     buf_str(out, ",\"file\":");
-    json_put_string(out, path_portable_name(at.src->name));
+    json_put_string(out, source_short_name(at.src));
     buf_printf(out, ",\"line\":%lu,\"column\":%lu", (unsigned long)lc.line, (unsigned long)lc.col);
 }
 

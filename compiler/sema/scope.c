@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names in scope: finds what a name refers to.  Reports an unknown name once, with the most similar known one.
 #include "compiler/sema/member.h"
+#include "compiler/syntax/time_unit.h"
 
 #include <string.h>
 
@@ -137,26 +138,50 @@ static const ForeignName foreign_functions[] = {
 #include "compiler/sema/foreign_names.def"
 };
 
-static const ForeignName *find_foreign(const ForeignName *table, size_t n, Str name)
+static const ForeignName *find_foreign(const ForeignName *table, size_t n, const char *name)
 {
     for (size_t i = 0; i < n; i++)
-        if (is_same_but_for_case(name->text, table[i].name))
+        if (is_same_but_for_case(name, table[i].name))
             return &table[i];
     return NULL;
+}
+
+// Labels d with the advice for a name or function, or with that for scripts.
+static void label_foreign(const Sema *s, Diag *d, const ForeignName *f)
+{
+    static const struct { DiagCode label, in_script; } other[] = {
+        {DIAG_label_never_nan, DIAG_label_write_zero}, {DIAG_label_print_in_script, DIAG_label_print_value},
+        {DIAG_label_wait, DIAG_label_wait_in_script}};
+    const char *after = d->span.src->text + d->span.at + d->span.len;
+    const char *argument = f->label == DIAG_label_wait ? time_unit_format_call(s->arena, after) : f->argument;
+    DiagCode label = f->label;
+
+    for (size_t i = 0; i < sizeof other / sizeof *other; i++)
+        if (s->in_script && label == other[i].label) {
+            label = other[i].in_script;
+            break;
+        }
+    diag_label(s->diags, d, label, argument);
+}
+
+// Whether an assignment follows the name, so that the name is no value.
+static bool is_assigned(Span name)
+{
+    const char *after = name.src->text + name.at + name.len;
+
+    after += strspn(after, " \t");
+    return after[0] == '=' && after[1] != '=';
 }
 
 // Suggests what to write for a word of another language (True, on, pi) or a keyword in the wrong case (ELSE).  Returns false if
 // foreign_names.def does not list the word.
 static bool suggest_spelling(Sema *s, Diag *d, Str name)
 {
-    const ForeignName *f = find_foreign(foreign_names, sizeof foreign_names / sizeof *foreign_names, name);
+    const ForeignName *f = find_foreign(foreign_names, sizeof foreign_names / sizeof *foreign_names, name->text);
 
-    if (!f)
+    if (!f || (f->label == DIAG_label_did_you_mean && is_assigned(d->span)))
         return false;
-    if (s->in_script && f->label == DIAG_label_never_nan)
-        diag_label(s->diags, d, DIAG_label_write_zero);
-    else
-        diag_label(s->diags, d, f->label, f->argument);
+    label_foreign(s, d, f);
     if (strcmp(f->name, "true") == 0 || strcmp(f->name, "false") == 0)
         diag_edit(s->diags, d, d->span, f->argument);
     return true;
@@ -268,7 +293,8 @@ const SmBuiltinInfo *scope_find_function(const Sema *s, Str name)
 void scope_report_unknown_function(Sema *s, Str name, Span span)
 {
     Guess g = guess_init(name);
-    const ForeignName *foreign = find_foreign(foreign_functions, sizeof foreign_functions / sizeof *foreign_functions, name);
+    const char *dot = strrchr(name->text, '.');                   // time.sleep
+    const ForeignName *foreign = find_foreign(foreign_functions, sizeof foreign_functions / sizeof *foreign_functions, dot ? dot + 1 : name->text);
     Diag *d;
 
     if (map_find(&s->lost->word, name) || !add_reported_name(&s->unknown_function, name))
@@ -284,7 +310,7 @@ void scope_report_unknown_function(Sema *s, Str name, Span span)
         guess_consider(&g, str_c(s->strings, sm_builtin_info[i].name));
     guess_add_label(s->diags, d, &g);
     if (foreign)
-        diag_label(s->diags, d, foreign->label, foreign->argument);
+        label_foreign(s, d, foreign);
     if (!s->functions_noted && (!foreign || foreign->label == DIAG_label_no_such_function)) {
         const char *list[2] = {"", ""};           // the names of the functions: [0] of values, [1] of windows
         for (int i = 0; i < SM_FN_COUNT; i++) {

@@ -14,8 +14,10 @@ static const struct { uint32_t code; const char *ascii; TokenKind kind; } lookal
     {0x22c5, "*", TOK_STAR}, {0x2217, "*", TOK_STAR}, {0xf7, "/", TOK_SLASH}, {0x2044, "/", TOK_SLASH},
     {0x2215, "/", TOK_SLASH}, {0x2264, "<=", TOK_LE}, {0x2a7d, "<=", TOK_LE}, {0x2265, ">=", TOK_GE},
     {0x2a7e, ">=", TOK_GE}, {0x2260, "!=", TOK_NE}, {0x2192, "->", TOK_ARROW}, {0x21d2, "->", TOK_ARROW},
-    {0xac, "!", TOK_BANG}, {0x2227, " and ", TOK_AND}, {0x2228, " or ", TOK_OR}, {0xff1a, ":", TOK_COLON},
-    {0x2236, ":", TOK_COLON}, {0xff1d, "=", TOK_ASSIGN}, {0xff08, "(", TOK_LPAREN}, {0xff09, ")", TOK_RPAREN}};
+    {0xac, "!", TOK_BANG}, {0x2227, "and", TOK_AND}, {0x2228, "or", TOK_OR}, {0xff1a, ":", TOK_COLON},
+    {0x2236, ":", TOK_COLON}, {0xff1d, "=", TOK_ASSIGN}, {0xff08, "(", TOK_LPAREN}, {0xff09, ")", TOK_RPAREN},
+    {0xff1e, ">", TOK_GT}, {0xff1c, "<", TOK_LT}, {0xff0b, "+", TOK_PLUS}, {0xff0d, "-", TOK_MINUS}, {0xff0a, "*", TOK_STAR},
+    {0xff0f, "/", TOK_SLASH}, {0xff5b, "{", TOK_LBRACE}, {0xff5d, "}", TOK_RBRACE}, {0xff0c, ",", TOK_COMMA}, {0x3000, " ", TOK_END}};
 
 enum { NO_LOOKALIKE = sizeof lookalikes / sizeof *lookalikes };
 
@@ -71,7 +73,11 @@ static bool is_inside_number(const Lexer *l, uint32_t at, uint32_t len, uint32_t
 // What to write instead of a character that has no operator in its place.
 static const struct { uint32_t code; const char *write; } instead[] = {
     {0xb2, "x * x, or pow(x, 2)"}, {0xb3, "pow(x, 3)"}, {0x221a, "sqrt(x)"}, {0x3c0, "3.14159265"}, {0x2248, "abs(a - b) < 0.001"},
-    {0x221e, "a number beyond every real value, such as 1e9"}, {0xb1, "a - 0.1 < x < a + 0.1"}, {0x2208, "x == A or x == B"}};
+    {0x221e, "a number beyond every real value, such as 1e9"}, {0xb1, "a - 0.1 < x < a + 0.1"}, {0x2208, "x == A or x == B"},
+    {0xbd, "0.5"}, {0xbc, "0.25"}, {0xbe, "0.75"}};
+
+// Whether the character is a full-width letter or digit, as East Asian keyboards type it.
+static bool is_full_width(uint32_t code) { return code >= 0xff10 && code <= 0xff5a; }
 
 // Returns the text of `instead` for a character; NULL: none.
 static const char *find_instead(uint32_t code)
@@ -87,7 +93,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
     const char *shown = utf8_is_hidden(code) || code == 0xa0 ? format_in(l->diags->arena, "U+%04X", (unsigned)code)
                                                               : lexer_text(l, at, at + len);
     size_t like = find_lookalike(code);
-    const char *ascii = like < NO_LOOKALIKE ? lookalikes[like].ascii : NULL;
+    const char *ascii = like < NO_LOOKALIKE ? lookalikes[like].ascii : NULL, *edit = NULL;
     Diag *d;
 
     if (!ascii && !lexer_mark_line_reported(l))
@@ -101,8 +107,12 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
     d = diag_report(l->diags, DIAG_not_ascii, lexer_span(l, at, len), shown);
     if (!ascii && find_instead(code))
         diag_label(l->diags, d, DIAG_label_write, find_instead(code));
+    else if (!ascii && is_full_width(code))
+        diag_label(l->diags, d, DIAG_label_full_width);
+    else if (!ascii && code == 0xb0 && !lex_is_letter(lexer_byte(l, at + len)))
+        diag_label(l->diags, d, DIAG_label_degrees);
     else if (!ascii && l->last == TOK_NUMBER && !l->first)
-        diag_label(l->diags, d, DIAG_label_no_unit, "the value in", shown);
+        diag_label(l->diags, d, DIAG_label_no_unit, "the value in", lexer_text(l, at, lexer_skip_word(l, at + len)));
     else if (skip_foreign_letter(l, at))
         diag_label(l->diags, d, DIAG_label_name_ascii);
     if (!ascii)
@@ -111,6 +121,9 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
         diag_label(l->diags, d, l->annotated ? DIAG_label_range_dash : DIAG_label_in_number);
         return;
     }
+    if (lex_is_letter(*ascii))
+        edit = format_in(l->diags->arena, "%s%s%s", at > 0 && l->src->text[at - 1] == ' ' ? "" : " ", ascii,
+                         lexer_byte(l, at + len) == ' ' ? "" : " ");
     if (*ascii == '!' && !ascii[1] && !hint_is_negated_alone(l->src->text, at + len)) {
         diag_label(l->diags, d, DIAG_label_write, "not (...)");
         return;
@@ -119,7 +132,7 @@ static void report_code_point(Lexer *l, uint32_t at, uint32_t len, uint32_t code
         diag_label(l->diags, d, DIAG_label_plain_space);
     else
         diag_label(l->diags, d, DIAG_label_write, ascii);
-    diag_edit(l->diags, d, lexer_span(l, at, len), ascii);
+    diag_edit(l->diags, d, lexer_span(l, at, len), edit ? edit : ascii);
 }
 
 // Reports the character at `at`, which is not ASCII; returns its length.
@@ -218,7 +231,7 @@ static void label_quoted_text(Lexer *l, Diag *d, uint32_t from, uint32_t end, ui
     const bool is_word = lex_is_identifier(l->src->text + from, end - from);
 
     if (is_printed(l)) {
-        diag_label(l->diags, d, DIAG_label_print_in_script);
+        diag_label(l->diags, d, l->script ? DIAG_label_print_value : DIAG_label_print_in_script);
     } else if (remark) {
         text = format_in(l->diags->arena, "  # %.*s", (int)(end - from), l->src->text + from);
         diag_label(l->diags, d, DIAG_label_quoted_remark);
@@ -317,6 +330,11 @@ static void read_quoted_text(Lexer *l, Token *t, uint32_t quote_len)
     }
     if (!closing && is_plain && lexer_may_be_remark(l)) {
         read_unclosed_text(l, t, p);
+        return;
+    }
+    if (closing && is_plain && l->requirements) {          // the parser reports what precedes it, as in 1. "no fire"
+        t->text = str_intern(l->strings, l->src->text + l->at + quote_len, p - l->at - quote_len);
+        lexer_finish_token(l, t, TOK_TEXT, p + closing);
         return;
     }
     if (closing && !is_plain && (l->data || lexer_may_be_remark(l))) {

@@ -22,6 +22,16 @@ static bool divides_line_above(const Lexer *l)
     return false;
 }
 
+// Whether only a type and a name precede the text on its line, as in F64 pressure // bar.
+static bool follows_declared_name(const Lexer *l)
+{
+    const uint32_t type = hint_skip_spaces(l, l->line_start), type_end = lexer_skip_word(l, type), name = hint_skip_spaces(l, type_end);
+    TokenKind kind;
+    Str word = str_find(l->strings, l->src->text + type, type_end - type);
+
+    return word && lex_find_reserved(word, &kind) && kind == TOK_TYPE && hint_skip_spaces(l, lexer_skip_word(l, name)) == l->at;
+}
+
 // `a // b` is a division in other languages. Returns how likely it is: 0 impossible, 1 it could also be a comment, 2 certain, because the
 // expression continues after b.
 static int estimate_division(const Lexer *l)
@@ -29,7 +39,7 @@ static int estimate_division(const Lexer *l)
     uint32_t p, end, after;
     bool known, spaced;
 
-    if (!hint_follows_value(l, false) || l->src->text[l->at + 1] != '/')
+    if (!hint_follows_value(l, false) || l->src->text[l->at + 1] != '/' || follows_declared_name(l))
         return 0;
     if (l->first)
         return divides_line_above(l) ? 2 : 0;
@@ -116,14 +126,17 @@ HintResult hint_read_slashes(Lexer *l, Token *t)
     if (is_percentage(l))
         diag_label(l->diags, d, DIAG_label_percentage);
     else
-        diag_label(l->diags, d, division ? DIAG_label_floor : DIAG_label_comment);
+        diag_label(l->diags, d, division ? DIAG_label_comment_or_floor : DIAG_label_comment);
     if ((l->src->text[at] == '(' || l->src->text[at] == '/') && l->src->text[at + 1] == '*' && !l->no_comment_end) {
         const char last = l->src->text[at] == '(' ? ')' : '/';
         while (p + 1 < l->src->len && !(l->src->text[p] == '*' && l->src->text[p + 1] == last))
             p++;
         l->no_comment_end = p + 1 >= l->src->len;
-        if (!l->no_comment_end)
+        if (!l->no_comment_end) {
+            if (memchr(l->src->text + at, '\n', p - at))
+                diag_label(l->diags, d, DIAG_label_comment_lines);
             propose_closed_comment(l, d, at, p + 2);
+        }
         for (; !l->no_comment_end && l->at < p + 2; )
             if (l->src->text[l->at] == '\n')
                 lexer_end_line(l);
@@ -144,7 +157,7 @@ HintResult hint_read_percent(Lexer *l, Token *t)
     const uint32_t p = hint_skip_spaces(l, t->at + 1), end = lexer_skip_word(l, p);
     const bool at_word = (end - p == 3 && memcmp(l->src->text + p, "and", 3) == 0) || (end - p == 2 && memcmp(l->src->text + p, "or", 2) == 0);
 
-    if (l->first || l->last != TOK_NUMBER || (!hint_ends_line(l, p) && !at_word && !strchr(":{}),<>=", lexer_byte(l, p))))
+    if (l->first || l->last != TOK_NUMBER || (!hint_ends_line(l, p) && !at_word && !strchr(":{}),<>=*/", lexer_byte(l, p))))
         return HINT_NONE;
     diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, 1), "%"), DIAG_label_percentage);
     l->at++;

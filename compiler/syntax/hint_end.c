@@ -31,7 +31,14 @@ HintResult hint_report_decimal_comma(HintCase *c)
     before = parser_text(p, parser_span(p, &p->last));
     after = parser_text(p, parser_span(p, &p->ahead));
     d = parser_fail(p, DIAG_decimal_comma, parser_token_span(p));
-    if (p->ahead.len == 3 && *before != '0') {         // 60,000 can mean sixty thousand; 0,125 and 3,14 cannot
+    if (strchr(before, '.')) {                         // 1.000,5
+        Buf out;
+        buf_init(&out, p->arena);
+        for (const char *digit = before; *digit; digit++)
+            if (*digit != '.')
+                buf_char(&out, *digit);
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s.%s", buf_text(&out), after));
+    } else if (p->ahead.len == 3 && *before != '0') {         // 60,000 can mean sixty thousand; 0,125 and 3,14 cannot
         diag_label(p->diags, d, DIAG_label_comma_in_number, before, after, before, after);
     } else {
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s.%s", before, after));
@@ -64,6 +71,17 @@ HintResult hint_report_stray_paren(HintCase *c)
 {
     parser_fail(c->p, DIAG_stray_paren, parser_token_span(c->p));
     return HINT_SKIPPED;
+}
+
+// Reports a comma at the end of a statement's line, as in x = 1, where the next line has another statement.
+HintResult hint_report_comma_at_end(HintCase *c)
+{
+    const Span comma = parser_token_span(c->p);
+    Diag *d = hint_report_general(c);
+
+    diag_label(c->p->diags, d, DIAG_label_leave_out);
+    diag_edit(c->p->diags, d, comma, "");
+    return HINT_READ;
 }
 
 // Reports a unit after a number, as in x = 5 ms.
@@ -282,6 +300,26 @@ HintResult hint_skip_storage(HintCase *c)
     diag_label(p->diags, d, DIAG_label_leave_out);
     diag_edit(p->diags, d, (Span){p->lex.src, p->tok.at, p->ahead.at - p->tok.at}, "");
     parser_advance(p);
+    return HINT_READ;
+}
+
+// Reports the two words of a type such as unsigned int, and reads them as one.
+HintResult hint_skip_unsigned(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *second = hint_find_synonym(HINT_TYPES, p->ahead.text->text);
+    const Span both = span_join(parser_token_span(p), parser_span(p, &p->ahead));
+    const char *type;
+    Diag *d;
+
+    if (!second || second[0] != 'I')
+        return HINT_NONE;
+    type = format_in(p->arena, "U%s", second + 1);
+    d = parser_report(p, DIAG_type_unknown, both, parser_text(p, both));
+    diag_label(p->diags, d, DIAG_label_did_you_mean, type);
+    parser_advance(p);
+    p->tok.kind = TOK_TYPE;
+    p->tok.type = SM_TYPE_COUNT;
     return HINT_READ;
 }
 

@@ -5,6 +5,7 @@
 #include "compiler/syntax/hint_text.h"
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/lexer.h"
+#include "compiler/syntax/time_unit.h"
 
 // ---- words ----
 
@@ -156,7 +157,7 @@ static void label_method(Parser *p, Diag *d, const char *before, const char *aft
     if (prints)
         diag_label(p->diags, d, DIAG_label_print_in_script);
     else if (strcmp(after, "sleep") == 0)
-        diag_label(p->diags, d, DIAG_label_wait);
+        diag_label(p->diags, d, DIAG_label_wait, time_unit_format_call(p->arena, p->lex.src->text + p->ahead.at));
     else
         diag_label(p->diags, d, DIAG_label_store_truth);
 }
@@ -312,7 +313,10 @@ HintResult hint_report_increment(HintCase *c)
         name = format_in(p->arena, "%.*s", (int)(end - from), text + from);
     sign[0] = text[at];
     d = parser_fail(p, DIAG_op_assign, (Span){p->lex.src, at - 1, 2}, format_in(p->arena, "%s%s", sign, sign));
-    diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s = %s %s 1", name, name, sign));
+    if (p->kind == FILE_RQ)
+        diag_label(p->diags, d, DIAG_label_changes_nothing);
+    else
+        diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "%s = %s %s 1", name, name, sign));
     return HINT_SKIPPED;
 }
 

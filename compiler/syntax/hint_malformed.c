@@ -32,6 +32,17 @@ static bool is_binary_number(const Lexer *l, uint32_t at, uint32_t stop)
            strspn(s + at + 2, "01") == stop - at - 2;
 }
 
+// Whether the letters after a number give its type in other languages, as in 5.0f or 5UL.
+static bool is_type_suffix(const char *letters)
+{
+    static const char *const suffixes[] = {"f", "F", "u", "U", "l", "L", "ul", "UL", "ull", "ULL", "ll", "LL", "lu", "LU"};
+    size_t i = 0;
+
+    while (i < sizeof suffixes / sizeof *suffixes && strcmp(letters, suffixes[i]) != 0)
+        i++;
+    return i < sizeof suffixes / sizeof *suffixes;
+}
+
 // Reports a number with letters after it, such as 5psi or 0x1G, or a name that begins with a digit. The number ends at `end`, the letters
 // at `stop`.
 static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t stop)
@@ -46,6 +57,8 @@ static void report_number_run_on(Lexer *l, uint32_t at, uint32_t end, uint32_t s
     else if (!lexer_is_hex_prefix(l, at) && lex_is_identifier(l->src->text + end, stop - end) && hint_knows_word(l, end, stop) &&
              !hint_is_time_unit(lexer_text(l, end, stop)))
         diag_label(l->diags, d, DIAG_label_multiply, lexer_text(l, at, end), lexer_text(l, end, stop));
+    else if (is_type_suffix(lexer_text(l, end, stop)))
+        diag_label(l->diags, d, DIAG_label_write, lexer_text(l, at, end));
     else if (!lexer_is_hex_prefix(l, at))
         hint_label_unit(l->diags, d, lexer_text(l, at, end), lexer_text(l, end, stop), lexer_span(l, at, stop - at));
 }

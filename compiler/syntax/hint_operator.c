@@ -174,12 +174,13 @@ static void report_foreign_spelling(Lexer *l, Token *t, const char *spelling, co
     if (native[strlen(native) - 1] == '>')
         t->kind = TOK_ARROW;
     needs_space = lex_is_letter(*native);
+    if (*spelling == '&' && t->len == 1 && l->last == TOK_ASSIGN && !t->first) {          // x = &y
+        diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_no_pointers);
+        return;
+    }
     d = diag_report(l->diags, DIAG_foreign_operator, lexer_span(l, t->at, t->len), spelling, native);
     if (has_unclear_meaning(l, t)) {
-        if (*spelling == '&' && l->last == TOK_ASSIGN && !t->first)
-            diag_label(l->diags, d, DIAG_label_no_pointers);
-        else
-            diag_label(l->diags, d, DIAG_label_no_bits, native);
+        diag_label(l->diags, d, DIAG_label_no_bits, native);
         return;
     }
     diag_label(l->diags, d, DIAG_label_write, native);
@@ -236,7 +237,11 @@ void hint_report_operator(Lexer *l, Token *t, const char *spelling, const char *
     if (strcmp(spelling, ":=") == 0 && l->parens > 0) {
         report_named_argument(l, t);
     } else if (native && is_bit_operator(l, t)) {
-        diag_label(l->diags, diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling), DIAG_label_bits);
+        Diag *d = diag_report(l->diags, DIAG_absent_operator, lexer_span(l, t->at, t->len), spelling);
+        if (*spelling == '~' && hint_follows_value(l, t->first))              // x ~ 5
+            diag_label(l->diags, d, DIAG_label_write, "abs(a - b) < 0.001");
+        else
+            diag_label(l->diags, d, DIAG_label_bits);
         t->kind = *spelling == '~' ? TOK_MINUS : TOK_STAR;
     } else if (native) {
         report_foreign_spelling(l, t, spelling, native);

@@ -43,7 +43,10 @@ bool hint_label_prose(Parser *p, Diag *d, const AstExpr *e)
     const char *word = e->name->text, *text = format_verb(p, word);
 
     if (strcmp(word, "print") == 0) {
-        diag_label(p->diags, d, DIAG_label_print_in_script);
+        if (p->kind == FILE_SS)
+            diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "@print %s", p->tok.text->text));
+        else
+            diag_label(p->diags, d, DIAG_label_print_in_script);
         return true;
     }
     if (strcmp(word, "string") == 0 || strcmp(word, "String") == 0 || strcmp(word, "str") == 0) {

@@ -45,8 +45,8 @@ HintResult hint_skip_sign_before_demand(HintCase *c)
 // Labels d with the requirement for `if p > 50 then valve`, whose condition is at `condition`.
 static void label_consequence(Parser *p, Diag *d, uint32_t condition)
 {
-    const char *text = parser_text(p, rest_of_line(p, condition)), *then = strstr(text, " then "), *comma = strchr(text, ',');
-    const char *end = then ? then : comma, *rest = then ? then + strlen(" then ") : comma ? comma + 1 + strspn(comma + 1, " ") : "";
+    const char *text = parser_text(p, rest_of_line(p, condition)), *then = strstr(text, " then "), *sign = strpbrk(text, ",:");
+    const char *end = then ? then : sign, *rest = then ? then + strlen(" then ") : sign ? sign + 1 + strspn(sign + 1, " ") : "";
 
     if (end)
         diag_label(p->diags, d, DIAG_label_write,
@@ -55,11 +55,35 @@ static void label_consequence(Parser *p, Diag *d, uint32_t condition)
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "always %s implies ...", text));
 }
 
+// Whether the text can be a condition: it has a comparison or is one word, and no verbs of a sentence.
+static bool is_condition(const char *text)
+{
+    static const char *const verbs[] = {" must ", " shall ", " should ", " is ",  " be ", " has ",
+                                        " may ",  " can ",   " never",   " always", ":",   "{"};
+    bool can_be = strpbrk(text, "<>=") || !strchr(text, ' ');
+
+    for (size_t i = 0; i < sizeof verbs / sizeof *verbs; i++)
+        can_be = can_be && !strstr(text, verbs[i]);
+    return can_be;
+}
+
+// Reports always if x > 5 then valve.
+HintResult hint_report_demand_if(HintCase *c)
+{
+    Parser *p = c->p;
+
+    if (p->kind != FILE_RQ || !hint_is_word(&p->last, "always"))
+        return HINT_NONE;
+    label_consequence(p, hint_report_general(c), p->ahead.at);
+    return HINT_READ;
+}
+
 // Reports a word that is neither `never` nor `always`, where a requirement must have one of these.
 HintResult hint_report_demand_word(HintCase *c)
 {
-    static const char *const words[] = {"never", "always"}, *const ifs[] = {"if", "when", "whenever"},
-                      *const alwayses[] = {"assert", "must", "shall", "should", "require", "globally", "invariant", "forall", "expect", "ensure"},
+    static const char *const words[] = {"never", "always"}, *const ifs[] = {"if", "when", "whenever", "while"},
+                      *const alwayses[] = {"assert", "must", "shall", "should", "require", "globally", "invariant", "forall", "expect",
+                                           "ensure", "return", "verify", "check"},
                       *const some_times[] = {"eventually", "finally", "sometimes", "once"};
     Parser *p = c->p;
     const char *word = p->tok.kind == TOK_NAME && !parser_at_requirement(p) ? p->tok.text->text : "", *near;
@@ -82,8 +106,10 @@ HintResult hint_report_demand_word(HintCase *c)
         diag_label(p->diags, d, DIAG_label_leads_to, "CONDITION", parser_text(p, rest_of_line(p, p->ahead.at)), "within 500 ms");
     else if ((near = str_nearest(word, words, 2)) != NULL)
         diag_label(p->diags, d, DIAG_label_did_you_mean, near);
-    else
+    else if (is_condition(parser_text(p, rest_of_line(p, p->tok.at))))
         diag_label(p->diags, d, DIAG_label_never_or_always, parser_text(p, rest_of_line(p, p->tok.at)));
+    else
+        diag_label(p->diags, d, DIAG_label_never_or_always_condition);
     return HINT_SKIPPED;
 }
 
@@ -152,6 +178,9 @@ HintResult hint_report_requirement_end(HintCase *c)
         report_limit(c);
     else if (p->tok.kind == TOK_ARROW || hint_is_word(&p->tok, "then"))
         report_consequence(c);
+    else if (hint_is_word(&p->tok, "after") && c->e->kind == AST_IMPLIES && p->ahead.kind == TOK_NUMBER)
+        diag_label(p->diags, hint_report_general(c), DIAG_label_leads_to_after, parser_text(p, c->e->a->span),
+                   parser_text(p, c->e->b->span), parser_text(p, rest_of_line(p, p->ahead.at)));
     else if (!(hint_is_word(&p->tok, "for") || hint_is_word(&p->tok, "during")) || !report_duration(c))
         return HINT_NONE;
     return HINT_SKIPPED;

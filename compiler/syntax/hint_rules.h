@@ -50,6 +50,7 @@ bool hint_follows_indented(const Parser *p, uint32_t at);
 // Returns the word or number after spaces at *at, and moves *at to its end; returns "" if neither follows.
 const char *hint_read_word(const Parser *p, uint32_t *at);
 const char *hint_read_value(const Parser *p, uint32_t *at);        // likewise, with the unit after a number if it is a time
+const char *hint_read_equated(const Parser *p, uint32_t at);
 // Returns the advice for `x > 5 for 3 s` and `x > 5 for 3 samples`. The current token is `for`; e is the condition.
 const char *hint_format_held(const Parser *p, const AstExpr *e);
 

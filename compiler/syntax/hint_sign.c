@@ -34,6 +34,22 @@ HintResult hint_report_increment_first(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Reports a formula as in a cell of a spreadsheet: = x + 1.
+HintResult hint_report_target_missing(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text;
+    uint32_t end = p->ahead.at + (uint32_t)strcspn(text + p->ahead.at, "#;}\r\n");
+    Diag *d = parser_fail(p, DIAG_expected_statement, parser_token_span(p), "'='");
+
+    while (end > p->ahead.at && (text[end - 1] == ' ' || text[end - 1] == '\t'))
+        end--;
+    diag_label(p->diags, d, DIAG_label_target_missing,
+               p->ahead.first || end == p->ahead.at ? "..." : parser_text(p, (Span){p->lex.src, p->ahead.at, end - p->ahead.at}));
+    parser_advance(p);
+    return HINT_SKIPPED;
+}
+
 // Reports *p = 1.
 HintResult hint_report_dereference(HintCase *c)
 {

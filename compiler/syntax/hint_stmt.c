@@ -230,6 +230,8 @@ HintResult hint_report_comparison_alone(HintCase *c)
     else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, hint_report_general(c), DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
+    else if (e->op >= SM_OP_EQ && e->op <= SM_OP_GE)
+        diag_label(p->diags, hint_report_general(c), DIAG_label_condition_alone);
     else
         return HINT_NONE;
     return HINT_READ;
@@ -436,6 +438,8 @@ static bool is_used_as_foreign(const Parser *p, HintEffect effect)
         return !p->tok.text->declared;                            // try: or do {
     if (next->first)
         return gives_up && next->kind != TOK_LBRACE;              // `stop` followed by a { on the next line is a guard
+    if (effect == HINT_ARROW && next->kind == TOK_HEADER)
+        return true;                                              // goto [Idle]
     if (effect == HINT_ELSE)
         return next->kind == TOK_IF || next->kind == TOK_NAME || next->kind == TOK_ARROW;     // `ELSE:` can be a guard, if ELSE is a variable
     return hint_begins_value(next) && (next->kind != TOK_LPAREN || effect == HINT_IF || gives_up);
@@ -501,6 +505,10 @@ HintResult hint_report_decl_in_state(HintCase *c)
     }
     if (*value) {
         const char *number = value + 1 + strspn(value + 1, " ");
+        const size_t digits = strspn(number, "-+.0123456789");
+        if (digits > 0 && strspn(number + digits, "fFuUlL") == strlen(number + digits))           // 5.0f
+            value = format_in(p->arena, "= %.*s", (int)digits, number);
+        number = value + 1 + strspn(value + 1, " ");
         const bool is_truth = strcmp(number, "true") == 0 || strcmp(number, "false") == 0;
         if (is_truth || (*number && number[strspn(number, "-+.0123456789eE_")] == '\0'))
             initial = value;
@@ -548,16 +556,25 @@ static const char *format_wait(const Parser *p)
 {
     static const char general[] = "put what follows in braces, under a limit to the time in the state: T >= 100 ms { ... }";
     uint32_t at = p->ahead.at + (p->ahead.kind == TOK_LPAREN);
-    const char *number = p->ahead.first ? "" : hint_read_word(p, &at), *unit = hint_is_word(&p->tok, "delay") ? " ms" : "", *word;
+    const char *number = p->ahead.first ? "" : hint_read_word(p, &at), *unit = "", *word;
+    bool is_guess;
 
+    if (strcmp(number, "until") == 0 && p->kind == FILE_SM)
+        return "put what follows in braces, under the condition: x > 5 { ... }";
     if (!lex_is_digit(*number))
-        return general;
+        return p->kind == FILE_SS ? "put what follows in braces, under a time of the run: at 100 ms { ... }" : general;
     if (hint_is_word(&p->tok, "sleep"))
         unit = " s";
+    else if (hint_is_word(&p->tok, "delay"))
+        unit = " ms";
+    else
+        unit = strlen(number) > 2 ? " ms" : " s";
     word = hint_read_word(p, &at);
+    is_guess = hint_is_word(&p->tok, "wait") && time_unit_find(word) == TIME_NONE;
     if (time_unit_find(word) != TIME_NONE)
         unit = format_in(p->arena, " %s", word);
-    return format_in(p->arena, "put what follows in braces: %s %s%s { ... }", p->kind == FILE_SS ? "at" : "T >=", number, unit);
+    return format_in(p->arena, "put what follows in braces%s: %s %s%s { ... }", is_guess ? ", with the unit of the time" : "",
+                     p->kind == FILE_SS ? "at" : "T >=", number, unit);
 }
 
 // Returns the advice for switch (mode), with the name that is compared.
@@ -626,6 +643,33 @@ static HintResult read_as_brace(Parser *p, const char *text)
     return HINT_SKIPPED;
 }
 
+// Words whose advice, `text`, is another one in a script, in a machine, or with a value after the word.
+static const struct { const char *word; FileKind kind; bool before_value; const char *text; } other_advice[] = {
+    {"for",    FILE_SS, false, "there are no loops: each condition of a script is tested in every step"},
+    {"while",  FILE_SS, false, "there are no loops: each condition of a script is tested in every step"},
+    {"repeat", FILE_SS, false, "there are no loops: each condition of a script is tested in every step"},
+    {"loop",   FILE_SS, false, "there are no loops: each condition of a script is tested in every step"},
+    {"until",  FILE_SS, false, "there are no loops: each condition of a script is tested in every step"},
+    {"do",     FILE_SS, false, "there are no loops: each condition of a script is tested in every step"},
+    {"return", FILE_SS, false, "to end the run, write @stop under a condition, as in at 5 s: @stop"},
+    {"return", FILE_SM, true,  "there are no functions to return from: assign the value to an element, as in x = 5"},
+    {"assert", FILE_SM, false, "write @assert in a script (.ss) that tests the machine"},
+    {"expect", FILE_SM, false, "write @expect in a script (.ss) that tests the machine"},
+    {"check",  FILE_SM, false, "write @assert in a script (.ss) that tests the machine"},
+    {"verify", FILE_SM, false, "write @assert in a script (.ss) that tests the machine"}};
+
+// Returns the advice for the current word, whose row of hints.def has `text`.
+static const char *find_advice(const Parser *p, const char *text)
+{
+    if (hint_is_word(&p->tok, "switch") || hint_is_word(&p->tok, "case"))
+        return format_switch(p);
+    for (size_t i = 0; i < sizeof other_advice / sizeof *other_advice; i++)
+        if (hint_is_word(&p->tok, other_advice[i].word) && p->kind == other_advice[i].kind &&
+            (!other_advice[i].before_value || (!p->ahead.first && hint_begins_value(&p->ahead))))
+            return other_advice[i].text;
+    return text;
+}
+
 static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *text)
 {
     Diag *d;
@@ -652,10 +696,9 @@ static HintResult apply_foreign_word(Parser *p, HintEffect effect, const char *t
     case HINT_SKIP: case HINT_BLOCK: case HINT_WAIT:
         break;
     }
-    if (p->kind == FILE_SS && effect == HINT_BLOCK && strstr(text, "no loops"))
-        text = "there are no loops: each condition of a script is tested in every step";
+    text = effect == HINT_WAIT ? format_wait(p) : find_advice(p, text);
     d = parser_fail(p, DIAG_foreign_word, parser_token_span(p), p->tok.text->text);
-    diag_label(p->diags, d, DIAG_label_text, effect == HINT_WAIT ? format_wait(p) : hint_is_word(&p->tok, "switch") ? format_switch(p) : text);
+    diag_label(p->diags, d, DIAG_label_text, text);
     if (effect == HINT_BLOCK)
         hint_skip_block(p);
     else
@@ -670,7 +713,7 @@ HintResult hint_read_foreign_word(HintCase *c)
     const Token *next = &p->ahead;
 
     if (!next->first && !hint_begins_value(next) && next->kind != TOK_IF && next->kind != TOK_ARROW && next->kind != TOK_COLON &&
-        next->kind != TOK_LBRACE)
+        next->kind != TOK_LBRACE && next->kind != TOK_HEADER)
         return HINT_NONE;                     // the word is the name of a variable, mostly with = after it
     for (size_t i = 0; i < sizeof foreign_words / sizeof *foreign_words; i++)
         if (hint_is_word(&p->tok, foreign_words[i].word) && is_used_as_foreign(p, foreign_words[i].effect))

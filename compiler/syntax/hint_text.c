@@ -163,12 +163,13 @@ HintResult hint_read_state_assignment(Lexer *l, Token *t)
 HintResult hint_read_state(Lexer *l, Token *t)
 {
     const uint32_t from = hint_skip_spaces(l, t->at + t->len), end = hint_skip_name(l, from);
+    const bool is_def = l->src->text[t->at] == 'd';
     uint32_t p = hint_skip_spaces(l, end);
     const char *written;
     Diag *d;
 
-    if (l->config || end == from)
-        return HINT_NONE;
+    if (l->config || end == from || (is_def && t->at > l->line_start))
+        return HINT_NONE;                              // below a label, def begins a function
     if (lexer_byte(l, p) == '(' && lexer_byte(l, hint_skip_spaces(l, p + 1)) == ')')
         p = hint_skip_spaces(l, hint_skip_spaces(l, p + 1) + 1);
     if (lexer_byte(l, p) == ':' || lexer_byte(l, p) == '{')

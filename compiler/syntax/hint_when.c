@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints about malformed guards by time, such as `at 1 s, 2 s:` or `at 5 s for 1 s:`, and about guards by time in a machine: only scripts have them.
+#include <string.h>
+
 #include "compiler/syntax/hint_rules.h"
 #include "compiler/syntax/hint_words.h"
 #include "compiler/syntax/time_unit.h"
@@ -109,13 +111,32 @@ static void report_joined_condition(Parser *p, const AstExpr *e)
     }
 }
 
+// Reports a decimal comma in a time, as in `at 0,5 s:`. Returns false, and reports nothing, if the comma separates two times.
+static bool report_decimal_comma(Parser *p)
+{
+    const char *text = p->lex.src->text, *before, *after;
+    Diag *d;
+
+    if (p->tok.kind != TOK_COMMA || p->last.kind != TOK_NUMBER || !lex_is_digit(text[p->ahead.at]) || !hint_are_adjacent(&p->last, &p->tok) ||
+        !hint_are_adjacent(&p->tok, &p->ahead) || text[p->ahead.at + p->ahead.len] == ',')
+        return false;
+    before = parser_text(p, parser_span(p, &p->last));
+    after = parser_text(p, parser_span(p, &p->ahead));
+    after = format_in(p->arena, "%.*s", (int)strspn(after, "0123456789"), after);         // without the s of 0,5s
+    d = parser_fail(p, DIAG_decimal_comma, parser_token_span(p));
+    diag_label(p->diags, d, DIAG_label_decimal_point, before, after);
+    if (strcmp(before, "0") == 0)
+        diag_edit(p->diags, d, parser_token_span(p), ".");
+    return true;
+}
+
 // Reports a condition that is joined to a guard by time, as in `at 5 s and x > 3:` and `at 1 s, 2 s:`.
 HintResult hint_report_joined_when(HintCase *c)
 {
     Parser *p = c->p;
     AstExpr *e = c->e;
 
-    if (!report_times(p, e))
+    if (!report_decimal_comma(p) && !report_times(p, e))
         report_joined_condition(p, e);
     e->kind = AST_ERROR;
     return HINT_SKIPPED;
@@ -175,7 +196,13 @@ HintResult hint_report_no_to(HintCase *c)
 {
     Parser *p = c->p;
     AstExpr *e = c->e;
-    Diag *d = parser_fail(p, DIAG_from_without_to, parser_missing_span(p), parser_text(p, e->a->span), parser_describe_found(p));
+    Diag *d;
+
+    if (report_decimal_comma(p)) {
+        e->kind = AST_ERROR;
+        return HINT_SKIPPED;
+    }
+    d = parser_fail(p, DIAG_from_without_to, parser_missing_span(p), parser_text(p, e->a->span), parser_describe_found(p));
 
     e->kind = AST_ERROR;
     if (p->tok.kind == TOK_COLON || p->tok.kind == TOK_LBRACE) {
@@ -219,12 +246,30 @@ HintResult hint_report_when_inside(HintCase *c)
     return HINT_SKIPPED;
 }
 
+// Returns the time after = or == at `at`, as in `at t = 5s`; "" if no such time is there.
+const char *hint_read_equated(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text, *value;
+    size_t digits;
+
+    at += (uint32_t)strspn(text + at, " \t");
+    if (text[at] != '=')
+        return "";
+    at += text[at + 1] == '=' ? 2 : 1;
+    value = hint_read_value(p, &at);
+    digits = strspn(value, "0123456789.");
+    if (digits == 0 || value[digits] == ' ' || !value[digits])
+        return digits ? value : "";
+    return time_unit_find(value + digits) == TIME_NONE ? "" : format_in(p->arena, "%.*s %s", (int)digits, value, value + digits);
+}
+
 // Reports something else than a number after the word of a guard by time, as in `at burnout:` and `at T + 5:`.
 HintResult hint_report_when_without_number(HintCase *c)
 {
     Parser *p = c->p;
     const AstWhen when = parser_find_when(&p->tok);
     const bool is_variable = p->ahead.kind == TOK_NAME && (when == AST_AT || when == AST_AFTER);
+    const bool equals = is_variable && *hint_read_equated(p, p->ahead.at + p->ahead.len);
     const bool in_state = is_variable && strcmp(p->ahead.text->text, "T") == 0, is_time = is_variable && strcmp(p->ahead.text->text, "G") == 0;
     Diag *d;
 
@@ -233,6 +278,9 @@ HintResult hint_report_when_without_number(HintCase *c)
     d = parser_fail(p, DIAG_when_without_number, parser_token_span(p), parser_when_words[when], parser_describe(p, &p->ahead));
     if (in_state)
         diag_label(p->diags, d, DIAG_label_when_in_state, when == AST_AT ? "T == 5 s" : "T >= 5 s", when == AST_AT ? "at 5 s" : "after 5 s");
+    else if (equals)                                      // at t = 5 s
+        diag_label(p->diags, d, DIAG_label_write,
+                   format_in(p->arena, "%s %s", parser_when_words[when], hint_read_equated(p, p->ahead.at + p->ahead.len)));
     else if (is_variable && !is_time)
         diag_label(p->diags, d, DIAG_label_write, format_in(p->arena, "G %s %s", when == AST_AT ? "==" : ">=", p->ahead.text->text));
     else

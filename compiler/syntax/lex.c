@@ -426,7 +426,7 @@ static bool precedes_text(const Token *t)
 
 void lex_next(Lexer *l, Token *t)
 {
-    const bool is_enclosed = l->open_parens > 0;               // inside parentheses a line end counts as a space
+    bool is_enclosed = l->open_parens > 0;               // inside parentheses a line end counts as a space
 
     do {
         skip_spaces(l);
@@ -450,6 +450,8 @@ void lex_next(Lexer *l, Token *t)
         l->data = strcmp(t->text->text, "data") == 0;
     if (l->script)
         l->texts = (l->texts && (!t->first || is_enclosed)) || precedes_text(t);
+    if (l->open_parens > 0 && l->requirements && t->first && t->kind == TOK_NAME && l->src->text[l->at + strspn(l->src->text + l->at, " \t")] == '"')
+        l->parens = l->open_parens = 0, is_enclosed = false;      // a requirement begins; that of an earlier line has left a ( open
     if (l->requirements)
         l->texts = t->first ? t->kind == TOK_NAME && !is_enclosed : l->texts && t->kind != TOK_TEXT;
     l->first = false;

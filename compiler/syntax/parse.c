@@ -245,6 +245,7 @@ static void parse_labelled(Parser *p, AstSection *s)
     parser_advance(p);
     if (p->tok.kind == TOK_COLON && !p->tok.first) {
         Diag *d = parser_report(p, DIAG_label_colon, parser_token_span(p), parser_text(p, parser_span(p, &p->last)));
+        diag_label(p->diags, d, DIAG_label_leave_out);
         diag_edit(p->diags, d, parser_token_span(p), "");
         parser_advance(p);
     }

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "compiler/base/buf.h"
 #include "compiler/syntax/number.h"
 
 // A unit is factor * 10^exponent microseconds.
@@ -30,4 +31,12 @@ TimeUnit time_unit_of_period(uint64_t ns)
 bool time_to_f64(const char *text, size_t len, TimeUnit from, TimeUnit to, SmF64 *value)
 {
     return number_to_scaled_f64(text, len, units[from].factor, units[from].exponent - units[to].exponent, value);
+}
+
+const char *time_unit_format_call(Arena *arena, const char *arguments)
+{
+    const char *at = *arguments == '(' ? arguments + 1 : arguments;
+    const size_t digits = strspn(at, "0123456789.");
+
+    return digits > 0 && at[digits] == ')' ? format_in(arena, "%.*s s", (int)digits, at) : "5 s";
 }

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "compiler/base/arena.h"
 #include "stdlib/f64.h"
 
 // A row of the table in time_unit.c. TIME_NONE: a number without a unit.
@@ -21,5 +22,9 @@ TimeUnit time_unit_of_period(uint64_t ns);        // returns the unit of so many
 // Converts the literal of `len` characters at `text`, which is decimal, from `from` to a unit in which G can count: multiplies exactly, and
 // rounds once to the nearest F64. Returns false if the result is too large.
 bool time_to_f64(const char *text, size_t len, TimeUnit from, TimeUnit to, SmF64 *value);
+
+// Returns the time of a call that waits for seconds in other languages, as in sleep(2): "2 s". `arguments` begins at its (. Returns "5 s" if they
+// are no number.
+const char *time_unit_format_call(Arena *arena, const char *arguments);
 
 #endif

@@ -26,7 +26,7 @@ void fault_write_trigger(const Faults *f, const FaultResult *r, Buf *out)
         buf_printf(out, "from %s -> %s on", t->from->name->text, t->state->name->text);
     else
         buf_printf(out, "%s %s", t->is_timed ? "from a time in" : t->step == 1 ? "from the start, in" : "in the middle of", t->state->name->text);
-    buf_printf(out, " (G = %" PRIu64 ", %s)", t->g, path_portable_name(f->script[t->script]->src->name));
+    buf_printf(out, " (G = %" PRIu64 ", %s)", t->g, source_short_name(f->script[t->script]->src));
 }
 
 static void write_cell(const Var *v, uint64_t cell, Buf *out)
@@ -43,7 +43,7 @@ static void write_failed(const ScriptAssert *a, Buf *out)
 {
     const Span s = a->condition ? a->condition->span : a->remark->span;
 
-    buf_printf(out, "assert at %s:%lu", path_portable_name(s.src->name), (unsigned long)source_position(s.src, s.at).line);
+    buf_printf(out, "assert at %s:%lu", source_short_name(s.src), (unsigned long)source_position(s.src, s.at).line);
 }
 
 void fault_write_effect(const Faults *f, const FaultResult *r, Buf *out)

@@ -63,9 +63,9 @@ void sweep_write_check(const Sweep *s, uint32_t check, Buf *out)
         buf_str(out, c->requirement->id->text);
     } else if (c->assert) {
         span = c->assert->condition ? c->assert->condition->span : c->assert->remark->span;
-        buf_printf(out, "%s:%lu", path_portable_name(span.src->name), (unsigned long)source_position(span.src, span.at).line);
+        buf_printf(out, "%s:%lu", source_short_name(span.src), (unsigned long)source_position(span.src, span.at).line);
     } else
-        buf_printf(out, "%s does not end", path_portable_name(s->script[c->script]->src->name));
+        buf_printf(out, "%s does not end", source_short_name(s->script[c->script]->src));
 }
 
 // ---- one point ----

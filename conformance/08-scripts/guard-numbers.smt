@@ -21,7 +21,7 @@ delta_t 10
 at T + 5: p = 1        #! E0761 write T == 5 s for the time since the state began, or at 5 s
 after T+5: p = 1       #! E0761 write T >= 5 s
 at burnout: p = 1      #! E0761 write G == burnout
-at G == 5: p = 1       #! E0761 write at 5 s
+at G == 5: p = 1       #! E0761 write at 5
 from p to 6: p = 1     #! E0761 write from 5 s to 6 s
 every p: p = 1         #! E0761 write every 5 s
 from 5: p = 1          #! E0760 write after 5

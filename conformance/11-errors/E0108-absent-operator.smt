@@ -10,6 +10,9 @@ F64 p
 .step
     x = p ** 2      #! E0108 x * x
     x = p ^ 2       #! E0108 x * x
+    x = p.^2        #! E0108 x * x
+    x = p .* 2      #! E0108 write * alone
+    x = p ./ 2      #! E0108 write / alone
     x = p % 2       #! E0108 floor
     x = p << 2      #! E0108 multiply
     x = p >> 2      #! E0108 divide by a power

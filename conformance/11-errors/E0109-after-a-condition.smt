@@ -26,6 +26,6 @@ U8 code
     b { code = 5; }                             #! E0109 leave it out
     if b then code = 5; -> Abort                #! E0109 inside braces #! E0329 :
     p > 10: code = 1; else: -> Abort            #! E0109 leave it out
-    p > 5; code = 1; -> Abort                   #! E0327 condition: statement #! E0109 inside braces #! E0109 inside braces
+    p > 5; code = 1; -> Abort                   #! E0327 needs ':' and a statement #! E0109 inside braces #! E0109 inside braces
     code = 7; -> Abort                          #! E0109 each statement
 [Abort]

@@ -30,15 +30,16 @@ bool b
     loop p                          #! E0329 there are no loops: .step runs
     until p                         #! E0329 there are no loops: write 'if 
     unless p                        #! E0329 write the opposite condition: 
-    case p                          #! E0329 write it as if ... else if ...
+    case p                          #! E0329 write it as if p == 1 ... else
     switch p                        #! E0329 write it as if p == 1 ... else
     case p
-    return p                        #! E0329 put what follows into an 'else
+    return p                        #! E0329 there are no functions to return from
     break                           #! E0329 leave it out: there are no loops
     wait 200                        #! E0329 T >= 200
     delay 200                       #! E0329 T >= 200
     sleep 200                       #! E0329 T >= 200
     end                             #! E0329 close braces with }
     endif                           #! E0329 close braces with }
-    assert p                        #! E0329 write @assert
+    assert p                        #! E0329 write @assert in a script
+    verify p                        #! E0329 write @assert in a script
     stop                            #! E0329 write @stop

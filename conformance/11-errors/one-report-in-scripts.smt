@@ -17,7 +17,7 @@ bool v @read_only
 at 1 s: goto Vent                   #! E0383 write init_state Vent in [options]
 at 1 s: go to Vent                  #! E0383 write init_state Vent in [options]
 at 1 s: state := Vent               #! E0204 init_state in [options] sets the first one
-at 1 s: print "hi"                  #! E0106 a script prints with @print
+at 1 s: print "hi"                  #! E0106 as in @print x "pressure"
 at 1 s for 2 s: v = true            #! E0759 write from 1 s to 3 s
 at 1 s for 500 ms: v = true         #! E0759 write from 1 s to ...
 at 100 for 50.5: v = true           #! E0759 write from 100 to 150.5

@@ -42,7 +42,7 @@ app.sm:11:5: error: a statement cannot begin with 'p' [E0328]
       |     ^ write 30 <= p <= 50
 app.sm:12:5: error: 'wait' is not part of this language [E0329]
    12 |     wait(200)
-      |     ^~~~ put what follows in braces: T >= 200 { ... }
+      |     ^~~~ put what follows in braces, with the unit of the time: T >= 200 ms { ... }
 app.sm:13:5: error: 'sleep' is not part of this language [E0329]
    13 |     sleep 2.5
       |     ^~~~~ put what follows in braces: T >= 2.5 s { ... }
@@ -54,7 +54,7 @@ app.sm:15:14: error: expected the end of the line, found the number 000 [E0330]
       |              ^~~ write 1000
 app.sm:16:11: error: the character '°' is allowed only in comments [E0102]
    16 |     p > 50°: -> Vent
-      |           ^ only times have units: convert the value in ° to the unit of the element and write the number alone
+      |           ^ write the number alone, in the unit of the element; sin, cos and tan take radians, which are degrees * 0.0174533
 app.sm:17:5: error: 'for' is not part of this language [E0329]
    17 |     for (int i = 0; i < 3; i++) { mode = 1 }
       |     ^~~ there are no loops: .step runs again in every step

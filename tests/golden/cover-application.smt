@@ -31,6 +31,7 @@ bool open
 U16  count
 U8   mode
 bool never
+U8   stage
 -- pump.sm --
 [state_vector]
 U64  time      @alias G
@@ -85,14 +86,16 @@ U64  time  @alias G
 U32  counterState @alias S
 U16  count
 bool never @read_only
+U8   stage
 
 [Begin] @safe
 .step
-    count == 5: -> Started
+    count == 5 and stage == 3: -> Started
 
 [Started]
 .step
     count = 0
+    stage = 0
     -> Run
 
 [Run]
@@ -144,6 +147,7 @@ time         time 1 ms
 
 [start]
 count = 5
+stage = 3
 
 [all]
 every 10 ms:
@@ -238,7 +242,7 @@ wrote joint/together-counter-4-wait-to-full.ss: counter: Wait -> Full, taken bec
 wrote joint/together-slow-1-count-to-judge.ss: slow: Count -> Judge, taken because T > 1 s.
 wrote joint/together-slow-2-judge-to-early.ss: slow: Judge -> Early, taken because n < 20.
 not found in counter:
-  line 24: `-> Broken` was never taken from Wait: 'never' was not true together with the rest
+  line 26: `-> Broken` was never taken from Wait: 'never' was not true together with the rest
 goals of pump: 29 of 29 reached
 goals of valve: 22 of 22 reached
   Left out: fails.ss, because it fails at fails.ss:2.
@@ -251,7 +255,7 @@ wrote none/stand-valve-2-open-to-closed.ss: valve: Open -> Closed, taken because
 setter.sm:11:12: warning: machine 'setter' writes 'count', and so does machine 'counter' [W0960 two-writers]
    11 |     start: count = 9
       |            ^~~~~~~~~
-counter.sm:13:5: note: machine 'counter' writes it here
+counter.sm:14:5: note: machine 'counter' writes it here
 1 warning
 smc: 1 of 7 goals were not found; --effort=200 searches longer
 alone.ss:1:2: error: 'Off' belongs to a machine, and the machines of an application run here [E0790]

@@ -15,6 +15,7 @@ args faults a.sm a.ss --at='0.5 q'
 args faults a.sm a.ss --at=0.5
 args faults a.sm a.ss --fail-on=none
 args faults a.sm a.ss --max-runs=0
+args faults a.sm a.ss --kinds=flipped
 args faults a.sm a.ss --max-runs=3 | head -n 1
 args faults none.sm none.ss
 args faults a.sm a.ss --seed=x
@@ -82,6 +83,10 @@ faults of a: 1 input, 0 triggers in 1 script; 0 of 0 faults have an effect
 input  dead
 p      -
 note: 'p' has no @range; its range in the runs without a fault is 0 to 300
+faults of a: 1 input, 2 triggers in 1 script; 0 of 0 faults have an effect
+input
+p
+note: 'p' has no @range; its range in the runs without a fault is 0 to 300
 faults of a: 1 input, 2 triggers in 1 script; 3 of 3 faults have an effect
 faults of none: 0 inputs, 2 triggers in 1 script; 0 of 0 faults have an effect
 my own script
@@ -124,6 +129,7 @@ smc: --fail-on is aborted, differs, endless, elsewhere, failed or violated, not 
 Try 'smc faults --help'.
 smc: --max-runs requires a whole number from 1, not '0'
 Try 'smc faults --help'.
+smc: warning: no input can have a fault of --kinds=flipped, so no fault begins: smc faults --help says which inputs have which
 smc: faults under "failed" (3) fail asserts, which describe a flight without faults: write what must hold with any fault as requirements, in a .rq file
 smc: stopped after 3 runs: --max-runs allows no more, so faults are missing
 smc: warning: the machine has no input: it reads no element that a script writes or that is '@read_only'
@@ -134,4 +140,4 @@ Try 'smc faults --help'.
 smc: 'kept/001-p-stuck.ss' is the name of a source, and only 'smc fix' writes to sources; name another folder with --scripts
 Try 'smc faults --help'.
 -- exit --
-2 1 1 1 2 1 1 2 2 2 0 0 2 2 2 2 0 0 2 2 0
+2 1 1 1 2 1 1 2 2 2 0 0 2 2 2 2 0 0 0 2 2 0

@@ -188,7 +188,7 @@ numbers.sm: 3 fixed
 -- stderr --
 app.sm:15:16: error: a comment begins with '#', not with '//' [E0110]
    15 |     n = count  // size
-      |                ^~ to divide and round down, write floor(a / b); a comment begins with #
+      |                ^~ begin the comment with #; to divide and round down, write floor(a / b)
 note: the same mistake is in lines 16, 17, 18, 19
 app.sm:21:11: error: unknown operator '%' [E0108]
    21 |     p > n % size: valve = true

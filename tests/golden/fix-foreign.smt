@@ -48,7 +48,7 @@ app.sm:19:14: error: unknown operator '//' [E0108]
       |              ^~ to divide and round down, write floor(a / b); a comment begins with #
 app.sm:20:14: error: a comment begins with '#', not with '//' [E0110]
    20 |     secs = T // mode
-      |              ^~ to divide and round down, write floor(a / b); a comment begins with #
+      |              ^~ begin the comment with #; to divide and round down, write floor(a / b)
 app.sm:21:8: error: unknown operator '//' [E0108]
    21 |     (p // 2
       |        ^~ to divide and round down, write floor(a / b); a comment begins with #

@@ -7,6 +7,8 @@ args prove stand.app stand.rq --requirements=R3,R1 --format=json
 args prove mode.app stand.rq --requirements=R1,R3
 args prove start.app stand.rq --requirements=R1,R3
 args prove two.app two.rq
+args prove writers.app writers.rq
+args test writers.app writers.ss writers.rq | grep violated
 args prove fractions.app fractions.rq
 args prove stand.app against.rq
 args prove stand.app unknown.rq
@@ -176,6 +178,44 @@ R5 "asking ends"                    always pump.S == Asking leads to pump.S != A
 R6 "open is a state"                always open implies valve.S == Open
 R7 "time"                           never G > 100 and G < 50
 R8 "asking for a while"             always held(pump.S == Asking, 100 ms) implies pump.T >= 100 ms
+-- keep.sm --
+[state_vector]
+U64  time      @alias G
+U32  pumpState @alias S
+bool ask
+
+[Good] @safe
+.step
+    ask: -> Bad
+    ask = false
+
+[Bad]
+-- set.sm --
+[state_vector]
+U64  time       @alias G
+U32  valveState @alias S
+bool start      @read_only
+bool ask
+
+[Set] @safe
+.step
+    ask = start
+-- writers.app --
+[options]
+state_vector "stand.sv"
+time         time 1 ms
+
+[stand]
+every 10 ms:
+    machine keep "keep.sm"
+    machine set  "set.sm"
+-- writers.rq --
+R1 "another machine writes what keep assigns"  always keep.S == Good
+R2 "and keep writes what set assigns"          always set.S == Set
+-- writers.ss --
+[all_states]
+at 0: start = true
+at 50 ms: @stop
 -- two.rq --
 R1 "both"  always motor implies first.S == On
 -- fractions.rq --
@@ -265,7 +305,7 @@ requirements of pump, from state Off, with a step every 10 ms:
       this run is of pump alone: in the application, its inputs may never have these values
 {"smc-proofs":1,"application":"stand","machines":[
 {"smc-proofs":1,"machine":"pump","state":"Off","delta_t":10,"scripts":[],"requirements":[
-{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":227,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
+{"id":"R3","text":"the motor runs only in On","verdict":"proved","premise_seen":true,"steps":222,"abstract_states":9,"paths":5085,"assumptions":["own-outputs","zero-start"],"invariants":[{"state":"Off","reached":true,"values":[{"name":"motor","least":0,"most":0}]},{"state":"Asking","reached":true,"values":[{"name":"motor","least":0,"most":0},{"name":"T","least":0,"most":510}]},{"state":"On","reached":true,"values":[]},{"state":"Abort","reached":true,"values":[{"name":"motor","least":0,"most":0}]}]}
 ]}
 ],"undecided":[
 {"id":"R1","because":"no machine writes 'level'"}]}
@@ -282,6 +322,12 @@ requirements of start that no machine decides alone; 'smc test' judges them in s
 requirements of two that no machine decides alone; 'smc test' judges them in scripts:
   R1  not decided         both
       because several machines write 'motor'
+requirements of writers that no machine decides alone; 'smc test' judges them in scripts:
+  R1  not decided         another machine writes what keep assigns
+      because set writes 'ask', too, which keep assigns
+  R2  not decided         and keep writes what set assigns
+      because keep writes 'ask', too, which set assigns
+  R1  violated  another machine writes what keep assigns
 requirements of fractions that no machine decides alone; 'smc test' judges them in scripts:
   R1  not decided         the motor runs only in On
       because the ticks of the application are no whole units of G
@@ -299,6 +345,29 @@ pump.sm:33:5: warning: machine 'second' writes 'motor', and so does machine 'fir
       |     ^~~~~~~~~~~~
 pump.sm:33:5: note: machine 'first' writes it here
 2 warnings
+set.sm:9:5: warning: machine 'set' writes 'ask', and so does machine 'keep' [W0960 two-writers]
+    9 |     ask = start
+      |     ^~~~~~~~~~~
+keep.sm:9:5: note: machine 'keep' writes it here
+1 warning
+set.sm:9:5: warning: machine 'set' writes 'ask', and so does machine 'keep' [W0960 two-writers]
+    9 |     ask = start
+      |     ^~~~~~~~~~~
+keep.sm:9:5: note: machine 'keep' writes it here
+1 warning
+writers.rq:1:55: error: requirement R1 violated in step 3 (G = 20, state keep.Bad, set.Set): another machine writes what keep assigns [E1310]
+    1 | R1 "another machine writes what keep assigns"  always keep.S == Good
+      |                                                       ^~~~~~~~~~~~~~ keep.S = Bad, number 2
+writers.ss:1:1: note: this script ran
+note: the last steps, and the values after each:
+      step   G  state                       keep.S
+         1   0  keep.Good, set.Set  Good, number 1
+         2  10  keep.Good, set.Set  Good, number 1
+         3  20  keep.Bad, set.Set    Bad, number 2
+keep.sm:8:10: note: transition in step 2 (G = 10): keep.Good -> Bad
+note: keep: no sequence of transitions leads from Bad to Good
+note: 3 later steps violated it, too, the last of them step 6 (G = 50)
+1 error
 against.rq:2:1: error: requirement R2 contradicts R1: no step can meet both [E1312]
     2 | R2 "always"  always motor
       | ^~
@@ -336,4 +405,4 @@ Try 'smc prove --help'.
 smc: requirements are required, as in 'smc prove M.sm R.rq'
 Try 'smc prove --help'.
 -- exit --
-5 0 5 5 5 5 5 5 1 1 0 5 2 2 2 2 2
+5 0 5 5 5 5 5 5 0 5 1 1 0 5 2 2 2 2 2

@@ -9,7 +9,8 @@ args report twice.app two.ss --format=text | grep -c 'The machine runs in steps'
 args report stand.app stand.ss --format=json | grep -o '^ "[a-z-]*"\|^{.*,' | head -n 9
 args report stand.app --format=text | sed -n '/^  Section/,/^$/p'
 args report stand.app failing.ss --format=text | sed -n '/^  Section/,/^Trace/p'
-args report stand.app stand.ss --prove
+args report stand.app stand.ss own.rq --prove --format=text | sed -n '/^  Section/,/^The app/p;/^Proofs$/,/^pump: Find/p'
+args report stand.app against.rq --prove
 args report stand.app stand.ss --io=a.io
 args report stand.app stand.ss --net=a.net
 args report stand.app stand.ss --sv=stand.sv
@@ -148,6 +149,15 @@ G == 5 s {
 -- stand.rq --
 R1 "no water, no pump"   never held(motor and level < 2, 100 ms)
 R2 "the motor waits for the valve"  never pump.On before valve.Open
+-- own.rq --
+R1 "no water, no pump"          never held(motor and level < 2, 100 ms)
+R2 "the motor runs only in On"  always motor implies pump.S == On
+R3 "the motor stops in time"    always motor leads to not motor within 1 s
+R4 "asking ends"                always pump.S == Asking leads to pump.S != Asking within 520 ms
+R5 "never water at the valve"   never valve.S == Open
+-- against.rq --
+R1 "never"   never motor
+R2 "always"  always motor
 -- failing.ss --
 [all_states]
 G == 50 ms: @assert pump.S == On "the pump runs"
@@ -220,15 +230,15 @@ Overview
 Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
 Failed: something is shown to be wrong.
 
-Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
-of parameters (`--sweep`). `smc report --all` adds them.
+Not examined: proofs of the requirements (`--prove`), changes that no script notices (`--mutate`),
+faults of sensors (`--faults`), margins of parameters (`--sweep`). `smc report --all` adds them.
 
   What speaks against it  How it is known
   pump: 3 open findings   W0921, W0930, W0920 (pump: Findings)
   valve: 6 open findings  W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
 
 Traceability is on the page of one machine: `smc report` with the file of the machine, its state
-vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application decides requirements.
+vector (`--sv`) and its bindings (`--bind`).
 
 The application has 2 machines, and a tick every 10 ms.
 
@@ -387,7 +397,7 @@ Memory
 Design review of the application in stand.app
 Overview
 Failed: something is shown to be wrong.
-vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application decides requirements.
+vector (`--sv`) and its bindings (`--bind`).
 The application has 2 machines, and a tick every 10 ms.
 What it does
 Shared variables
@@ -443,7 +453,7 @@ Failed: something is shown to be wrong.
   valve: 6 open findings  W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
 
 Traceability is on the page of one machine: `smc report` with the file of the machine, its state
-vector (`--sv`) and its bindings (`--bind`). `smc prove` with the application decides requirements.
+vector (`--sv`) and its bindings (`--bind`).
 
 The application has 2 machines, and a tick every 10 ms.
 
@@ -496,11 +506,88 @@ of parameters (`--sweep`). `smc report --all` adds them.
   valve: 6 open findings  W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
 
 Traceability is on the page of one machine: `smc report` with the file of the machine, its state
+  Section                  Verdict  Details
+  Requirements in scripts  failed   2 violated, 3 met in all scripts
+  Proofs                   open     1 violated alone, 2 not decided, 2 proved
+  pump: Findings           open     3 open
+  valve: Findings          open     6 open
+  Scripts                  failed   0 of 1 passed
+  pump: Coverage           open     41 of 58 places (71 %)
+  valve: Coverage          open     25 of 34 places (74 %)
+  pump: Longest step                14 instructions, in On
+  valve: Longest step               9 instructions, in Closed
+
+Passed: examined, and nothing speaks against it. Open: something is missing or has to be decided.
+Failed: something is shown to be wrong.
+
+Not examined: changes that no script notices (`--mutate`), faults of sensors (`--faults`), margins
+of parameters (`--sweep`). `smc report --all` adds them.
+
+  What speaks against it        How it is known
+  R3: the motor stops in time   stand.ss violates it in step 117
+  R5: never water at the valve  stand.ss violates it in step 15
+  pump: 3 open findings         W0921, W0930, W0920 (pump: Findings)
+  valve: 6 open findings        W0903, W0901, W0902, W0921, W0930, W0920 (valve: Findings)
+
+Traceability is on the page of one machine: `smc report` with the file of the machine, its state
+vector (`--sv`) and its bindings (`--bind`).
+
+The application has 2 machines, and a tick every 10 ms.
+Proofs
+------
+
+`smc prove` decides the requirements that one machine of the application decides alone. A proof
+holds whatever the other machines and tasks write, in the ticks of the application. A run that
+violates a requirement is one of this machine alone: the others may never write what it needs. What
+no machine decides alone is only as good as its tests.
+
+R1: no water, no pump [not decided]
+  because no machine writes 'level'
+
+R2: the motor runs only in On [proved]
+  of the machine pump
+  assuming that only this machine writes the elements that it assigns
+  assuming that in the first step G and the elements that the machine assigns are 0
+  in Off: motor is false
+  in Asking: motor is false, T is at most 510
+  in Abort: motor is false
+
+R3: the motor stops in time [violated alone]
+  of the machine pump
+  after 103 steps
+  # Violates R3 (the motor stops in time).
+
+  [options]
+  delta_t    10 ms
+  init_state Off
+
+  [all_states]
+  at 0 {
+      start = true
+      open = true
+  }
+  at 0:        @assert state Off and not ask and not motor
+  at 10 ms:    @assert state Asking and ask and not motor
+  after 20 ms: @assert state On and ask and motor
+  at 1.02 s:   @stop
+  this run is of pump alone: in the application, its inputs may never have these values
+
+R4: asking ends [proved]
+  of the machine pump
+  in Asking: T is at most 510
+
+R5: never water at the valve [not decided]
+  because valve does not step in every tick
+
+pump: Findings
 -- stderr --
-smc: --all: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
 smc: failing.ss failed; the report shows why
-smc: --prove: the page of an application has no proofs; 'smc prove stand.app R.rq' decides requirements
-Try 'smc report --help'.
+smc: stand.ss failed; the report shows why
+against.rq:2:1: error: requirement R2 contradicts R1: no step can meet both [E1312]
+    2 | R2 "always"  always motor
+      | ^~
+against.rq:1:1: note: the first one is here
+1 error
 smc: 'stand.app' names its files itself: remove --io
 Try 'smc report --help'.
 smc: 'stand.app' names its files itself: remove --net
@@ -525,4 +612,4 @@ smc: 'stand.app' is an application, and smc graph is for one machine, with scrip
   pump: smc graph pump.sm --sv stand.sv
   valve: smc graph valve.sm --sv stand.sv
 -- exit --
-0 0 0 0 0 0 0 0 0 2 2 2 2 1 1 2 2 2
+0 0 0 0 0 0 0 0 0 0 1 2 2 2 1 1 2 2 2
