@@ -209,6 +209,7 @@ void search_prove(SearchRun *k)
     if (k->o->no_places)
         return;
     if (has_goal_in_states(k)) {
+        const bool no_facts = k->o->place && k->o->place->no_facts;
         Arena known;
         RunFacts *facts;
         arena_init_within(&known, k->arena);
