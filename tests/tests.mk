@@ -339,10 +339,10 @@ $(B)/emitc/flow $(B)/emitc/typed: $(B)/emitc/%: tests/emitc/%.c $(ENGINE_C_OBJ) 
 ASAN_LEAVES_OUT = check-words check-wrap check-sentences check-links check-layers check-hints check-codes check-builtins check-arguments check-clauses \
                   check-citations check-licence check-columns check-last-return check-places check-configurations check-headers check-headers-targets check-names \
                   check-imports check-commits check-mutants documents mutants-places runner \
-                  check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small conformance-c-soft golden-long analysis-long
+                  check-docs ci-pages findings-seeded search report junit sarif graph-read conformance-c-small conformance-c-soft analysis-long
 #   7. conformance-c-soft compiles C that calls the functions of `soft`, which run under the sanitizers on operands of their own and in vm-soft;
 #      diff-c-soft compiles such C.
-#   8. golden-long and analysis-long are those of golden/ and analysis/ that take longest.
+#   8. analysis-long is those of analysis/ that take longest.  Of golden-long, the case runs that alone runs some lines (prove_near.c).
 # SANITIZED is not empty under them.  Then rows that start a process for each of many cases, or run a campaign, have fewer cases of the same
 # kinds, and names that end in -short, for which floors.txt has other floors.
 SANITIZED = $(findstring -fsanitize,$(CC))
@@ -979,7 +979,7 @@ $(call test, report,               thorough,, sh tests/report/run.sh $(B)/smc $(
 $(call test, findings-seeded,      thorough,, sh tests/findings/seeded.sh $(B)/smc)
 $(call test, examples$(SHORT),     thorough,, sh tests/check/examples.sh $(B)/smc $(if $(SANITIZED),--once) $(patsubst %/,%,$(sort $(dir $(wildcard examples/*/*.sm)))))
 $(call test, findings$(SHORT),     thorough,, sh tests/findings/run.sh $(B)/smc $(if $(SANITIZED),--every=2))
-$(call test, golden-long,          thorough, $(B)/golden, $(B)/golden $(B)/smc tests/golden/long/*.smt)
+$(call test, golden-long$(SHORT),  thorough, $(B)/golden, $(B)/golden $(B)/smc tests/golden/long/$(if $(SANITIZED),prove-near,*).smt)
 $(call test, analysis-long,        thorough,, $(B)/smc test tests/analysis/long)
 # Emitted C at -O1, as smc test builds it; -O0 builds faster.
 LEVELS ?= 0 1 2
