@@ -5,15 +5,7 @@
 #include <stdlib.h>
 
 #include "stdlib/convert.h"
-
-static void *from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size > 0)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
+#include "tests/heap.h"
 
 static void give_up(const char *what, const char *why)
 {
@@ -55,7 +47,7 @@ void compile_workload(CompiledWorkload *c, const Workload *w)
 
     if (setjmp(oom) != 0)
         give_up(w->name, "out of memory");
-    session_init(&c->session, from_heap, NULL, &oom);
+    session_init(&c->session, heap_alloc, NULL, &oom);
     in.sm = read_source(&c->session, w->sm ? w->sm : format_in(&c->session.arena, "tests/bench/workloads/%s.sm", w->name));
     in.sv = read_source(&c->session, format_in(&c->session.arena, "tests/bench/workloads/%s.sv", w->name));
     c->program = session_program(&c->session, &in);

@@ -36,7 +36,7 @@ static void open_run(Run *r, const TestFile *f, size_t changed, const Buf *text)
     CaseSources sources;
     Compiled made;
 
-    session_init(&r->s, host_alloc, NULL, &host_oom);
+    session_init(&r->s, heap_alloc, NULL, &host_oom);
     edited.part.at = ARENA_ARRAY(&r->s.arena, TestPart, f->part.n + 1);
     for (size_t i = 0; i < f->part.n; i++)
         edited.part.at[i] = f->part.at[i];

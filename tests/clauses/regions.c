@@ -4,17 +4,8 @@
 #include <string.h>
 
 #include "compiler/compile.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 static const char text[] = "[a]\nU8 a1\nF64 a2\nbool a3\n[b]\nU16 b1\n[c]\nU32 c1\nI64 c2\nF32 c3\nI8 c4\nU16 c5\n";
 
@@ -29,7 +20,7 @@ int main(void)
     StateVec *volatile sv = NULL;
 
     if (setjmp(oom) == 0) {
-        session_init(&s, heap, NULL, &oom);
+        session_init(&s, heap_alloc, NULL, &oom);
         sv = session_state_vector(&s, source_new(&s.arena, "app.sv", text, strlen(text)));
     }
     CHECK(sv && sv->region.n == 3 && sv->size == 56);

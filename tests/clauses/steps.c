@@ -6,17 +6,8 @@
 
 #include "compiler/device/engine_c.h"
 #include "compiler/compile.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 static const char machine[] =
     "[options]\nstep 10 ms\n"
@@ -64,7 +55,7 @@ static bool set_up(Rig *r, const char *name, jmp_buf *oom)
     MachineInput in = {0};
 
     memset(r, 0, sizeof *r);
-    session_init(&r->s, heap, NULL, oom);
+    session_init(&r->s, heap_alloc, NULL, oom);
     in.sm = source_new(&r->s.arena, "app.sm", machine, strlen(machine));
     r->p = session_program(&r->s, &in);
     if (!r->p || !open_engine(r, name))

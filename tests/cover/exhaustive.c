@@ -11,6 +11,7 @@
 #include "compiler/search/search.h"
 #include "tests/diff/cover_model.h"
 #include "tests/diff/subject.h"
+#include "tests/heap.h"
 
 // Every second machine has windows of at most WINDOW_MOST samples.  Then a situation also has the inputs of the steps before, and n is at most 2.
 enum { SITUATIONS_MOST = 400, COMBINATIONS = 12, COMBINATIONS_OF_WINDOWS = 6, CELLS_MOST = 8, T_MOST = 50, WINDOW_MOST = 3 };
@@ -300,16 +301,6 @@ static bool was_thorough(uint64_t count)
     return good;
 }
 
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
-
 int main(int argc, char **argv)
 {
     const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1, count = argc > 2 ? strtoull(argv[2], NULL, 10) : 200;
@@ -324,7 +315,7 @@ int main(int argc, char **argv)
         const char *wrong, *text = "";
 
         diff_arena_init(&arena);
-        session_init(&s, heap, NULL, &oom);
+        session_init(&s, heap_alloc, NULL, &oom);
         wrong = test_machine(i, &arena, &s, &text);
         passed += !wrong;
         failed += wrong != NULL;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "compiler/device/engine_c.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 enum { BLOCKS_MAX = 14, BITS = 6, STATES = 3 };
@@ -18,16 +19,6 @@ static uint32_t dice(uint32_t n)
 {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
     return (uint32_t)(seed >> 33) % n;
-}
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
 }
 
 // ---- a machine whose first state's step is a random graph ----
@@ -237,7 +228,7 @@ int main(int argc, char **argv)
     seed = argc > 2 ? (uint64_t)atoi(argv[2]) : 1;
     if (setjmp(oom))
         return 3;
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     str_pool_init(&strings, &arena);
     s = ARENA_ARRAY(&arena, Subject, count);
     p = ARENA_ARRAY(&arena, const Program *, count);

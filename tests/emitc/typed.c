@@ -10,6 +10,7 @@
 #include "stdlib/convert.h"
 #include "stdlib/elementary.h"
 #include "stdlib/math.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 enum { INPUTS = 2 * SM_TYPE_COUNT, RESULTS = 12, STEPS = 60, DEPTH = 4, VAR_G = 0, VAR_S = 1, VAR_T = 2, VAR_IN = 3, VAR_OUT = VAR_IN + INPUTS };
@@ -20,16 +21,6 @@ static uint32_t dice(uint32_t n)
 {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
     return (uint32_t)(seed >> 33) % n;
-}
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
 }
 
 typedef struct Subject {
@@ -335,7 +326,7 @@ int main(int argc, char **argv)
     seed = argc > 2 ? (uint64_t)atoi(argv[2]) : 1;
     if (setjmp(oom))
         return 3;
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     str_pool_init(&strings, &arena);
     s = ARENA_ARRAY(&arena, Subject, count);
     p = ARENA_ARRAY(&arena, const Program *, count);

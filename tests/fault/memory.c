@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "compiler/case.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 // ---- a host that refuses the N-th request ----
@@ -33,15 +34,6 @@ static void *take(void *context, void *old, size_t size)
         return NULL;
     h->live += old == NULL;
     return p;
-}
-
-static void *from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
 }
 
 // ---- everything the library does with a machine ----
@@ -208,7 +200,7 @@ static bool check_file(const char *file)
     Arena a;
     TestFile *t;
 
-    arena_init(&a, from_heap, NULL, &oom);
+    arena_init(&a, heap_alloc, NULL, &oom);
     if (setjmp(oom) == 0) {
         t = testfile_parse(&a, file, text, n);
         ok = !t->error && (!case_has_part_of_kind(t, ".sm") || refuse_each(t));

@@ -23,7 +23,7 @@ static void *small_heap(void *context, void *old, size_t size)
     if (size > MEMORY_MOST - memory_taken)
         return NULL;
     memory_taken += size;
-    return fuzz_alloc(context, old, size);
+    return heap_alloc(context, old, size);
 }
 
 // ---- what must hold of a tree ----

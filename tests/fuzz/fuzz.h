@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/heap.h"
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 // Each target counts the inputs that passed its first checks and reached the tested code.  It defines how many of a hundred inputs must do so.
@@ -24,14 +26,5 @@ extern const unsigned fuzz_floor;
             abort();                                                                              \
         }                                                                                         \
     } while (0)
-
-static inline void *fuzz_alloc(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 #endif

@@ -90,7 +90,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     jmp_buf oom;
     Session s;
 
-    session_init(&s, fuzz_alloc, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     if (setjmp(oom) == 0)
         check(&s, (const char *)data, size);
     session_free(&s);

@@ -6,15 +6,7 @@
 #include "compiler/report/flight.h"
 #include "runtime-c/log_block.h"
 #include "tests/fuzz/fuzz.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
+#include "tests/heap.h"
 
 static void show(Flight *f, Buf *out)
 {
@@ -40,7 +32,7 @@ static bool read_and_show(const uint8_t *data, size_t size)
     Flight f;
     Buf out;
 
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     if (setjmp(oom) == 0) {
         memset(&f, 0, sizeof f);
         f.arena = &arena;

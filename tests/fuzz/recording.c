@@ -92,7 +92,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
     if (size == 0 || size > 1 << 21)
         return 0;
-    arena_init(&arena, fuzz_alloc, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     if (setjmp(oom) == 0)
         read_file(&arena, data[0], (const char *)data + 1, size - 1);
     arena_free(&arena);

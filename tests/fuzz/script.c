@@ -14,7 +14,7 @@ static void *small_heap(void *context, void *old, size_t size)
     if (size > MEMORY_MOST - memory_taken)
         return NULL;
     memory_taken += size;
-    return fuzz_alloc(context, old, size);
+    return heap_alloc(context, old, size);
 }
 
 static size_t open_engines(Session *s, const Program *p, Engine **engine)

@@ -24,6 +24,7 @@
 
 #include "compiler/script/testfile.h"
 #include "tests/golden/expect.h"
+#include "tests/heap.h"
 
 typedef struct Golden {
     Arena arena;
@@ -33,15 +34,6 @@ typedef struct Golden {
     Buf why;
     Buf codes, zeros;         // the actual exit codes; the codes if every command succeeds
 } Golden;
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static void die(const char *what, const char *path)
 {
@@ -287,7 +279,7 @@ int main(int argc, char **argv)
     }
     for (int i = 2; i < argc; i++) {
         Golden g = {.smc = realpath(argv[1], NULL)};
-        arena_init(&g.arena, heap, NULL, &oom);
+        arena_init(&g.arena, heap_alloc, NULL, &oom);
         *(run_case(&g, argv[i]) ? &passed : &failed) += 1;
         arena_free(&g.arena);
         free((void *)(size_t)g.smc);

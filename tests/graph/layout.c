@@ -8,6 +8,7 @@
 
 #include "compiler/report/diagram_layout.h"
 #include "compiler/compile.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
@@ -15,15 +16,6 @@
 
 static Session session;
 static jmp_buf oom;
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static Program *compile(const char *name, const char *text, size_t len)
 {
@@ -358,7 +350,7 @@ static void check_random(void)
     for (unsigned seed = 1; seed <= 150; seed++) {
         check_layout(random_machine(1 + seed % 30, seed % 5, seed));
         session_free(&session);
-        session_init(&session, heap, NULL, &oom);
+        session_init(&session, heap_alloc, NULL, &oom);
     }
 }
 
@@ -570,7 +562,7 @@ int main(int argc, char **argv)
         puts("out of memory: 0 passed, 1 failed");
         return 1;
     }
-    session_init(&session, heap, NULL, &oom);
+    session_init(&session, heap_alloc, NULL, &oom);
     for (int i = 1; i < argc; i++)
         check_file(argv[i]);
     check_wrapping();

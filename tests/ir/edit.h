@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "compiler/ir/ir.h"
+#include "tests/heap.h"
 
 typedef struct Edit { const char *from, *to, *says; } Edit;
 
@@ -65,15 +66,6 @@ static const char edit_text[] =
     "    ret\n"
     "}\n"
     "state B\n";
-
-static void *edit_from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 // Returns edit_text with the first `from` replaced; NULL if it has none.  The caller frees it.
 static char *edit_apply(const Edit *e)

@@ -14,6 +14,7 @@
 
 #include "compiler/passes/pass.h"
 #include "compiler/case.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 static const char preamble[] =
@@ -38,15 +39,6 @@ static const char preamble[] =
     "element bool b at 73\n"
     "element bool c at 74\n"
     "time U64 T\n";
-
-static void *from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static char *read_all(const char *path, size_t *n)
 {
@@ -223,7 +215,7 @@ static bool check_file(const char *file, bool print)
     jmp_buf oom;
     Session s;
 
-    session_init(&s, from_heap, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     if (setjmp(oom) == 0)
         ok = has_suffix(file, ".ir") ? check_ir_file(&s, file, text, n) : check_smt(&s, file, text, n, print);
     session_free(&s);

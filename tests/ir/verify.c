@@ -185,7 +185,7 @@ int main(void)
 
     if (setjmp(oom) != 0)
         return 3;
-    arena_init(&a, edit_from_heap, NULL, &oom);
+    arena_init(&a, heap_alloc, NULL, &oom);
     for (size_t i = 0; i < sizeof edits / sizeof edits[0]; i++)
         CHECK(check_edit(&a, &edits[i]));
     check_broken_structures(&a);

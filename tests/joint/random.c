@@ -21,6 +21,7 @@
 #include "compiler/script/script.h"
 #include "tests/diff/gen.h"
 #include "tests/diff/subject.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 enum { MACHINES = 5, EXECUTORS = 3, GROUPS = 4, ELEMENTS = 400, INPUTS = 60, COUNTERS = 6, ENABLED = 2, TICKS = 60 };
@@ -473,20 +474,6 @@ static void compare_tick(void *context, const ScriptStep *step)
 
 static jmp_buf out_of_memory;
 
-static void *heap(void *context, void *old, size_t size)
-{
-    void *p;
-
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    if ((p = realloc(old, size)) == NULL)
-        exit(3);
-    return p;
-}
-
 static const Source *source(Session *s, const char *name, void (*print)(Buf *out))
 {
     Buf text;
@@ -532,7 +519,7 @@ static bool run_application(void)
     Engine *engine[2];
     bool good;
 
-    session_init(&s, heap, NULL, &out_of_memory);
+    session_init(&s, heap_alloc, NULL, &out_of_memory);
     memset(at, 0, sizeof at);
     at[0] = (CompileSource){.text = source(&s, "joint.app", print_app), .kind = FILE_APP};
     at[1] = (CompileSource){.text = source(&s, "joint.ss", print_script), .kind = FILE_SS};

@@ -18,6 +18,7 @@
 #include "compiler/script/monitor.h"
 #include "stdlib/convert.h"
 #include "tests/diff/subject.h"
+#include "tests/heap.h"
 #include "tests/prove/held_text.h"
 #include "tests/prove/related_text.h"
 
@@ -408,20 +409,6 @@ static const char *check_verdict(AppTest *t, size_t i, uint64_t ticks)
 
 static jmp_buf out_of_memory;
 
-static void *heap(void *context, void *old, size_t size)
-{
-    void *p;
-
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    if ((p = realloc(old, size)) == NULL)
-        exit(3);
-    return p;
-}
-
 static const Source *source(Session *s, const char *name, void (*print)(Buf *out))
 {
     Buf text;
@@ -459,7 +446,7 @@ static const char *test_application(const char *rq, uint64_t ticks)
     Compiled made;
     const char *wrong = NULL;
 
-    session_init(&s, heap, NULL, &out_of_memory);
+    session_init(&s, heap_alloc, NULL, &out_of_memory);
     memset(at, 0, sizeof at);
     at[0] = (CompileSource){.text = source(&s, "random.app", print_app), .kind = FILE_APP};
     at[1] = (CompileSource){.text = source_new(&s.arena, "random.rq", rq, strlen(rq)), .kind = FILE_RQ};

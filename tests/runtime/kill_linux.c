@@ -14,6 +14,7 @@
 #include "runtime-c/keep.h"
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/thread.h"
+#include "tests/heap.h"
 
 enum { LOG_MOST = 1 << 22 };      // bytes; when the log exceeds this, a new one begins
 
@@ -130,15 +131,6 @@ static void check_stored(void)
 
 static jmp_buf oom;
 
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
-
 static bool is_true(const LogSession *s, const LogItem *r)
 {
     const uint64_t k = log_read_time(r) / TICK;
@@ -154,7 +146,7 @@ static void check_log(const uint8_t *bytes, size_t n, uint32_t starts)
     Arena arena;
     Log *log;
 
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     if (setjmp(oom))
         abort();
     log = log_read(&arena, bytes, (uint32_t)n);

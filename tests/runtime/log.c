@@ -444,7 +444,7 @@ int main(int argc, char **argv)
 {
     if (argc > 1)
         return argc > 2 ? make_rare_records(argv[2]) : make_sample(argv[1]);
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     if (setjmp(oom))
         return 1;
     test_plain();

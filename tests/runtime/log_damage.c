@@ -226,7 +226,7 @@ static void test_power(void)
 
 int main(void)
 {
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     if (setjmp(oom))
         return 1;
     test_cut();

@@ -9,6 +9,7 @@
 #include "compiler/report/flight_log.h"
 #include "log_parts.h"
 #include "runtime-c/psl/sim/sim.h"
+#include "tests/heap.h"
 
 #define NAME "flight.log"
 
@@ -16,15 +17,6 @@
 
 static Arena arena;
 static jmp_buf oom;
-
-static inline void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static inline Log *read_bytes(const uint8_t *bytes, size_t n)
 {

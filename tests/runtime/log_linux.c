@@ -12,6 +12,7 @@
 #include "runtime-c/pal/clock.h"
 #include "runtime-c/pal/thread.h"
 #include "runtime-c/shared.h"
+#include "tests/heap.h"
 
 enum { STEPS = 20000 };
 
@@ -64,22 +65,13 @@ static void run_both(void)
 
 static jmp_buf oom;
 
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
-
 static void check_log(const uint8_t *bytes, size_t n)
 {
     Arena arena;
     Log *log;
     static uint64_t seen;
 
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     if (setjmp(oom))
         abort();
     log = log_read(&arena, bytes, (uint32_t)n);

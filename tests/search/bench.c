@@ -110,7 +110,7 @@ static Program *open_machine(Session *s, const char *path)
     MachineInput in = {NULL, NULL, NULL, NULL};
     Program *p;
 
-    session_init(s, host_alloc, NULL, &host_oom);
+    session_init(s, heap_alloc, NULL, &host_oom);
     in.sm = read_source(&s->arena, path);
     p = in.sm ? session_program(s, &in) : NULL;
     if (!p && in.sm) {

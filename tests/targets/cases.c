@@ -10,6 +10,7 @@
 #include "compiler/case.h"
 #include "tests/diff/batch.h"
 #include "tests/diff/subject.h"
+#include "tests/heap.h"
 
 enum { TEXT_MAX = 1 << 20, STEPS_MAX = 500, BATCH = 40 };
 
@@ -23,16 +24,6 @@ typedef struct Case {
 
 static unsigned long passed, failed, no_room, left_out;
 static jmp_buf out_of_memory;
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 // ---- a case as a part of the conversation ----
 
@@ -77,7 +68,7 @@ static void open_case(Case *c, const char *path, Talk *t, uint32_t number)
 
     memset(c, 0, sizeof *c);
     c->path = path;
-    session_init(&c->s, heap, NULL, &out_of_memory);
+    session_init(&c->s, heap_alloc, NULL, &out_of_memory);
     char *text = arena_alloc(&c->s.arena, TEXT_MAX);
     const size_t n = f != NULL ? fread(text, 1, TEXT_MAX, f) : 0;
     if (f != NULL)

@@ -27,7 +27,7 @@ static Analysis analyse(Session *s, const char *text)
     MachineInput in = {0};
     Analysis a;
 
-    session_init(s, host_alloc, NULL, &host_oom);
+    session_init(s, heap_alloc, NULL, &host_oom);
     in.sm = source_new(&s->arena, "m.sm", text, strlen(text));
     analysis_begin(&a, &s->arena, &s->diags, session_program(s, &in));
     return a;

@@ -6,17 +6,8 @@
 
 #include "compiler/emit/c/unit.h"
 #include "stdlib/convert.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 static uint64_t next_random(uint64_t *seed)
 {
@@ -104,7 +95,7 @@ int main(void)
     memset(&f, 0, sizeof f);
     if (setjmp(oom))
         return 3;
-    arena_init(&f.arena, heap, NULL, &oom);
+    arena_init(&f.arena, heap_alloc, NULL, &oom);
     f.u.arena = &f.arena;
     f.u.helper = ARENA_ARRAY(&f.arena, uint32_t, helper_count());
     buf_init(&f.out, &f.arena);

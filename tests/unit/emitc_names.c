@@ -5,17 +5,8 @@
 
 #include "compiler/emit/c/emit_c.h"
 #include "compiler/emit/c/unit.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 static Arena arena;
 
@@ -87,7 +78,7 @@ int main(void)
 
     if (setjmp(oom))
         return 3;
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     test_prefixes_are_identifiers();
     test_reserved_names();
     test_members_are_unique();

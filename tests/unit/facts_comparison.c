@@ -8,15 +8,8 @@
 #include "compiler/ir/eval.h"
 #include "stdlib/convert.h"
 #include "stdlib/math.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *from_heap(void *context, void *block, size_t size)
-{
-    (void)context;
-    if (size == 0)
-        free(block);
-    return size == 0 ? NULL : realloc(block, size);
-}
 
 enum { VALUES = 6, OPS = 6, LEFT = 0, RIGHT = 1 };
 
@@ -146,7 +139,7 @@ int main(void)
         puts("out of memory: 0 passed, 1 failed");
         return 1;
     }
-    arena_init(&arena, from_heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     test_all(&arena);
     arena_free(&arena);
     return test_end("facts_comparison");

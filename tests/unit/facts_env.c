@@ -5,19 +5,11 @@
 #include <string.h>
 
 #include "compiler/facts/env_table.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 #include "tests/unit/random.h"
 
 enum { VARS = 100, ENVS = 40, ROUNDS = 4000 };
-
-static void *from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static IrMachine *machine(Arena *arena)
 {
@@ -101,7 +93,7 @@ int main(void)
         puts("out of memory: 0 passed, 1 failed");
         return 1;
     }
-    arena_init(&arena, from_heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     test_same_facts(&arena);
     test_unique(&arena);
     arena_free(&arena);

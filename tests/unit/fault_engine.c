@@ -153,7 +153,7 @@ int main(void)
 {
     Arena a;
 
-    arena_init(&a, host_alloc, NULL, &host_oom);
+    arena_init(&a, heap_alloc, NULL, &host_oom);
     host_check(setjmp(host_oom));
     test_numbers(&a);
     test_bools(&a);

@@ -103,7 +103,7 @@ static void try_machine(void)
     const Requirements *rq;
     const Source *text;
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     in.sm = source_of(&s, "m.sm", format_in(&s.arena, machine, stores_b ? "" : "@read_only ", level[draw(3)], 20 + draw(40), draw(30), 100 + draw(300), 5 + draw(20),
                                             20 + draw(40), draw(6), 150 + draw(300), stores_b ? "b = last / 2" : "n = n"));
     p = session_program(&s, &in);
@@ -162,7 +162,7 @@ static void try_machines(void)
     const char *text[3] = {vector};
     Session s;
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     text[1] = format_in(&s.arena, machine, "@read_only ", draw(2) ? "b" : "last", 20 + draw(40), draw(30), 100 + draw(300), 5 + draw(20), 20 + draw(40),
                         draw(6), 150 + draw(300), "n = n");
     text[2] = format_in(&s.arena, second, input[read], draw(30), dark[read], 100 + draw(400));

@@ -7,17 +7,9 @@
 #include <stdlib.h>
 
 #include "compiler/base/arena.h"
+#include "tests/heap.h"
 
 static jmp_buf host_oom;
-
-static inline void *host_alloc(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 // Running out of memory ends a test with a failure.
 static inline void host_check(int code)
@@ -28,6 +20,6 @@ static inline void host_check(int code)
     }
 }
 
-#define HOST_ARENA(a) (host_check(setjmp(host_oom)), arena_init((a), host_alloc, NULL, &host_oom))
+#define HOST_ARENA(a) (host_check(setjmp(host_oom)), arena_init((a), heap_alloc, NULL, &host_oom))
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compiler/ir/ir.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 enum { BLOCKS_MOST = 12, FUNCTIONS = 20000 };
@@ -17,15 +18,6 @@ static uint32_t random_below(uint32_t n)
     state ^= state >> 7;
     state ^= state << 17;
     return (uint32_t)(state >> 20) % n;
-}
-
-static void *from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
 }
 
 static void random_jump(IrJump *j, uint32_t b, uint32_t n)
@@ -116,11 +108,11 @@ int main(void)
     if (setjmp(oom) != 0)
         return 3;
     for (int i = 0; i < FUNCTIONS; i++) {
-        arena_init(&a, from_heap, NULL, &oom);
+        arena_init(&a, heap_alloc, NULL, &oom);
         check_function(&a);
         arena_free(&a);
     }
-    arena_init(&a, from_heap, NULL, &oom);
+    arena_init(&a, heap_alloc, NULL, &oom);
     check_uses(&a);
     arena_free(&a);
     return test_end("ir_cfg");

@@ -5,16 +5,8 @@
 #include <string.h>
 
 #include "compiler/compile.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *from_heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static const char *const relation[] = {"<", "<=", ">", ">="};
 static const char *const function[] = {"abs", "floor", "ceil", "trunc", "round", "sqrt", "sign"};
@@ -89,7 +81,7 @@ int main(void)
 
     if (setjmp(oom) != 0)
         return 3;
-    session_init(&s, from_heap, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     check_sharing(&s);
     session_free(&s);
     return test_end("ir_windows");

@@ -137,7 +137,7 @@ static size_t allocated;
 static void *counting_alloc(void *context, void *old, size_t size)
 {
     allocated += size;
-    return host_alloc(context, old, size);
+    return heap_alloc(context, old, size);
 }
 
 typedef struct Made { DataFile file; unsigned long rows; bool fails; } Made;

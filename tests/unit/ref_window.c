@@ -6,17 +6,8 @@
 #include <stdlib.h>
 
 #include "stdlib/roll.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 static Arena arena;
 static jmp_buf oom;
@@ -103,7 +94,7 @@ int main(void)
 {
     if (setjmp(oom))
         return 1;
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     check_by_hand();
     check_zeros_and_extremes();
     for (uint32_t size = 1; size <= 70; size++)

@@ -4,17 +4,8 @@
 #include <string.h>
 
 #include "compiler/diag/diag.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 // Returns the output for a diagnostic at byte `at` of a source.
 static const char *rendered(Arena *a, const char *text, size_t len, uint32_t at)
@@ -56,7 +47,7 @@ int main(void)
 
     if (setjmp(oom))
         return 1;
-    arena_init(&a, heap, NULL, &oom);
+    arena_init(&a, heap_alloc, NULL, &oom);
 
     CHECK(strstr(rendered(&a, "ab = p\n", 7, 5), "    1 | ab = p\n      |      ^") != NULL);
     CHECK(strstr(rendered(&a, "a\tp\n", 4, 2), "    1 | a p\n      |   ^") != NULL);

@@ -319,7 +319,7 @@ int main(void)
     for (; i < CASES; i++) {
         const int failed_before = test_failed;
         make_case(&k);
-        session_init(&s, host_alloc, NULL, &host_oom);
+        session_init(&s, heap_alloc, NULL, &host_oom);
         run_case(&s, &k);
         if (test_failed > failed_before && test_failed < 5) {
             DiagStyle plain = {false, 20};

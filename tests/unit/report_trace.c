@@ -93,7 +93,7 @@ int main(void)
     Trace t;
 
     host_check(setjmp(host_oom));
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     in.sm = source_new(&s.arena, "m.sm", text, strlen(text));
     p = session_program(&s, &in);
     CHECK(p != NULL);

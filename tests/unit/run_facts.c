@@ -59,7 +59,7 @@ static IrMachine *load(Session *s, const char *text, const Program **p)
 {
     MachineInput in = {NULL, NULL, NULL, NULL};
 
-    session_init(s, host_alloc, NULL, &host_oom);
+    session_init(s, heap_alloc, NULL, &host_oom);
     in.sm = source_new(&s->arena, "row", text, strlen(text));
     *p = session_program(s, &in);
     return *p ? ir_build(&s->arena, *p) : NULL;
@@ -143,7 +143,7 @@ static void check_many_ends(void)
     bool *is_input;
 
     host_check(setjmp(host_oom));
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     m = ir_read(&s.arena, &s.strings, text, strlen(text), &error);
     test_count(m != NULL, error);
     if (!m)

@@ -121,7 +121,7 @@ static void check_random_script(void)
     Schedule *h;
     DueItems due = {0};
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     buf_init(&text, &s.arena);
     write_script(&text);
     script = compile(&s, buf_text(&text), text.n, &p);
@@ -154,7 +154,7 @@ static void check_one_a_step(void)
     Schedule *h;
     DueItems due = {0};
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     buf_init(&text, &s.arena);
     buf_str(&text, "[options]\ndelta_t 1\n[A]\n");
     for (unsigned i = 0; i < STEPS; i++)
@@ -186,7 +186,7 @@ static void check_periods(void)
     Schedule *h;
     DueItems due = {0};
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     buf_init(&text, &s.arena);
     buf_str(&text, "[options]\ndelta_t 1\n[A]\n");
     for (unsigned i = 1; i <= PERIODS; i++)

@@ -132,7 +132,7 @@ static void compare_random_script(unsigned used[6])
     uint64_t ha = 1, hb = 1;
     const Program *p;
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     in.sm = source_new(&s.arena, "m.sm", machine, strlen(machine));
     p = session_program(&s, &in);
     buf_init(&a, &s.arena);

@@ -122,7 +122,7 @@ static void run_with(const uint64_t *seed, uint64_t shown)
     Engine *engine;
     ScriptResult r;
 
-    session_init(&s, host_alloc, NULL, &host_oom);
+    session_init(&s, heap_alloc, NULL, &host_oom);
     in.sm = source_new(&s.arena, "m.sm", machine, strlen(machine));
     p = session_program(&s, &in);
     ss = session_script(&s, source_new(&s.arena, "m.ss", script, strlen(script)), p);

@@ -21,7 +21,7 @@ static Program *load(Session *s, const char *name)
     size_t n;
     MachineInput in = {NULL, NULL, NULL, NULL};
 
-    session_init(s, host_alloc, NULL, &host_oom);
+    session_init(s, heap_alloc, NULL, &host_oom);
     snprintf(path, sizeof path, "tests/search/machines/%s.sm", name);
     f = fopen(path, "rb");
     n = f ? fread(text, 1, TEXT - 1, f) : 0;
@@ -222,7 +222,7 @@ static void check_effort(void)
 // An allocator that knows the most bytes that were allocated at one time.
 typedef struct Heap { size_t now, most; } Heap;
 
-static void *heap_alloc(void *context, void *old, size_t size)
+static void *counted_alloc(void *context, void *old, size_t size)
 {
     Heap *h = context;
     size_t *block = old ? (size_t *)old - 2 : NULL;
@@ -254,7 +254,7 @@ static size_t measure_memory(const char *name, uint64_t effort, size_t memory, b
     host_check(setjmp(host_oom));
     p = load(&s, name);
     c = make_cover(&s, p);
-    arena_init(&a, heap_alloc, &h, &host_oom);
+    arena_init(&a, counted_alloc, &h, &host_oom);
     before = h.now;
     r = search_run(&a, c, &(SearchOptions){.seed = 5, .effort = effort, .memory = memory});
     *memory_reached = r->memory_reached;
@@ -460,7 +460,7 @@ static void check_unrolled(void)
     Session session;
     Scenario flat;
 
-    session_init(&session, host_alloc, NULL, &host_oom);
+    session_init(&session, heap_alloc, NULL, &host_oom);
     host_check(setjmp(host_oom));
     flat = scenario_unroll(&session.arena, &s);
     CHECK(flat.loops == 0 && flat.changes == 7 && flat.steps == 20);

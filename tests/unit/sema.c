@@ -8,19 +8,10 @@
 #include "compiler/sema/sema.h"
 #include "stdlib/convert.h"
 #include "stdlib/crc32.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 static jmp_buf oom;
-
-static void *host_alloc(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size == 0) {
-        free(old);
-        return NULL;
-    }
-    return realloc(old, size);
-}
 
 static Source *text(Session *s, const char *name, const char *t)
 {
@@ -31,7 +22,7 @@ static Program *compile(Session *s, const char *sm)
 {
     MachineInput in = {0};
 
-    session_init(s, host_alloc, NULL, &oom);
+    session_init(s, heap_alloc, NULL, &oom);
     in.sm = text(s, "dir/tank.v2.sm", sm);
     return session_program(s, &in);
 }
@@ -51,7 +42,7 @@ static void test_layout(void)
     Session s;
     StateVec *sv;
 
-    session_init(&s, host_alloc, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     sv = session_state_vector(&s, text(&s, "app.sv", sv_text));
     CHECK(sv && sv->element.n == 6 && sv->region.n == 3);
     if (!sv)
@@ -77,7 +68,7 @@ static SmF64 value_of(const char *expression)
     Program *p;
     SmF64 x = sm_from_i32(-12345);
 
-    session_init(&s, host_alloc, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     buf_init(&b, &s.arena);
     buf_printf(&b, "[state_vector]\nU64 G\nU32 S\n[local]\nF64 two = 2\nU8 big = 300\nF64 x = %s\n[A]\n", expression);
     p = session_program(&s, &(MachineInput){text(&s, "a.sm", buf_text(&b)), NULL, NULL, NULL});
@@ -159,7 +150,7 @@ static void test_written_outside(void)
     Program *p;
     Script *ss;
 
-    session_init(&s, host_alloc, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     memset(&names, 0, sizeof names);
     names.arena = &s.arena;
     in.sm = text(&s, "tank.sm", machine);
@@ -217,7 +208,7 @@ static void test_size(const char *bad, double most_seconds)
     clock_t start;
     Program *p;
 
-    session_init(&s, host_alloc, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     buf_init(&b, &s.arena);
     buf_str(&b, "[state_vector]\nU64 G\nU32 S\n[local]\n");
     for (int i = 0; i < 16000; i++)

@@ -5,16 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *heap(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static Arena arena;
 static jmp_buf oom;
@@ -93,7 +85,7 @@ int main(void)
 {
     if (setjmp(oom))
         return 1;
-    arena_init(&arena, heap, NULL, &oom);
+    arena_init(&arena, heap_alloc, NULL, &oom);
     check_header();
     check_parts();
     check_expected();

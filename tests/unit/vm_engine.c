@@ -7,21 +7,13 @@
 #include "bytecode-vm/image.h"
 #include "compiler/compile.h"
 #include "compiler/script/engine.h"
+#include "tests/heap.h"
 #include "tests/test.h"
 
 static const char counter[] = "[state_vector]\nU64 G\nU32 S\nI8 in @read_only\nU16 out\n[local]\nF64 half = 0.5 @read_only\nU8 n = 3\n"
                               "[A]\n.step\n n = n + in\n out = n\n n > 10: -> B\n[B]\n";
 static const char other[] = "[state_vector]\nU64 G\nU32 S\nI8 inn @read_only\nU16 out\n[local]\nU8 n = 3\n[A]\n.step\n n = n + inn\n out = n\n n > 10: -> B\n[B]\n";
 static const char one_state[] = "[state_vector]\nU64 G\nU32 S\nI8 in @read_only\nU16 out\n[local]\nU8 n = 3\n[A]\n.step\n n = n + in\n out = n\n";
-
-static void *host(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static Program *compile_program(Session *s, const char *text)
 {
@@ -118,7 +110,7 @@ int main(void)
     jmp_buf oom;
     Session s;
 
-    session_init(&s, host, NULL, &oom);
+    session_init(&s, heap_alloc, NULL, &oom);
     test_wrong_images_are_refused(&s);
     test_source_is_named_without_folders(&s);
     test_engine_runs(&s);

@@ -7,6 +7,7 @@
 // fuzzing.  IMAGE: more images.
 //
 // Run it under sanitizers (make check-mutate): without them, few errors are detected.
+#include "tests/heap.h"
 #include "tests/unit/vm_hammer.h"
 
 #include <stdio.h>
@@ -18,15 +19,6 @@
 static uint32_t steps = 20, values = 24;
 static const char *folder;
 static unsigned long accepted, refused;
-
-static void *host(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 static bool is_signed(const uint8_t *image)
 {
@@ -138,7 +130,7 @@ static void hammer_samples(void)
     jmp_buf oom;
     Arena a;
 
-    arena_init(&a, host, NULL, &oom);
+    arena_init(&a, heap_alloc, NULL, &oom);
     str_pool_init(&strings, &a);
     for (size_t i = 0; i < SAMPLES; i++) {
         m[i] = read(&a, &strings, sample[i]);

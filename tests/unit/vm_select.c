@@ -8,16 +8,8 @@
 #include "bytecode-vm/smvm.h"
 #include "compiler/emit/bytecode/bytecode.h"
 #include "stdlib/convert.h"
+#include "tests/heap.h"
 #include "tests/test.h"
-
-static void *host(void *context, void *old, size_t size)
-{
-    (void)context;
-    if (size)
-        return realloc(old, size);
-    free(old);
-    return NULL;
-}
 
 typedef struct Work {
     Arena arena;
@@ -33,7 +25,7 @@ typedef struct Work {
 static void open_work(Work *w)
 {
     memset(w, 0, sizeof *w);
-    arena_init(&w->arena, host, NULL, &w->oom);
+    arena_init(&w->arena, heap_alloc, NULL, &w->oom);
     str_pool_init(&w->strings, &w->arena);
     diags_init(&w->diags, &w->arena);
     buf_init(&w->image, &w->arena);
