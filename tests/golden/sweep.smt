@@ -9,7 +9,6 @@ args sweep v.sm v.ss --set on=false:true:5
 args sweep v.sm v.ss --set on=0:1:2 --format=csv
 args sweep v.sm v.ss v.rq --set limit=750:850:3 --set wait=50:60:2 --format=json
 args sweep v.sm v.ss v.rq --set limit=750:850:3 --set wait=50:60:2 --format=csv
-args sweep v.sm 'quote".ss' --set on=false:true:2 --set wait=0:3:2 --format=csv
 args sweep v.sm never.ss --set wait=0:3:20
 args sweep v.sm v.ss
 args sweep v.sm v.ss --set limt=700:900:3
@@ -51,11 +50,6 @@ at 760: @assert not open
 at 820: @assert open
 at 900: @assert state Abort
 at 2 s: @stop
--- quote".ss --
-[all_states]
-true: p = G
-at 820: @assert open
-at 900: @stop
 -- never.ss --
 [all_states]
 true: p = 1
@@ -159,11 +153,6 @@ wait,limit,now,failing,requirements,checks
 60,800,,0,0,""
 50,850,,2,1,"R1, v.ss:4"
 60,850,,2,1,"R1, v.ss:4"
-wait,on,now,failing,requirements,checks
-0,false,,1,0,"quote"".ss:3"
-3,false,,1,0,"quote"".ss:3"
-0,true,,0,0,""
-3,true,,0,0,""
 sweep of v: 1 script, 4 runs
 wait:
   no script or requirement notices any of these values, so none of them tests this parameter
@@ -193,4 +182,4 @@ Try 'smc sweep --help'.
 smc: sweep requires one or two parameters to sweep, as in --set=limit=700:900:21
 Try 'smc sweep --help'.
 -- exit --
-0 0 0 0 0 0 0 0 0 0 0 0 2 1 1 2 2 2 2 2 1 1 2 2 2
+0 0 0 0 0 0 0 0 0 0 0 2 1 1 2 2 2 2 2 1 1 2 2 2
