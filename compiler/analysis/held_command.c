@@ -30,13 +30,14 @@ typedef struct HeldTrial {
     double *off;                  // by IR variable: its value in the @abort state, before the machine leaves it
 } HeldTrial;
 
-// Whether e requires that v is false.
-static bool requires_off(const Expr *e, const Var *v)
+// Whether e, or with `negated` its negation, requires that v is false now.  rising(v) is `not not v` now and not before: it does not.
+static bool requires_off(const Expr *e, const Var *v, bool negated)
 {
-    bool requires = e->kind == EX_UNARY && e->op == SM_OP_NOT && e->arg[0]->kind == EX_VAR && e->arg[0]->var == v;
+    const bool is_not = e->kind == EX_UNARY && e->op == SM_OP_NOT, is_past = e->kind == EX_ROLL && e->stat == SM_STAT_OLDEST;
+    bool requires = e->kind == EX_VAR && e->var == v && negated;
 
-    for (uint32_t i = 0; i < e->n && !requires; i++)
-        requires = requires_off(e->arg[i], v);
+    for (uint32_t i = 0; i < e->n && !requires && !is_past; i++)
+        requires = requires_off(e->arg[i], v, negated != is_not);
     return requires;
 }
 
@@ -48,7 +49,7 @@ static bool stops_when_withdrawn(const Trials *t, const Var *v)
     for (size_t i = 0; i < t->a->transition.n && !stops; i++) {
         const Transition *x = &t->a->transition.at[i];
         const Expr *guard = x->when && x->when->holds && !x->from->is_abort ? x->when->stmt->value : NULL;
-        stops = guard && requires_off(guard, v) && t->a->stmt[x->stmt->number].reached;
+        stops = guard && requires_off(guard, v, false) && t->a->stmt[x->stmt->number].reached;
     }
     return stops;
 }
