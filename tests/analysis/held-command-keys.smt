@@ -1,4 +1,4 @@
-# Two keys that are still turned after the abort: the message names both, and no button that a rising edge reads.
+# Two keys that are still turned after the abort: the message names both, no button that a rising edge reads, and no lamp.
 warn no-all held-command
 
 -- app.sm --
@@ -14,6 +14,7 @@ bool lamps   @read_only @command
 F32  chamber @read_only @range 0.5 60
 bool igniter
 bool valve
+bool lamp
 
 [all_states] @except Idle Abort
 .step
@@ -23,7 +24,8 @@ bool valve
 
 [Idle] @safe
 .step
-    key and arm: -> Ignite
+    lamp = key
+    key and arm and T > 1 s: -> Ignite
 
 [Ignite]
 .entry
@@ -46,5 +48,6 @@ bool valve
 .entry
     igniter = false
     valve = false
+    lamp = false
 .step
     T >= 5 s and chamber < 2: -> Idle         #! W0919 after 'Abort' the machine switches 'igniter' on again in 'Ignite', with 'key' and 'arm' still on
