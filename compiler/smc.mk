@@ -7,7 +7,8 @@
 #   tank.html: the page for a review of tank.sm, with its scripts and requirements.  SMC_REPORT has further options, as --all.
 #   make mutate-tank, faults-tank, sweep-tank SET=limit=700:900:21: what changes of the machine, faults of its inputs and other values of a parameter
 #   do in the scripts tank.ss and tank-*.ss.
-#   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover; so of an application, tank.app.
+#   make cover-tank: scripts for what tank.ss and tank-*.ss do not test, into the folder cover.
+#   tank.html, test-, mutate-, faults-, sweep- and cover-tank are also of an application, tank.app, if there is no tank.sm.
 #   make diff-tank OLD=flown.sm: what tank.sm does otherwise than flown.sm, and in its scripts tank.ss and tank-*.ss.
 #   make swap-tank TO=stand.sock MODE=continue: tank.sm replaces the machine `tank` of an application that runs.  MODE=restart: it starts again.
 #     FROM=channel.sm: the machine is in this file.  SMC_APP has the state vector, and the bindings of the machine.
@@ -67,6 +68,9 @@ SMC_OLD = { code=$$?; test ! -e $@ || touch -t 197001020000 $@; exit $$code; }
 %.html: %.sm $(SMC_SV) $(SMC_SET)
 	$(SMC_WANT)
 	$(SMC) report $< $(wildcard $*.ss $*-*.ss) $(wildcard $*.rq) $(SMC_ARGS) $(SMC_REPORT) -o $@ -MD -MP -MF $@.d || $(SMC_OLD)
+%.html: %.app $(SMC_SET)
+	$(SMC_WANT)
+	$(SMC) report $< $(wildcard $*.ss $*-*.ss) $(wildcard $*.rq) $(SMCFLAGS) $(SMC_REPORT) -o $@ -MD -MP -MF $@.d || $(SMC_OLD)
 
 # Not %.smb alone: make wants a name that is no file.
 flash-%: %.smb
@@ -78,28 +82,43 @@ swap-%: $(or $(FROM),%.sm) $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) swap $*=$< $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_APP),--app=$(SMC_APP).app,$(if $(SMC_SV),--sv=$(SMC_SV))) --to=$(or $(TO),$(error TO=stand.sock says where the application listens)) \
 	    --$(or $(MODE),$(error MODE=continue or MODE=restart says how the machine goes on))
-# Runs the scripts of the machine, tank.ss and tank-*.ss, with its requirements.
+# What runs the scripts of the machine or application, tank.ss and tank-*.ss, with its requirements.  An application names its state vector itself.
+SMC_TRY   = $< $(or $(wildcard $*.ss $*-*.ss),$(error there is no $*.ss)) $(wildcard $*.rq) $(filter -w -W%,$(SMCFLAGS)) $(SMC_TRY_SV)
+SMC_TRY_SV = $(if $(and $(SMC_SV),$(filter %.sm,$<)),--sv=$(SMC_SV))
+SMC_TEST  = $(SMC) test $(SMC_TRY) $(filter -O%,$(SMCFLAGS))
+SMC_SWEEP = $(SMC) sweep $(SMC_TRY) --set=$(or $(SET),$(error SET=limit=700:900:21 says which parameter to sweep))
+# Writes scripts into cover/ for what the scripts do not test.
+SMC_COVER = $(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) $(SMC_TRY_SV) -o cover
 test-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
-	$(SMC) test $< $(or $(wildcard $*.ss $*-*.ss),$(error there is no $*.ss)) $(wildcard $*.rq) $(filter -w -W% -O%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV))
-# What is tried on the scripts of the machine: changes of it, faults of its inputs, other values of a parameter.
-SMC_TRY   = $< $(or $(wildcard $*.ss $*-*.ss),$(error there is no $*.ss)) $(wildcard $*.rq) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV))
+	$(SMC_TEST)
+test-%: %.app
+	$(SMC_WANT)
+	$(SMC_TEST)
 mutate-%: %.sm $(SMC_SV)
+	$(SMC_WANT)
+	$(SMC) mutate $(SMC_TRY)
+mutate-%: %.app
 	$(SMC_WANT)
 	$(SMC) mutate $(SMC_TRY)
 faults-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
 	$(SMC) faults $(SMC_TRY)
+faults-%: %.app
+	$(SMC_WANT)
+	$(SMC) faults $(SMC_TRY)
 sweep-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
-	$(SMC) sweep $(SMC_TRY) --set=$(or $(SET),$(error SET=limit=700:900:21 says which parameter to sweep))
-# Writes scripts into cover/ for what the scripts of the machine, tank.ss and tank-*.ss, do not test.
+	$(SMC_SWEEP)
+sweep-%: %.app
+	$(SMC_WANT)
+	$(SMC_SWEEP)
 cover-%: %.sm $(SMC_SV)
 	$(SMC_WANT)
-	$(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) $(if $(SMC_SV),--sv=$(SMC_SV)) -o cover
+	$(SMC_COVER)
 cover-%: %.app
 	$(SMC_WANT)
-	$(SMC) cover $< $(wildcard $*.ss $*-*.ss) $(filter -w -W%,$(SMCFLAGS)) -o cover
+	$(SMC_COVER)
 # Compares the machine with an earlier one; it fails if the behaviour differs.
 diff-%: %.sm $(SMC_SV)
 	$(SMC_WANT)

@@ -5,9 +5,9 @@
 // stops when it is released is not judged.
 //
 // A trial begins in the @abort state with the commands that the run had, and changes no input.  Reported if the machine leaves the state by a
-// transition that reads no command, and later switches on an output that was off in the @abort state, and if the same run without commands does
-// not.  So a start that needs a new command, as `rising(start)` or another button, is not reported, and neither is a machine that goes on by
-// itself, which abort_restarts.c judges.
+// transition that reads no command, and later switches on an output that was off in the @abort state.  The same run without commands must switch
+// nothing on, and be in another state then: so a lamp that shows the key is not reported.  A start that needs a new command, as `rising(start)` or
+// another button, is not reported either, and neither is a machine that goes on by itself, which abort_restarts.c judges.
 #include <string.h>
 
 #include "compiler/analysis/input_deps.h"
@@ -27,16 +27,18 @@ typedef struct HeldTrial {
     bool *key;                    // by input: and the machine stops when it is withdrawn
     void *at, *left;              // the current situation; that in which the machine leaves the @abort state
     double *in, *none;            // the inputs; the same without commands
+    bool *shared;                 // by State.number - 1: the machine also comes to this state without commands
     double *off;                  // by IR variable: its value in the @abort state, before the machine leaves it
 } HeldTrial;
 
-// Whether e requires that v is false.
-static bool requires_off(const Expr *e, const Var *v)
+// Whether e, or with `negated` its negation, requires that v is false now.  rising(v) is `not not v` now and not before: it does not.
+static bool requires_off(const Expr *e, const Var *v, bool negated)
 {
-    bool requires = e->kind == EX_UNARY && e->op == SM_OP_NOT && e->arg[0]->kind == EX_VAR && e->arg[0]->var == v;
+    const bool is_not = e->kind == EX_UNARY && e->op == SM_OP_NOT, is_past = e->kind == EX_ROLL && e->stat == SM_STAT_OLDEST;
+    bool requires = e->kind == EX_VAR && e->var == v && negated;
 
-    for (uint32_t i = 0; i < e->n && !requires; i++)
-        requires = requires_off(e->arg[i], v);
+    for (uint32_t i = 0; i < e->n && !requires && !is_past; i++)
+        requires = requires_off(e->arg[i], v, negated != is_not);
     return requires;
 }
 
@@ -48,7 +50,7 @@ static bool stops_when_withdrawn(const Trials *t, const Var *v)
     for (size_t i = 0; i < t->a->transition.n && !stops; i++) {
         const Transition *x = &t->a->transition.at[i];
         const Expr *guard = x->when && x->when->holds && !x->from->is_abort ? x->when->stmt->value : NULL;
-        stops = guard && requires_off(guard, v) && t->a->stmt[x->stmt->number].reached;
+        stops = guard && requires_off(guard, v, false) && t->a->stmt[x->stmt->number].reached;
     }
     return stops;
 }
@@ -84,7 +86,7 @@ static const Transition *leave_state(HeldTrial *k)
 }
 
 // Runs on from k->left with these inputs, for at most *steps steps.  Returns an output that is on and was off in the @abort state, and sets *steps to
-// the steps until then; NULL: there is none, or the machine has aborted again.
+// the steps until then; NULL: there is none, or the machine has aborted again.  Outputs that go on in shared states do not count.
 static const Var *find_started_output(HeldTrial *k, const double *in, int *steps)
 {
     Trials *t = k->t;
@@ -95,9 +97,14 @@ static const Var *find_started_output(HeldTrial *k, const double *in, int *steps
         const bool goes_on = trial_advance_to_event(t, k->at, in, &t->trace);
         if (t->a->p->state.at[trial_state(k->at) - 1]->is_abort)
             return NULL;
-        for (uint32_t v = 0; v < t->run->m->var.n; v++)
-            if (t->actuator[v] && trial_vars(t, k->at)[v] != 0 && k->off[v] == 0)
+        for (uint32_t v = 0; v < t->run->m->var.n; v++) {
+            const double value = trial_vars(t, k->at)[v];
+            if (!t->actuator[v] || value == 0 || k->off[v] != 0)
+                continue;
+            if (!k->shared[trial_state(k->at) - 1])
                 return t->var[v];
+            k->off[v] = value;
+        }
         if (!goes_on)
             return NULL;
     }
@@ -115,13 +122,34 @@ static const char *commands_text(const HeldTrial *k)
     return trial_check_join_names(k->t->a->arena, held, n);
 }
 
+// Returns an output that goes on with the commands only, and its state: one to which the machine does not come without them.  NULL: there is none.
+static const Var *find_restart(HeldTrial *k, const State **in)
+{
+    Trials *t = k->t;
+    const Var *output;
+    int steps = ADVANCES;
+
+    memset(k->shared, 0, t->a->p->state.n * sizeof *k->shared);
+    for (uint32_t i = 0; i < t->inputs; i++)
+        k->none[i] = k->key[i] ? 0 : k->in[i];
+    while ((output = find_started_output(k, k->in, &steps)) != NULL) {
+        *in = t->a->p->state.at[trial_state(k->at) - 1];
+        if (find_started_output(k, k->none, &steps))
+            return NULL;
+        if (trial_state(k->at) != (*in)->number)
+            return output;
+        k->shared[(*in)->number - 1] = true;
+        steps = ADVANCES;
+    }
+    return NULL;
+}
+
 // Tries one choice of inputs.  Returns whether a finding was reported.
 static bool try_inputs(HeldTrial *k, const TrialEntry *e)
 {
     Trials *t = k->t;
     const Transition *x;
     const Var *output;
-    int steps = ADVANCES;
     const State *in;
     Diag *d;
 
@@ -130,13 +158,8 @@ static bool try_inputs(HeldTrial *k, const TrialEntry *e)
     if (!x)
         return false;
     trial_copy_situation(t, k->left, k->at);
-    output = find_started_output(k, k->in, &steps);
+    output = find_restart(k, &in);
     if (!output)
-        return false;
-    in = t->a->p->state.at[trial_state(k->at) - 1];
-    for (uint32_t i = 0; i < t->inputs; i++)
-        k->none[i] = k->key[i] ? 0 : k->in[i];
-    if (find_started_output(k, k->none, &steps))
         return false;
     d = diag_report(t->a->diags, DIAG_held_command, x->stmt->span, x->from->name->text, output->name->text, in->name->text, commands_text(k));
     diag_note_declaration(t->a->diags, d, DIAG_OUTPUTS, output->span);
@@ -170,6 +193,7 @@ void check_held_command(Trials *t)
     k.in = trial_new_inputs(t);
     k.none = trial_new_inputs(t);
     k.off = ARENA_ARRAY(arena, double, t->run->m->var.n);
+    k.shared = ARENA_ARRAY(arena, bool, t->a->p->state.n);
     for (uint32_t i = 0; i < t->inputs; i++) {
         k.command[i] = t->input[i].command && (t->input[i].v->command || !k.deps->marks_commands);
         k.key[i] = k.command[i] && stops_when_withdrawn(t, t->input[i].v);

@@ -5,7 +5,8 @@
 //     temperature < 98: valve = false
 //
 // Proved from the statements: both guards are one comparison of the same expression with a constant, in opposite directions, and some value makes
-// both true.  They are in one list, and nothing between them assigns what they read or leaves the state.
+// both true.  They are in one list, and nothing between them assigns what they read, reads what they assign or leaves the state.  One of the two
+// constants is 0: of two numbers, as of zones, the second can be an exception from the first.
 #include "compiler/analysis/analysis.h"
 #include "stdlib/math.h"
 
@@ -55,15 +56,16 @@ static bool find_limit_store(const Stmt *s, LimitStore *l)
     return l->store != NULL;
 }
 
-// Whether the statement leaves the state, or assigns something that the value depends on.
-static bool ends_comparison(const Stmt *s, const Expr *value)
+// Whether the statement leaves the state, assigns something that the value depends on, or reads the variable that the limit assigns.
+static bool ends_comparison(const Stmt *s, const LimitStore *x)
 {
-    bool ends = s->kind == ST_TRANSITION || (s->kind == ST_ASSIGN && expr_reads(value, s->var));
+    bool ends = s->kind == ST_TRANSITION || (s->kind == ST_ASSIGN && expr_reads(x->value, s->var)) ||
+                (s->value && expr_reads(s->value, x->store->var));
 
     for (size_t i = 0; i < s->then.n && !ends; i++)
-        ends = ends_comparison(s->then.at[i], value);
+        ends = ends_comparison(s->then.at[i], x);
     for (size_t i = 0; i < s->otherwise.n && !ends; i++)
-        ends = ends_comparison(s->otherwise.at[i], value);
+        ends = ends_comparison(s->otherwise.at[i], x);
     return ends;
 }
 
@@ -72,7 +74,7 @@ static bool overlap(const Analysis *a, const LimitStore *x, const LimitStore *y)
     const double low = x->above ? x->limit : y->limit, high = x->above ? y->limit : x->limit;
 
     return x->above != y->above && low < high && x->store->var == y->store->var && expr_equal(x->value, y->value, a->m->window_of) &&
-           !sm_eq(expr_constant_value(x->store->value), expr_constant_value(y->store->value)) &&
+           sm_to_bool(expr_constant_value(x->store->value)) != sm_to_bool(expr_constant_value(y->store->value)) &&
            a->stmt[x->store->number].reached && a->stmt[y->store->number].reached;
 }
 
@@ -96,7 +98,7 @@ static void check_list(const Analysis *a, const Stmts *list)
                 report_overlap(a, &x, &y);
                 break;
             }
-            ended = ends_comparison(list->at[n], x.value);
+            ended = ends_comparison(list->at[n], &x);
         }
         check_list(a, &list->at[i]->then);
         check_list(a, &list->at[i]->otherwise);

@@ -43,4 +43,4 @@ bool valve
     igniter = false
     valve = false
 .step
-    T >= 5 s and chamber < 2: -> Idle         #! W0919 after 'Abort' the machine switches 'igniter' on again in 'Ignite', because 'key' is still on
+    T >= 5 s and chamber < 2: -> Idle         #! W0919 after 'Abort' the machine switches 'igniter' on again in 'Ignite', with 'key' still on

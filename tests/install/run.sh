@@ -142,6 +142,18 @@ check "make faults-NAME makes its inputs faulty" sh -c "$make -s -f path.mk faul
 check "make sweep-NAME sets a parameter to other values" sh -c "$make -s -f path.mk sweep-swept SET=limit=700:800:3 | grep -q '^sweep of swept: 1 script'"
 check "and asks which" sh -c "$make -s -f path.mk sweep-swept 2>&1 | grep -q 'SET=limit=700:900:21 says which parameter'"
 rm -f swept.*
+mkdir app && cp "$root"/examples/dualdeploy/* app
+sees_application()
+{
+    "$make" -s -C app -f ../path.mk test-dualdeploy | grep -q 'R1  *met' &&
+        "$make" -s -C app -f ../path.mk faults-dualdeploy SMCFLAGS=-Wno-all 2>/dev/null | grep -q '^faults of dualdeploy: 2 inputs' &&
+        "$make" -n -C app -f ../path.mk mutate-dualdeploy | grep -q 'smc mutate dualdeploy.app dualdeploy' &&
+        "$make" -n -C app -f ../path.mk sweep-dualdeploy SET=a.b=1:2:3 SMC_SV=dualdeploy.sv | grep 'smc sweep dualdeploy.app' | grep -qv -e '--sv' &&
+        "$make" -s -C app -f ../path.mk dualdeploy.html && "$make" -q -C app -f ../path.mk dualdeploy.html && sleep 1 && touch app/channel.sm &&
+        stale -C app -f ../path.mk dualdeploy.html
+}
+check "the same of an application, whose page is made again if a machine changes" sees_application
+rm -r app
 sed 's/825/820/; s/+ 25/+ 20/' tank.sm >flown.sm
 check "make diff-NAME compares with an earlier machine" sh -c "! $make -s -f path.mk diff-tank OLD=flown.sm >diff.txt && grep -q '^comparison of flown.sm with tank.sm: behaviour changed' diff.txt && rm diff.txt flown.sm"
 check "the command is found in PATH" sh -c "PATH='$inst/bin:$PATH' $make -s -f own.mk found.smb && rm found.smb"
