@@ -113,14 +113,14 @@ static int read_options(WhyCommand *y)
 
     y->o.max_steps = STEPS_MOST;
     y->o.seed = c->given[OPT_SEED] ? &y->seed : NULL;
-    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &y->o.max_steps))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (!cli_read_limit(c, OPT_MAX_STEPS, "--max-steps", UINT64_MAX, &y->o.max_steps))
+        return EXIT_USAGE;
     if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &y->seed) || y->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     if (c->given[OPT_AT] && c->given[OPT_AT_STEP])
         return cli_usage_error(c, TEXT_why_two_steps);
-    if (c->given[OPT_AT_STEP] && !cli_read_count(c->value[OPT_AT_STEP], &y->q.at_step))
-        return cli_usage_error(c, TEXT_number_from_1, "--at-step", c->value[OPT_AT_STEP]);
+    if (!cli_read_limit(c, OPT_AT_STEP, "--at-step", UINT64_MAX, &y->q.at_step))
+        return EXIT_USAGE;
     if (c->given[OPT_DEPTH] && (!cli_read_whole(c->value[OPT_DEPTH], &depth) || depth > DEPTH_MOST))
         return cli_usage_error(c, TEXT_why_depth, c->value[OPT_DEPTH]);
     y->q.depth = (uint32_t)depth;
