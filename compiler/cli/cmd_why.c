@@ -255,15 +255,34 @@ static int report_unknown_to_all(WhyCommand *y, bool is_state, const char *word)
 
 // ---- what the question is about ----
 
-// Selects the machine of an application.  Without --machine, the question must be about only one of them.
+// Reads the machine that --machine names, or the question, as in drogue.Firing.  *word: its name, or NULL.
+static int read_machine(WhyCommand *y, const char **word)
+{
+    const char **asked = y->to ? &y->to : &y->of, *given = y->c->given[OPT_MACHINE] ? y->c->value[OPT_MACHINE] : NULL;
+    const char *point = *asked ? strchr(*asked, '.') : NULL;
+
+    *word = given;
+    if (given && !y->p->joint)
+        return cli_usage_error(y->c, TEXT_why_machine_of_app);
+    if (!point || point[1] == '\0' || !y->p->joint)
+        return EXIT_OK;
+    *word = format_in(y->arena, "%.*s", (int)(point - *asked), *asked);
+    if (given && strcmp(given, *word) != 0)
+        return cli_usage_error(y->c, TEXT_why_other_machine, *asked, given);
+    *asked = point + 1;
+    return EXIT_OK;
+}
+
+// Selects the machine of an application.  Without --machine or the name of a machine, the question must be about only one of them.
 static int choose_machine(WhyCommand *y)
 {
-    const char *word = y->c->given[OPT_MACHINE] ? y->c->value[OPT_MACHINE] : NULL;
-    const char *asked = y->to ? y->to : y->of;
+    const char *word, *asked;
     size_t found = 0, n = 0;
+    const int code = read_machine(y, &word);
 
-    if (word && !y->p->joint)
-        return cli_usage_error(y->c, TEXT_why_machine_of_app);
+    if (code != EXIT_OK)
+        return code;
+    asked = y->to ? y->to : y->of;
     for (size_t i = 0; i < machine_count(y); i++)
         if (word ? strcmp(word, engine_machine_name(y->p, i)) == 0 : machine_count(y) == 1 || can_answer_for(y, i)) {
             found = i;
