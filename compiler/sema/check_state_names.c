@@ -196,6 +196,12 @@ static void report_previous_state(Sema *s, const AstExpr *e)
     diag_edit(s->diags, d, e->span, text);
 }
 
+// Whether e is a name that has no value.
+static bool is_name_without_value(const Sema *s, const AstExpr *e)
+{
+    return e->kind == AST_NAME && !scope_find_variable(s, e->name) && !map_find(&s->defines, e->name) && !map_find(&s->lost->word, e->name);
+}
+
 // Reports an unknown name that is compared with S as an unknown state. Returns false if the name is known, or if e compares no S with a name.
 static bool report_unknown_state(Sema *s, const AstExpr *e)
 {
@@ -203,10 +209,32 @@ static bool report_unknown_state(Sema *s, const AstExpr *e)
     const Program *m = is_equality(e) ? machine_of_state(s, first ? e->a : e->b) : NULL;
     const AstExpr *name = without_parens(first ? e->b : e->a);
 
-    if (!m || name->kind != AST_NAME || scope_find_variable(s, name->name) ||
-        map_find(&s->defines, name->name) || map_find(&s->lost->word, name->name))
+    if (!m || !is_name_without_value(s, name))
         return false;
     scope_find_state(s, m, name->name, name->span);
+    return true;
+}
+
+// Reports an unknown name that is compared with the name of a state, as in `state == Idle`: the user means S.
+static bool report_other_name_of_s(Sema *s, const AstExpr *e)
+{
+    const AstExpr *state = without_parens(e->a), *name = without_parens(e->b);
+    const char *own;
+    Diag *d;
+
+    if (!is_equality(e) || !s->p->s || !is_name_without_value(s, state) || !is_name_without_value(s, name))
+        return false;
+    if (!map_find(&s->p->state_by_name, state->name)) {
+        state = name;
+        name = without_parens(e->a);
+    }
+    if (!map_find(&s->p->state_by_name, state->name) || map_find(&s->p->state_by_name, name->name))
+        return false;
+    own = s->p->s->report_name->text;
+    d = diag_report(s->diags, DIAG_unknown_element, name->span, name->name->text);
+    diag_label(s->diags, d, DIAG_label_write, format_in(s->arena, "%s %s %s", own, sm_op_info[e->op].spelling, state->name->text));
+    if (strcmp(name->name->text, "state") == 0)
+        diag_edit(s->diags, d, name->span, own);
     return true;
 }
 
@@ -219,7 +247,7 @@ bool check_state_names(Sema *s, const AstExpr *e, Expr **out)
         return true;
     }
     *out = check_state_comparison(s, e);
-    if (*out || report_unknown_state(s, e) || report_state_choice(s, e))
+    if (*out || report_unknown_state(s, e) || report_other_name_of_s(s, e) || report_state_choice(s, e))
         return true;
     report_state_as_condition(s, e);
     report_negated_state(s, e);
