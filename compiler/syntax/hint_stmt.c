@@ -245,9 +245,11 @@ HintResult hint_report_comparison_alone(HintCase *c)
     else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, hint_report_general(c), DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
-    else if (e->op >= SM_OP_EQ && e->op <= SM_OP_GE)
+    else if (e->op >= SM_OP_EQ && e->op <= SM_OP_GE) {
         diag_label(p->diags, hint_report_general(c), DIAG_label_condition_alone);
-    else
+        if (p->tok.kind == TOK_ARROW && p->indented <= p->tok.at)      // the transition below probably depends on the condition
+            p->indented = p->tok.at + 1;
+    } else
         return HINT_NONE;
     return HINT_READ;
 }
