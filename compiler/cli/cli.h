@@ -113,8 +113,7 @@ int cli_finish(Cli *c, int code);
 bool has_suffix(const char *path, const char *suffix);
 
 #define EFFORT_MOST UINT64_C(1000000000)      // of --effort, in millions of steps
-// Read the value of an option such as --seed, and --max-steps.  Each returns false if it is not a whole number that 64 bits can hold; a count
-// begins at 1.
+// Read a number such as the value of --seed.  Each returns false if it is not a whole number that 64 bits can hold; a count begins at 1.
 bool cli_read_whole(const char *text, uint64_t *number);
 bool cli_read_count(const char *text, uint64_t *count);
 // Reads the value of an option, a whole number from 1 to `most`, if the option is given.  Returns false after a message.

@@ -128,8 +128,8 @@ int cmd_diff(Cli *c)
         return code;
     if (!cli_choose_format(c, formats, FORMATS, &format) || !cli_compile_options(c, &o) || (deps_wanted(c) && !deps_check_name(c, &output)))
         return EXIT_USAGE;
-    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &max_steps))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (!cli_read_limit(c, OPT_MAX_STEPS, "--max-steps", UINT64_MAX, &max_steps))
+        return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     o.opt_level = 2;

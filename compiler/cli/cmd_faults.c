@@ -473,8 +473,8 @@ static bool read_options(FaultsRun *r, size_t *format)
         !read_fraction(c, OPT_FAULT_NOISE, "--noise", &sizes->noise) || !read_steps(c, OPT_LATE, "--late", &sizes->late) ||
         !read_steps(c, OPT_DROPPED, "--dropped", &sizes->dropped) || !read_fail_on(r))
         return false;
-    if (c->given[OPT_MAX_RUNS] && !cli_read_count(c->value[OPT_MAX_RUNS], &r->o.max_runs))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-runs", c->value[OPT_MAX_RUNS]), false;
+    if (!cli_read_limit(c, OPT_MAX_RUNS, "--max-runs", UINT64_MAX, &r->o.max_runs))
+        return false;
     r->o.has_seed = c->given[OPT_SEED];
     if (r->o.has_seed && (!cli_read_whole(c->value[OPT_SEED], &sizes->seed) || sizes->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]), false;

@@ -296,11 +296,8 @@ static int read_options(MutateRun *r, uint64_t *max_steps, size_t *format)
     const char *end = "";
 
     c->given[OPT_GENERATE] = c->given[OPT_GENERATE] || c->given[OPT_SCRIPTS];
-    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format))
-        return EXIT_USAGE;
-    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], max_steps))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
-    if (!deps_check_result(c))
+    if (!cli_choose_format(c, formats, sizeof formats / sizeof *formats, format) ||
+        !cli_read_limit(c, OPT_MAX_STEPS, "--max-steps", UINT64_MAX, max_steps) || !deps_check_result(c))
         return EXIT_USAGE;
     if (c->given[OPT_MIN_SCORE] && ((end = cli_read_percent(c->value[OPT_MIN_SCORE], &r->least)) == NULL || *end != '\0'))
         return cli_usage_error(c, TEXT_min_score_form, c->value[OPT_MIN_SCORE]);

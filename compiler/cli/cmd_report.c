@@ -128,8 +128,8 @@ int cmd_report(Cli *c)
         return code;
     if ((code = check_options(c, &o, &file[0], &format)) != EXIT_OK)
         return code;
-    if (c->given[OPT_TIME] && (!cli_read_count(c->value[OPT_TIME], &seconds) || seconds > MOST_SECONDS))
-        return cli_usage_error(c, TEXT_number_from_1, "--time", c->value[OPT_TIME]);
+    if (!cli_read_limit(c, OPT_TIME, "--time", MOST_SECONDS, &seconds))
+        return EXIT_USAGE;
     if ((code = cli_read_inputs(c, &in)) != EXIT_OK)
         return code;
     if ((code = (in.app ? compile_app_for_report : compile_for_report)(c, &in, &o, &made, &r)) != EXIT_OK)

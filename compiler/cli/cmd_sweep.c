@@ -406,7 +406,6 @@ static int read_settings(SweepRun *r)
 
     for (size_t i = 0; i < c->set.n; i++) {
         const char *equals = strchr(c->set.at[i], '=');
-        ScriptSetting setting;
         Setting s;
         if (equals && strchr(equals, ':')) {
             if (r->o.axes == SWEEP_AXES)
@@ -417,9 +416,8 @@ static int read_settings(SweepRun *r)
         }
         if (!setting_parse(c, c->set.at[i], &s))
             return EXIT_USAGE;
-        if ((code = setting_find(c, r->w.p, &s, &setting)) != EXIT_OK)
+        if ((code = settings_add(c, r->w.p, &s, &r->setting)) != EXIT_OK)
             return code;
-        vec_push(r->arena, &r->setting, setting);
     }
     if (r->o.axes == 0)
         return cli_usage_error(c, TEXT_sweep_axes);

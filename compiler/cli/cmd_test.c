@@ -249,8 +249,8 @@ static int read_options(TestRun *t)
     CompileOptions unused;
 
     t->max_steps = 1000000;
-    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &t->max_steps))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (!cli_read_limit(c, OPT_MAX_STEPS, "--max-steps", UINT64_MAX, &t->max_steps))
+        return EXIT_USAGE;
     if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &t->seed) || t->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     if (c->given[OPT_ENGINE] && (t->engines = engines_named(c->value[OPT_ENGINE])) == 0)

@@ -113,14 +113,14 @@ static int read_options(WhyCommand *y)
 
     y->o.max_steps = STEPS_MOST;
     y->o.seed = c->given[OPT_SEED] ? &y->seed : NULL;
-    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &y->o.max_steps))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
+    if (!cli_read_limit(c, OPT_MAX_STEPS, "--max-steps", UINT64_MAX, &y->o.max_steps))
+        return EXIT_USAGE;
     if (c->given[OPT_SEED] && (!cli_read_whole(c->value[OPT_SEED], &y->seed) || y->seed > SCRIPT_SEED_MAX))
         return cli_usage_error(c, TEXT_seed_value, c->value[OPT_SEED]);
     if (c->given[OPT_AT] && c->given[OPT_AT_STEP])
         return cli_usage_error(c, TEXT_why_two_steps);
-    if (c->given[OPT_AT_STEP] && !cli_read_count(c->value[OPT_AT_STEP], &y->q.at_step))
-        return cli_usage_error(c, TEXT_number_from_1, "--at-step", c->value[OPT_AT_STEP]);
+    if (!cli_read_limit(c, OPT_AT_STEP, "--at-step", UINT64_MAX, &y->q.at_step))
+        return EXIT_USAGE;
     if (c->given[OPT_DEPTH] && (!cli_read_whole(c->value[OPT_DEPTH], &depth) || depth > DEPTH_MOST))
         return cli_usage_error(c, TEXT_why_depth, c->value[OPT_DEPTH]);
     y->q.depth = (uint32_t)depth;
@@ -255,15 +255,34 @@ static int report_unknown_to_all(WhyCommand *y, bool is_state, const char *word)
 
 // ---- what the question is about ----
 
-// Selects the machine of an application.  Without --machine, the question must be about only one of them.
+// Reads the machine that --machine names, or the question, as in drogue.Firing.  *word: its name, or NULL.
+static int read_machine(WhyCommand *y, const char **word)
+{
+    const char **asked = y->to ? &y->to : &y->of, *given = y->c->given[OPT_MACHINE] ? y->c->value[OPT_MACHINE] : NULL;
+    const char *point = *asked ? strchr(*asked, '.') : NULL;
+
+    *word = given;
+    if (given && !y->p->joint)
+        return cli_usage_error(y->c, TEXT_why_machine_of_app);
+    if (!point || point[1] == '\0' || !y->p->joint)
+        return EXIT_OK;
+    *word = format_in(y->arena, "%.*s", (int)(point - *asked), *asked);
+    if (given && strcmp(given, *word) != 0)
+        return cli_usage_error(y->c, TEXT_why_other_machine, *asked, given);
+    *asked = point + 1;
+    return EXIT_OK;
+}
+
+// Selects the machine of an application.  Without --machine or the name of a machine, the question must be about only one of them.
 static int choose_machine(WhyCommand *y)
 {
-    const char *word = y->c->given[OPT_MACHINE] ? y->c->value[OPT_MACHINE] : NULL;
-    const char *asked = y->to ? y->to : y->of;
+    const char *word, *asked;
     size_t found = 0, n = 0;
+    const int code = read_machine(y, &word);
 
-    if (word && !y->p->joint)
-        return cli_usage_error(y->c, TEXT_why_machine_of_app);
+    if (code != EXIT_OK)
+        return code;
+    asked = y->to ? y->to : y->of;
     for (size_t i = 0; i < machine_count(y); i++)
         if (word ? strcmp(word, engine_machine_name(y->p, i)) == 0 : machine_count(y) == 1 || can_answer_for(y, i)) {
             found = i;

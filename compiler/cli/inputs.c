@@ -204,16 +204,12 @@ bool cli_check_sources(Cli *c, bool standard_input)
 // Stores the value of an option, a whole number of at least 1, in *number; 0 if the option is absent.  Returns false after a message.
 static bool read_number_option(Cli *c, OptionId id, const char *spelling, uint32_t *number)
 {
-    const char *at = c->given[id] ? c->value[id] : "";
     uint64_t n = 0;
 
-    for (; *at >= '0' && *at <= '9' && n <= UINT32_MAX; at++)
-        n = n * 10 + (uint64_t)(*at - '0');
+    if (!cli_read_limit(c, id, spelling, UINT32_MAX, &n))
+        return false;
     *number = (uint32_t)n;
-    if (!c->given[id] || (*at == '\0' && n >= 1 && n <= UINT32_MAX))
-        return true;
-    cli_usage_error(c, TEXT_number_from_1, spelling, c->value[id]);
-    return false;
+    return true;
 }
 
 // Reads -O, --step, the limits, -W and --soft.  false after a message: one of them is invalid.

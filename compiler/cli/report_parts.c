@@ -170,6 +170,18 @@ static int run_proofs(Cli *c, Report *r, const CompileOptions *o, const PartsClo
 
 // ---- changes of the machine ----
 
+// Notes what is missing: changes that were not tried, or the search among those that no script notices.  of_machine: " of drogue", or "".
+static void add_unfinished_mutation(Report *r, const Mutation *u, const char *of_machine)
+{
+    const MutationScore score = mutation_score(u);
+    const unsigned long waiting = score.of[MUTANT_WAITING];
+
+    if (waiting)
+        add_unfinished(r, format_in(r->arena, "changes%s that no script notices (%lu of %lu tried)", of_machine, score.all - waiting, score.all));
+    else
+        add_unfinished(r, format_in(r->arena, "the search for changes%s that make no difference (all %lu were tried)", of_machine, score.all));
+}
+
 // Changes one machine, and stores the result in its report.
 static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, const PartScripts *s, const PartsClock *clock)
 {
@@ -184,11 +196,8 @@ static void mutate_machine(Cli *c, Report *r, size_t member, const Program *p, c
     while (goes_on && (goes_on = may_go_on(clock)) && mutant_reach_next(u, MUTANT_REACH_EFFORT, MUTATE_SEARCH_STEPS))
         mutate_show_progress(u, &k);
     progress_end(&k);
-    if (!goes_on) {
-        const MutationScore score = mutation_score(u);
-        add_unfinished(r, format_in(r->arena, "changes%s%s that no script notices (%lu of %lu tried)", r->members ? " of " : "",
-                                    r->members ? engine_machine_name(p, member) : "", score.all - score.of[MUTANT_WAITING], score.all));
-    }
+    if (!goes_on)
+        add_unfinished_mutation(r, u, r->members ? format_in(r->arena, " of %s", engine_machine_name(p, member)) : "");
     mutation_end(u);
     (r->members ? &r->member[member] : r)->mutation = u;
 }

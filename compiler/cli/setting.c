@@ -105,20 +105,34 @@ int setting_find(Cli *c, const Program *p, const Setting *s, ScriptSetting *out)
     return EXIT_PROBLEM;
 }
 
+// Adds a setting to the list.  A parameter that is in the list already has an error: which value is meant is unknown.
+int settings_add(Cli *c, const Program *p, const Setting *s, ScriptSettings *list)
+{
+    ScriptSetting setting;
+    const int code = setting_find(c, p, s, &setting);
+
+    if (code != EXIT_OK)
+        return code;
+    for (size_t i = 0; i < list->n; i++)
+        if (list->at[i].parameter == setting.parameter)
+            return cli_usage_error(c, TEXT_setting_twice, setting.parameter->name->text);
+    vec_push(&c->session.arena, list, setting);
+    return EXIT_OK;
+}
+
 // Adds the values of all --set to the list, for the parameters of p.
 int settings_read(Cli *c, const Program *p, ScriptSettings *list)
 {
     int code = EXIT_OK;
 
     for (size_t i = 0; i < c->set.n; i++) {
-        ScriptSetting setting;
         Setting s;
+        int added;
         if (!setting_parse(c, c->set.at[i], &s))
             return EXIT_USAGE;
-        if (setting_find(c, p, &s, &setting) != EXIT_OK)
-            code = EXIT_PROBLEM;
-        else
-            vec_push(&c->session.arena, list, setting);
+        if ((added = settings_add(c, p, &s, list)) == EXIT_USAGE)
+            return added;
+        code = added == EXIT_OK ? code : added;
     }
     return code;
 }

@@ -20,6 +20,8 @@ void setting_report_refused(Cli *c, const Setting *s, const char *reason);
 
 typedef VEC(ScriptSetting) ScriptSettings;
 
+// Adds a setting to the list, for a parameter of p that the list does not have yet.  EXIT_OK, or the exit code after a message.
+int settings_add(Cli *c, const Program *p, const Setting *s, ScriptSettings *list);
 // Adds the values of --set to the list, for the parameters of p.  EXIT_OK, or the exit code after a message.
 int settings_read(Cli *c, const Program *p, ScriptSettings *list);
 

@@ -37,9 +37,7 @@ int whatif_load(Cli *c, WhatIf *w)
         scripts += has_suffix(c->file[i], ".ss");
     if (scripts == 0)
         return cli_usage_error(c, TEXT_whatif_script, c->command->name, c->command->name, c->file[0]);
-    if (c->given[OPT_MAX_STEPS] && !cli_read_count(c->value[OPT_MAX_STEPS], &w->max_steps))
-        return cli_usage_error(c, TEXT_number_from_1, "--max-steps", c->value[OPT_MAX_STEPS]);
-    if (!deps_check_result(c))
+    if (!cli_read_limit(c, OPT_MAX_STEPS, "--max-steps", UINT64_MAX, &w->max_steps) || !deps_check_result(c))
         return EXIT_USAGE;
     if (!cli_compile_options(c, &o))
         return EXIT_USAGE;

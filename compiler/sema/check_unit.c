@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // @unit of elements, locals and definitions (language.md 2.24 to 2.27).
+#include <string.h>
+
 #include "compiler/sema/sema.h"
 
 // Reports a name that is no unit. The variable then has no unit, so its unit is compared with no other one.
@@ -12,6 +14,46 @@ static void warn_of_unknown(const CheckContext *c, const AstAnnotation *a, const
         diag_label(c->diags, d, DIAG_label_did_you_mean, error->near);
     if (error->is_certain)
         diag_edit(c->diags, d, span, error->near);
+}
+
+// The characters of typeset units, and the text for each.
+static const struct { const char *typeset, *ascii; } unit_characters[] = {
+    {"\xc2\xb2", "^2"}, {"\xc2\xb3", "^3"},                                             // superscript 2 and 3
+    {"\xe2\x81\xbb\xc2\xb9", "^-1"}, {"\xe2\x81\xbb\xc2\xb2", "^-2"},                 // superscript -1 and -2
+    {"\xc2\xb7", "*"}, {"\xe2\x8b\x85", "*"}, {"\xc3\x97", "*"}};                      // middle dot, dot operator, multiplication sign
+
+// Returns the unit with the text for each character of a typeset one: m/s^2.
+static const char *write_in_ascii(Arena *arena, const char *unit)
+{
+    Buf out;
+
+    buf_init(&out, arena);
+    while (*unit) {
+        const char *ascii = NULL;
+        size_t len = 1;
+        for (size_t i = 0; i < sizeof unit_characters / sizeof *unit_characters && !ascii; i++)
+            if (strncmp(unit, unit_characters[i].typeset, strlen(unit_characters[i].typeset)) == 0) {
+                ascii = unit_characters[i].ascii;
+                len = strlen(unit_characters[i].typeset);
+            }
+        buf_put(&out, ascii ? ascii : unit, ascii ? strlen(ascii) : 1);
+        unit += len;
+    }
+    return buf_text(&out);
+}
+
+// Reports text that is no unit, with the unit that it means if it is a typeset one.
+static void report_malformed(const CheckContext *c, const AstAnnotation *a, const MeasureError *error)
+{
+    const char *text = a->name->text, *ascii = write_in_ascii(c->arena, text);
+    Diag *d = diag_report(c->diags, DIAG_unit_malformed, (Span){a->name_span.src, a->name_span.at + error->at, error->len}, text, error->expected);
+    MeasureError ignored;
+    Measure unit;
+
+    if (strcmp(ascii, text) == 0 || measure_parse(ascii, &unit, &ignored) != MEASURE_GOOD)
+        return;
+    diag_label(c->diags, d, DIAG_label_write, ascii);
+    diag_edit(c->diags, d, a->name_span, ascii);
 }
 
 // Returns the @unit among the annotations; NULL if there is no @unit, or if its word is no unit, which is reported. `is_bool`: a bool has the
@@ -31,8 +73,7 @@ const Measure *check_unit(const CheckContext *c, const AstAnnotations *all, Str 
         }
         flaw = measure_parse(a->name->text, &unit, &error);
         if (flaw == MEASURE_MALFORMED)
-            diag_report(c->diags, DIAG_unit_malformed, (Span){a->name_span.src, a->name_span.at + error.at, error.len}, a->name->text,
-                        error.expected);
+            report_malformed(c, a, &error);
         else if (flaw == MEASURE_UNKNOWN)
             warn_of_unknown(c, a, &error);
         return flaw == MEASURE_GOOD ? arena_copy(c->arena, &unit, sizeof unit) : NULL;

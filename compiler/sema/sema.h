@@ -231,6 +231,13 @@ void warn_of_time_factors(Sema *s, const AstExpr *a, const AstExpr *b);
 // Reports a machine that needs another unit or step of time than the application has. `unit`, `period`: in nanoseconds; 0: unknown.
 void check_app_machine_time(const CheckContext *c, Program *p, Span named, uint64_t unit, uint64_t period);
 
+// ---- check_state_names.c: S compared with the name of a state ----
+
+// Checks a binary operator with the name of a state.  Returns false if it is another one, whose operands have values; else *out is the
+// comparison, or NULL after an error.
+bool check_state_names(Sema *s, const AstExpr *e, Expr **out);
+void warn_of_state_number(Sema *s, const AstExpr *e);      // warns of `S == 3`, and proposes the name of the state
+
 // ---- check_script_when.c: guards by time of a script ----
 
 Expr *check_guard(Sema *s, const AstExpr *e);              // the guard of a conditional of a script: `G == 5000` becomes one node, like `at 5 s`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hints about blocks of other languages that this language does not have: loops, switch, functions, try. The block is reported at its first
-// word and skipped as a whole, because its statements have to be written in another form anyway.
+// word and skipped as a whole, because its statements have to be written in another form anyway. Also hints about headers without brackets.
 #include <string.h>
 
 #include "compiler/syntax/hint_rules.h"
@@ -155,4 +155,55 @@ bool hint_follows_indented(const Parser *p, uint32_t at)
     const char *text = p->lex.src->text;
 
     return p->indented > 0 && p->indented <= at && p->indented + (uint32_t)strspn(text + p->indented, " \t\r\n") >= at;
+}
+
+// ---- a header without brackets ----
+
+// Whether the next line of code after `at` is a label of a state.
+static bool is_above_label(const Parser *p, uint32_t at)
+{
+    const char *text = p->lex.src->text;
+
+    at = skip_blanks(text, next_code_line(text, at));
+    if (text[at] != '.')
+        return false;
+    at++;
+    return hint_is_label(hint_read_word(p, &at));
+}
+
+// Reads (Hold), {Hold}, <Hold>, Hold: and Hold as the header [Hold], if the name is alone on its line, and a label follows.
+HintResult hint_read_plain_header(HintCase *c)
+{
+    Parser *p = c->p;
+    const char *text = p->lex.src->text, *written;
+    const bool is_enclosed = p->tok.kind != TOK_NAME;
+    const uint32_t from = p->tok.at;
+    Token name = is_enclosed ? p->ahead : p->tok;
+    uint32_t end = name.at + name.len;
+    Diag *d;
+
+    if (p->kind != FILE_SM || p->braces > 0 || name.text->declared || hint_is_label(name.text->text) ||
+        hint_find_synonym(HINT_LABELS, name.text->text))
+        return HINT_NONE;
+    if (text[end] && strchr(is_enclosed ? ")}>" : ":", text[end]))
+        end++;
+    else if (is_enclosed)
+        return HINT_NONE;
+    if (skip_blanks(text, end) < end_of_line(text, end) && text[skip_blanks(text, end)] != '#')
+        return HINT_NONE;
+    if (!is_above_label(p, end))
+        return HINT_NONE;
+    written = format_in(p->arena, "[%s]", name.text->text);
+    d = parser_report(p, DIAG_expected_statement, (Span){p->lex.src, from, end - from},
+                      format_in(p->arena, "'%.*s'", (int)(end - from), text + from));
+    diag_label(p->diags, d, DIAG_label_write, written);
+    diag_edit(p->diags, d, (Span){p->lex.src, from, end - from}, written);
+    while (p->ahead.at < end)
+        parser_advance(p);
+    name.kind = TOK_HEADER;
+    name.first = true;
+    name.at--;                                // as if a bracket were before the name
+    name.len++;
+    p->tok = name;
+    return HINT_SKIPPED;
 }

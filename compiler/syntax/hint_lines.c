@@ -339,6 +339,36 @@ bool hint_is_first_of_several(const Source *src, uint32_t at)
     return is_too_long(&l) || has_deeper_line_below(&l);
 }
 
+// Whether the text is a word that closes a conditional in another language.
+static bool is_end_if(const HintLine *l, uint32_t at, uint32_t end)
+{
+    static const char *const words[] = {"end_if", "END_IF", "endif", "ENDIF", "EndIf", "end", "END"};
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (is_text_equal(l, at, end, words[i]))
+            return true;
+    return false;
+}
+
+uint32_t hint_find_end_if(const Source *src, uint32_t at, uint32_t *end)
+{
+    const HintLine l = find_line(src, at);
+    uint32_t semicolon = at, word, second;
+
+    while (semicolon < l.end && !strchr(";#{}", l.text[semicolon]))
+        semicolon++;
+    word = skip_spaces(&l, semicolon + 1);
+    if (semicolon >= l.end || l.text[semicolon] != ';' || !is_end_if(&l, word, skip_word(&l, word)))
+        return 0;
+    word = skip_word(&l, word);
+    second = skip_spaces(&l, word);                       // end if
+    if (is_text_equal(&l, second, skip_word(&l, second), "if") || is_text_equal(&l, second, skip_word(&l, second), "IF"))
+        word = skip_word(&l, second);
+    *end = l.text[word] == ';' ? word + 1 : word;
+    second = skip_spaces(&l, *end);
+    return second >= l.end || l.text[second] == '#' ? semicolon : 0;
+}
+
 // ---- lines below a colon ----
 
 enum { LEVELS_MAX = 16 };     // the most levels of indentation; for a block with more, no edit is proposed

@@ -21,6 +21,10 @@ uint32_t hint_label_shared_line(Diags *diags, Diag *d, const Source *src, uint32
 // is unclear which of them depend on a condition before the first: in C those after the ';' do not.
 bool hint_is_first_of_several(const Source *src, uint32_t at);
 
+// Returns the end of the statement at `at` if only words that close a conditional follow on its line, as in y := 1; END_IF; and sets *end to the end
+// of these words. 0: something else follows.
+uint32_t hint_find_end_if(const Source *src, uint32_t at, uint32_t *end);
+
 // Called if a line ends after a condition's colon, or after a word such as `then`, of `len` bytes at `colon`. If the lines below are indented
 // more, they are probably the condition's statements, and the function proposes braces around them. Returns the end of these statements; 0 if
 // no such statements follow.

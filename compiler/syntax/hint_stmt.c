@@ -115,8 +115,15 @@ HintResult hint_read_then(HintCase *c)
         hint_cover_indented(p);
         p->indented = end > p->indented ? end : p->indented;
     } else {
+        uint32_t end = 0;
+        const uint32_t closing = hint_find_end_if(p->lex.src, p->ahead.at, &end);
         diag_label(p->diags, d, DIAG_label_colon_instead);
-        if (p->ahead.kind != TOK_NUMBER && (p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
+        if (closing) {                        // y := 1; END_IF;
+            diag_edit(p->diags, d, (Span){p->lex.src, closing, end - closing}, "");
+            p->lex.hinted = end;
+            p->open_blocks++;
+        }
+        if (p->ahead.kind != TOK_NUMBER && (closing || p->ahead.kind == TOK_COLON || !hint_is_first_of_several(p->lex.src, p->ahead.at)))
             diag_edit(p->diags, d, (Span){p->lex.src, from, p->tok.at + p->tok.len - from}, p->ahead.kind == TOK_COLON ? "" : ":");
     }
     parser_advance(p);
@@ -176,10 +183,11 @@ static bool is_foreign_arrow(const Parser *p)
     return p->tok.kind == TOK_ARROW && (first == '=' || (first & 0x80));
 }
 
-// Proposes to insert a colon after the guard, unless more statements follow: then it is unclear which of them the guard controls.
+// Proposes to insert a colon after the guard, unless more statements follow: then it is unclear which of them the guard controls.  Text that an
+// earlier edit removes, as the `end if` of a conditional, needs no colon.
 static void propose_colon(Parser *p, Diag *d)
 {
-    if (!hint_is_first_of_several(p->lex.src, p->tok.at))
+    if (p->tok.at >= p->lex.hinted && !hint_is_first_of_several(p->lex.src, p->tok.at))
         diag_edit(p->diags, d, parser_gap_span(p), ":");
 }
 
@@ -245,9 +253,11 @@ HintResult hint_report_comparison_alone(HintCase *c)
     else if (e->op == SM_OP_EQ && e->a->kind == AST_NAME)
         diag_label(p->diags, hint_report_general(c), DIAG_label_store,
                    format_in(p->arena, "%s = %s", e->a->name->text, parser_text(p, e->b->span)));
-    else if (e->op >= SM_OP_EQ && e->op <= SM_OP_GE)
+    else if (e->op >= SM_OP_EQ && e->op <= SM_OP_GE) {
         diag_label(p->diags, hint_report_general(c), DIAG_label_condition_alone);
-    else
+        if (p->tok.kind == TOK_ARROW && p->indented <= p->tok.at)      // the transition below probably depends on the condition
+            p->indented = p->tok.at + 1;
+    } else
         return HINT_NONE;
     return HINT_READ;
 }

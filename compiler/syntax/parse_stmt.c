@@ -93,7 +93,7 @@ void parse_block(Parser *p, AstStmts *into)
         if (p->nesting && into->n && into->at[into->n - 1]->kind == AST_STOP)
             parser_report(p, DIAG_after_stop, parser_token_span(p));
         parse_statement(p, into);
-        if (p->tok.at == at && p->tok.kind != TOK_RBRACE)          // the token begins no statement: skip it
+        if (p->tok.at == at && !parser_at_end_of_block(p))         // the token begins no statement: skip it
             parser_advance(p);
         finish_statement(p);
         claimed = at < p->lex.hinted || at < p->indented;

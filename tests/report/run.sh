@@ -112,6 +112,11 @@ expect "their note" grep -q 'changes that no script notices ([0-9]* of [0-9]* tr
 expect "their verdict" grep -q '^  Changes that scripts notice  *open .*only [0-9]* of [0-9]* were tried' "$out/slow.txt"
 expect "their section" grep -q 'only [0-9]* of [0-9]* changes were' "$out/slow.txt"
 
+# A short script has tried all changes at once.  What takes longer is the search among those that it does not notice.
+printf '[all_states]\nG == 0: @stop\n' >"$out/short.ss"
+expect "a search that is stopped" ends_with 0 sh -c "'$smc' report '$out/slow.sm' '$out/short.ss' --mutate --time=1 -o '$out/slow.txt' 2>'$out/slow.note'"
+expect "its note" grep -q 'the search for changes that make no difference (all [0-9]* were tried)' "$out/slow.note"
+
 # Not everything is never 100 %: here 904 of 907 places, which are 99.67 %.
 {
     printf '[options]\nstep 10 ms\n[state_vector]\nU64 G\nU32 S\nU8 x\n[A]\n.step\n'
