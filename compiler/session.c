@@ -167,18 +167,22 @@ static const Program *app_program(Session *s, const Source *sm, StateVec *sv, co
     return s->diags.errors_seen > errors ? NULL : p;
 }
 
-// Returns by how much time advances from one step of a machine to the next, in units of G; 0 if that is not a whole number, or if no task of
+// Sets by how much time advances from one step of a machine to the next, in units of G; 0 if that is not a whole number, or if no task of
 // an executor runs the machine.
-static uint64_t time_per_step(const App *a, const AppMachine *m)
+static void set_time_per_step(Session *s, const App *a, const AppMachine *m)
 {
+    s->step = 0;
+    s->pauses = false;
     for (size_t e = 0; e < a->executor.n; e++)
         for (size_t r = 0; r < a->executor.at[e]->rate.n; r++) {
             const AppRate *rate = a->executor.at[e]->rate.at[r];
             for (size_t t = 0; t < rate->task.n; t++)
-                if (rate->task.at[t]->machine == m && a->unit > 0 && rate->period % a->unit == 0)
-                    return rate->period / a->unit;
+                if (rate->task.at[t]->machine == m && a->unit > 0 && rate->period % a->unit == 0) {
+                    s->step = rate->period / a->unit;
+                    s->pauses = rate->task.at[t]->mode != NULL;
+                    return;
+                }
         }
-    return 0;
 }
 
 // Sets which machine the following reports are about, if several machines use its file.
@@ -227,12 +231,13 @@ static void analyse_app(Session *s, const App *a, const AppFiles *files)
 
     for (size_t i = 0; i < a->machine.n; i++) {
         p[i] = a->machine.at[i]->program;
-        s->step = time_per_step(a, a->machine.at[i]);
+        set_time_per_step(s, a, a->machine.at[i]);
         begin_instance(s, files, &files->instance[i]);
         session_analyse(s, p[i]);
     }
     s->diags.machine = NULL;
     s->step = 0;
+    s->pauses = false;
     s->diags.known |= 1u << DIAG_JUDGED_VECTOR | 1u << DIAG_JUDGED_APP;
     analyse_shared_vector(&s->arena, &s->diags, p, a->machine.n);
     for (size_t i = 0; a->pins && i < a->machine.n; i++)
@@ -448,7 +453,7 @@ void session_analyse(Session *s, const Program *p)
     if (s->warnings == 0)
         return;
     s->built = ir_build(&s->arena, p);
-    analyse_machine(&s->work, &s->scratch, &s->diags, s->built, s->warnings, s->step, state_runs_find);
+    analyse_machine(&s->work, &s->scratch, &s->diags, s->built, s->warnings, s->step, s->pauses, state_runs_find);
     arena_free(&s->work);
 }
 

@@ -44,6 +44,7 @@ typedef struct Session {
     bool has_requirements;        // session_requirements, not session_program, warns of definitions that nothing uses
     bool proposes_guards;         // session_script reports comparisons with G that a guard by time can replace
     uint64_t step;                // how much G advances from step to step, for session_analyse; 0: unknown
+    bool pauses;                  // it can also advance more: the machine has an @mode
     IrMachine *built;             // the machine that session_analyse analysed last, for session_ir; or NULL
     SessionLocals locals;         // what code outside the machine does with its locals; session_ir sets IrVar.outside and IrVar.hidden for it
     SourceFinder finder;          // finds included files; its functions are NULL until the caller sets them

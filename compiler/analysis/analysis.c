@@ -204,7 +204,7 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p)
     begin_on_ir(a, arena, diags, ir_build(arena, p));
 }
 
-void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step,
+void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step, bool pauses,
                      AnalysisSearch *search)
 {
     static const struct { void (*run)(Analysis *a); DiagGroup group; } all[] = {
@@ -218,6 +218,7 @@ void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine
     begin_on_ir(&a, arena, diags, m);
     a.groups = groups;
     a.step = step;
+    a.pauses = pauses;
     a.search = search;
     a.arena = scratch;
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)

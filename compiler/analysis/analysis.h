@@ -38,6 +38,7 @@ typedef AnalysisRuns AnalysisSearch(Arena *arena, const Program *p, uint64_t del
 typedef struct Analysis {
     unsigned groups;              // the groups whose warnings are enabled: a set of 1u << DiagGroup
     uint64_t step;                // how much the global time G advances per step; 0: unknown
+    bool pauses;                  // it can also advance more: while its @mode is another one, the machine does not step
     Arena *kept;                  // memory that is freed after all analyses
     Arena *arena;                 // working memory of one analysis, freed after it.  Data that a diagnostic stores (such as the
                                   // text of an edit) is in diags->arena
@@ -60,8 +61,8 @@ void analysis_begin(Analysis *a, Arena *arena, Diags *diags, const Program *p);
 StmtFact *analysis_facts_in_states(const Analysis *a);
 
 // Runs all analyses of a machine, in its IR before any pass, whose warnings belong to these groups (1u << DiagGroup for each).
-// `step`, `search`: see Analysis.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
-void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step,
+// `step`, `pauses`, `search`: see Analysis.  Nothing in `arena` is needed afterwards.  `scratch` must be empty and is empty again on return.
+void analyse_machine(Arena *arena, Arena *scratch, Diags *diags, const IrMachine *m, unsigned groups, uint64_t step, bool pauses,
                      AnalysisSearch *search);
 
 // Reports conflicts between n machines that share a state vector, such as two machines that write one element.  The names of all

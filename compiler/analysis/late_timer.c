@@ -5,7 +5,8 @@
 //     T > 120: -> Abort                        # ends the state after 120 ms
 //
 // Needs the step: then T takes the values 0, step, 2 * step, ...  A guard below the limit that the limit implies is reported as a shadowed
-// transition; this one also finds guards above it.  Guards of [all_states] are not judged: a general limit can be longer than a state.
+// transition; this one also finds guards above it.  Guards of [all_states] are not judged: a general limit can be longer than a state.  Nor is a
+// machine with an @mode: T can be any time later when it steps again, and the guard above the limit is then the first one that is true.
 #include "compiler/analysis/analysis.h"
 #include "stdlib/math.h"
 
@@ -105,7 +106,7 @@ void analyse_late_timer(Analysis *a)
 {
     LateTimerCheck k = {.a = a};
 
-    for (size_t i = 0; i < a->p->state.n && a->step > 0; i++) {
+    for (size_t i = 0; i < a->p->state.n && a->step > 0 && !a->pauses; i++) {
         const State *s = a->p->state.at[i];
         k.end = find_end(&k, s);
         if (k.end.stmt)
