@@ -86,7 +86,7 @@ static const Transition *leave_state(HeldTrial *k)
 }
 
 // Runs on from k->left with these inputs, for at most *steps steps.  Returns an output that is on and was off in the @abort state, and sets *steps to
-// the steps until then; NULL: there is none, or the machine has aborted again.  Outputs that go on in shared states do not count.
+// the steps until then; NULL: no output goes on, or the machine has aborted again.  Outputs that go on in shared states do not count.
 static const Var *find_started_output(HeldTrial *k, const double *in, int *steps)
 {
     Trials *t = k->t;
@@ -122,7 +122,7 @@ static const char *commands_text(const HeldTrial *k)
     return trial_check_join_names(k->t->a->arena, held, n);
 }
 
-// Returns an output that goes on with the commands only, and its state: one to which the machine does not come without them.  NULL: there is none.
+// Returns an output that goes on with the commands only, and its state: one to which the machine does not come without them.  NULL: no output does.
 static const Var *find_restart(HeldTrial *k, const State **in)
 {
     Trials *t = k->t;

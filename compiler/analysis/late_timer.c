@@ -15,7 +15,8 @@ typedef struct StateEnd { const Stmt *stmt; double last; } StateEnd;
 
 typedef struct LateTimerCheck { Analysis *a; StateEnd end; } LateTimerCheck;
 
-// Returns the smallest multiple of the step for which `T op limit` is true; a negative number: there is none, or the comparison is another one.
+// Returns the smallest multiple of the step for which `T op limit` is true; a negative number: no T
+// makes it true, or the comparison has another form.
 static double first_true(const LateTimerCheck *k, const Comparison *c)
 {
     const double step = (double)k->a->step;

@@ -38,7 +38,7 @@ static bool find_limit(const Expr *guard, LimitStore *l)
     return true;
 }
 
-// Returns the first assignment of a constant among the statements of the conditional; NULL: there is none.
+// Returns the first assignment of a constant among the statements of the conditional; NULL: they assign no constant.
 static const Stmt *find_constant_store(const Stmt *conditional)
 {
     for (size_t i = 0; i < conditional->then.n; i++)

@@ -64,8 +64,8 @@ static void mark_before(StaleTrial *k, const State *s)
     }
 }
 
-// Returns an assignment that sets the variable and from which the machine comes to the state again without a reset.  NULL: there is none, or a
-// state sets it before the first visit.
+// Returns an assignment that sets the variable and from which the machine comes to the state again without a reset.  NULL: no
+// assignment does so, or a state sets the variable before the first visit.
 static const CarriedStore *find_former_set(StaleTrial *k, size_t v, const State *s)
 {
     const Carried *c = &k->carried.of[v];
@@ -86,8 +86,8 @@ static const CarriedStore *find_former_set(StaleTrial *k, size_t v, const State 
     return found;
 }
 
-// Returns the value of a variable after a former visit: true for a latch, and for an extreme the one farthest from the initial value that some
-// trial has had.  The initial value: there is none.
+// Returns the value of a variable after a former visit: true for a latch, and for an extreme the value of all trials that is farthest
+// from the initial value.  The initial value: no trial has had another one.
 static double find_value(const StaleTrial *k, CarriedKind kind)
 {
     const Trials *t = k->t;

@@ -52,7 +52,8 @@ static void note_read(Expr *e, void *context)
         r->why = format_in(r->arena, writers ? "several machines write '%s'" : "no machine writes '%s'", e->var->name->text);
 }
 
-// Returns why a proof about the machine alone is none about the application: another machine writes what this one assigns.  NULL: no machine does.
+// Returns why a proof about the machine alone proves nothing about the application: another machine writes what this one assigns.  NULL: no machine
+// does.
 static const char *find_other_writer(Arena *arena, const Program *p, const Member *m)
 {
     for (size_t i = 0; i < p->joint->member.n; i++)
@@ -153,7 +154,7 @@ static uint32_t copy_window(Copy *k, uint32_t n)
     return k->to->window.n - 1;
 }
 
-// Returns the requirements that a machine decides as requirements of that machine; NULL: there are none.
+// Returns the requirements that a machine decides as requirements of that machine; NULL: it decides none of them.
 static const Requirements *requirements_of(Arena *arena, const Requirements *all, const size_t *decider, size_t machine)
 {
     const Member *m = &all->program->joint->member.at[machine];

@@ -142,7 +142,7 @@ typedef struct Total {
 
 static Total total[2];        // with a tenth of the effort, and with all of it
 
-// Sorts n numbers, and returns that in the middle; 0: there are none.
+// Sorts n numbers and returns the middle one; 0 if n is 0.
 static int sort(int *at, unsigned n)
 {
     qsort(at, n, sizeof *at, compare);
